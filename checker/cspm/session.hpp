@@ -1,0 +1,64 @@
+// A script made ready: evaluates expressions, builds processes, decides assertions.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "checker/cspm/syntax.hpp"
+#include "checker/lts/transition_system.hpp"
+#include "checker/process/term.hpp"
+#include "checker/refine/check.hpp"
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::cspm {
+
+/// A fault found while evaluating: `error(…)`, no matching clause, division by zero, infinite set, runaway recursion…
+/// Carries the place and the CSPM call stack, innermost first.
+class EvaluationError : public std::runtime_error {
+public:
+    EvaluationError(std::string message, Span span, std::vector<std::string> stack);
+    Span span;
+    std::vector<std::string> stack;
+};
+
+struct AssertionResult {
+    std::string text;           ///< the assertion as printed
+    Span span;
+    bool negated = false;
+    refine::Verdict verdict;    ///< already turned round for `not`: holds means the assertion as worded holds
+};
+
+/// One loaded script with its events, terms and definitions. Not thread-safe.
+class Session {
+public:
+    explicit Session(Script script);
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    [[nodiscard]] const Script& script() const;
+    /// Places of the assertions in the script, in order (inside modules and timed sections too).
+    [[nodiscard]] std::vector<DeclPtr> assertions() const;
+    /// Decides one assertion. Evaluation errors are thrown; limits give inconclusive.
+    [[nodiscard]] AssertionResult check(const Decl& assertion, const refine::Limits&);
+
+    /// An expression in the script's global scope as a process.
+    [[nodiscard]] process::TermId process(const ExprPtr&);
+    /// The same as a transition system that shares this session's events; valid while the session lives.
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&);
+    /// An expression that denotes an event or a set of events.
+    [[nodiscard]] process::EventSet events(const ExprPtr&);
+    /// An expression of any other type, printed as FDR's `print` does.
+    [[nodiscard]] std::string evaluate(const ExprPtr&);
+
+    [[nodiscard]] process::EventTable& event_table();
+    [[nodiscard]] process::TermStore& terms();
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace robochart::cspm

@@ -1,0 +1,40 @@
+// The narrow waist: everything that can be searched is an initial packed state, successors, and names.
+// Behind it stand process terms, compiled machines, explicit graphs and generated code.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "checker/process/term.hpp"
+
+namespace robochart::lts {
+
+using process::Event;
+using Word = std::uint32_t;
+using StateView = std::span<const Word>;
+
+/// Receives the successors of one state, in an order that depends on the model alone.
+class SuccessorSink {
+public:
+    virtual ~SuccessorSink() = default;
+    /// `revealed`: for tau, the event that hiding made invisible (or tau itself); else equal to `event`.
+    virtual void add(Event event, StateView target, Event revealed) = 0;
+};
+
+class TransitionSystem {
+public:
+    virtual ~TransitionSystem() = default;
+    /// Words of every packed state; fixed for the system's life.
+    [[nodiscard]] virtual std::size_t width() const = 0;
+    virtual void initial(std::span<Word> state) = 0;
+    virtual void successors(StateView state, SuccessorSink& sink) = 0;
+    /// Names of events; systems that are compared share one table.
+    [[nodiscard]] virtual const process::EventTable& events() const = 0;
+    /// The state as people read it: for processes the definitions each component is in, with arguments.
+    [[nodiscard]] virtual std::string describe(StateView state) const = 0;
+};
+
+}  // namespace robochart::lts

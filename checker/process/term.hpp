@@ -1,0 +1,126 @@
+// Process terms: hash-consed CSP operator trees over integer events. The CSPM evaluator builds them,
+// the operational semantics steps them, the compiler turns them into machines. Equal terms have equal ids.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace robochart::process {
+
+using Event = std::uint32_t;
+inline constexpr Event tau = 0;   ///< the invisible action
+inline constexpr Event tick = 1;  ///< successful termination, printed as ✓
+inline constexpr Event first_visible = 2;
+
+/// Names of events. Ids are dense; visible events are numbered in the order of their first interning.
+class EventTable {
+public:
+    EventTable();
+    Event intern(std::string_view name);
+    [[nodiscard]] const std::string& name(Event) const;
+    [[nodiscard]] std::size_t size() const { return names_.size(); }
+
+private:
+    std::vector<std::string> names_;
+    std::unordered_map<std::string, Event> ids_;
+};
+
+using EventSet = std::vector<Event>;          ///< ascending, without tau; tick only where said
+using EventPair = std::pair<Event, Event>;
+using Renaming = std::vector<EventPair>;      ///< ascending (from, to); events not named keep their name
+
+enum class TermId : std::uint32_t {};
+enum class SetId : std::uint32_t {};
+enum class RenamingId : std::uint32_t {};
+enum class OrderId : std::uint32_t {};
+
+enum class Op : std::uint8_t {
+    stop, skip, div,
+    omega,            ///< after tick: does nothing
+    run, chaos,       ///< set
+    call,             ///< payload: Definitions call; unfolds without a tau
+    prefix,           ///< payload: Definitions prefix: its branches
+    external_choice, internal_choice,  ///< n children, n >= 2
+    sequential,       ///< P ; Q
+    interrupt,        ///< P /\ Q
+    sliding,          ///< P [> Q
+    exception,        ///< P [| set |> Q
+    sync_choice,      ///< [+ set +], n children
+    sync_interrupt,   ///< P /+ set +\ Q
+    parallel,         ///< n children, all synchronise on `set` and on tick (interleaving: empty set)
+    alphabetised,     ///< n children, `sets` one alphabet each; event needs all whose alphabet has it; tick needs all
+    hide, rename,     ///< one child; set / renaming
+    prioritise,       ///< one child; order
+    chase,            ///< one child
+    compress,         ///< one child; payload: Compression. Meaning: the child's, up to the models the compression keeps
+};
+
+enum class Compression : std::uint32_t { normal, sbisim, dbisim, wbisim, diamond, tau_loop_factor, model_compress, explicate, deter, lazyenumerate };
+
+/// Priorities for `prioritise`: level 0 first. Tau and tick rank with level 0. Events in no level are incomparable:
+/// they neither cut nor are cut. A state's event of level k>0 is kept only if no tau, tick or event of a lower-numbered level is possible.
+/// `maximal` marks FDR's prioritise(P, <A0,...>) convention that unlisted events rank... decided by the evaluator, which lists them.
+using PriorityOrder = std::vector<EventSet>;
+
+struct Term {
+    Op op = Op::stop;
+    std::uint32_t payload = 0;        ///< call/prefix index, SetId, RenamingId, OrderId, Compression
+    std::vector<TermId> children;
+    std::vector<SetId> sets;          ///< alphabetised
+    friend bool operator==(const Term&, const Term&) = default;
+};
+
+struct Branch {
+    Event event;
+    TermId target;
+};
+
+/// What the terms' names mean; the CSPM evaluator implements it. Results are fixed: called at most once per index
+/// by the term store, which keeps them. Errors of evaluation are thrown as EvaluationError.
+class Definitions {
+public:
+    virtual ~Definitions() = default;
+    virtual TermId unfold(std::uint32_t call) = 0;
+    virtual std::vector<Branch> branches(std::uint32_t prefix) = 0;
+    /// "P(1,true)" for reports.
+    [[nodiscard]] virtual std::string describe_call(std::uint32_t call) const = 0;
+};
+
+/// Owns terms, event sets, renamings and priority orders of one check.
+class TermStore {
+public:
+    explicit TermStore(EventTable& events);
+    TermStore(const TermStore&) = delete;
+    TermStore& operator=(const TermStore&) = delete;
+
+    TermId make(Term);  ///< hash-consed; no simplification
+    [[nodiscard]] const Term& operator[](TermId) const;
+    [[nodiscard]] std::size_t size() const;
+
+    SetId set(EventSet);  ///< sorted and deduplicated here
+    [[nodiscard]] const EventSet& operator[](SetId) const;
+    [[nodiscard]] bool contains(SetId, Event) const;
+    RenamingId renaming(Renaming);
+    [[nodiscard]] const Renaming& operator[](RenamingId) const;
+    OrderId order(PriorityOrder);
+    [[nodiscard]] const PriorityOrder& operator[](OrderId) const;
+
+    void define(Definitions& definitions) { definitions_ = &definitions; }
+    TermId unfold(std::uint32_t call);                       ///< memoised
+    const std::vector<Branch>& branches(std::uint32_t prefix);  ///< memoised
+    [[nodiscard]] const Definitions& definitions() const { return *definitions_; }
+    [[nodiscard]] EventTable& events() { return events_; }
+    [[nodiscard]] const EventTable& events() const { return events_; }
+
+private:
+    struct Impl;
+    EventTable& events_;
+    Definitions* definitions_ = nullptr;
+    std::shared_ptr<Impl> impl_;
+};
+
+}  // namespace robochart::process

@@ -1,0 +1,55 @@
+// Does the generated code refine the model? NF_c(M) [FD= L(G), by exploring the compiled code over all inputs
+// (docs/conformance.md; the relation is RoboTool's NormalForm with its three simulation assumptions).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "checker/refine/check.hpp"
+#include "cpp_emit/emit.hpp"
+#include "diagnostics/diagnostic.hpp"
+#include "semantics/instantiation.hpp"
+#include "semantics/ir.hpp"
+
+namespace robochart::conformance {
+
+enum class Outcome {
+    conforms,
+    differs,           ///< the code does something NF_c(M) does not allow
+    not_schedulable,   ///< the model cannot be run in cycles: a witness of NF_c(M) alone
+    not_generated,     ///< the generator refused the component (diagnostics say why)
+    inconclusive,
+};
+
+/// One control cycle of a counterexample.
+struct Cycle {
+    std::vector<std::string> inputs;   ///< registers raised, "seeRobot", "heading = 0.1"
+    std::vector<std::string> outputs;  ///< what the code wrote, in order
+    std::string state;                 ///< the code's state after it
+};
+
+struct Result {
+    Outcome outcome = Outcome::inconclusive;
+    std::string reason;
+    std::vector<Cycle> cycles;         ///< differs, not_schedulable: shortest input sequence
+    std::string expected;              ///< what the model allows where the code differs
+    std::uint64_t code_states = 0;     ///< distinct state images of the code
+    std::uint64_t code_cycles = 0;     ///< (state, input valuation) pairs stepped
+    refine::Statistics product;        ///< of the refinement check
+    std::vector<std::string> raw;      ///< the trace in events of NF_c(M)
+};
+
+struct Options {
+    std::uint32_t cycle_length = 1;    ///< c: tocks per cycle
+    cpp_emit::Options generator;       ///< seeded faults, for tests
+    std::string compiler = "c++";      ///< must accept g++'s options
+    std::string flags = "-std=c++20 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror";
+    std::string work_dir;              ///< where sources and the shared object are put; "" : a fresh temporary folder, removed after
+    refine::Limits limits;
+};
+
+/// Generates, compiles, explores and checks one component.
+[[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component, const Options&,
+                             diagnostics::SourceManager&, diagnostics::Diagnostics&);
+
+}  // namespace robochart::conformance

@@ -1,0 +1,80 @@
+/* The plain C interface between a generated controller, compiled as a shared object over finite carriers,
+ * and the explorer of conformance/. One cycle = one call of `step`. Ships with the generated code.
+ * Copyright: see LICENSE (Apache-2.0). */
+#ifndef ROBOCHART_EXPLORE_ABI_H
+#define ROBOCHART_EXPLORE_ABI_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define ROBOCHART_ABI_VERSION 1
+#define ROBOCHART_MAX_ARGUMENTS 8
+#define ROBOCHART_MAX_RECORDS 64
+
+/* An input register: an event received from outside, or a shared variable written from outside. */
+typedef struct rc_input {
+    const char* name;        /* CSP event prefix below the component: "seeRobot.in", "set_EXT_reached" */
+    uint32_t values;         /* number of values it can carry; 0: carries none */
+    const int64_t* value;    /* its values: numbers, reals times the scale, enumeration indices, booleans 0/1 */
+    const char* const* text; /* the same values as CSPM text ("-70", "true", "P_T_Red") */
+} rc_input;
+
+/* An output: event sent, operation called, shared variable written. */
+typedef struct rc_output {
+    const char* name;        /* "out.out", "MoveCall", "set_linearSpeed" */
+    uint32_t arguments;
+} rc_output;
+
+typedef struct rc_record {
+    uint32_t output;         /* index into outputs */
+    uint32_t count;
+    int64_t argument[ROBOCHART_MAX_ARGUMENTS];
+} rc_record;
+
+typedef struct rc_log {
+    uint32_t count;
+    uint32_t overflow;       /* set when more than ROBOCHART_MAX_RECORDS were written */
+    rc_record record[ROBOCHART_MAX_RECORDS];
+} rc_log;
+
+typedef enum rc_result {
+    RC_QUIESCENT = 0,        /* nothing more can happen in this cycle */
+    RC_TERMINATED = 1,
+    RC_STEP_BOUND = 2,       /* a loop without time: the model diverges, or the bound is too small */
+    RC_PRECONDITION = 3,     /* an operation was called outside its precondition */
+    RC_DEADLINE = 4          /* a deadline was missed */
+} rc_result;
+
+/* One register in one cycle: present 0/1 and the index of its value in rc_input.value. */
+typedef struct rc_register {
+    uint32_t present;
+    uint32_t value;
+} rc_register;
+
+typedef struct rc_interface {
+    uint32_t abi_version;
+    const char* component;   /* "AggregationFSM" */
+    uint32_t state_size;     /* bytes of the state, trivially copyable and canonical: equal states have equal bytes */
+    uint32_t inputs;
+    const rc_input* input;
+    uint32_t outputs;
+    const rc_output* output;
+    int64_t scale;           /* reals are multiples of 1/scale */
+    void (*initial)(void* state);
+    rc_result (*step)(void* state, const rc_register* registers, rc_log* log);
+    /* Writes "state=S1 T=3 reached=true" (at most size bytes, terminated). */
+    void (*print)(const void* state, char* buffer, size_t size);
+} rc_interface;
+
+/* The only exported symbol. */
+const rc_interface* robochart_explore(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

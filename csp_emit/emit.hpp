@@ -1,0 +1,77 @@
+// From the shared IR to the CSP semantics as one CSPM syntax tree: what FDR is handed and what we check.
+// Names and alphabets are RoboTool's (docs/semantics.md); the inside is our own: each machine is one
+// sequential process whose parameters are its variables and clocks.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "checker/cspm/syntax.hpp"
+#include "diagnostics/diagnostic.hpp"
+#include "semantics/instantiation.hpp"
+#include "semantics/ir.hpp"
+
+namespace robochart::csp_emit {
+
+enum class Time { untimed, timed };
+
+/// What a name in the script means to the reader of the model.
+enum class MeaningKind {
+    transition,   ///< hidden event of a transition that fires without a trigger
+    trigger,      ///< visible input event
+    output, call, entered, assignment, external_write, terminate, step, tock,
+};
+struct EventMeaning {
+    MeaningKind kind = MeaningKind::step;
+    std::string text;     ///< for people: "S1 -> S2 on seeRobot", "call MoveClockwise"
+    ir::Origin origin;
+};
+/// A process definition of the script: where a machine stands when it is in it.
+struct DefinitionMeaning {
+    std::string text;                    ///< "in S1", "in the action of t2"
+    std::vector<std::string> parameters; ///< variable or clock of each parameter, RoboChart names; clocks as "since(T)"
+    std::vector<ir::TypeId> types;       ///< type of each; invalid for clocks and counters
+    ir::Origin origin;
+};
+/// Keys are names as the checker prints them: qualified event name without arguments
+/// ("P::S::internal__.t2", "P::S::seeRobot.in"), qualified definition name ("P::S::S1__").
+struct Provenance {
+    std::map<std::string, EventMeaning> events;
+    std::map<std::string, DefinitionMeaning> definitions;
+};
+
+/// One check to be made: an assertion of the model in one time, as one or more CSPM assertions that must all hold.
+struct Obligation {
+    std::uint32_t property = ir::no_id;  ///< index into System::properties; none for generated core assertions
+    std::string title;                   ///< "A1 [timed] AggregationFSM is deadlock-free"
+    Time time = Time::untimed;
+    std::vector<cspm::DeclPtr> assertions;  ///< members of the script below; empty: no check exists (`reason`)
+    std::string reason;
+};
+
+struct Emission {
+    cspm::Script definitions;        ///< library, instantiations, components
+    cspm::Script script;             ///< definitions, the CSP blocks, the assertions: what is checked
+    std::vector<Obligation> obligations;
+    Provenance provenance;
+};
+
+struct Options {
+    bool core_assertions = false;    ///< add the generated ones (deadlock, divergence, determinism, timelock) for each component
+};
+
+/// Emits all components of the system for one time. CSP blocks are read with the CSPM reader; their syntax errors are
+/// reported at their place in the .assertions file. Constructs without CSP semantics are reported by name.
+[[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, Time, const Options&,
+                            diagnostics::SourceManager&, diagnostics::Diagnostics&);
+
+/// A file to be written: path relative to the output folder, and its text.
+struct OutputFile {
+    std::string path;
+    std::string text;
+};
+/// The emission as files that FDR loads: csp-gen/[timed/]NAME.csp and NAME_assertions.csp (which includes the first).
+[[nodiscard]] std::vector<OutputFile> files(const Emission&, Time, const std::string& name);
+
+}  // namespace robochart::csp_emit

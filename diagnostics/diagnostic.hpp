@@ -1,0 +1,72 @@
+// Diagnostics as data: a rule from a table, a place, arguments; drawing is elsewhere (render.hpp).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/source.hpp"
+
+namespace robochart::diagnostics {
+
+enum class Severity { note, warning, error };
+
+/// One row of a rule table. All views point at static storage.
+struct Rule {
+    std::string_view code;         ///< published code where there is one (STM6, J1), else ours (RC-P01, CSPM-T03)
+    Severity severity = Severity::error;
+    std::string_view message;      ///< fmt pattern, filled with the diagnostic's arguments in order
+    std::string_view explanation;  ///< what `explain CODE` prints: the rule, the reason, an example
+};
+
+/// Points at another place that matters.
+struct Note {
+    Span span;
+    std::string message;
+};
+
+/// A certain mend: replace the span's text.
+struct FixIt {
+    Span span;
+    std::string replacement;
+    std::string title;
+};
+
+/// One finding. `rule` is never null.
+struct Diagnostic {
+    const Rule* rule = nullptr;
+    Span span;
+    std::vector<std::string> arguments;
+    std::vector<Note> notes;
+    std::vector<FixIt> fixes;
+
+    /// The rule's pattern with the arguments filled in.
+    [[nodiscard]] std::string message() const;
+};
+
+/// Collects diagnostics in any order; hands them out sorted by source, place, code.
+class Diagnostics {
+public:
+    /// Errors kept; later ones are counted only.
+    static constexpr std::size_t max_kept = 200;
+
+    /// Adds a finding. The reference is valid until the next `report`; use it to attach notes and fixes.
+    Diagnostic& report(const Rule& rule, Span span, std::vector<std::string> arguments = {});
+
+    [[nodiscard]] std::vector<Diagnostic> sorted() const;
+    [[nodiscard]] std::size_t errors() const { return errors_; }
+    [[nodiscard]] std::size_t warnings() const { return warnings_; }
+    [[nodiscard]] bool ok() const { return errors_ == 0; }
+    [[nodiscard]] bool empty() const { return items_.empty(); }
+    /// How many were counted but not kept.
+    [[nodiscard]] std::size_t dropped() const { return dropped_; }
+
+private:
+    std::vector<Diagnostic> items_;
+    Diagnostic overflow_;
+    std::size_t errors_ = 0;
+    std::size_t warnings_ = 0;
+    std::size_t dropped_ = 0;
+};
+
+}  // namespace robochart::diagnostics

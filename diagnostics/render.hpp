@@ -1,0 +1,28 @@
+// Draws diagnostics: for people (excerpt, caret, notes) and for programs (JSON).
+#pragma once
+
+#include <string>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::diagnostics {
+
+struct TextStyle {
+    bool color = false;          ///< ANSI colours
+    std::size_t max_width = 160; ///< longer source lines are cut around the caret
+};
+
+/// One diagnostic with excerpt and caret:
+///   error[J1]: message
+///     --> path:line:column
+///      |
+///    7 |   junction j
+///      |            ^
+///      = note: ...
+[[nodiscard]] std::string render_text(const SourceManager&, const Diagnostic&, const TextStyle& = {});
+/// All of them in sorted order, then a closing count ("2 errors, 1 warning"); "" if there are none.
+[[nodiscard]] std::string render_text(const SourceManager&, const Diagnostics&, const TextStyle& = {});
+/// {"schema":"robochart-verify/diagnostics/1","diagnostics":[{code,severity,message,file,line,column,endLine,endColumn,notes,fixes}]}
+[[nodiscard]] std::string render_json(const SourceManager&, const Diagnostics&);
+
+}  // namespace robochart::diagnostics

@@ -1,0 +1,67 @@
+// Source texts and places in them. Every tool here (RoboChart reader, CSPM reader, scenario reader)
+// points at text through these two types, so that one renderer can draw all diagnostics.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robochart::diagnostics {
+
+/// Index of a text in its SourceManager. Never reused.
+enum class SourceId : std::uint32_t { none = 0xffffffffU };
+
+/// A half-open range of byte offsets [begin, end) in one source text. `none` spans point nowhere.
+struct Span {
+    SourceId source = SourceId::none;
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+
+    friend bool operator==(const Span&, const Span&) = default;
+    [[nodiscard]] bool known() const { return source != SourceId::none; }
+};
+
+/// The smallest span that covers both; either may be unknown.
+[[nodiscard]] Span join(Span a, Span b);
+
+/// A place as people count it: both from 1; columns count Unicode code points.
+struct Position {
+    std::uint32_t line = 1;
+    std::uint32_t column = 1;
+};
+
+/// Owns source texts for the life of a run. References and views it hands out stay valid.
+class SourceManager {
+public:
+    /// Largest text accepted, in bytes; larger files are refused by `load`.
+    static constexpr std::size_t max_bytes = 256U << 20U;
+
+    /// Adds a text under a display path (not opened).
+    SourceId add(std::string path, std::string text);
+    /// Reads a file. On failure returns nothing and sets `error` to the cause in words
+    /// (missing, a folder, unreadable, too large). Any bytes are accepted here; readers judge them.
+    std::optional<SourceId> load(const std::string& path, std::string& error);
+
+    [[nodiscard]] std::string_view text(SourceId id) const;
+    [[nodiscard]] const std::string& path(SourceId id) const;
+    [[nodiscard]] std::size_t size() const { return files_.size(); }
+    /// Line and column of a byte offset (clamped to the text's end).
+    [[nodiscard]] Position position(SourceId id, std::uint32_t offset) const;
+    /// The text of a line (from 1) without its line end.
+    [[nodiscard]] std::string_view line(SourceId id, std::uint32_t line) const;
+    /// `path:line` of a span's begin, or "" if unknown.
+    [[nodiscard]] std::string place(Span span) const;
+
+private:
+    struct File {
+        std::string path;
+        std::string text;
+        std::vector<std::uint32_t> line_starts;
+    };
+    std::deque<File> files_;
+};
+
+}  // namespace robochart::diagnostics

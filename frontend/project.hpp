@@ -1,0 +1,30 @@
+// The front end's door: a path in, a resolved and typed model or diagnostics out.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "diagnostics/diagnostic.hpp"
+#include "frontend/ast.hpp"
+
+namespace robochart::frontend {
+
+/// Reads one text. Never fails: what cannot be understood becomes diagnostics and error nodes.
+/// `is_assertions` selects the grammar of `.assertions`.
+[[nodiscard]] std::unique_ptr<File> parse(const diagnostics::SourceManager&, diagnostics::SourceId, bool is_assertions,
+                                          diagnostics::Diagnostics&);
+
+/// Resolves names over all files of the model, computes types and checks the well-formedness rules.
+/// Fills the "filled by" fields; call once. Order of files does not matter.
+void resolve(Model&, diagnostics::Diagnostics&);
+
+/// Loads a project: a folder (all `.rct` and `.assertions` below it, sorted by path) or one file
+/// (with the other files of its folder, so that imports work; assertions only of the named file
+/// or, for a `.rct`, of the folder's files). Reads, parses, resolves. Missing path, unreadable or empty
+/// input become diagnostics. Returns a model even when there are errors.
+[[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::string& path, diagnostics::Diagnostics&);
+
+/// The model as indented text, one node a line, for `--print ast` (before) and `--print model` (after resolution: targets and types shown).
+[[nodiscard]] std::string dump(const Model&, const diagnostics::SourceManager&, bool resolved);
+
+}  // namespace robochart::frontend
