@@ -25,6 +25,7 @@ enum class MeaningKind {
 struct EventMeaning {
     MeaningKind kind = MeaningKind::step;
     std::string text;     ///< for people: "S1 -> S2 on seeRobot", "call MoveClockwise"
+    std::vector<ir::TypeId> types;  ///< of the event's arguments, in order; empty if it has none
     ir::Origin origin;
 };
 /// A process definition of the script: where a machine stands when it is in it.
