@@ -1,0 +1,190 @@
+#include "app/options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "app/interrupt.hpp"
+
+namespace robochart::app {
+namespace {
+
+constexpr const char* version = "robochart-verify 0.1.0";
+
+constexpr const char* footer = R"(
+MODEL is a folder (a project: every .rct and .assertions file below it) or a file (with the .rct files of its
+folder); several are read as one project.
+
+Exit status:
+   0  everything as claimed: every assertion holds as worded, the code conforms
+   1  some assertion fails, or some code does not conform
+   2  the input is wrong
+   3  inconclusive: a limit was reached, or interrupted; what is known is printed
+   4  wrong usage
+  70  a fault of this program: please report it)";
+
+struct VerbRow {
+    Verb verb;
+    const char* name;
+    const char* parent;  ///< "" for top-level verbs
+    const char* help;
+    const char* input;
+};
+constexpr std::array<VerbRow, 7> verbs{{
+    {Verb::verify, "verify", "", "all of it: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL"},
+    {Verb::check, "check", "", "read the model and decide its assertions", "MODEL"},
+    {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL"},
+    {Verb::emit_cpp, "cpp", "emit", "write the C++ controllers", "MODEL"},
+    {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL"},
+    {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT"},
+    {Verb::explain, "explain", "", "explain a rule of the language by its code", "CODE"},
+}};
+
+const CLI::AsSizeValue as_size(false);
+
+void add_common(CLI::App& app, Options& o) {
+    const std::map<std::string, Format> formats{{"text", Format::text}, {"json", Format::json}};
+    const std::map<std::string, Color> colors{
+        {"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}};
+    app.add_option("--format", o.format, "text or json")->transform(CLI::CheckedTransformer(formats))->option_text("FORMAT [text]");
+    app.add_option("--color", o.color, "auto, always or never")->transform(CLI::CheckedTransformer(colors))->option_text("WHEN [auto]");
+    app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
+    app.add_option("--memory", o.memory_bytes, "memory bound of a check, e.g. 4GiB")->transform(as_size)->option_text("SIZE [16GiB]");
+    app.add_option("--timeout", o.timeout_seconds, "time bound of a check in seconds; 0 for none")->check(CLI::NonNegativeNumber)->option_text("SECONDS [0]");
+    app.add_option("--max-states", o.max_states, "bound on states of a check")->check(CLI::PositiveNumber)->option_text("N [500000000]");
+    app.add_option("--threads", o.threads, "threads of a check")->check(CLI::Range(1U, 256U))->option_text("N [1]");
+}
+
+void add_model(CLI::App& app, Options& o) {
+    app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
+    app.add_option("--range", o.ranges, "carrier of nat, int or real")->option_text("TYPE=LOW..HIGH ...");
+    app.add_option("--print", o.print, "print a phase and stop")
+        ->check(CLI::IsMember({"ast", "model", "ir", "script", "timed-script"}))
+        ->option_text("PHASE {ast,model,ir,script,timed-script}");
+}
+
+void add_checking(CLI::App& app, Options& o) {
+    app.add_option("--assertion", o.assertion, "only the assertion of this name (cspm: number from 1)")->option_text("NAME");
+    app.add_flag("--trace", o.show_internal, "also print raw event traces of counterexamples");
+}
+
+void add_times(CLI::App& app, Options& o) {
+    auto* timed = app.add_flag_callback("--timed", [&o] { o.times = Times::timed; }, "only the timed semantics");
+    app.add_flag_callback("--untimed", [&o] { o.times = Times::untimed; }, "only the untimed semantics")->excludes(timed);
+    app.add_flag("--core", o.core, "also check the generated core assertions of every component");
+}
+
+void add_code(CLI::App& app, Options& o) {
+    app.add_option("--component", o.component, "only this module, controller or machine")->option_text("NAME");
+    app.add_option("--cycle", o.cycle, "time units of one control cycle")->check(CLI::Range(1U, 1000U))->option_text("N [1]");
+}
+
+void add_options(CLI::App& app, const VerbRow& row, Options& o) {
+    app.add_option("inputs", o.inputs, "")->required()->option_text(fmt::format("{}...", row.input));
+    if (row.verb == Verb::explain) return;
+    add_common(app, o);
+    if (row.verb == Verb::cspm) return add_checking(app, o);
+    add_model(app, o);
+    if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::emit_csp) add_times(app, o);
+    if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::conform) add_checking(app, o);
+    if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::conform) add_code(app, o);
+    app.add_option_function<std::string>("--out", [&o](const std::string& dir) {
+           o.out = dir;
+           o.out_given = true;
+       }, "folder for the files written")->option_text("DIR [out]");
+}
+
+/// `robochart-verify MODEL` is `robochart-verify verify MODEL`: the first word decides.
+bool names_a_verb(const std::string& word) {
+    if (word == "emit" || word == "-h" || word == "--help" || word == "--version") return true;
+    return std::any_of(verbs.begin(), verbs.end(),
+                       [&](const VerbRow& row) { return row.parent[0] == '\0' && word == row.name; });
+}
+
+Parsed finish(CLI::App& app, const CLI::Error& error) {
+    Parsed parsed;
+    if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) {
+        parsed.message = std::string(version) + "\n";
+    } else if (error.get_exit_code() == 0) {
+        const CLI::App* shown = &app;
+        while (!shown->get_subcommands().empty()) shown = shown->get_subcommands().front();
+        parsed.message = shown->help();
+    } else {
+        parsed.exit = Exit::usage;
+        parsed.message = fmt::format("robochart-verify: {}\ntry: robochart-verify --help\n", error.what());
+    }
+    return parsed;
+}
+
+bool parse_number(std::string_view text, std::int64_t& value) {
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return code == std::errc() && end == text.data() + text.size();
+}
+
+}  // namespace
+
+Parsed parse_command_line(int argc, const char* const* argv) {
+    Options o;
+    CLI::App app{"Verifies RoboChart models: semantics, assertions, C++ controllers, conformance.", "robochart-verify"};
+    app.footer(footer);
+    app.set_version_flag("--version", version);
+    app.require_subcommand(1);
+    auto* emit = app.add_subcommand("emit", "write files, nothing else");
+    emit->require_subcommand(1);
+    for (const VerbRow& row : verbs) {
+        CLI::App& parent = row.parent[0] == '\0' ? app : *emit;
+        auto* sub = parent.add_subcommand(row.name, row.help);
+        sub->footer(footer);
+        add_options(*sub, row, o);
+        sub->callback([&o, &row] { o.verb = row.verb; });
+    }
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    if (!words.empty() && !names_a_verb(words.front())) words.insert(words.begin(), "verify");
+    std::reverse(words.begin(), words.end());
+    try {
+        app.parse(words);
+    } catch (const CLI::Error& error) {
+        return finish(app, error);
+    }
+    return Parsed{o, Exit::success, ""};
+}
+
+ir::InstantiationOptions instantiation_options(const Options& o, std::string& error) {
+    ir::InstantiationOptions result;
+    for (const std::string& text : o.constants) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos || equals == 0) error = fmt::format("--const {}: expected NAME=VALUE", text);
+        else result.constants[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    for (const std::string& text : o.ranges) {
+        const auto equals = text.find('=');
+        const auto dots = text.find("..");
+        std::int64_t low = 0;
+        std::int64_t high = 0;
+        const std::string_view view(text);
+        const bool good = equals != std::string::npos && dots != std::string::npos && dots > equals &&
+                          parse_number(view.substr(equals + 1, dots - equals - 1), low) && parse_number(view.substr(dots + 2), high);
+        if (!good) error = fmt::format("--range {}: expected TYPE=LOW..HIGH", text);
+        else if (low > high) error = fmt::format("--range {}: the range is empty", text);
+        else result.ranges[text.substr(0, equals)] = {low, high};
+    }
+    return result;
+}
+
+refine::Limits limits(const Options& o) {
+    refine::Limits result;
+    result.max_states = o.max_states;
+    result.memory_bytes = o.memory_bytes;
+    result.threads = o.threads;
+    result.interrupted = interrupted;
+    if (o.timeout_seconds > 0) {
+        result.deadline = std::chrono::steady_clock::now() +
+                          std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(o.timeout_seconds));
+    }
+    return result;
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,66 @@
+// The command line: verbs, options, exit codes. One table of options in options.cpp feeds `--help` and parsing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/refine/check.hpp"
+#include "semantics/instantiation.hpp"
+
+namespace robochart::app {
+
+/// Exit codes, documented in `--help` (docs/cli.md).
+enum class Exit : int {
+    success = 0,       ///< everything as claimed
+    failed = 1,        ///< some assertion fails, some code does not conform
+    bad_input = 2,     ///< the model or script is wrong
+    inconclusive = 3,  ///< a limit was reached, or interrupted
+    usage = 4,
+    internal = 70,     ///< a fault of ours
+};
+
+enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain };
+enum class Format { text, json };
+enum class Color { automatic, always, never };
+enum class Times { both, timed, untimed };
+
+struct Options {
+    Verb verb = Verb::verify;
+    std::vector<std::string> inputs;      ///< models (files or folders), scripts, or a rule code
+    std::string out = "out";
+    bool out_given = false;
+    Format format = Format::text;
+    Color color = Color::automatic;
+    bool quiet = false;
+    bool show_internal = false;           ///< --trace: raw event traces beside the told counterexample
+    Times times = Times::both;
+    bool core = false;
+    std::string assertion;                ///< only this one, "" for all
+    std::string component;                ///< emit cpp, conform: only this one
+    std::uint32_t cycle = 1;
+    std::string print;                    ///< phase to print, "" for none
+    std::vector<std::string> constants;   ///< NAME=VALUE
+    std::vector<std::string> ranges;      ///< TYPE=LOW..HIGH
+    std::uint64_t memory_bytes = 16ULL << 30U;
+    double timeout_seconds = 0;           ///< 0: none
+    std::uint64_t max_states = 500'000'000;
+    unsigned threads = 1;
+};
+
+/// Result of reading the command line: options, or an exit code with a text to print.
+struct Parsed {
+    std::optional<Options> options;
+    Exit exit = Exit::success;
+    std::string message;                  ///< help, version (to stdout) or a usage error (to stderr)
+};
+
+[[nodiscard]] Parsed parse_command_line(int argc, const char* const* argv);
+
+/// The instantiation part of the options. Malformed pairs give a message in `error`.
+[[nodiscard]] ir::InstantiationOptions instantiation_options(const Options&, std::string& error);
+/// The limits of one check that begins now.
+[[nodiscard]] refine::Limits limits(const Options&);
+
+}  // namespace robochart::app

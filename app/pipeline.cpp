@@ -1,0 +1,126 @@
+#include "app/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "app/rules.hpp"
+#include "diagnostics/render.hpp"
+#include "frontend/project.hpp"
+#include "semantics/lower.hpp"
+
+namespace robochart::app {
+namespace fs = std::filesystem;
+namespace {
+
+std::string project_name(const std::string& input) {
+    const fs::path path = fs::path(input).lexically_normal();
+    const fs::path last = path.has_filename() ? path.filename() : path.parent_path().filename();
+    const std::string stem = last.stem().string();
+    return stem.empty() || stem == "." || stem == ".." ? "model" : stem;
+}
+
+bool lower_all(Project& project, const Options& options) {
+    project.model = frontend::load_project(project.sources, options.inputs, project.diagnostics);
+    if (!project.diagnostics.ok()) return false;
+    project.system = ir::lower(*project.model, project.diagnostics);
+    if (!project.diagnostics.ok()) return false;
+    std::string error;
+    const ir::InstantiationOptions wanted = instantiation_options(options, error);
+    if (!error.empty()) {
+        project.diagnostics.report(rules::bad_option, {}, {error});
+        return false;
+    }
+    project.instantiation = ir::instantiate(project.system, wanted, project.diagnostics);
+    return project.diagnostics.ok();
+}
+
+bool color_wanted(Color color) {
+    if (color != Color::automatic) return color == Color::always;
+    return isatty(STDERR_FILENO) == 1;
+}
+
+ir::ComponentRef component(ir::ComponentKind kind, std::size_t index, const std::string& package, const std::string& name) {
+    ir::ComponentRef ref;
+    ref.kind = kind;
+    ref.definition = static_cast<std::uint32_t>(index);
+    ref.package = package;
+    ref.path = name;
+    return ref;
+}
+
+std::vector<ir::ComponentRef> all_components(const ir::System& system) {
+    std::vector<ir::ComponentRef> all;
+    for (std::size_t i = 0; i < system.modules.size(); ++i)
+        all.push_back(component(ir::ComponentKind::module, i, system.modules[i].package, system.modules[i].name));
+    for (std::size_t i = 0; i < system.controllers.size(); ++i)
+        all.push_back(component(ir::ComponentKind::controller, i, system.controllers[i].package, system.controllers[i].name));
+    for (std::size_t i = 0; i < system.machines.size(); ++i) {
+        const ir::Machine& machine = system.machines[i];
+        if (machine.kind == ir::MachineKind::state_machine)
+            all.push_back(component(ir::ComponentKind::machine, i, machine.package, machine.name));
+    }
+    return all;
+}
+
+}  // namespace
+
+std::unique_ptr<Project> load(const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    auto project = std::make_unique<Project>();
+    project->name = project_name(options.inputs.front());
+    lower_all(*project, options);
+    project->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return project;
+}
+
+csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::Time time) {
+    csp_emit::Options wanted;
+    wanted.core_assertions = options.core;
+    return csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources, project.diagnostics);
+}
+
+std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& wanted) {
+    std::vector<ir::ComponentRef> chosen;
+    for (const ir::ComponentRef& ref : all_components(system)) {
+        const bool named = ref.path == wanted || ref.package + "::" + ref.path == wanted;
+        if (wanted.empty() ? chosen.empty() || chosen.front().kind == ref.kind : named) chosen.push_back(ref);
+    }
+    return chosen;
+}
+
+std::string write_file(const std::string& path, const std::string& text) {
+    std::error_code code;
+    fs::create_directories(fs::path(path).parent_path(), code);
+    if (code) return fmt::format("cannot create the folder of {}: {}", path, code.message());
+    const std::string temporary = path + ".part";
+    std::FILE* file = std::fopen(temporary.c_str(), "wb");
+    if (file == nullptr) return fmt::format("cannot write {}: {}", path, std::strerror(errno));
+    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+    const bool closed = std::fclose(file) == 0;
+    if (!written || !closed) {
+        const std::string cause = std::strerror(errno);
+        std::remove(temporary.c_str());
+        return fmt::format("cannot write {}: {}", path, cause);
+    }
+    fs::rename(temporary, path, code);
+    return code ? fmt::format("cannot write {}: {}", path, code.message()) : "";
+}
+
+bool show_diagnostics(const Project& project, const Options& options) {
+    if (options.format == Format::json) {
+        if (!project.diagnostics.ok()) fmt::print("{}\n", diagnostics::render_json(project.sources, project.diagnostics));
+    } else if (!options.quiet || !project.diagnostics.ok()) {
+        diagnostics::TextStyle style;
+        style.color = color_wanted(options.color);
+        fmt::print(stderr, "{}", diagnostics::render_text(project.sources, project.diagnostics, style));
+    }
+    return project.diagnostics.ok();
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,44 @@
+// The phases of one run over a model, each made once and on demand (docs/architecture.md has the table).
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/options.hpp"
+#include "csp_emit/emit.hpp"
+#include "diagnostics/diagnostic.hpp"
+#include "frontend/ast.hpp"
+#include "semantics/instantiation.hpp"
+#include "semantics/ir.hpp"
+
+namespace robochart::app {
+
+/// Everything known about the model of this run.
+struct Project {
+    std::string name;                 ///< of the first input, without folder and extension: names the files written
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    std::unique_ptr<frontend::Model> model;
+    ir::System system;
+    ir::Instantiation instantiation;
+    double seconds = 0;               ///< reading, resolving, lowering
+};
+
+/// Reads the inputs and lowers them. Stops after the first phase with errors; `diagnostics` tells.
+[[nodiscard]] std::unique_ptr<Project> load(const Options&);
+
+/// The semantics in one time; diagnostics are added to the project's.
+[[nodiscard]] csp_emit::Emission emit_csp(Project&, const Options&, csp_emit::Time);
+
+/// The components that C++ is made for: the modules, without any the controllers, without any the machines;
+/// or the one of the name asked for (any kind). Empty with a diagnostic if there is none.
+[[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
+
+/// Writes a file and the folders above it, atomically (a temporary name, then rename).
+/// Returns the cause in words on failure, "" on success.
+[[nodiscard]] std::string write_file(const std::string& path, const std::string& text);
+
+/// Prints the project's diagnostics to stderr (or, as JSON, to stdout) and tells whether there were no errors.
+bool show_diagnostics(const Project&, const Options&);
+
+}  // namespace robochart::app

@@ -1,0 +1,21 @@
+// Rules of the command itself, and the way to all rules of all rooms (for `explain` and the tests).
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::app {
+
+namespace rules {
+extern const diagnostics::Rule bad_option;      ///< an option's value does not fit the model
+extern const diagnostics::Rule no_component;    ///< nothing to generate code for
+}  // namespace rules
+
+/// Every rule of every room, by room then table order.
+[[nodiscard]] std::vector<const diagnostics::Rule*> all_rules();
+/// Ignores case; null if there is none.
+[[nodiscard]] const diagnostics::Rule* find_rule(std::string_view code);
+
+}  // namespace robochart::app

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Installs the Debian packages the project needs and does not find. Rerunnable; asks for sudo only if
+# something is missing and we are not root.
+set -euo pipefail
+
+packages=(
+  g++ clang cmake ninja-build ccache mold
+  libfmt-dev libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-graph-dev
+  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libclang-rt-14-dev
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  if ! dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed'; then
+    missing+=("$package")
+  fi
+done
+if [ "${#missing[@]}" -eq 0 ]; then
+  exit 0
+fi
+
+echo "installing: ${missing[*]}"
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  as_root=(sudo)
+fi
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"
