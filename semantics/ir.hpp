@@ -167,6 +167,7 @@ struct Constant {
     std::string name;
     TypeId type;
     ExprPtr value;                 ///< null: taken from the instantiation
+    bool required = false;         ///< of a required interface: in a context, the value of its provider (see docs in instantiation.hpp)
     std::string interface;
     Origin origin;
 };
@@ -174,8 +175,8 @@ struct Constant {
 struct Event {
     std::string name;
     std::optional<TypeId> type;    ///< absent: carries no value
-    bool input = false;            ///< used in a trigger or an input statement
-    bool output = false;           ///< used in an output statement
+    bool input = false;            ///< used in a trigger or an input statement; controllers, platforms: connected into the software
+    bool output = false;           ///< used in an output statement; controllers, platforms: connected out of the software
     bool broadcast = false;
     std::string interface;
     Origin origin;
@@ -282,8 +283,9 @@ struct Controller {
     std::vector<Variable> variables;      ///< its own (scope local) and the required ones
     std::vector<Constant> constants;
     std::vector<Event> events;
-    std::vector<OperationSignature> operations;   ///< required: calls that leave the controller
+    std::vector<OperationSignature> operations;   ///< required and not defined here: calls that leave the controller
     std::vector<MachineId> definitions;   ///< operations defined here (inline or by opref)
+    std::vector<std::string> definition_names;  ///< of each: the reference's name (`opref move_ref = Move`), inline: its own
     std::vector<MachineInstance> machines;
     std::vector<Connection> connections;
     std::vector<std::string> interfaces;
