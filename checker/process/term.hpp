@@ -29,9 +29,9 @@ private:
     std::unordered_map<std::string, Event> ids_;
 };
 
-using EventSet = std::vector<Event>;          ///< ascending, without tau; tick only where said
+using EventSet = std::vector<Event>;  ///< ascending, without tau; tick only where said
 using EventPair = std::pair<Event, Event>;
-using Renaming = std::vector<EventPair>;      ///< ascending (from, to); events not named keep their name
+using Renaming = std::vector<EventPair>;  ///< ascending (from, to); events not named keep their name
 
 enum class TermId : std::uint32_t {};
 enum class SetId : std::uint32_t {};
@@ -39,12 +39,16 @@ enum class RenamingId : std::uint32_t {};
 enum class OrderId : std::uint32_t {};
 
 enum class Op : std::uint8_t {
-    stop, skip, div,
-    omega,            ///< after tick: does nothing
-    run, chaos,       ///< set
-    call,             ///< payload: Definitions call; unfolds without a tau
-    prefix,           ///< payload: Definitions prefix: its branches
-    external_choice, internal_choice,  ///< n children, n >= 2
+    stop,
+    skip,
+    div,
+    omega,  ///< after tick: does nothing
+    run,
+    chaos,   ///< set
+    call,    ///< payload: Definitions call; unfolds without a tau
+    prefix,  ///< payload: Definitions prefix: its branches
+    external_choice,
+    internal_choice,  ///< n children, n >= 2
     sequential,       ///< P ; Q
     interrupt,        ///< P /\ Q
     sliding,          ///< P [> Q
@@ -53,24 +57,37 @@ enum class Op : std::uint8_t {
     sync_interrupt,   ///< P /+ set +\ Q
     parallel,         ///< n children, all synchronise on `set` and on tick (interleaving: empty set)
     alphabetised,     ///< n children, `sets` one alphabet each; event needs all whose alphabet has it; tick needs all
-    hide, rename,     ///< one child; set / renaming
-    prioritise,       ///< one child; order
-    chase,            ///< one child
-    compress,         ///< one child; payload: Compression. Meaning: the child's, up to the models the compression keeps
+    hide,
+    rename,       ///< one child; set / renaming
+    prioritise,   ///< one child; order
+    chase,        ///< one child: every tau is followed at once, the first of several
+    compress,     ///< one child; payload: Compression. Meaning: the child's, up to the models the compression keeps
+    chaos_offer,  ///< set: the state of chaos(set) that offers the whole set; made by the firing rules only
 };
 
-enum class Compression : std::uint32_t { normal, sbisim, dbisim, wbisim, diamond, tau_loop_factor, model_compress, explicate, deter, lazyenumerate };
+enum class Compression : std::uint32_t {
+    normal,
+    sbisim,
+    dbisim,
+    wbisim,
+    diamond,
+    tau_loop_factor,
+    model_compress,
+    explicate,
+    deter,
+    lazyenumerate
+};
 
 /// Priorities for `prioritise`: level 0 first. Tau and tick rank with level 0. Events in no level are incomparable:
-/// they neither cut nor are cut. A state's event of level k>0 is kept only if no tau, tick or event of a lower-numbered level is possible.
-/// `maximal` marks FDR's prioritise(P, <A0,...>) convention that unlisted events rank... decided by the evaluator, which lists them.
+/// they neither cut nor are cut. A state's event of level k>0 is kept only if no tau, tick or event of a lower-numbered
+/// level is possible. An event listed twice has its first level.
 using PriorityOrder = std::vector<EventSet>;
 
 struct Term {
     Op op = Op::stop;
-    std::uint32_t payload = 0;        ///< call/prefix index, SetId, RenamingId, OrderId, Compression
+    std::uint32_t payload = 0;  ///< call/prefix index, SetId, RenamingId, OrderId, Compression
     std::vector<TermId> children;
-    std::vector<SetId> sets;          ///< alphabetised
+    std::vector<SetId> sets;  ///< alphabetised
     friend bool operator==(const Term&, const Term&) = default;
 };
 
@@ -97,7 +114,7 @@ public:
     TermStore(const TermStore&) = delete;
     TermStore& operator=(const TermStore&) = delete;
 
-    TermId make(Term);  ///< hash-consed; no simplification
+    TermId make(const Term&);  ///< hash-consed; no simplification
     [[nodiscard]] const Term& operator[](TermId) const;
     [[nodiscard]] std::size_t size() const;
 
@@ -110,8 +127,10 @@ public:
     [[nodiscard]] const PriorityOrder& operator[](OrderId) const;
 
     void define(Definitions& definitions) { definitions_ = &definitions; }
-    TermId unfold(std::uint32_t call);                       ///< memoised
+    TermId unfold(std::uint32_t call);                          ///< memoised
     const std::vector<Branch>& branches(std::uint32_t prefix);  ///< memoised
+    /// The branches if they have been asked for already; evaluates nothing.
+    [[nodiscard]] const std::vector<Branch>* known_branches(std::uint32_t prefix) const;
     [[nodiscard]] const Definitions& definitions() const { return *definitions_; }
     [[nodiscard]] EventTable& events() { return events_; }
     [[nodiscard]] const EventTable& events() const { return events_; }

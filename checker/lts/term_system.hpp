@@ -1,0 +1,26 @@
+// A process term as a transition system: states are terms, one word each.
+#pragma once
+
+#include "checker/lts/transition_system.hpp"
+#include "checker/process/operational_semantics.hpp"
+
+namespace robochart::lts {
+
+/// The operational semantics of one term. Shares the store's terms and the semantics' memory with other systems.
+class TermSystem final : public TransitionSystem {
+public:
+    TermSystem(process::OperationalSemantics& semantics, process::TermId initial)
+        : semantics_(semantics), initial_(initial) {}
+
+    [[nodiscard]] std::size_t width() const override { return 1; }
+    void initial(std::span<Word> state) override;
+    void successors(StateView state, SuccessorSink& sink) override;
+    [[nodiscard]] const process::EventTable& events() const override;
+    [[nodiscard]] std::string describe(StateView state) const override;
+
+private:
+    process::OperationalSemantics& semantics_;
+    process::TermId initial_;
+};
+
+}  // namespace robochart::lts

@@ -1,0 +1,518 @@
+// Firing rules after Roscoe, "Understanding Concurrent Systems" (UCS), chapter 9 and 20, and the FDR 4.2 manual,
+// "Defining Processes" and "Built-In Definitions". In the comments x is any action, a a visible event or tick unless
+// said otherwise. FDR's rule for termination holds throughout: P --✓--> always ends in Ω, which does nothing.
+#include "checker/process/firing_rules.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_set>
+
+namespace robochart::process {
+namespace {
+
+constexpr std::uint32_t no_level = std::numeric_limits<std::uint32_t>::max();
+
+constexpr std::size_t short_list = 24;
+
+/// The same for a few transitions, without a table.
+void drop_repeated_targets_of_few(std::vector<Transition>& list) {
+    std::size_t kept = 0;
+    for (const Transition& step : list) {
+        const auto same = [&](const Transition& other) {
+            return other.event == step.event && other.target == step.target;
+        };
+        const auto end = list.begin() + static_cast<std::ptrdiff_t>(kept);
+        if (std::find_if(list.begin(), end, same) == end) list[kept++] = step;
+    }
+    list.resize(kept, Transition{tau, tau, TermId{0}});
+}
+
+/// Within one event, keeps the first transition to each target.
+void drop_repeated_targets(std::vector<Transition>& list) {
+    std::unordered_set<std::uint32_t> seen;
+    Event event = 0;
+    std::erase_if(list, [&](const Transition& step) {
+        if (step.event != event) seen.clear();
+        event = step.event;
+        return !seen.insert(static_cast<std::uint32_t>(step.target)).second;
+    });
+}
+
+void put_in_order(std::vector<Transition>& list) {
+    if (list.size() < 2) return;
+    const auto earlier = [](const Transition& a, const Transition& b) { return a.event < b.event; };
+    if (!std::is_sorted(list.begin(), list.end(), earlier)) std::stable_sort(list.begin(), list.end(), earlier);
+    const auto same = [](const Transition& a, const Transition& b) { return a.event == b.event; };
+    if (std::adjacent_find(list.begin(), list.end(), same) == list.end()) return;
+    list.size() <= short_list ? drop_repeated_targets_of_few(list) : drop_repeated_targets(list);
+}
+
+}  // namespace
+
+FiringRules::FiringRules(TermStore& terms, const KnownTransitions& known)
+    : terms_(terms),
+      known_(known),
+      omega_(terms.make(Term{Op::omega, 0, {}, {}})),
+      stop_(terms.make(Term{Op::stop, 0, {}, {}})) {}
+
+std::optional<TermId> FiringRules::missing_operand(TermId id) {
+    const auto unless_known = [this](TermId operand) {
+        return known_.knows(operand) ? std::nullopt : std::optional(operand);
+    };
+    const Term& term = terms_[id];
+    switch (term.op) {
+        case Op::call:
+            return unless_known(terms_.unfold(term.payload));
+        case Op::internal_choice:
+        case Op::prefix:
+            return std::nullopt;
+        case Op::sequential:
+        case Op::sliding:
+        case Op::exception:
+            return unless_known(term.children.front());
+        case Op::chase:
+            return unless_known(end_of_chase(term.children.front()));
+        default:
+            break;
+    }
+    for (TermId child : term.children)
+        if (!known_.knows(child)) return child;
+    return std::nullopt;
+}
+
+std::vector<Transition> FiringRules::transitions(TermId id) {
+    List list;
+    fire(terms_[id], list);
+    put_in_order(list);
+    return list;
+}
+
+void FiringRules::fire(const Term& term, List& list) {
+    switch (term.op) {
+        case Op::stop:
+        case Op::omega:
+        case Op::skip:
+        case Op::div:
+        case Op::run:
+        case Op::chaos:
+        case Op::chaos_offer:
+        case Op::prefix:
+            return stop_family(term, list);
+        case Op::external_choice:
+        case Op::internal_choice:
+        case Op::sliding:
+        case Op::sync_choice:
+            return choice_family(term, list);
+        case Op::sequential:
+        case Op::interrupt:
+        case Op::sync_interrupt:
+        case Op::exception:
+        case Op::parallel:
+        case Op::alphabetised:
+            return parallel_family(term, list);
+        case Op::call:
+        case Op::hide:
+        case Op::rename:
+        case Op::prioritise:
+        case Op::chase:
+        case Op::compress:
+            return unary_family(term, list);
+    }
+}
+
+void FiringRules::stop_family(const Term& term, List& list) {
+    switch (term.op) {
+        // UCS 9.2: SKIP --✓--> Ω. STOP and Ω have no rule.
+        case Op::skip:
+            list.push_back({tick, tick, omega_});
+            break;
+        // FDR manual: DIV performs taus for ever. DIV --τ--> DIV.
+        case Op::div:
+            list.push_back({tau, tau, terms_.make(term)});
+            break;
+        case Op::run:
+        case Op::chaos_offer:
+            run(term, list);
+            break;
+        case Op::chaos:
+            chaos(term, list);
+            break;
+        case Op::prefix:
+            prefix(term, list);
+            break;
+        default:
+            break;
+    }
+}
+
+void FiringRules::choice_family(const Term& term, List& list) {
+    switch (term.op) {
+        case Op::external_choice:
+            external_choice(term, list);
+            break;
+        case Op::internal_choice:
+            internal_choice(term, list);
+            break;
+        case Op::sliding:
+            sliding(term, list);
+            break;
+        default:
+            sync_choice(term, list);
+            break;
+    }
+}
+
+void FiringRules::parallel_family(const Term& term, List& list) {
+    switch (term.op) {
+        case Op::sequential:
+            sequential(term, list);
+            break;
+        case Op::interrupt:
+            interrupt(term, list);
+            break;
+        case Op::sync_interrupt:
+            sync_interrupt(term, list);
+            break;
+        case Op::exception:
+            exception(term, list);
+            break;
+        case Op::parallel:
+            parallel(term, list);
+            break;
+        default:
+            alphabetised(term, list);
+            break;
+    }
+}
+
+void FiringRules::unary_family(const Term& term, List& list) {
+    const auto copy = [&](TermId operand) {
+        const std::span<const Transition> steps = known_.of(operand);
+        list.assign(steps.begin(), steps.end());
+    };
+    switch (term.op) {
+        // A name stands for its body. UCS 9.2 unfolds recursion by a tau; FDR does not, and no model tells them apart
+        // where every recursion reaches an event.
+        case Op::call:
+            copy(terms_.unfold(term.payload));
+            break;
+        case Op::hide:
+            hide(term, list);
+            break;
+        case Op::rename:
+            rename(term, list);
+            break;
+        case Op::prioritise:
+            prioritise(term, list);
+            break;
+        case Op::chase:
+            chase(term, list);
+            break;
+        default:
+            // FDR manual, "Compression": a compression keeps the value of its operand in the models it supports. The
+            // identity keeps all. `deter` is no compression in this sense: it may remove behaviour.
+            if (Compression{term.payload} == Compression::deter)
+                throw SemanticsError("deter(P) is not supported: it changes the meaning of P");
+            copy(term.children.front());
+    }
+}
+
+// FDR manual: RUN(A) offers all of A for ever. RUN(A) --a--> RUN(A), a ∈ A.
+// CHAOS(A) after its choice to offer: --a--> CHAOS(A), a ∈ A.
+void FiringRules::run(const Term& term, List& list) {
+    const Op next = term.op == Op::run ? Op::run : Op::chaos;
+    const SetId set{term.payload};
+    const TermId target = terms_.make(Term{next, term.payload, {}, {}});
+    for (Event event : terms_[set]) list.push_back({event, event, event == tick ? omega_ : target});
+}
+
+// UCS 1.3.3, FDR manual: CHAOS(A) = STOP |~| (?x:A -> CHAOS(A)).
+// CHAOS(A) --τ--> STOP;  CHAOS(A) --τ--> (?x:A -> CHAOS(A)).
+void FiringRules::chaos(const Term& term, List& list) {
+    list.push_back({tau, tau, stop_});
+    list.push_back({tau, tau, terms_.make(Term{Op::chaos_offer, term.payload, {}, {}})});
+}
+
+// UCS 9.2: (e -> P) --a--> P(a) for each a that e allows.
+void FiringRules::prefix(const Term& term, List& list) {
+    const std::uint32_t payload = term.payload;
+    for (const Branch& branch : terms_.branches(payload)) list.push_back({branch.event, branch.event, branch.target});
+}
+
+// UCS 9.2:  P --τ--> P'            P --a--> P'   (a ≠ τ)
+//        ----------------------    ----------------------   and the same for Q.
+//        P [] Q --τ--> P' [] Q     P [] Q --a--> P'
+// ✓ resolves the choice like any a; that an option may terminate by itself is the models' reading of ✓
+// (refine/stability.hpp).
+void FiringRules::external_choice(const Term& term, List& list) {
+    for (std::size_t i = 0; i < term.children.size(); ++i)
+        for (const Transition& step : known_.of(term.children[i]))
+            list.push_back(
+                {step.event, step.revealed, step.event == tau ? with_operand(term, i, step.target) : step.target});
+}
+
+// UCS 9.2: P |~| Q --τ--> P;  P |~| Q --τ--> Q.
+void FiringRules::internal_choice(const Term& term, List& list) {
+    for (TermId child : term.children) list.push_back({tau, tau, child});
+}
+
+// UCS 9.2, sliding choice (timeout): P [> Q --τ--> Q; a tau of P keeps the choice, any other action of P resolves it to
+// P'.
+void FiringRules::sliding(const Term& term, List& list) {
+    for (const Transition& step : known_.of(term.children[0]))
+        list.push_back(
+            {step.event, step.revealed, step.event == tau ? with_operand(term, 0, step.target) : step.target});
+    list.push_back({tau, tau, term.children[1]});
+}
+
+// FDR manual, synchronising external choice P [+A+] Q: as [], but an event of A happens in all operands together and
+// leaves the choice open.
+//   P --τ--> P'                   P --a--> P'  (a ∉ A)      P --a--> P', Q --a--> Q'  (a ∈ A)
+//   P [+A+] Q --τ--> P' [+A+] Q   P [+A+] Q --a--> P'       P [+A+] Q --a--> P' [+A+] Q'
+void FiringRules::sync_choice(const Term& term, List& list) {
+    const SetId set{term.payload};
+    std::vector<std::size_t> everyone(term.children.size());
+    for (std::size_t i = 0; i < everyone.size(); ++i) {
+        everyone[i] = i;
+        for (const Transition& step : known_.of(term.children[i])) {
+            if (step.event == tau)
+                list.push_back({tau, step.revealed, with_operand(term, i, step.target)});
+            else if (!terms_.contains(set, step.event))
+                list.push_back(step);
+        }
+    }
+    synchronise_all(term, everyone, list);
+}
+
+// UCS 9.2:  P --x--> P'  (x ≠ ✓)      P --✓--> P'
+//           P;Q --x--> P';Q           P;Q --τ--> Q
+void FiringRules::sequential(const Term& term, List& list) {
+    for (const Transition& step : known_.of(term.children[0])) {
+        if (step.event == tick)
+            list.push_back({tau, tau, term.children[1]});
+        else
+            list.push_back({step.event, step.revealed, with_operand(term, 0, step.target)});
+    }
+}
+
+// UCS 9.2:  P --x--> P'  (x ≠ ✓)      P --✓--> P'        Q --τ--> Q'              Q --a--> Q'  (a ≠ τ)
+//           P /\ Q --x--> P' /\ Q     P /\ Q --✓--> Ω    P /\ Q --τ--> P /\ Q'    P /\ Q --a--> Q'
+void FiringRules::interrupt(const Term& term, List& list) {
+    for (const Transition& step : known_.of(term.children[0]))
+        list.push_back({step.event, step.revealed, step.event == tick ? omega_ : with_operand(term, 0, step.target)});
+    for (const Transition& step : known_.of(term.children[1]))
+        list.push_back(
+            {step.event, step.revealed, step.event == tau ? with_operand(term, 1, step.target) : step.target});
+}
+
+// FDR manual, synchronising interrupt P /+A+\ Q: as /\, but an event of A happens in both and interrupts nothing.
+void FiringRules::sync_interrupt(const Term& term, List& list) {
+    const SetId set{term.payload};
+    for (const Transition& step : known_.of(term.children[0])) {
+        if (step.event == tick)
+            list.push_back(step);
+        else if (!terms_.contains(set, step.event))
+            list.push_back({step.event, step.revealed, with_operand(term, 0, step.target)});
+    }
+    for (const Transition& step : known_.of(term.children[1])) {
+        if (step.event == tau)
+            list.push_back({tau, step.revealed, with_operand(term, 1, step.target)});
+        else if (step.event == tick || !terms_.contains(set, step.event))
+            list.push_back(step);
+    }
+    synchronise_all(term, {0, 1}, list);
+}
+
+// UCS 7.2 (throw):  P --x--> P'  (x ∉ A, x ≠ ✓)           P --a--> P'  (a ∈ A)        P --✓--> P'
+//                   P [|A|> Q --x--> P' [|A|> Q           P [|A|> Q --a--> Q          P [|A|> Q --✓--> Ω
+void FiringRules::exception(const Term& term, List& list) {
+    const SetId set{term.payload};
+    for (const Transition& step : known_.of(term.children[0])) {
+        if (step.event == tick)
+            list.push_back(step);
+        else if (step.event != tau && terms_.contains(set, step.event))
+            list.push_back({step.event, step.revealed, term.children[1]});
+        else
+            list.push_back({step.event, step.revealed, with_operand(term, 0, step.target)});
+    }
+}
+
+// UCS 9.2:  P --x--> P'  (x ∉ A, x ≠ ✓)          P --a--> P', Q --a--> Q'  (a ∈ A)
+//           P [|A|] Q --x--> P' [|A|] Q          P [|A|] Q --a--> P' [|A|] Q'
+// FDR: P --✓-->, Q --✓-->  gives  P [|A|] Q --✓--> Ω (A behaves as A ∪ {✓}); no side terminates alone.
+void FiringRules::parallel(const Term& term, List& list) {
+    const SetId set{term.payload};
+    std::vector<std::size_t> everyone(term.children.size());
+    for (std::size_t i = 0; i < everyone.size(); ++i) {
+        everyone[i] = i;
+        for (const Transition& step : known_.of(term.children[i]))
+            if (step.event != tick && (step.event == tau || !terms_.contains(set, step.event)))
+                list.push_back({step.event, step.revealed, with_operand(term, i, step.target)});
+    }
+    tick_together(term, list);
+    synchronise_all(term, everyone, list);
+}
+
+// UCS 9.2, alphabetised parallel: an event happens if it is in some alphabet and every operand whose alphabet has it
+// performs it; taus are free; tick as in [|A|].
+void FiringRules::alphabetised(const Term& term, List& list) {
+    tick_together(term, list);
+    std::vector<std::size_t> participants;
+    for (std::size_t i = 0; i < term.children.size(); ++i) {
+        Event last = tau;
+        for (const Transition& step : known_.of(term.children[i])) {
+            if (step.event == tau) list.push_back({tau, step.revealed, with_operand(term, i, step.target)});
+            if (step.event == last || step.event == tick || !terms_.contains(term.sets[i], step.event)) continue;
+            last = step.event;
+            participants.clear();
+            for (std::size_t j = 0; j < term.children.size(); ++j)
+                if (terms_.contains(term.sets[j], last)) participants.push_back(j);
+            if (participants.front() == i) synchronise(term, participants, last, list);
+        }
+    }
+}
+
+void FiringRules::tick_together(const Term& term, List& list) {
+    const bool all =
+        std::all_of(term.children.begin(), term.children.end(), [this](TermId child) { return performs(child, tick); });
+    if (all) list.push_back({tick, tick, omega_});
+}
+
+/// Every event of the term's set, but tick, that all participants perform: it is one the first of them performs.
+void FiringRules::synchronise_all(const Term& term, const std::vector<std::size_t>& participants, List& list) {
+    if (participants.empty()) return;
+    Event last = tau;
+    for (const Transition& step : known_.of(term.children[participants.front()])) {
+        if (step.event == last || step.event == tick || !terms_.contains(SetId{term.payload}, step.event)) continue;
+        last = step.event;
+        synchronise(term, participants, step.event, list);
+    }
+}
+
+/// All combinations of the participants' steps by one event, the last participant varying fastest.
+void FiringRules::synchronise(const Term& term, const std::vector<std::size_t>& participants, Event event, List& list) {
+    std::vector<std::span<const Transition>> steps;
+    for (std::size_t participant : participants) {
+        steps.push_back(by_event(term.children[participant], event));
+        if (steps.back().empty()) return;
+    }
+    std::vector<std::size_t> choice(participants.size(), 0);
+    for (bool more = true; more;) {
+        scratch_ = term;
+        for (std::size_t i = 0; i < participants.size(); ++i)
+            scratch_.children[participants[i]] = steps[i][choice[i]].target;
+        list.push_back({event, event, terms_.make(scratch_)});
+        more = false;
+        for (std::size_t i = participants.size(); i-- > 0 && !more;) {
+            more = ++choice[i] < steps[i].size();
+            if (!more) choice[i] = 0;
+        }
+    }
+}
+
+// UCS 9.2:  P --x--> P'  (x ∉ A)          P --a--> P'  (a ∈ A)
+//           P \ A --x--> P' \ A           P \ A --τ--> P' \ A
+// Tick cannot be hidden.
+void FiringRules::hide(const Term& term, List& list) {
+    const SetId set{term.payload};
+    for (const Transition& step : known_.of(term.children[0])) {
+        if (step.event == tick)
+            list.push_back(step);
+        else {
+            const bool hidden = step.event != tau && terms_.contains(set, step.event);
+            list.push_back({hidden ? tau : step.event, step.revealed, with_operand(term, 0, step.target)});
+        }
+    }
+}
+
+// UCS 9.2:  P --a--> P', (a,b) ∈ R  gives  P[[R]] --b--> P'[[R]]; τ and ✓ keep their names. CSPM: an event that R does
+// not mention keeps its name; one mentioned several times is offered under each of its names.
+void FiringRules::rename(const Term& term, List& list) {
+    const Renaming& pairs = terms_[RenamingId{term.payload}];
+    for (const Transition& step : known_.of(term.children[0])) {
+        if (step.event == tick) {
+            list.push_back(step);
+            continue;
+        }
+        const TermId target = with_operand(term, 0, step.target);
+        auto pair = std::lower_bound(pairs.begin(), pairs.end(), EventPair{step.event, 0});
+        const bool named = step.event != tau && pair != pairs.end() && pair->first == step.event;
+        if (!named) list.push_back({step.event, step.revealed, target});
+        for (; named && pair != pairs.end() && pair->first == step.event; ++pair)
+            list.push_back({pair->second, pair->second, target});
+    }
+}
+
+// FDR manual, prioritise(P, <A0, ..., An>), and UCS 20.2: the sets stand in order of descending priority; an event of
+// A_i is prevented where P can also perform an event of A_j with j < i. τ and ✓ count as members of A0: they are never
+// prevented, prevent A_1 ... A_n, and do not prevent A0. An event in none of the sets neither prevents nor is
+// prevented.
+//   P --x--> P',  no y of higher level than x with P --y-->
+//   prioritise(P,O) --x--> prioritise(P',O)
+void FiringRules::prioritise(const Term& term, List& list) {
+    const std::vector<std::uint32_t>& level = levels(OrderId{term.payload});
+    const auto level_of = [&](Event event) { return event < level.size() ? level[event] : no_level; };
+    const std::span<const Transition> steps = known_.of(term.children[0]);
+    std::uint32_t best = no_level;
+    for (const Transition& step : steps) best = std::min(best, level_of(step.event));
+    for (const Transition& step : steps) {
+        const std::uint32_t own = level_of(step.event);
+        if (own != no_level && own > best) continue;
+        list.push_back({step.event, step.revealed, step.event == tick ? omega_ : with_operand(term, 0, step.target)});
+    }
+}
+
+const std::vector<std::uint32_t>& FiringRules::levels(OrderId id) {
+    const auto index = static_cast<std::uint32_t>(id);
+    if (index >= levels_.size()) levels_.resize(index + 1U);
+    std::vector<std::uint32_t>& level = levels_[index];
+    if (!level.empty()) return level;
+    level.assign(first_visible, 0);
+    const PriorityOrder& order = terms_[id];
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        for (Event event : order[i]) {
+            if (event >= level.size()) level.resize(event + 1U, no_level);
+            level[event] = std::min(level[event], i);
+        }
+    return level;
+}
+
+// FDR manual, chase(P): wherever P has taus, one of them is followed at once and the other actions of that state are
+// dropped, until no tau is left. Ours follows the first. Where the taus have no end the result diverges.
+void FiringRules::chase(const Term& term, List& list) {
+    const TermId end = end_of_chase(term.children[0]);
+    if (performs(end, tau)) {
+        list.push_back({tau, tau, with_operand(term, 0, end)});
+        return;
+    }
+    for (const Transition& step : known_.of(end))
+        list.push_back({step.event, step.revealed, step.event == tick ? omega_ : with_operand(term, 0, step.target)});
+}
+
+TermId FiringRules::end_of_chase(TermId operand) const {
+    std::unordered_set<std::uint32_t> passed;
+    while (known_.knows(operand) && performs(operand, tau) && passed.insert(static_cast<std::uint32_t>(operand)).second)
+        operand = known_.of(operand).front().target;
+    return operand;
+}
+
+bool FiringRules::performs(TermId term, Event event) const {
+    return !by_event(term, event).empty();
+}
+
+std::span<const Transition> FiringRules::by_event(TermId term, Event event) const {
+    const std::span<const Transition> steps = known_.of(term);
+    const auto first = std::lower_bound(steps.begin(), steps.end(), event,
+                                        [](const Transition& step, Event wanted) { return step.event < wanted; });
+    auto last = first;
+    while (last != steps.end() && last->event == event) ++last;
+    return {first, last};
+}
+
+TermId FiringRules::with_operand(const Term& term, std::size_t position, TermId operand) {
+    scratch_ = term;
+    scratch_.children[position] = operand;
+    return terms_.make(scratch_);
+}
+
+}  // namespace robochart::process

@@ -1,0 +1,52 @@
+// The operational semantics of process terms: the reference every other engine is measured against.
+// Firing rules after Roscoe, Understanding Concurrent Systems (2010), chapter 9, with FDR's treatment of termination:
+// tick is an event of the semantics, parallel operators terminate by synchronising it, and nothing follows it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "checker/process/term.hpp"
+
+namespace robochart::process {
+
+/// One transition of a term.
+struct Transition {
+    Event event;
+    Event revealed;  ///< for tau, the event that hiding made invisible, or tau; else equal to `event`
+    TermId target;
+    friend bool operator==(const Transition&, const Transition&) = default;
+};
+
+/// A term that has no operational semantics: recursion that reaches no event, or an operator without rules.
+class SemanticsError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Computes and keeps the transitions of the terms of one store.
+class OperationalSemantics {
+public:
+    explicit OperationalSemantics(TermStore& terms);
+    ~OperationalSemantics();
+    OperationalSemantics(const OperationalSemantics&) = delete;
+    OperationalSemantics& operator=(const OperationalSemantics&) = delete;
+
+    /// The transitions of a term, ordered by event and within one event by the operands' order; without repetitions.
+    /// Valid until this object ends. Throws SemanticsError, and what the definitions throw.
+    std::span<const Transition> successors(TermId term);
+    [[nodiscard]] TermStore& terms() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// The state of a term as people read it: the definitions its active components are in, with arguments;
+/// parallel components are joined by " ‖ ".
+[[nodiscard]] std::string describe(const TermStore& terms, TermId term);
+
+}  // namespace robochart::process
