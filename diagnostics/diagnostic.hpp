@@ -13,7 +13,7 @@ enum class Severity { note, warning, error };
 
 /// One row of a rule table. All views point at static storage.
 struct Rule {
-    std::string_view code;         ///< published code where there is one (STM6, J1), else ours (RC-P01, CSPM-T03)
+    std::string_view code;  ///< published code where there is one (STM6, J1), else ours (RC-P01, CSPM-T03)
     Severity severity = Severity::error;
     std::string_view message;      ///< fmt pattern, filled with the diagnostic's arguments in order
     std::string_view explanation;  ///< what `explain CODE` prints: the rule, the reason, an example
@@ -47,7 +47,7 @@ struct Diagnostic {
 /// Collects diagnostics in any order; hands them out sorted by source, place, code.
 class Diagnostics {
 public:
-    /// Errors kept; later ones are counted only.
+    /// Findings kept of each severity; later ones are counted only.
     static constexpr std::size_t max_kept = 200;
 
     /// Adds a finding. The reference is valid until the next `report`; use it to attach notes and fixes.

@@ -8,8 +8,8 @@
 namespace robochart::diagnostics {
 
 struct TextStyle {
-    bool color = false;          ///< ANSI colours
-    std::size_t max_width = 160; ///< longer source lines are cut around the caret
+    bool color = false;           ///< ANSI colours
+    std::size_t max_width = 160;  ///< longer source lines are cut around the caret
 };
 
 /// One diagnostic with excerpt and caret:

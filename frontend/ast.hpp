@@ -49,47 +49,73 @@ using ExprPtr = std::unique_ptr<Expr>;
 struct TypeExpr {
     TypeKind kind = TypeKind::name;
     Span span;
-    QualifiedName name;                            ///< name, variable
-    std::vector<std::unique_ptr<TypeExpr>> args;   ///< operand types in order
-    std::vector<ExprPtr> sizes;                    ///< vector: 1, matrix: 2
-    const Declaration* target = nullptr;           ///< filled by resolve
-    TypePtr type;                                  ///< filled by typing
+    QualifiedName name;                           ///< name, variable
+    std::vector<std::unique_ptr<TypeExpr>> args;  ///< operand types in order
+    std::vector<ExprPtr> sizes;                   ///< vector: 1, matrix: 2
+    const Declaration* target = nullptr;          ///< filled by resolve
+    TypePtr type;                                 ///< filled by typing
 };
 using TypeExprPtr = std::unique_ptr<TypeExpr>;
 
 // ---------------------------------------------------------------- expressions
 
 enum class ExprKind {
-    integer, real, string, boolean,   ///< literal: `text` as written
-    name,             ///< `name`; target: Variable, EnumLiteral, Parameter, Constant, bound variable
-    result, to, from, ///< `result`; `to` / `from` (broadcast ids)
-    unary,            ///< op neg, not; args[0]
-    binary,           ///< args[0] op args[1]
-    if_then_else,     ///< args[0..2]
-    let,              ///< bindings, args[0] body
-    forall, exists, exists_unique, lambda, the,  ///< bindings (typed), args[0] optional predicate, args[1] body (may be null for `the` without @)
-    cast, is_type,    ///< args[0], type_expr
-    member,           ///< args[0] . text
-    index,            ///< args[0] [ args[1..] ]
-    call,             ///< name ( args )     target: Function, EnumLiteral; or args via callee expr in `callee`
-    tuple,            ///< (| args |)
-    record,           ///< R (| field = e ... |): name, bindings (name/value)
-    sequence, set,    ///< < args >, { args }
-    set_range,        ///< { args[0] to args[1] }
-    set_comprehension,///< { bindings | args[0] @ args[1] } ; args[1] may be null
-    range,            ///< [a,b] (a,b] ...: args[0], args[1], lower_closed, upper_closed
-    matrix,           ///< [| a, b ; c, d |]: args row by row, columns
-    inverse, transpose,
-    since,            ///< since(name): Clock
-    since_entry,      ///< sinceEntry(name): State
-    parenthesised,    ///< ( args[0] ) kept for the printer
-    error,            ///< left by recovery; carries no more errors
+    integer,
+    real,
+    string,
+    boolean,  ///< literal: `text` as written
+    name,     ///< `name`; target: Variable, EnumLiteral, Parameter, Constant, bound variable
+    result,
+    to,
+    from,          ///< `result`; `to` / `from` (broadcast ids)
+    unary,         ///< op neg, not; args[0]
+    binary,        ///< args[0] op args[1]
+    if_then_else,  ///< args[0..2]
+    let,           ///< bindings, args[0] body
+    forall,
+    exists,
+    exists_unique,
+    lambda,
+    the,  ///< bindings (typed), args[0] optional predicate, args[1] body (may be null for `the` without @)
+    cast,
+    is_type,  ///< args[0], type_expr
+    member,   ///< args[0] . text
+    index,    ///< args[0] [ args[1..] ]
+    call,     ///< name ( args )     target: Function, EnumLiteral; or args via callee expr in `callee`
+    tuple,    ///< (| args |)
+    record,   ///< R (| field = e ... |): name, bindings (name/value)
+    sequence,
+    set,                ///< < args >, { args }
+    set_range,          ///< { args[0] to args[1] }
+    set_comprehension,  ///< { bindings | args[0] @ args[1] } ; args[1] may be null
+    range,              ///< [a,b] (a,b] ...: args[0], args[1], lower_closed, upper_closed
+    matrix,             ///< [| a, b ; c, d |]: args row by row, columns
+    inverse,
+    transpose,
+    since,          ///< since(name): Clock
+    since_entry,    ///< sinceEntry(name): State
+    parenthesised,  ///< ( args[0] ) kept for the printer
+    error,          ///< left by recovery; carries no more errors
 };
 
 enum class BinaryOp {
-    iff, implies, disjunction, conjunction,
-    equal, not_equal, greater, greater_equal, less, less_equal, in,
-    plus, minus, times, divide, modulus, concat,
+    iff,
+    implies,
+    disjunction,
+    conjunction,
+    equal,
+    not_equal,
+    greater,
+    greater_equal,
+    less,
+    less_equal,
+    in,
+    plus,
+    minus,
+    times,
+    divide,
+    modulus,
+    concat,
 };
 enum class UnaryOp { negate, logical_not };
 
@@ -99,17 +125,18 @@ struct Binding;
 struct Expr {
     ExprKind kind = ExprKind::error;
     Span span;
-    std::string text;                 ///< literal as written; member name
+    std::string text;  ///< literal as written; member name
     QualifiedName name;
     std::optional<BinaryOp> binary;
     std::optional<UnaryOp> unary;
-    std::vector<ExprPtr> args;        ///< may hold nulls where the grammar has an optional part
-    ExprPtr callee;                   ///< call of an expression that is not a plain name
+    std::vector<ExprPtr> args;  ///< may hold nulls where the grammar has an optional part
+    ExprPtr callee;             ///< call of an expression that is not a plain name
     std::vector<Binding> bindings;
-    TypeExprPtr type_expr;            ///< cast, is_type
-    bool lower_closed = true;         ///< range
+    TypeExprPtr type_expr;     ///< cast, is_type
+    bool lower_closed = true;  ///< range
     bool upper_closed = true;
-    std::size_t columns = 0;          ///< matrix
+    std::size_t columns = 0;   ///< matrix
+    std::uint32_t height = 1;  ///< of this tree; the parser bounds it, so walking may recurse
 
     const Declaration* target = nullptr;  ///< filled by resolve
     TypePtr type;                         ///< filled by typing; null if it could not be computed
@@ -123,15 +150,28 @@ struct Communication {
     CommKind kind = CommKind::simple;
     Span span;
     QualifiedName event;
-    QualifiedName variable;           ///< input: the variable stored into
-    ExprPtr value;                    ///< output, sync
-    QualifiedName from_variable;      ///< [| x = from ... |]
-    ExprPtr predicate;                ///< [| pred |]
+    QualifiedName variable;                        ///< input: the variable stored into
+    ExprPtr value;                                 ///< output, sync
+    QualifiedName from_variable;                   ///< [| x = from ... |]
+    ExprPtr predicate;                             ///< [| pred |]
     const Declaration* event_target = nullptr;     ///< filled by resolve: Event
     const Declaration* variable_target = nullptr;  ///< filled by resolve: Variable
 };
 
-enum class StmtKind { skip, sequence, if_then_else, assignment, communication, call, wait, wait_interval, clock_reset, deadline, parenthesised, error };
+enum class StmtKind {
+    skip,
+    sequence,
+    if_then_else,
+    assignment,
+    communication,
+    call,
+    wait,
+    wait_interval,
+    clock_reset,
+    deadline,
+    parenthesised,
+    error
+};
 
 struct Stmt;
 using StmtPtr = std::unique_ptr<Stmt>;
@@ -139,15 +179,15 @@ using StmtPtr = std::unique_ptr<Stmt>;
 struct Stmt {
     StmtKind kind = StmtKind::error;
     Span span;
-    std::vector<StmtPtr> body;        ///< sequence: all; if: then [, else]; deadline, parenthesised: one
-    ExprPtr condition;                ///< if
-    ExprPtr target;                   ///< assignment left side: name, member or index expression
-    ExprPtr value;                    ///< assignment right side; wait duration; deadline bound
-    ExprPtr upper;                    ///< wait([value, upper])
+    std::vector<StmtPtr> body;  ///< sequence: all; if: then [, else]; deadline, parenthesised: one
+    ExprPtr condition;          ///< if
+    ExprPtr target;             ///< assignment left side: name, member or index expression
+    ExprPtr value;              ///< assignment right side; wait duration; deadline bound
+    ExprPtr upper;              ///< wait([value, upper])
     std::unique_ptr<Communication> communication;
     bool send_keyword = false;
-    QualifiedName name;               ///< call: operation; clock_reset: clock
-    std::vector<ExprPtr> args;        ///< call
+    QualifiedName name;                        ///< call: operation; clock_reset: clock
+    std::vector<ExprPtr> args;                 ///< call
     const Declaration* declaration = nullptr;  ///< filled by resolve: OperationSignature or Clock
 };
 
@@ -155,16 +195,33 @@ struct Stmt {
 
 enum class DeclKind {
     package,
-    primitive_type,   ///< `type X` and the built-ins of core
-    record_type, field, enumeration, enum_literal,
-    function, operation_signature, parameter,
-    variable, constant, event, clock,
-    interface, platform, operation, state_machine, controller, module,
-    reference,        ///< rref, cref, sref, opref
+    primitive_type,  ///< `type X` and the built-ins of core
+    record_type,
+    field,
+    enumeration,
+    enum_literal,
+    function,
+    operation_signature,
+    parameter,
+    variable,
+    constant,
+    event,
+    clock,
+    interface,
+    platform,
+    operation,
+    state_machine,
+    controller,
+    module,
+    reference,  ///< rref, cref, sref, opref
     connection,
-    state, initial, final, junction, probabilistic,
+    state,
+    initial,
+    final,
+    junction,
+    probabilistic,
     transition,
-    bound_variable,   ///< of a quantifier, let, lambda, comprehension
+    bound_variable,  ///< of a quantifier, let, lambda, comprehension
 };
 
 /// Common part of everything that has a name and can be pointed at.
@@ -191,8 +248,8 @@ struct Variable final : Declaration {
 using VariablePtr = std::unique_ptr<Variable>;
 
 struct Binding {
-    VariablePtr variable;   ///< name and, where written, type
-    ExprPtr value;          ///< let, record literal
+    VariablePtr variable;  ///< name and, where written, type
+    ExprPtr value;         ///< let, record literal
 };
 
 struct Event final : Declaration {
@@ -250,7 +307,7 @@ struct Transition;
 struct Context : Declaration {
     explicit Context(DeclKind k) : Declaration(k) {}
     std::vector<InterfaceClause> interfaces;
-    std::vector<VariablePtr> variables;   ///< `var` and `const` in textual order (kind tells)
+    std::vector<VariablePtr> variables;  ///< `var` and `const` in textual order (kind tells)
     std::vector<std::unique_ptr<Event>> events;
     std::vector<std::unique_ptr<Clock>> clocks;
     std::vector<std::unique_ptr<OperationSignature>> signatures;
@@ -281,16 +338,16 @@ struct Transition final : Declaration {
     const State* source = nullptr;  ///< filled by resolve
     const State* target = nullptr;  ///< filled by resolve
     std::unique_ptr<Communication> trigger;
-    bool legacy_trigger = false;    ///< `trigger` without event, or clock reset inside it
+    bool legacy_trigger = false;  ///< `trigger` without event, or clock reset inside it
     ExprPtr probability;
     struct Reset {
         QualifiedName name;
         const Declaration* clock = nullptr;  ///< filled by resolve
     };
     std::vector<Reset> resets;
-    ExprPtr deadline;               ///< <{ e }
+    ExprPtr deadline;  ///< <{ e }
     ExprPtr condition;
-    bool otherwise = false;         ///< condition else
+    bool otherwise = false;  ///< condition else
     StmtPtr action;
 };
 
@@ -309,20 +366,20 @@ struct Reference final : Declaration {
     Reference() : Declaration(DeclKind::reference) {}
     DeclKind refers_to = DeclKind::state_machine;  ///< platform, controller, state_machine, operation
     QualifiedName target_name;
-    const Declaration* target = nullptr;           ///< filled by resolve
+    const Declaration* target = nullptr;  ///< filled by resolve
 };
 
 struct Connection final : Declaration {
     Connection() : Declaration(DeclKind::connection) {}
     struct End {
-        QualifiedName node;   ///< name of a component inside the container, or of the container itself
+        QualifiedName node;  ///< name of a component inside the container, or of the container itself
         QualifiedName event;
         const Declaration* node_target = nullptr;   ///< filled by resolve
         const Declaration* event_target = nullptr;  ///< filled by resolve
     };
     End from, to;
     bool async = false;
-    bool multiple = false;    ///< [mult]
+    bool multiple = false;  ///< [mult]
 };
 
 /// controller or module.
@@ -347,14 +404,21 @@ struct Import {
 // ---------------------------------------------------------------- assertions
 
 enum class AssertionKind {
-    deadlock_free, divergence_free, deterministic, timelock_free,
-    terminates, refines, equals, reachable, clock_initialised,
+    deadlock_free,
+    divergence_free,
+    deterministic,
+    timelock_free,
+    terminates,
+    refines,
+    equals,
+    reachable,
+    clock_initialised,
 };
 enum class AssertionTime { both, timed, untimed };
 enum class AssertionModel { failures_divergences, traces, failures, tick_tock };
 
 struct AssertionParameter {
-    bool constant = true;       ///< `constant v of ctx`; false: `parameter p of op`
+    bool constant = true;  ///< `constant v of ctx`; false: `parameter p of op`
     QualifiedName name;
     QualifiedName context;
     ExprPtr value;
@@ -367,8 +431,8 @@ struct Assertion final {
     AssertionTime time = AssertionTime::both;
     AssertionKind kind = AssertionKind::deadlock_free;
     bool negated = false;
-    QualifiedName subject;      ///< X; for reachable: the component; for clock_initialised: empty
-    QualifiedName other;        ///< Y of refines/equals; state of reachable; clock
+    QualifiedName subject;  ///< X; for reachable: the component; for clock_initialised: empty
+    QualifiedName other;    ///< Y of refines/equals; state of reachable; clock
     std::optional<AssertionModel> model;
     std::vector<AssertionParameter> parameters;
 };
@@ -379,7 +443,7 @@ struct CspBlock final {
     Span span;
     AssertionTime time = AssertionTime::both;
     std::vector<QualifiedName> associated;
-    std::string text;           ///< verbatim, between csp-begin and csp-end
+    std::string text;  ///< verbatim, between csp-begin and csp-end
     Span text_span;
 };
 
@@ -388,9 +452,10 @@ struct CspBlock final {
 /// A parsed `.rct` or `.assertions` file.
 struct File {
     diagnostics::SourceId source = diagnostics::SourceId::none;
-    QualifiedName package;      ///< empty: unnamed package
+    QualifiedName package;  ///< empty: unnamed package
     std::vector<Import> imports;
     std::vector<std::string> diagrams;
+    std::vector<Span> comments;
     /// Types, functions, interfaces, platforms, operations, machines, controllers, modules in textual order.
     std::vector<std::unique_ptr<Declaration>> declarations;
 
@@ -398,6 +463,7 @@ struct File {
     std::vector<Assertion> assertions;
     std::vector<CspBlock> csp_blocks;
     std::vector<std::string> verbatim;  ///< PRISM parts and others kept as text
+    bool has_syntax_errors = false;     ///< parts may be missing; rules about absent things stay silent
 };
 
 /// A project: all its files, libraries included, resolved together.

@@ -22,9 +22,11 @@ void resolve(Model&, diagnostics::Diagnostics&);
 /// (with the other files of its folder, so that imports work; assertions only of the named file
 /// or, for a `.rct`, of the folder's files). Reads, parses, resolves. Missing path, unreadable or empty
 /// input become diagnostics. Returns a model even when there are errors.
-[[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::string& path, diagnostics::Diagnostics&);
+[[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::string& path,
+                                                  diagnostics::Diagnostics&);
 
-/// The model as indented text, one node a line, for `--print ast` (before) and `--print model` (after resolution: targets and types shown).
+/// The model as indented text, one node a line, for `--print ast` (before) and `--print model` (after resolution:
+/// targets and types shown).
 [[nodiscard]] std::string dump(const Model&, const diagnostics::SourceManager&, bool resolved);
 
 }  // namespace robochart::frontend

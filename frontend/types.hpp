@@ -11,14 +11,32 @@
 namespace robochart::frontend {
 
 /// What a type is built from. `any` is the element type of `<>` and `{}`.
-enum class TypeForm { any, boolean, nat, integer, real, string, given, enumeration, record, variable, sequence, set, product, function, relation, vector, matrix };
+enum class TypeForm {
+    any,
+    boolean,
+    nat,
+    integer,
+    real,
+    string,
+    given,
+    enumeration,
+    record,
+    variable,
+    sequence,
+    set,
+    product,
+    function,
+    relation,
+    vector,
+    matrix
+};
 
 struct Type {
     TypeForm form = TypeForm::any;
-    std::string name;                               ///< variable ?X; declared types: name
-    const TypeDeclaration* declaration = nullptr;   ///< given, enumeration, record
-    std::vector<TypePtr> args;                      ///< operands; function: {argument, result}
-    std::vector<long> sizes;                        ///< vector: {n}, matrix: {rows, columns}; -1 unknown
+    std::string name;                              ///< variable ?X; declared types: name
+    const TypeDeclaration* declaration = nullptr;  ///< given, enumeration, record
+    std::vector<TypePtr> args;                     ///< operands; function: {argument, result}
+    std::vector<long> sizes;                       ///< vector: {n}, matrix: {rows, columns}; -1 unknown
 };
 
 /// `T` as RoboChart writes it, e.g. "Seq(nat)", "nat * boolean".

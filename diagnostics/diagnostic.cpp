@@ -1,0 +1,45 @@
+// Filling a rule's pattern, and collecting findings in a stable order.
+#include "diagnostics/diagnostic.hpp"
+
+#include <fmt/args.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace robochart::diagnostics {
+
+std::string Diagnostic::message() const {
+    fmt::dynamic_format_arg_store<fmt::format_context> store;
+    for (const std::string& argument : arguments) store.push_back(argument);
+    return fmt::vformat(fmt::string_view(rule->message.data(), rule->message.size()), store);
+}
+
+Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::string> arguments) {
+    if (rule.severity == Severity::error) ++errors_;
+    if (rule.severity == Severity::warning) ++warnings_;
+    Diagnostic finding{&rule, span, std::move(arguments), {}, {}};
+    // Each severity has room of its own: many warnings never hide an error.
+    const std::size_t like_this = rule.severity == Severity::error     ? errors_
+                                  : rule.severity == Severity::warning ? warnings_
+                                                                       : 0;
+    if (like_this > max_kept) {
+        ++dropped_;
+        overflow_ = std::move(finding);
+        return overflow_;
+    }
+    items_.push_back(std::move(finding));
+    return items_.back();
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const {
+    std::vector<Diagnostic> result = items_;
+    const auto key = [](const Diagnostic& d) {
+        return std::make_tuple(d.span.source, d.span.begin, d.span.end, d.rule->code);
+    };
+    std::stable_sort(result.begin(), result.end(),
+                     [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+    return result;
+}
+
+}  // namespace robochart::diagnostics

@@ -1,0 +1,94 @@
+// Diagnostics for people: header, place, excerpt with caret, notes and certain mends.
+#include "diagnostics/render.hpp"
+
+#include <fmt/format.h>
+
+#include "diagnostics/excerpt.hpp"
+
+namespace robochart::diagnostics {
+
+namespace {
+
+struct Look {
+    std::string_view word;
+    std::string_view color;
+};
+
+Look look(Severity severity) {
+    switch (severity) {
+        case Severity::note:
+            return {"note", "\x1b[1;36m"};
+        case Severity::warning:
+            return {"warning", "\x1b[1;33m"};
+        case Severity::error:
+            return {"error", "\x1b[1;31m"};
+    }
+    return {"error", "\x1b[1;31m"};
+}
+
+std::string paint(const TextStyle& style, std::string_view color, std::string_view text) {
+    if (!style.color) return std::string(text);
+    return fmt::format("{}{}\x1b[0m", color, text);
+}
+
+/// `  --> path:line:column` and the marked line.
+std::string draw_place(const SourceManager& sources, Span span, const TextStyle& style, std::string_view color) {
+    const Position begin = sources.position(span.source, span.begin);
+    const Position end = sources.position(span.source, span.end);
+    const std::string_view line = sources.line(span.source, begin.line);
+    // Bytes from the line's start: the line's text is a part of the file's text.
+    const auto line_start = static_cast<std::size_t>(line.data() - sources.text(span.source).data());
+    const std::size_t from = span.begin - std::min<std::size_t>(span.begin, line_start);
+    const std::size_t to = end.line == begin.line ? span.end - line_start : line.size();
+    const Excerpt excerpt = make_excerpt(line, from, to, style.max_width);
+
+    const std::string number = std::to_string(begin.line);
+    const std::string margin(number.size(), ' ');
+    const std::string mark =
+        std::string(excerpt.mark_begin, ' ') + paint(style, color, "^" + std::string(excerpt.mark_width - 1, '~'));
+    return fmt::format("{0} --> {1}:{2}:{3}\n{0}  |\n {4} | {5}\n{0}  | {6}\n", margin, sources.path(span.source),
+                       begin.line, begin.column, number, excerpt.text, mark);
+}
+
+std::string draw_note(const SourceManager& sources, const Note& note, const TextStyle& style) {
+    if (!note.span.known()) return fmt::format("   = note: {}\n", note.message);
+    const Look as_note = look(Severity::note);
+    return fmt::format("{}: {}\n{}", paint(style, as_note.color, as_note.word), note.message,
+                       draw_place(sources, note.span, style, as_note.color));
+}
+
+std::string draw_fix(const FixIt& fix) {
+    if (fix.replacement.empty()) return fmt::format("   = help: {}\n", fix.title);
+    return fmt::format("   = help: {}: `{}`\n", fix.title, fix.replacement);
+}
+
+std::string count(std::size_t n, std::string_view noun) {
+    return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string render_text(const SourceManager& sources, const Diagnostic& diagnostic, const TextStyle& style) {
+    const Look severity = look(diagnostic.rule->severity);
+    std::string out = fmt::format(
+        "{}: {}\n", paint(style, severity.color, fmt::format("{}[{}]", severity.word, diagnostic.rule->code)),
+        diagnostic.message());
+    if (diagnostic.span.known()) out += draw_place(sources, diagnostic.span, style, severity.color);
+    for (const Note& note : diagnostic.notes)
+        if (!note.span.known()) out += draw_note(sources, note, style);
+    for (const FixIt& fix : diagnostic.fixes) out += draw_fix(fix);
+    for (const Note& note : diagnostic.notes)
+        if (note.span.known()) out += draw_note(sources, note, style);
+    return out;
+}
+
+std::string render_text(const SourceManager& sources, const Diagnostics& diagnostics, const TextStyle& style) {
+    if (diagnostics.empty()) return {};
+    std::string out;
+    for (const Diagnostic& diagnostic : diagnostics.sorted()) out += render_text(sources, diagnostic, style) + "\n";
+    if (diagnostics.dropped() > 0) out += fmt::format("{} more not shown\n", diagnostics.dropped());
+    return out +
+           fmt::format("{}, {}\n", count(diagnostics.errors(), "error"), count(diagnostics.warnings(), "warning"));
+}
+
+}  // namespace robochart::diagnostics

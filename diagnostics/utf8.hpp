@@ -1,0 +1,15 @@
+// Walking over text that should be UTF-8 but may hold anything.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace robochart::diagnostics {
+
+/// Length in bytes of the well-formed UTF-8 sequence at the front of `text`; 0 if there is none.
+[[nodiscard]] std::size_t utf8_length(std::string_view text);
+
+/// What is shown in place of a byte that is not UTF-8 (U+FFFD).
+inline constexpr std::string_view replacement_character = "\xEF\xBF\xBD";
+
+}  // namespace robochart::diagnostics

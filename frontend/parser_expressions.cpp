@@ -1,0 +1,286 @@
+// Operators by precedence climbing (RoboChart.xtext: Expression to CallExp). Binary operators associate to the left.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "frontend/parser.hpp"
+#include "frontend/syntax_rules.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+struct Operator {
+    std::string_view word;
+    BinaryOp op;
+    int level;
+};
+
+// Levels of the operators that stand alone between those of the table.
+constexpr int not_level = 4;
+constexpr int compare_level = 5;
+constexpr int let_level = 6;
+constexpr int cast_level = 7;
+constexpr int plus_level = 8;
+constexpr int concat_level = 10;
+
+constexpr std::array<Operator, 18> operators = {{{"iff", BinaryOp::iff, 0},
+                                                 {"=>", BinaryOp::implies, 1},
+                                                 {"\\/", BinaryOp::disjunction, 2},
+                                                 {"/\\", BinaryOp::conjunction, 3},
+                                                 {"==", BinaryOp::equal, compare_level},
+                                                 {"!=", BinaryOp::not_equal, compare_level},
+                                                 {">", BinaryOp::greater, compare_level},
+                                                 {">=", BinaryOp::greater_equal, compare_level},
+                                                 {"<", BinaryOp::less, compare_level},
+                                                 {"<=", BinaryOp::less_equal, compare_level},
+                                                 {"in", BinaryOp::in, compare_level},
+                                                 {"+", BinaryOp::plus, plus_level},
+                                                 {"-", BinaryOp::minus, plus_level},
+                                                 {"*", BinaryOp::times, 9},
+                                                 {"/", BinaryOp::divide, 9},
+                                                 {"%", BinaryOp::modulus, 9},
+                                                 {"cat", BinaryOp::concat, concat_level},
+                                                 {"^", BinaryOp::concat, concat_level}}};
+
+std::uint32_t height(const ExprPtr& expr) {
+    return expr ? expr->height : 0;
+}
+
+}  // namespace
+
+ExprPtr Parser::make(ExprKind kind) {
+    auto expr = std::make_unique<Expr>();
+    expr->kind = kind;
+    expr->span = peek().span;
+    return expr;
+}
+
+/// Closes a node: its span and the height of the tree, which bounds every later walk.
+ExprPtr Parser::finish(ExprPtr expr, Span begin) {
+    expr->span = since(begin);
+    std::uint32_t below = height(expr->callee);
+    for (const ExprPtr& arg : expr->args) below = std::max(below, height(arg));
+    for (const Binding& binding : expr->bindings) below = std::max(below, height(binding.value));
+    expr->height = below + 1;
+    if (expr->height > max_height) too_deep(max_height);
+    return expr;
+}
+
+std::optional<std::pair<BinaryOp, int>> Parser::operator_here() const {
+    const Token& token = peek();
+    // `a ^b`: the scanner takes `^b` for an escaped name, which cannot follow an operand.
+    if (token.escaped && !token.first_on_line) return std::pair(BinaryOp::concat, concat_level);
+    const auto* found =
+        std::find_if(operators.begin(), operators.end(), [&](const Operator& o) { return token.is(o.word); });
+    if (found == operators.end()) return std::nullopt;
+    return std::pair(found->op, found->level);
+}
+
+bool Parser::at_quantifier() const {
+    return at("forall") || at("exists") || at("exists1") || at("lambda");
+}
+
+ExprPtr Parser::expression() {
+    const Nesting nesting(*this);
+    return at_quantifier() ? quantified() : operand(0);
+}
+
+/// `forall v:T, … | p @ e`, and the same with exists, exists1, lambda.
+ExprPtr Parser::quantified() {
+    ExprPtr result = make(at("forall")    ? ExprKind::forall
+                          : at("exists")  ? ExprKind::exists
+                          : at("exists1") ? ExprKind::exists_unique
+                                          : ExprKind::lambda);
+    advance();
+    bindings(*result);
+    such_that(*result);
+    expect("@");
+    result->args.push_back(expression());
+    const Span begin = result->span;
+    return finish(std::move(result), begin);
+}
+
+void Parser::bindings(Expr& expr) {
+    do {
+        Binding binding;
+        binding.variable = variable(DeclKind::bound_variable);
+        expr.bindings.push_back(std::move(binding));
+    } while (accept(","));
+}
+
+void Parser::such_that(Expr& expr) {
+    expr.args.push_back(accept("|") ? expression() : nullptr);
+}
+
+/// An expression whose operators bind at least as tightly as `level`.
+ExprPtr Parser::operand(int level) {
+    ExprPtr left = prefix(level);
+    for (;;) {
+        if ((at("as") || at("is")) && level <= cast_level) {
+            left = cast(std::move(left));
+            continue;
+        }
+        const auto next = operator_here();
+        if (!next || next->second < level) return left;
+        left = infix(std::move(left), next->first, next->second);
+    }
+}
+
+ExprPtr Parser::infix(ExprPtr left, BinaryOp op, int level) {
+    if (peek().escaped)
+        tokens_[at_].escaped = false;
+    else
+        advance();
+    ExprPtr result = make(ExprKind::binary);
+    const Span begin = left->span;
+    result->binary = op;
+    result->args.push_back(std::move(left));
+    result->args.push_back(operand(level + 1));
+    return finish(std::move(result), begin);
+}
+
+ExprPtr Parser::cast(ExprPtr left) {
+    ExprPtr result = make(at("as") ? ExprKind::cast : ExprKind::is_type);
+    const Span begin = left->span;
+    advance();
+    result->args.push_back(std::move(left));
+    result->type_expr = type();
+    return finish(std::move(result), begin);
+}
+
+ExprPtr Parser::prefix(int level) {
+    if (at("not")) return logical_not(level);
+    if (at("the")) return description(level);
+    if (at("let")) return let(level);
+    if (at("if")) return conditional();
+    if (at_quantifier()) {
+        check_weak_prefix(1, 0);
+        return expression();
+    }
+    return negation();
+}
+
+/// A weak prefix as operand of a tighter operator needs parentheses; it is read as meant.
+void Parser::check_weak_prefix(int level, int own_level) {
+    if (level > own_level) report(syntax::bare_quantifier, peek().span, {std::string(peek().text)});
+}
+
+ExprPtr Parser::logical_not(int level) {
+    const Nesting nesting(*this);
+    check_weak_prefix(level, not_level);
+    ExprPtr result = make(ExprKind::unary);
+    const Span begin = expect("not");
+    result->unary = UnaryOp::logical_not;
+    result->args.push_back(at("not") ? logical_not(not_level) : operand(compare_level));
+    return finish(std::move(result), begin);
+}
+
+/// `the v:T | p @ e`
+ExprPtr Parser::description(int level) {
+    const Nesting nesting(*this);
+    check_weak_prefix(level, let_level);
+    ExprPtr result = make(ExprKind::the);
+    const Span begin = expect("the");
+    bindings(*result);
+    such_that(*result);
+    expect("@");
+    result->args.push_back(operand(let_level));
+    return finish(std::move(result), begin);
+}
+
+/// `let x == e, … @ e`
+ExprPtr Parser::let(int level) {
+    const Nesting nesting(*this);
+    check_weak_prefix(level, let_level);
+    ExprPtr result = make(ExprKind::let);
+    const Span begin = expect("let");
+    do {
+        Binding binding;
+        binding.variable = std::make_unique<Variable>(DeclKind::bound_variable);
+        binding.variable->span = peek().span;
+        name(*binding.variable);
+        expect("==");
+        binding.value = expression();
+        binding.variable->span = since(binding.variable->span);
+        result->bindings.push_back(std::move(binding));
+    } while (accept(","));
+    expect("@");
+    result->args.push_back(operand(let_level));
+    return finish(std::move(result), begin);
+}
+
+/// `if c then a else b end`
+ExprPtr Parser::conditional() {
+    ExprPtr result = make(ExprKind::if_then_else);
+    const Span begin = expect("if");
+    result->args.push_back(expression());
+    expect("then");
+    result->args.push_back(expression());
+    expect("else");
+    result->args.push_back(expression());
+    expect("end");
+    return finish(std::move(result), begin);
+}
+
+ExprPtr Parser::negation() {
+    if (!at("-")) return postfix();
+    const Nesting nesting(*this);
+    ExprPtr result = make(ExprKind::unary);
+    const Span begin = expect("-");
+    result->unary = UnaryOp::negate;
+    result->args.push_back(negation());
+    return finish(std::move(result), begin);
+}
+
+/// In assertion files a point may also end the assertion; a field follows its point at once there.
+bool Parser::at_member_step() const {
+    return at(".") && (!is_assertions_ || peek(1).span.begin == peek().span.end);
+}
+
+/// Member and index steps: `e.f`, `e[i, j]`.
+ExprPtr Parser::postfix() {
+    ExprPtr left = call();
+    while (at_member_step() || at("[")) {
+        ExprPtr step = make(at(".") ? ExprKind::member : ExprKind::index);
+        const Span begin = left->span;
+        step->args.push_back(std::move(left));
+        if (accept(".")) {
+            step->text = simple_name("the name of a field").parts.front();
+        } else {
+            expect("[");
+            do step->args.push_back(expression());
+            while (accept(","));
+            expect("]");
+        }
+        left = finish(std::move(step), begin);
+    }
+    return left;
+}
+
+/// `f(a, …)`; the function is a name or any other atom.
+ExprPtr Parser::call() {
+    ExprPtr function = atom();
+    if (!at("(") || peek().first_on_line) return function;
+    ExprPtr result = make(ExprKind::call);
+    const Span begin = function->span;
+    advance();
+    if (function->kind == ExprKind::name)
+        result->name = std::move(function->name);
+    else
+        result->callee = std::move(function);
+    expression_list(result->args, ")");
+    return finish(std::move(result), begin);
+}
+
+/// `e, …` up to and with the closing word; may be empty.
+void Parser::expression_list(std::vector<ExprPtr>& list, std::string_view close) {
+    if (!at(close)) {
+        do list.push_back(expression());
+        while (accept(","));
+    }
+    expect(close);
+}
+
+}  // namespace robochart::frontend

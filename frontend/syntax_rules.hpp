@@ -1,0 +1,20 @@
+// The rule table of the reader: everything that can be wrong with a text before names are looked at.
+#pragma once
+
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::frontend::syntax {
+
+using diagnostics::Rule;
+
+extern const Rule unexpected, too_deep, open_comment, open_string, strange_character, huge_integer, long_real, not_text,
+    legacy_trigger, blank_in_set, reserved_name, bare_value, open_csp_block, too_many, bare_quantifier, late_package,
+    parameter_list, clause_order, stray_bracket, ragged_matrix;
+extern const Rule unreadable, empty_input, no_files, empty_file;
+
+/// All of them, by code.
+[[nodiscard]] const std::vector<const Rule*>& all();
+
+}  // namespace robochart::frontend::syntax

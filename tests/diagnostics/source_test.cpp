@@ -1,0 +1,67 @@
+// Places in source texts.
+#include "diagnostics/source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace robochart::diagnostics {
+namespace {
+
+TEST(SourceManager, CountsLinesFromOneAndColumnsInCodePoints) {
+    SourceManager sources;
+    const SourceId id = sources.add("a.rct", "ab\n\xC3\xA9x\r\nlast");
+    EXPECT_EQ(sources.position(id, 0).line, 1U);
+    EXPECT_EQ(sources.position(id, 3).line, 2U);
+    EXPECT_EQ(sources.position(id, 3).column, 1U);
+    EXPECT_EQ(sources.position(id, 5).column, 2U);  // the x behind a two-byte letter
+    EXPECT_EQ(sources.position(id, 8).line, 3U);
+    EXPECT_EQ(sources.position(id, 1000).column, 5U);  // clamped to the end
+    EXPECT_EQ(sources.line(id, 2), "\xC3\xA9x");
+    EXPECT_EQ(sources.line(id, 3), "last");
+    EXPECT_EQ(sources.line(id, 4), "");
+    EXPECT_EQ(sources.place({id, 8, 9}), "a.rct:3");
+    EXPECT_EQ(sources.place({}), "");
+}
+
+TEST(SourceManager, KeepsViewsValidWhileGrowing) {
+    SourceManager sources;
+    const SourceId first = sources.add("first", "x");
+    const std::string_view view = sources.text(first);
+    for (int i = 0; i < 1000; ++i) sources.add("more", std::string(100, 'y'));
+    EXPECT_EQ(view, "x");
+    EXPECT_EQ(sources.size(), 1001U);
+}
+
+TEST(SourceManager, SaysWhyAFileCannotBeRead) {
+    SourceManager sources;
+    std::string error;
+    EXPECT_FALSE(sources.load("/nowhere/at/all.rct", error).has_value());
+    EXPECT_EQ(error, "no such file");
+    EXPECT_FALSE(sources.load(std::filesystem::temp_directory_path().string(), error).has_value());
+    EXPECT_EQ(error, "is a folder, not a file");
+}
+
+TEST(SourceManager, LoadsBytesAsTheyAre) {
+    const auto path = std::filesystem::temp_directory_path() / "robochart_source_test.bin";
+    const std::string bytes("a\0\xFF\nb", 5);
+    std::ofstream(path, std::ios::binary) << bytes;
+    SourceManager sources;
+    std::string error;
+    const auto id = sources.load(path.string(), error);
+    std::filesystem::remove(path);
+    ASSERT_TRUE(id.has_value()) << error;
+    EXPECT_EQ(sources.text(*id), bytes);
+}
+
+TEST(Span, JoinCoversBoth) {
+    const auto id = static_cast<SourceId>(0);
+    EXPECT_EQ(join({id, 5, 7}, {id, 1, 2}), (Span{id, 1, 7}));
+    EXPECT_EQ(join({}, {id, 1, 2}), (Span{id, 1, 2}));
+    EXPECT_EQ(join({id, 1, 2}, {}), (Span{id, 1, 2}));
+}
+
+}  // namespace
+}  // namespace robochart::diagnostics

@@ -1,0 +1,44 @@
+// Reading model text in tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "diagnostics/diagnostic.hpp"
+#include "diagnostics/render.hpp"
+#include "frontend/project.hpp"
+
+namespace robochart::frontend::testing {
+
+/// A text read, with all that belongs to it.
+struct Reading {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics findings;
+    Model model;
+
+    /// What was found, as people see it.
+    [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, findings); }
+    [[nodiscard]] std::string dumped(bool resolved = false) const { return dump(model, sources, resolved); }
+    /// "CODE@line" of each finding in order, joined by blanks.
+    [[nodiscard]] std::string codes() const {
+        std::string out;
+        for (const auto& d : findings.sorted()) {
+            const std::uint32_t line = d.span.known() ? sources.position(d.span.source, d.span.begin).line : 0;
+            out += (out.empty() ? "" : " ") + std::string(d.rule->code) + "@" + std::to_string(line);
+        }
+        return out;
+    }
+    [[nodiscard]] const File& file() const { return *model.files.front(); }
+};
+
+/// Parses without resolving.
+inline std::unique_ptr<Reading> read(std::string text, bool is_assertions = false) {
+    auto reading = std::make_unique<Reading>();
+    const auto id = reading->sources.add(is_assertions ? "t.assertions" : "t.rct", std::move(text));
+    reading->model.files.push_back(parse(reading->sources, id, is_assertions, reading->findings));
+    return reading;
+}
+
+}  // namespace robochart::frontend::testing
