@@ -83,12 +83,18 @@ enum class ExprKind {
     plus, minus, times, divide, modulus,
     if_then_else,
     call,           ///< function(args)
-    tuple, record, sequence, set,  ///< args
+    function_value, ///< function: a function of the model used as a value
+    apply,          ///< args[0] applied to args[1..]: a value of function type
+    tuple, record, sequence, set,  ///< args (record: one per field, in the order of the type)
+    matrix,         ///< args row by row, number: columns (one column: a vector)
     member,         ///< args[0], number: field index (records) or 1-based place (tuples)
     index,          ///< args[0][args[1]..], 1-based
-    concat, is_in, set_range, cast,
+    concat, is_in, set_range,
+    cast,           ///< args[0] as `type`: nat or int to real multiplies by the scale, real to nat or int rounds down
     bound,          ///< variable bound by an enclosing quantifier/let/lambda/comprehension: text
-    forall, exists, exists_unique, lambda, the, let, set_comprehension,  ///< text lists bound names, see `bound_names`
+    forall, exists, exists_unique, lambda, the, set_comprehension,  ///< bound_names, bound_types; args: predicate, body
+    let,            ///< bound_names[i] is args[i]; the last of args is the body
+    result,         ///< of the function, in its postconditions
 };
 
 struct Expr;
@@ -167,7 +173,7 @@ struct Constant {
     std::string name;
     TypeId type;
     ExprPtr value;                 ///< null: taken from the instantiation
-    bool required = false;         ///< of a required interface: in a context, the value of its provider (see docs in instantiation.hpp)
+    bool required = false;         ///< of a required interface: in a context, its provider's value (semantics/query.hpp)
     std::string interface;
     Origin origin;
 };
@@ -185,6 +191,7 @@ struct Event {
 struct Clock {
     std::string name;              ///< for sinceEntry(S) clocks: the state's path joined by '_'
     NodeId entry_of;               ///< valid: the clock of sinceEntry(node)
+    bool required = false;         ///< operations: of a required interface, the caller's clock of this name
     std::string interface;
     Origin origin;
 };
@@ -235,6 +242,7 @@ struct Machine {
     MachineKind kind = MachineKind::state_machine;
     std::string name;
     std::string package;           ///< "" if unnamed
+    std::string path;              ///< names down to it: "S", inline ones "C::S", "M::C::S"
     std::vector<Variable> variables;      ///< operations: parameters first
     std::vector<Constant> constants;
     std::vector<Event> events;
@@ -280,6 +288,7 @@ struct Connection {
 struct Controller {
     std::string name;
     std::string package;
+    std::string path;              ///< names down to it: "C", inside a module "M::C"
     std::vector<Variable> variables;      ///< its own (scope local) and the required ones
     std::vector<Constant> constants;
     std::vector<Event> events;

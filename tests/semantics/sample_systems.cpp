@@ -145,6 +145,7 @@ Machine operation_head(const std::string& name, const std::vector<std::string>& 
     Machine machine;
     machine.kind = MachineKind::operation;
     machine.name = name;
+    machine.path = name;
     machine.package = "aggregation";
     machine.origin.element = name;
     for (const auto& parameter : parameters)
@@ -189,6 +190,7 @@ Machine rotate_clockwise() {
 Machine aggregation_fsm() {
     Machine machine;
     machine.name = "AggregationFSM";
+    machine.path = machine.name;
     machine.package = "aggregation";
     machine.origin.element = machine.name;
     machine.variables = shared_variables(VariableScope::required);
@@ -214,6 +216,7 @@ Connection connect(ConnectionEnd from, ConnectionEnd to, bool async, const std::
 Controller aggregation_controller() {
     Controller controller;
     controller.name = "AggregationController";
+    controller.path = controller.name;
     controller.package = "aggregation";
     controller.origin.element = controller.name;
     controller.variables = shared_variables(VariableScope::required);

@@ -1,0 +1,98 @@
+// Wording of the rules of the semantics room. Codes are ours; they do not change once published.
+#include "semantics/rules.hpp"
+
+#include <array>
+
+namespace robochart::ir::rules {
+
+using diagnostics::Rule;
+using diagnostics::Severity;
+
+const Rule unsupported_construct{
+    "RC-S01", Severity::error, "{} is not supported yet",
+    "The construct is well-formed RoboChart, but the semantics here has no rule for it. It is refused rather than "
+    "left out, because leaving it out would change what is verified. Write the behaviour without it."};
+const Rule recursive_operation{
+    "RC-S02", Severity::error, "operation {} calls itself: {}; recursive operations are not supported yet",
+    "RoboTool bounds the depth of recursive calls by a constant of the instantiation. Here every chain of calls must "
+    "end. Example of a refused chain: the body of `walk` calls `turn`, and the body of `turn` calls `walk`."};
+const Rule number_too_large{
+    "RC-S03", Severity::error, "the number {} does not fit into 64 bits",
+    "Numbers of a model are kept exactly: whole numbers within -(2^63)..2^63-1, decimals as a whole number and at most "
+    "18 decimal places."};
+const Rule too_deep{
+    "RC-S04", Severity::error, "{} nested deeper than {} levels",
+    "Expressions, statements, types and states may be nested up to a fixed depth; no readable model comes near it."};
+const Rule unresolved{
+    "RC-S05", Severity::error, "{} does not lead to a declaration",
+    "A name that name resolution should have followed was left open, so the element that uses it has no meaning. "
+    "Mend the errors reported before this one."};
+const Rule unknown_component{
+    "RC-S06", Severity::error, "'{}' is neither a component of the model nor a csp block{}",
+    "An assertion speaks of a module, controller, state machine, operation or csp block. Components are named by their "
+    "path through references (`Module::controller_ref::machine_ref`), with the package in front unless it is imported "
+    "or the file's own. Example: `assertion A : mod::ctrl_ref0::stm_ref0 is deadlock-free`."};
+const Rule not_a_state{
+    "RC-S07", Severity::error, "'{}' is not a state of {}{}",
+    "`S is reachable in X` names a state below the component X, by its path from the top of its machine or by the full "
+    "path through X. Initial nodes and junctions are left at once and cannot be asked for."};
+const Rule not_a_constant{
+    "RC-S08", Severity::error, "{} has no {} named '{}'{}",
+    "`with constant c of X set to e` names a constant that X declares, uses or requires; `with parameter p of O` a "
+    "parameter of the operation O."};
+const Rule unknown_constant_option{
+    "RC-S10", Severity::error, "--const {}: the model has no constant of this name{}",
+    "Name a constant by its own name, which sets all constants of that name, or by its path: `--const stm::limit=3`."};
+const Rule bad_constant_value{
+    "RC-S11", Severity::error, "--const {}: '{}' is not a value of type {}",
+    "Values are RoboChart literals: 3, -1, 0.25, true, red or Colour::red. Decimals need type real; nat has no "
+    "negative numbers."};
+const Rule unknown_range_option{"RC-S12", Severity::error, "--range {}: only nat, int and real have a range",
+                                "`--range nat=0..4` says which numbers the type holds while the model is checked."};
+const Rule bad_range{
+    "RC-S13", Severity::error, "--range {}={}..{}: {}",
+    "A range runs from its least to its greatest number; nat starts at 0 or above; every type must hold 0, where "
+    "variables start."};
+const Rule ranges_not_nested{"RC-S14", Severity::error,
+                             "--range {}={}..{}: must hold all of {} ({}..{}), because a {} may be used as {}",
+                             "nat is usable as int and int as real, so the numbers of each must be numbers of the "
+                             "next. Ranges without an option "
+                             "are widened by themselves."};
+const Rule range_too_large{
+    "RC-S15", Severity::error, "type {} would have {} values, more than {}; narrow it with --range {}=LOW..HIGH",
+    "Checking explores every value of an input. The range of a type covers the numbers that the model compares and "
+    "assigns; a model with large numbers needs a range that is chosen."};
+const Rule scale_too_large{
+    "RC-S16", Severity::error,
+    "the model's decimal numbers need a scale above 10^18 or values beyond 64 bits at scale {}",
+    "Reals are kept exactly as whole numbers of units 1/scale, where the scale is the smallest power of ten that makes "
+    "every decimal number of the model whole."};
+const Rule literal_outside_range{
+    "RC-S17", Severity::warning, "{} lies outside the range {}..{} chosen for {}",
+    "Comparisons with the number still mean what they say, but no variable can hold it, and arithmetic that reaches it "
+    "leaves its first operand as it is (RoboTool's rule for results outside the type)."};
+
+namespace {
+const std::array<const Rule*, 16> table{&unsupported_construct,
+                                        &recursive_operation,
+                                        &number_too_large,
+                                        &too_deep,
+                                        &unresolved,
+                                        &unknown_component,
+                                        &not_a_state,
+                                        &not_a_constant,
+                                        &unknown_constant_option,
+                                        &bad_constant_value,
+                                        &unknown_range_option,
+                                        &bad_range,
+                                        &ranges_not_nested,
+                                        &range_too_large,
+                                        &scale_too_large,
+                                        &literal_outside_range};
+}  // namespace
+
+std::span<const Rule* const> all() {
+    return table;
+}
+
+}  // namespace robochart::ir::rules
