@@ -43,6 +43,9 @@ enum class Fault {
 struct Options {
     Fault fault = Fault::none;
     std::uint32_t fault_site = 0;  ///< which applicable place (transition, call, … in textual order) carries the fault
+    std::uint32_t cycle_length = 1;  ///< time units that pass between two control cycles
+    /// For comments with file and line; null: comments name the model's elements only.
+    const diagnostics::SourceManager* sources = nullptr;
 };
 
 struct Emission {

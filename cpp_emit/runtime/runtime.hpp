@@ -1,0 +1,87 @@
+// What every generated controller needs: results, input registers, the types of deployment, time.
+// Ships with the generated code. No heap, no exceptions, no statics. Copyright: see LICENSE (Apache-2.0).
+#ifndef ROBOCHART_RUNTIME_HPP
+#define ROBOCHART_RUNTIME_HPP
+
+#include <cstdint>
+
+namespace robochart {
+
+/// How a control cycle ended.
+enum class StepResult : std::uint8_t {
+    quiescent,     ///< nothing more can happen before time passes or an input comes
+    terminated,    ///< the final node is reached
+    step_bound,    ///< a loop that takes no time: the model diverges
+    precondition,  ///< an operation was called outside its precondition
+    deadline,      ///< a deadline was missed
+};
+
+/// An input without a value: raised or not.
+struct Signal {
+    bool present = false;
+};
+
+/// An input with a value.
+template <class T>
+struct Message {
+    bool present = false;
+    T value{};
+};
+
+/// The model's basic types on the robot.
+struct Deployment {
+    using Real = double;
+    using Nat = std::int64_t;
+    using Int = std::int64_t;
+};
+
+/// Division and remainder as in the model's semantics: by zero is by one, and for whole numbers the quotient is rounded down.
+constexpr double divide(double a, double b) noexcept { return a / (b < 0.0 || b > 0.0 ? b : 1.0); }
+constexpr std::int64_t divide(std::int64_t a, std::int64_t b) noexcept {
+    if (b == 0) return a;
+    const std::int64_t quotient = a / b;
+    return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
+}
+constexpr std::int64_t modulus(std::int64_t a, std::int64_t b) noexcept { return a - (b == 0 ? a : divide(a, b) * b); }
+
+/// A duration in time units; negative ones are zero.
+constexpr std::uint32_t duration(std::int64_t units) noexcept {
+    if (units < 0) return 0;
+    return units > INT32_MAX ? static_cast<std::uint32_t>(INT32_MAX) : static_cast<std::uint32_t>(units);
+}
+
+/// A clock advances until its saturation: beyond it no guard can tell the difference.
+constexpr void advance_clock(std::uint32_t& clock, std::uint32_t units, std::uint32_t saturation) noexcept {
+    clock = units < saturation - clock ? clock + units : saturation;
+}
+
+/// What is left of a wait.
+constexpr void advance_wait(std::uint32_t& left, std::uint32_t units) noexcept { left = units < left ? left - units : 0; }
+
+/// The bookkeeping of one cycle.
+class Cycle {
+public:
+    explicit constexpr Cycle(std::uint32_t bound) noexcept : budget_(bound) {}
+
+    /// Counts one step of the machine; false when the bound of the cycle is reached.
+    constexpr bool spend() noexcept {
+        if (budget_ == 0) return false;
+        --budget_;
+        return true;
+    }
+    constexpr void require(bool precondition) noexcept { violated_ = violated_ || !precondition; }
+    [[nodiscard]] constexpr bool exhausted() const noexcept { return budget_ == 0; }
+    [[nodiscard]] constexpr StepResult result(bool terminated) const noexcept {
+        if (violated_) return StepResult::precondition;
+        if (budget_ == 0) return StepResult::step_bound;
+        return terminated ? StepResult::terminated : StepResult::quiescent;
+    }
+
+private:
+    std::uint32_t budget_;
+    bool violated_ = false;
+};
+
+}  // namespace robochart
+
+#endif
