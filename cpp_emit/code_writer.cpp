@@ -35,17 +35,20 @@ void CodeWriter::reopen(std::string_view text) {
     fresh_ = true;
 }
 
+void CodeWriter::label(std::string_view text) {
+    close(text);
+    ++depth_;
+    fresh_ = true;
+}
+
 void CodeWriter::gap() {
     if (fresh_ || text_.ends_with("\n\n")) return;
     line();
 }
 
-void CodeWriter::block(std::string_view lines) {
-    while (!lines.empty()) {
-        const std::size_t end = lines.find('\n');
-        line(lines.substr(0, end));
-        lines.remove_prefix(end == std::string_view::npos ? lines.size() : end + 1);
-    }
+void CodeWriter::raw(std::string_view lines) {
+    text_ += lines;
+    fresh_ = false;
 }
 
 void CodeWriter::wrapped(std::string_view prefix, std::string_view text) {

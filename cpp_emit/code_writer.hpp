@@ -16,14 +16,16 @@ public:
     void open(std::string_view text);
     /// Ends a block: "}", "};", "} else {" come one level further out.
     void close(std::string_view text = "}");
+    /// "public:" and the like, one level further out.
+    void label(std::string_view text);
     /// "} else {": ends a block and opens the next.
     void reopen(std::string_view text);
     /// `/// text`, wrapped at the line width.
     void doc(std::string_view text) { wrapped("/// ", text); }
     /// `// text`, wrapped at the line width.
     void comment(std::string_view text) { wrapped("// ", text); }
-    /// Lines written elsewhere, indented to the current depth.
-    void block(std::string_view lines);
+    /// Lines that are indented already.
+    void raw(std::string_view lines);
     /// An empty line between parts; never two in a row, none at the beginning of a block.
     void gap();
 

@@ -56,4 +56,12 @@ std::string NameScope::unique(std::string_view wanted) {
     return name;
 }
 
+std::string NameScope::numbered(std::string_view stem) {
+    const std::string base = identifier(stem) + "_";
+    for (unsigned number = 1;; ++number) {
+        const std::string name = base + std::to_string(number);
+        if (taken_.insert(name).second) return name;
+    }
+}
+
 }  // namespace robochart::cpp_emit

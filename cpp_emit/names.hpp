@@ -22,6 +22,8 @@ public:
 
     /// `wanted`, made an identifier; with a number behind it if the scope has it already.
     [[nodiscard]] std::string unique(std::string_view wanted);
+    /// `stem`_1, `stem`_2, ...: the first that is free.
+    [[nodiscard]] std::string numbered(std::string_view stem);
 
 private:
     std::set<std::string> taken_;

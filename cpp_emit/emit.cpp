@@ -1,0 +1,40 @@
+// The emission of one component: follow it, refuse what can't be generated, write its files.
+#include "cpp_emit/emit.hpp"
+
+#include <fmt/format.h>
+
+#include "cpp_emit/files.hpp"
+#include "cpp_emit/support.hpp"
+
+namespace robochart::cpp_emit {
+
+std::string Generation::place(std::string_view element, diagnostics::Span span) const {
+    if (options.sources == nullptr || !span.known()) return std::string(element);
+    std::string where = options.sources->place(span);
+    const std::size_t folder = where.rfind('/');
+    if (folder != std::string::npos) where.erase(0, folder + 1);
+    return fmt::format("{} ({})", element, where);
+}
+
+Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref, const Options& options,
+              diagnostics::Diagnostics& diagnostics) {
+    Emission emission;
+    const std::optional<Component> component = resolve(system, inst, ref, diagnostics);
+    if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
+    Mutation mutation(options.fault, options.fault_site);
+    const Generation generation{system, inst, options, *component, mutation};
+    const Core core = make_core(generation);
+    emission.shim = component->cpp_name + "_explore.cpp";
+    emission.files = {
+        {core.header, core_header(generation, core)},
+        {emission.shim, shim_source(generation, core)},
+        {"robochart/runtime.hpp", runtime_header()},
+        {"robochart/finite.hpp", finite_header()},
+        {"robochart/explore.hpp", explore_helpers()},
+        {"robochart/explore_abi.h", explore_header()},
+    };
+    emission.fault_sites = mutation.sites();
+    return emission;
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,46 @@
+// Expressions of the model as C++ text over the Types policy.
+#pragma once
+
+#include <string>
+
+#include "cpp_emit/generation.hpp"
+
+namespace robochart::cpp_emit {
+
+class ExpressionWriter {
+public:
+    /// `frame` is how the code refers to the unit's own state: "f".
+    ExpressionWriter(const Generation& generation, const Unit& unit, std::string frame)
+        : generation_(generation), unit_(unit), frame_(std::move(frame)) {}
+
+    /// What `trigger_value` means: the incoming value, as C++ text.
+    void set_incoming(std::string text) { incoming_ = std::move(text); }
+
+    [[nodiscard]] std::string write(const ir::Expr&) const;
+    /// The expression as a value of a numeric type other than its own; others unchanged.
+    [[nodiscard]] std::string write_as(const ir::Expr&, ir::TypeId) const;
+    /// Where a variable is stored; "" for shared variables that nothing reads.
+    [[nodiscard]] std::string variable(ir::VariableId) const;
+    [[nodiscard]] std::string clock(ir::ClockId) const;
+
+private:
+    [[nodiscard]] std::string operand(const ir::Expr&) const;
+    [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
+    [[nodiscard]] std::string arithmetic(const ir::Expr&, const char* symbol) const;
+    [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;
+    [[nodiscard]] std::string comparison(const ir::Expr&, const char* symbol) const;
+    [[nodiscard]] std::string logical(const ir::Expr&, const char* symbol) const;
+    [[nodiscard]] std::string constant(const ir::Expr&) const;
+    [[nodiscard]] ir::TypeKind kind(const ir::Expr&) const;
+
+    const Generation& generation_;
+    const Unit& unit_;
+    std::string frame_;
+    std::string incoming_;
+};
+
+/// The constant's value: its expression's, or the instantiation's. Nothing if it has none.
+[[nodiscard]] std::optional<ir::Value> constant_value(const ir::System&, const ir::Instantiation&, const ir::Machine&,
+                                                      ir::ConstantId);
+
+}  // namespace robochart::cpp_emit

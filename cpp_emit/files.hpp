@@ -1,0 +1,36 @@
+// The files of an emission, one function each.
+#pragma once
+
+#include <string>
+
+#include "cpp_emit/generation.hpp"
+#include "cpp_emit/machine_code.hpp"
+
+namespace robochart::cpp_emit {
+
+/// What the core's text consists of, shared by the files that use it.
+struct Core {
+    std::string name_space;      ///< "aggregation::AggregationFSM_core"
+    std::string header;          ///< file name
+    std::vector<MachineCode> machines;   ///< as Component::units
+};
+
+/// Generates the machines' code.
+[[nodiscard]] Core make_core(const Generation&);
+/// The core: enumerations, State, Inputs, Step and step().
+[[nodiscard]] std::string core_header(const Generation&, const Core&);
+/// The source that exports robochart_explore() (runtime/explore_abi.h).
+[[nodiscard]] std::string shim_source(const Generation&, const Core&);
+
+/// Texts of the headers in cpp_emit/runtime, built into the program.
+[[nodiscard]] std::string runtime_header();
+[[nodiscard]] std::string finite_header();
+[[nodiscard]] std::string explore_helpers();
+[[nodiscard]] std::string explore_header();
+
+/// "Generated from RoboChart ... edit the model" for the top of a file.
+void file_comment(const Generation&, CodeWriter&, const std::string& what);
+/// The C++ namespace of a package: "a::b", or "robot" without one.
+[[nodiscard]] std::string package_namespace(const std::string& package);
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,23 @@
+// What all emitters of one run share.
+#pragma once
+
+#include <string>
+
+#include "cpp_emit/component.hpp"
+#include "cpp_emit/mutation.hpp"
+
+namespace robochart::cpp_emit {
+
+struct Generation {
+    const ir::System& system;
+    const ir::Instantiation& inst;
+    const Options& options;
+    const Component& component;
+    Mutation& mutation;
+
+    /// "S1 (aggregation.rct:83)", or the element alone if its place is unknown.
+    [[nodiscard]] std::string place(std::string_view element, diagnostics::Span) const;
+    [[nodiscard]] std::string place(const ir::Origin& origin) const { return place(origin.element, origin.span); }
+};
+
+}  // namespace robochart::cpp_emit

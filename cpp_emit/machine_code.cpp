@@ -1,0 +1,338 @@
+// Puts a machine's code together: threads as switches, the loop around them, time, the struct of its state.
+#include "cpp_emit/machine_code.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_emit/machine_writer.hpp"
+#include "cpp_emit/types.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+
+namespace {
+
+std::set<std::string> taken_fields(const Generation& generation, const Unit& unit) {
+    std::set<std::string> taken = {"at", "wait", "leaving", "filler", "kept"};
+    taken.insert(unit.clock_fields.begin(), unit.clock_fields.end());
+    taken.insert(unit.variable_fields.begin(), unit.variable_fields.end());
+    if (!unit.root) return taken;
+    for (const auto& variable : generation.component.variables) taken.insert(variable.field);
+    return taken;
+}
+
+/// Enumerations have one byte up to 256 values.
+std::size_t enumeration_size(std::size_t values) { return values <= 256 ? 1 : 2; }
+
+}  // namespace
+
+MachineWriter::MachineWriter(const Generation& generation, const Unit& unit, const Layouts& done, NameScope& type_names)
+    : generation_(generation), unit_(unit), done_(done), plan_(generation, unit), fields_(taken_fields(generation, unit)) {
+    const std::string prefix = unit.root ? "" : identifier(unit.machine->name);
+    control_.variable = "f.at";
+    control_.enumeration = unit.points;
+    control_.wait = "f.wait";
+    control_.labels = &plan_.place_labels();
+    control_.fields = &fields_;
+    leaving_ = plan_.has_shared_exits() ? type_names.unique(prefix + "Leaving") : "";
+    std::size_t durings = 0;
+    for (const auto& node : unit.machine->nodes) durings += node.during ? 1 : 0;
+    during_.reserve(durings);  // threads point at their own labels
+    for (std::uint32_t index = 0; index < unit.machine->nodes.size(); ++index) {
+        const NodeId id{index};
+        if (!plan_.node(id).during) continue;
+        DuringThread& during = during_.emplace_back();
+        during.state = id;
+        during.suffix = plan_.label(id);
+        during.labels = NameScope(std::set<std::string>{"idle", "start"});
+        during.thread.variable = "f.during_" + during.suffix;
+        during.thread.enumeration = type_names.unique(prefix + "During_" + during.suffix);
+        during.thread.wait = "f.wait_" + during.suffix;
+        during.thread.prefix = during.suffix + "_";
+        during.thread.labels = &during.labels;
+        during.thread.fields = &fields_;
+    }
+}
+
+std::string MachineWriter::signature(const std::string& name) const {
+    return fmt::format("{}([[maybe_unused]] {}& f) noexcept {{", name, frame_type());
+}
+
+MachineCode MachineWriter::write() {
+    during_places();
+    control_places();
+    thread_function(control_, "control", "Actions and junctions of " + unit_.machine->name + ", until it settles or has to wait.",
+                    true);
+    during_functions();
+    transition_functions();
+    leave_function();
+    advance_function();
+    run_function();
+    MachineCode code;
+    code.methods = out_.text();
+    code.enumerations = enumerations();
+    code.layout = layout();
+    return code;
+}
+
+void MachineWriter::thread_function(const Thread& thread, const std::string& name, const std::string& comment,
+                                    bool control) {
+    out_.gap();
+    out_.doc(comment);
+    out_.open(signature("bool " + name));
+    out_.line("bool moved = false;");
+    out_.open("for (;;) {");
+    out_.open(fmt::format("switch ({}) {{", thread.variable));
+    if (!control) out_.line(fmt::format("case {}: return moved;", thread.at("idle")));
+    for (std::uint32_t index = 0; control && index < plan_.machine().nodes.size(); ++index)
+        if (plan_.settles(NodeId{index})) out_.line(fmt::format("case {}: return moved;", thread.at(plan_.label(NodeId{index}))));
+    for (const Place& place : thread.places) {
+        out_.comment(place.comment);
+        out_.line(fmt::format("case {}:", thread.at(place.label)));
+        out_.raw(place.code.text());
+    }
+    out_.close();
+    out_.line("moved = true;");
+    out_.line("if (!spend()) return true;");
+    out_.close();
+    out_.close();
+}
+
+void MachineWriter::during_functions() {
+    if (during_.empty()) return;
+    for (const DuringThread& during : during_) {
+        const std::string place = generation_.place(plan_.node(during.state).origin);
+        thread_function(during.thread, "during_" + during.suffix, "During action of " + place + ": once an entry, as far as it gets.",
+                        false);
+        out_.gap();
+        out_.doc("The state is left: what remains of its during action is cut.");
+        out_.open(fmt::format("static void cut_{}({}& f) noexcept {{", during.suffix, frame_type()));
+        out_.line(during.thread.go("idle"));
+        if (during.thread.waits) out_.line(during.thread.wait + " = 0;");
+        for (const CallFrame& call : during.thread.calls) out_.line(fmt::format("f.{} = {{}};", call.field));
+        out_.close();
+    }
+    out_.gap();
+    out_.doc("During actions of the active states, outer states first.");
+    out_.open(signature("bool during"));
+    out_.line("bool moved = false;");
+    for (const DuringThread& during : during_) out_.line(fmt::format("moved = during_{}(f) || moved;", during.suffix));
+    out_.line("return moved;");
+    out_.close();
+}
+
+/// Where the exits begin: at the innermost active state.
+void MachineWriter::leave_function() {
+    const auto composite_exit = [&](NodeId id) { return plan_.shared_exit(id) && plan_.node(id).composite(); };
+    std::vector<NodeId> leaves;
+    for (const NodeId top : plan_.machine().top) {
+        for (const NodeId leaf : plan_.leaves(top)) {
+            const std::vector<NodeId> around = plan_.ancestors(leaf);
+            if (std::any_of(around.begin(), around.end(), composite_exit)) leaves.push_back(leaf);
+        }
+    }
+    if (leaves.empty()) return;
+    out_.gap();
+    out_.doc("Begins the exits of a composite state at the innermost active state.");
+    out_.open(fmt::format("static void leave({}& f) noexcept {{", frame_type()));
+    out_.open("switch (f.at) {");
+    for (const NodeId leaf : leaves) {
+        const NodeId first = plan_.node(leaf).kind == ir::NodeKind::final ? plan_.node(leaf).parent : leaf;
+        out_.line(fmt::format("case {}: {} return;", control_.at(plan_.label(leaf)), control_.go(plan_.exit_label(first))));
+    }
+    out_.line("default: return;");
+    out_.close();
+    out_.close();
+}
+
+bool MachineWriter::timed() const {
+    const auto& read = unit_.clock_read;
+    const auto timed_calls = [&](const Thread& thread) {
+        return thread.waits || std::any_of(thread.calls.begin(), thread.calls.end(), [&](const CallFrame& call) {
+            return done_.at(call.operation).timed;
+        });
+    };
+    return std::find(read.begin(), read.end(), true) != read.end() || timed_calls(control_) ||
+           std::any_of(during_.begin(), during_.end(), [&](const DuringThread& during) { return timed_calls(during.thread); });
+}
+
+void MachineWriter::advance_function() {
+    if (!timed()) return;
+    out_.gap();
+    out_.doc("Time passes: clocks and waits.");
+    out_.open(fmt::format("static void advance({}& f) noexcept {{", frame_type()));
+    for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index) {
+        if (!unit_.clock_read[index]) continue;
+        const std::int64_t saturation = std::min(
+            generation_.inst.clock_bound,
+            ir::clock_saturation(generation_.system, generation_.inst, *unit_.machine, ir::ClockId{index}));
+        out_.line(fmt::format("advance_clock(f.{}, cycle_length, {});", unit_.clock_fields[index], saturation));
+    }
+    const auto thread = [&](const Thread& each) {
+        if (each.waits) out_.line(fmt::format("advance_wait({}, cycle_length);", each.wait));
+        for (const CallFrame& call : each.calls) {
+            if (!done_.at(call.operation).timed) continue;
+            std::vector<std::string> running;
+            for (const auto& label : call.live) running.push_back(fmt::format("{} == {}", each.variable, each.at(label)));
+            out_.line(fmt::format("if ({}) advance(f.{});", fmt::join(running, " || "), call.field));
+        }
+    };
+    thread(control_);
+    for (const DuringThread& during : during_) thread(during.thread);
+    out_.close();
+}
+
+std::string MachineWriter::finished(const std::string& frame) const {
+    std::vector<std::string> places;
+    for (const NodeId id : plan_.finals()) places.push_back(fmt::format("{}.at == {}", frame, control_.at(plan_.label(id))));
+    return places.empty() ? "false" : fmt::format("{}", fmt::join(places, " || "));
+}
+
+void MachineWriter::run_function() {
+    out_.gap();
+    const std::string parts = fmt::format("control(f){} || transition(f)", during_.empty() ? "" : " || during(f)");
+    if (unit_.root) {
+        out_.doc("Everything that can happen in this cycle.");
+        out_.open(signature("void run"));
+        if (generation_.mutation.hits(Fault::single_transition_step)) {
+            out_.line("control(f);");
+            if (!during_.empty()) out_.line("during(f);");
+            out_.line("if (transition(f)) control(f);");
+        } else {
+            out_.open(fmt::format("while (!exhausted() && ({})) {{", parts));
+            out_.close();
+        }
+        out_.close();
+        out_.gap();
+        out_.open(fmt::format("[[nodiscard]] static bool finished([[maybe_unused]] const {}& f) noexcept {{", frame_type()));
+        out_.line(fmt::format("return {};", finished("f")));
+        return out_.close();
+    }
+    out_.doc(fmt::format("Runs operation {}; true when it has finished.", unit_.machine->name));
+    out_.open(fmt::format("bool run({}& f, bool& moved) noexcept {{", frame_type()));
+    out_.line(fmt::format("while (!exhausted() && ({})) moved = true;", parts));
+    out_.line(fmt::format("return {};", finished("f")));
+    out_.close();
+}
+
+std::vector<Field> MachineWriter::variable_fields() const {
+    std::vector<Field> fields;
+    const auto add = [&](const std::string& name, const ir::Variable& variable, const std::optional<ir::Value>& initial) {
+        const ir::Value value = initial.value_or(ir::default_value(generation_.system, generation_.inst, variable.type));
+        const std::size_t size = cpp_size(generation_.system.type(variable.type));
+        fields.push_back({cpp_type(generation_.system, variable.type), name,
+                          cpp_value(generation_.system, generation_.inst, variable.type, value),
+                          generation_.place(variable.origin), size, size});
+    };
+    for (const auto& stored : generation_.component.variables)
+        if (unit_.root && stored.stored()) add(stored.field, *stored.variable, stored.initial);
+    for (std::size_t index = 0; index < unit_.variable_fields.size(); ++index) {
+        if (unit_.variable_fields[index].empty()) continue;
+        const ir::Variable& variable = unit_.machine->variables[index];
+        std::optional<ir::Value> initial;
+        if (variable.initial)
+            initial = ir::evaluate_constant(generation_.system, generation_.inst, unit_.machine, *variable.initial);
+        add(unit_.variable_fields[index], variable, initial);
+    }
+    return fields;
+}
+
+void MachineWriter::thread_field(std::vector<Field>& fields, const Thread& thread, const std::string& wait) const {
+    if (thread.waits) fields.push_back({"std::uint32_t", wait, "0", "time units left to wait", 4, 4});
+    for (const CallFrame& call : thread.calls) {
+        const FrameLayout& inner = done_.at(call.operation);
+        fields.push_back({generation_.component.unit(call.operation).frame + "<Types>", call.field, "", "", inner.size,
+                          inner.alignment});
+    }
+}
+
+std::vector<Field> MachineWriter::thread_fields() const {
+    std::vector<Field> fields;
+    const std::size_t size = enumeration_size(plan_.machine().nodes.size() + control_.places.size());
+    const std::string first = control_.at(plan_.label(plan_.machine().initial));
+    fields.push_back({unit_.points, "at", first, "", size, size});
+    thread_field(fields, control_, "wait");
+    if (!leaving_.empty()) fields.push_back({leaving_, "leaving", leaving_ + "::nothing", "transition being taken", 1, 1});
+    for (const DuringThread& during : during_) {
+        fields.push_back({during.thread.enumeration, "during_" + during.suffix, during.thread.at("idle"), "", 1, 1});
+        thread_field(fields, during.thread, "wait_" + during.suffix);
+    }
+    for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index) {
+        const NodeId id{index};
+        if (plan_.node(id).composite() && plan_.notes_entry(id))
+            fields.push_back({"bool", "entering_" + plan_.label(id), "false", "its first child is still to be entered", 1, 1});
+    }
+    for (const NodeId id : histories_) fields.push_back({unit_.points, "history_" + plan_.label(id), first, "", size, size});
+    return fields;
+}
+
+FrameLayout MachineWriter::layout() {
+    std::vector<Field> fields = variable_fields();
+    for (std::size_t index = 0; index < unit_.clock_fields.size(); ++index)
+        if (unit_.clock_read[index])
+            fields.push_back({"std::uint32_t", unit_.clock_fields[index], "0",
+                              "clock " + generation_.place(unit_.machine->clocks[index].origin), 4, 4});
+    const std::vector<Field> threads = thread_fields();
+    fields.insert(fields.end(), threads.begin(), threads.end());
+    return arrange(std::move(fields), timed());
+}
+
+std::vector<Enumeration> MachineWriter::enumerations() const {
+    Enumeration at{unit_.points, fmt::format("Where {} is: in a node, or in the middle of a program.", unit_.machine->name), {}};
+    const auto node_value = [&](NodeId id) {
+        at.values.push_back({plan_.label(id), generation_.place(plan_.node(id).origin)});
+    };
+    node_value(plan_.machine().initial);  // zero: where a fresh state struct stands
+    for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index) {
+        const NodeId id{index};
+        const bool rests = plan_.settles(id) || plan_.node(id).kind != ir::NodeKind::state;
+        if (rests && id != plan_.machine().initial) node_value(id);
+    }
+    const auto known = [&](const std::string& label) {
+        return std::any_of(at.values.begin(), at.values.end(), [&](const Enumerator& value) { return value.name == label; });
+    };
+    for (const Place& place : control_.places)
+        if (!known(place.label)) at.values.push_back({place.label, place.comment});
+    std::vector<Enumeration> result = {at};
+    for (const DuringThread& during : during_) {
+        Enumeration each{during.thread.enumeration, "How far the during action of " + during.suffix + " is.", {{"idle", ""}}};
+        for (const Place& place : during.thread.places) each.values.push_back({place.label, place.comment});
+        result.push_back(std::move(each));
+    }
+    if (leaving_.empty()) return result;
+    Enumeration leaving{leaving_, "The transition whose exits are running.", {{"nothing", ""}}};
+    for (std::uint32_t index = 0; index < plan_.machine().transitions.size(); ++index) {
+        const ir::Transition& transition = plan_.machine().transitions[index];
+        if (plan_.shared_exit(transition.source))
+            leaving.values.push_back({plan_.take_label(ir::TransitionId{index}), generation_.place(transition.origin)});
+    }
+    result.push_back(std::move(leaving));
+    return result;
+}
+
+FrameLayout arrange(std::vector<Field> fields, bool timed) {
+    std::stable_sort(fields.begin(), fields.end(),
+                     [](const Field& a, const Field& b) { return a.alignment > b.alignment; });
+    FrameLayout layout;
+    layout.timed = timed;
+    for (const Field& field : fields) {
+        layout.size += field.size;
+        layout.alignment = std::max(layout.alignment, field.alignment);
+    }
+    if (const std::size_t rest = layout.size % layout.alignment; rest != 0) {
+        const std::size_t filler = layout.alignment - rest;
+        fields.push_back({"std::uint8_t", fmt::format("filler[{}]", filler), "{}", "keeps the bytes canonical", filler, 1});
+        layout.size += filler;
+    }
+    layout.fields = std::move(fields);
+    return layout;
+}
+
+MachineCode generate(const Generation& generation, const Unit& unit, const Layouts& done, NameScope& type_names) {
+    return MachineWriter(generation, unit, done, type_names).write();
+}
+
+}  // namespace robochart::cpp_emit

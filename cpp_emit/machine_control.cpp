@@ -1,0 +1,140 @@
+// Control and during threads: entry, exit and transition actions in the order of semantics 3.4:
+// exits innermost first, transition action, target's entry, initial transition and first child, `entered`.
+#include <fmt/format.h>
+
+#include "cpp_emit/expression.hpp"
+#include "cpp_emit/machine_writer.hpp"
+#include "cpp_emit/walk.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+using ir::NodeKind;
+
+void MachineWriter::control_places() {
+    const ir::Machine& machine = plan_.machine();
+    for (std::uint32_t index = 0; index < machine.nodes.size(); ++index) {
+        const NodeId id{index};
+        const ir::Node& node = machine.nodes[index];
+        if (node.kind == NodeKind::initial || node.kind == NodeKind::junction) choose_place(id);
+        if (plan_.target(id) != plan_.label(id)) enter_place(id);
+        if (plan_.shared_exit(id)) exit_place(id);
+        for (const ir::TransitionId transition : node.outgoing)
+            if (plan_.acts(machine.transitions[transition.index])) take_place(transition);
+    }
+}
+
+/// Initial nodes and junctions: the first transition whose guard holds; none: control stays (semantics 3.3, 3.4).
+void MachineWriter::choose_place(NodeId id) {
+    ProgramWriter program(generation_, unit_, control_);
+    program.begin(plan_.label(id), generation_.place(plan_.node(id).origin));
+    bool stays = true;
+    for (const ir::TransitionId transition_id : plan_.node(id).outgoing) {
+        const ir::Transition& transition = plan_.machine().transitions[transition_id.index];
+        program.code().comment(generation_.place(transition.origin));
+        const std::string condition = guard(transition);
+        if (!condition.empty()) program.code().open(fmt::format("if ({}) {{", condition));
+        for (const ir::ClockId clock : transition.resets) program.line(clock_reset(generation_, unit_, clock));
+        program.jump(after_exit(transition));
+        if (condition.empty()) {
+            stays = false;
+            break;
+        }
+        program.code().close();
+    }
+    if (stays) program.code().line("return moved;");
+}
+
+void MachineWriter::enter_place(NodeId id) {
+    ProgramWriter program(generation_, unit_, control_);
+    const ir::Node& node = plan_.node(id);
+    const std::string label = plan_.enter_label(id);
+    program.begin(label, "enters " + generation_.place(node.origin));
+    if (node.entry && !generation_.mutation.hits(Fault::entry_dropped)) program.statement(node.entry, label);
+    if (!node.composite()) {
+        note_entry(id);
+        return program.jump(plan_.label(id));
+    }
+    if (plan_.notes_entry(id)) program.code().line(fmt::format("f.entering_{} = true;", plan_.label(id)));
+    if (generation_.mutation.hits(Fault::composite_resumed)) {
+        histories_.push_back(id);
+        const std::string history = fmt::format("f.history_{}", plan_.label(id));
+        program.code().open(fmt::format("if ({} != {}{{}}) {{", history, unit_.points));
+        program.code().line(fmt::format("f.at = {};", history));
+        program.code().line("break;");
+        program.code().close();
+    }
+    program.jump(plan_.label(node.initial));
+}
+
+/// The state itself is entered, and with its first child each composite around it (semantics 3.3 a).
+void MachineWriter::note_entry(NodeId id) {
+    CodeWriter& code = control_.places.back().code;
+    if (plan_.notes_entry(id)) mark_entered(id);
+    for (const NodeId outer : plan_.ancestors(id)) {
+        if (!plan_.notes_entry(outer)) continue;
+        code.open(fmt::format("if (f.entering_{}) {{", plan_.label(outer)));
+        code.line(fmt::format("f.entering_{} = false;", plan_.label(outer)));
+        mark_entered(outer);
+        code.close();
+    }
+}
+
+void MachineWriter::mark_entered(NodeId id) {
+    CodeWriter& code = control_.places.back().code;
+    const ir::ClockId clock = entry_clock(plan_.machine(), id);
+    if (clock.valid()) {
+        const std::string line = clock_reset(generation_, unit_, clock);
+        if (!line.empty()) code.line(line);
+    }
+    for (const DuringThread& during : during_)
+        if (during.state == id) code.line(during.thread.go("start"));
+}
+
+/// A shared exit place: the state's exit action, then the transition that leaves it or the exit around it.
+void MachineWriter::exit_place(NodeId id) {
+    ProgramWriter program(generation_, unit_, control_);
+    const ir::Node& node = plan_.node(id);
+    const std::string label = plan_.exit_label(id);
+    program.begin(label, "leaves " + generation_.place(node.origin));
+    if (node.exit && !generation_.mutation.hits(Fault::exit_dropped)) program.statement(node.exit, label);
+    for (const ir::TransitionId transition : node.outgoing) {
+        program.code().open(fmt::format("if (f.leaving == {}::{}) {{", leaving_, plan_.take_label(transition)));
+        program.code().line(fmt::format("f.leaving = {}::nothing;", leaving_));
+        program.jump(after_exit(plan_.machine().transitions[transition.index]));
+        program.code().close();
+    }
+    if (node.parent.valid() && plan_.shared_exit(node.parent)) return program.jump(plan_.exit_label(node.parent));
+    program.code().line("return moved;");
+}
+
+/// Exit action of the source, unless it has a place of its own, and the transition's action.
+void MachineWriter::take_place(ir::TransitionId id) {
+    ProgramWriter program(generation_, unit_, control_);
+    const ir::Transition& transition = plan_.machine().transitions[id.index];
+    const std::string label = plan_.take_label(id);
+    program.begin(label, "takes " + generation_.place(transition.origin));
+    const ir::Node& source = plan_.node(transition.source);
+    const bool exits = source.exit && !plan_.shared_exit(transition.source);
+    if (exits && !generation_.mutation.hits(Fault::exit_dropped)) program.statement(source.exit, label);
+    if (transition.action && !generation_.mutation.hits(Fault::action_dropped))
+        program.statement(transition.action, label);
+    program.jump(plan_.target(target_of(transition)));
+}
+
+std::string MachineWriter::after_exit(const ir::Transition& transition) {
+    const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
+    return plan_.acts(transition) ? plan_.take_label(id) : plan_.target(target_of(transition));
+}
+
+void MachineWriter::during_places() {
+    for (DuringThread& during : during_) {
+        const ir::Node& state = plan_.node(during.state);
+        ProgramWriter program(generation_, unit_, during.thread);
+        program.begin("start", "during action of " + generation_.place(state.origin));
+        program.statement(state.during, "step");
+        program.jump("idle");
+    }
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,57 @@
+// The places of a machine's control: what its nodes and transitions are called in code and which of them need
+// code of their own (semantics 3.3, 3.4).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cpp_emit/generation.hpp"
+#include "cpp_emit/names.hpp"
+
+namespace robochart::cpp_emit {
+
+class MachinePlan {
+public:
+    MachinePlan(const Generation&, const Unit&);
+
+    [[nodiscard]] const ir::Machine& machine() const { return *unit_.machine; }
+    [[nodiscard]] const ir::Node& node(ir::NodeId id) const { return machine().nodes[id.index]; }
+
+    /// Where control rests in a state or final node, or chooses in an initial node or junction.
+    [[nodiscard]] const std::string& label(ir::NodeId id) const { return labels_[id.index]; }
+    [[nodiscard]] const std::string& enter_label(ir::NodeId id) const { return enter_[id.index]; }
+    [[nodiscard]] const std::string& exit_label(ir::NodeId id) const { return exit_[id.index]; }
+    [[nodiscard]] const std::string& take_label(ir::TransitionId id) const { return take_[id.index]; }
+    /// Where control goes to reach a node: through its entry if there is something to do.
+    [[nodiscard]] const std::string& target(ir::NodeId) const;
+
+    /// Control rests here between transitions.
+    [[nodiscard]] bool settles(ir::NodeId id) const {
+        return node(id).kind == ir::NodeKind::final || (node(id).kind == ir::NodeKind::state && !node(id).composite());
+    }
+    /// The state has an exit place that several transitions share; Frame::leaving says which one is taken.
+    [[nodiscard]] bool shared_exit(ir::NodeId) const;
+    /// The transition has an exit or an action to run after its trigger, at take_label.
+    [[nodiscard]] bool acts(const ir::Transition&) const;
+    /// Something happens when the state is entered: during action, clock of sinceEntry.
+    [[nodiscard]] bool notes_entry(ir::NodeId) const;
+    /// The state and the states around it, innermost first.
+    [[nodiscard]] std::vector<ir::NodeId> chain(ir::NodeId) const;
+    /// The states around a node, innermost first.
+    [[nodiscard]] std::vector<ir::NodeId> ancestors(ir::NodeId) const;
+    /// Nodes in which control rests, below a composite state or the state itself.
+    [[nodiscard]] std::vector<ir::NodeId> leaves(ir::NodeId) const;
+    [[nodiscard]] bool has_shared_exits() const;
+    /// Final nodes at top level: the machine has terminated.
+    [[nodiscard]] std::vector<ir::NodeId> finals() const;
+    [[nodiscard]] NameScope& place_labels() { return places_; }
+
+private:
+    [[nodiscard]] bool needs_entry(ir::NodeId) const;
+
+    const Unit& unit_;
+    NameScope places_;
+    std::vector<std::string> labels_, enter_, exit_, take_;
+};
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,137 @@
+// The choice of transitions: active states from the inside out, in each the textual order. Triggers are looked at
+// before they are consumed, guards see the incoming value (semantics 3.4 "Guards").
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_emit/expression.hpp"
+#include "cpp_emit/machine_writer.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+using ir::NodeKind;
+
+void MachineWriter::transition_functions() {
+    const ir::Machine& machine = plan_.machine();
+    for (std::uint32_t index = 0; index < machine.nodes.size(); ++index)
+        if (machine.nodes[index].kind == NodeKind::state && !machine.nodes[index].outgoing.empty())
+            from_function(NodeId{index});
+    out_.gap();
+    out_.doc("Starts the first enabled transition: inner states first, then textual order.");
+    out_.open(signature("bool transition"));
+    out_.open("switch (f.at) {");
+    for (std::uint32_t index = 0; index < machine.nodes.size(); ++index) {
+        const NodeId id{index};
+        const std::vector<std::string> calls = plan_.settles(id) ? attempts(id) : std::vector<std::string>{};
+        if (calls.empty()) continue;
+        out_.line(fmt::format("case {}: return {};", control_.at(plan_.label(id)), fmt::join(calls, " || ")));
+    }
+    out_.line("default: return false;");
+    out_.close();
+    out_.close();
+}
+
+std::vector<std::string> MachineWriter::attempts(NodeId leaf) const {
+    std::vector<std::string> calls;
+    for (const NodeId state : plan_.chain(leaf))
+        if (!plan_.node(state).outgoing.empty()) calls.push_back(fmt::format("from_{}(f)", plan_.label(state)));
+    return calls;
+}
+
+void MachineWriter::from_function(NodeId id) {
+    out_.gap();
+    out_.doc("Transitions of " + generation_.place(plan_.node(id).origin));
+    out_.open(signature("bool from_" + plan_.label(id)));
+    bool certain = false;
+    for (const ir::TransitionId transition : plan_.node(id).outgoing) {
+        if (certain) break;
+        certain = try_transition(plan_.machine().transitions[transition.index]);
+    }
+    if (!certain) out_.line("return false;");
+    out_.close();
+}
+
+bool MachineWriter::try_transition(const ir::Transition& transition) {
+    const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
+    out_.comment(generation_.place(transition.origin));
+    std::string late_guard;
+    const std::string text = condition(transition, late_guard);
+    if (!text.empty()) out_.open(fmt::format("if ({}) {{", text));
+    if (transition.trigger) take_trigger(transition);
+    if (!late_guard.empty()) out_.line(fmt::format("if (!({})) return false;", late_guard));
+    for (const ir::ClockId clock : transition.resets) {
+        const std::string line = clock_reset(generation_, unit_, clock);
+        if (!line.empty()) out_.line(line);
+    }
+    depart(transition.source, id);
+    out_.line("return spend();");
+    if (!text.empty()) out_.close();
+    return text.empty();
+}
+
+std::string MachineWriter::condition(const ir::Transition& transition, std::string& after_consume) {
+    std::string guarded = guard(transition);
+    if (!transition.trigger) return guarded;
+    const std::string receives = receivable(generation_, unit_, *transition.trigger);
+    if (guarded.empty()) return receives;
+    if (generation_.mutation.hits(Fault::guard_after_consume)) {
+        after_consume = guarded;
+        return receives;
+    }
+    return receives + " && " + (guarded.find("||") == std::string::npos ? guarded : "(" + guarded + ")");
+}
+
+std::string MachineWriter::guard(const ir::Transition& transition) {
+    if (!transition.guard || generation_.mutation.hits(Fault::guard_dropped)) return {};
+    ExpressionWriter expressions(generation_, unit_, "f");
+    if (transition.trigger) {
+        const ir::VariableId stored = transition.trigger->variable;
+        const EventPort& event = generation_.component.event(unit_, transition.trigger->event);
+        const bool old = stored.valid() && generation_.mutation.hits(Fault::trigger_value_old);
+        const std::string kept = old ? expressions.variable(stored) : "";
+        expressions.set_incoming(kept.empty() ? fmt::format("inputs_.{}.value", event.input) : kept);
+    }
+    const std::string text = expressions.write(*transition.guard);
+    return generation_.mutation.hits(Fault::guard_negated) ? fmt::format("!({})", text) : text;
+}
+
+void MachineWriter::take_trigger(const ir::Transition& transition) {
+    const std::string input = "inputs_." + generation_.component.event(unit_, transition.trigger->event).input;
+    out_.line(input + ".present = false;");
+    if (!transition.trigger->variable.valid()) return;
+    const std::string line = store(generation_, unit_, transition.trigger->variable, input + ".value");
+    if (!line.empty()) out_.line(line);
+}
+
+/// Cuts the during actions of the state and of all below it, and starts the exits.
+void MachineWriter::depart(NodeId source, ir::TransitionId id) {
+    for (const DuringThread& during : during_) {
+        const std::vector<NodeId> around = plan_.chain(during.state);
+        if (std::find(around.begin(), around.end(), source) != around.end())
+            out_.line(fmt::format("cut_{}(f);", during.suffix));
+    }
+    const ir::Transition& transition = plan_.machine().transitions[id.index];
+    if (!plan_.shared_exit(source)) return out_.line(control_.go(after_exit(transition)));
+    const bool skips = plan_.node(source).composite() && generation_.mutation.hits(Fault::children_not_exited);
+    out_.line(fmt::format("f.leaving = {}::{};", leaving_, plan_.take_label(id)));
+    const bool direct = skips || !plan_.node(source).composite();
+    for (const NodeId history : histories_)
+        if (history == source) out_.line(fmt::format("f.history_{} = f.at;", plan_.label(source)));
+    out_.line(direct ? control_.go(plan_.exit_label(source)) : "leave(f);");
+}
+
+/// The transition's target; Fault::wrong_target takes the next state beside it.
+NodeId MachineWriter::target_of(const ir::Transition& transition) {
+    const ir::Node& target = plan_.node(transition.target);
+    const auto& siblings = target.parent.valid() ? plan_.node(target.parent).children : plan_.machine().top;
+    std::vector<NodeId> others;
+    for (const NodeId id : siblings)
+        if (id != transition.target && plan_.node(id).kind == NodeKind::state) others.push_back(id);
+    if (others.empty() || !generation_.mutation.hits(Fault::wrong_target)) return transition.target;
+    const auto next = std::find_if(others.begin(), others.end(), [&](NodeId id) { return id > transition.target; });
+    return next == others.end() ? others.front() : *next;
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,78 @@
+// The parts of a machine's code, in the order in which they are generated. Private to machine_code.
+#pragma once
+
+#include "cpp_emit/code_writer.hpp"
+#include "cpp_emit/machine_code.hpp"
+
+namespace robochart::cpp_emit {
+
+/// A state's during action as a thread of its own.
+struct DuringThread {
+    ir::NodeId state;
+    std::string suffix;      ///< of its members and functions: during_SUFFIX, cut_SUFFIX
+    NameScope labels;
+    Thread thread;
+};
+
+class MachineWriter {
+public:
+    MachineWriter(const Generation&, const Unit&, const Layouts& done, NameScope& type_names);
+    MachineWriter(const MachineWriter&) = delete;
+    MachineWriter& operator=(const MachineWriter&) = delete;
+
+    [[nodiscard]] MachineCode write();
+
+private:
+    // machine_control.cpp: the programs of the control thread and of the during actions
+    void control_places();
+    void choose_place(ir::NodeId);
+    void enter_place(ir::NodeId);
+    void exit_place(ir::NodeId);
+    void take_place(ir::TransitionId);
+    void during_places();
+    void note_entry(ir::NodeId);
+    void mark_entered(ir::NodeId);
+    /// Where control goes after the exits of a transition.
+    [[nodiscard]] std::string after_exit(const ir::Transition&);
+
+    // machine_transitions.cpp: which transition is taken
+    void transition_functions();
+    void from_function(ir::NodeId);
+    /// True if nothing behind the transition can be reached.
+    bool try_transition(const ir::Transition&);
+    [[nodiscard]] std::string condition(const ir::Transition&, std::string& after_consume);
+    [[nodiscard]] std::string guard(const ir::Transition&);
+    void take_trigger(const ir::Transition&);
+    void depart(ir::NodeId source, ir::TransitionId);
+    [[nodiscard]] std::vector<std::string> attempts(ir::NodeId leaf) const;
+    [[nodiscard]] ir::NodeId target_of(const ir::Transition&);
+
+    // machine_code.cpp: functions around them, the struct
+    void thread_function(const Thread&, const std::string& name, const std::string& comment, bool control);
+    void during_functions();
+    void run_function();
+    void leave_function();
+    void advance_function();
+    [[nodiscard]] FrameLayout layout();
+    [[nodiscard]] std::vector<Field> variable_fields() const;
+    [[nodiscard]] std::vector<Field> thread_fields() const;
+    void thread_field(std::vector<Field>&, const Thread&, const std::string& wait) const;
+    [[nodiscard]] std::vector<Enumeration> enumerations() const;
+    [[nodiscard]] std::string frame_type() const { return unit_.frame + "<Types>"; }
+    [[nodiscard]] std::string signature(const std::string& name) const;
+    [[nodiscard]] bool timed() const;
+    [[nodiscard]] std::string finished(const std::string& frame) const;
+
+    const Generation& generation_;
+    const Unit& unit_;
+    const Layouts& done_;
+    MachinePlan plan_;
+    NameScope fields_;
+    Thread control_;
+    std::vector<DuringThread> during_;
+    std::string leaving_;                    ///< enumeration of transitions in progress
+    std::vector<ir::NodeId> histories_;      ///< Fault::composite_resumed
+    CodeWriter out_{1};
+};
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,80 @@
+// Numbers over finite carriers: the types under which the generated code is explored and checked. Arithmetic is that
+// of the model's semantics: reals are whole numbers of units 1/scale; a result outside the carrier is replaced by the
+// first operand; quotients and products of reals are rounded down. Ships with the generated code.
+// Copyright: see LICENSE (Apache-2.0).
+#ifndef ROBOCHART_FINITE_HPP
+#define ROBOCHART_FINITE_HPP
+
+#include <concepts>
+#include <cstdint>
+
+namespace robochart {
+
+__extension__ typedef __int128 WideInteger;
+
+constexpr WideInteger floor_quotient(WideInteger a, WideInteger b) noexcept {
+    const WideInteger quotient = a / b;
+    return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
+}
+
+/// `Carrier` has `static constexpr std::int64_t scale` and `static constexpr bool contains(std::int64_t)`.
+template <class Carrier>
+class Finite {
+public:
+    constexpr Finite() noexcept = default;
+    template <std::integral T>
+    explicit constexpr Finite(T value) noexcept : raw_(static_cast<std::int64_t>(value) * Carrier::scale) {}
+    explicit constexpr Finite(double value) noexcept
+        : raw_(static_cast<std::int64_t>(value * static_cast<double>(Carrier::scale) + (value < 0.0 ? -0.5 : 0.5))) {}
+    /// Changes the unit; rounds down where the new one is coarser.
+    template <class Other>
+    explicit constexpr Finite(Finite<Other> other) noexcept
+        : raw_(static_cast<std::int64_t>(
+              floor_quotient(static_cast<WideInteger>(other.raw()) * Carrier::scale, Other::scale))) {}
+
+    [[nodiscard]] static constexpr Finite from_raw(std::int64_t raw) noexcept {
+        Finite result;
+        result.raw_ = raw;
+        return result;
+    }
+    [[nodiscard]] constexpr std::int64_t raw() const noexcept { return raw_; }
+
+    friend constexpr bool operator==(const Finite&, const Finite&) noexcept = default;
+    friend constexpr auto operator<=>(const Finite&, const Finite&) noexcept = default;
+
+    friend constexpr Finite operator+(Finite a, Finite b) noexcept { return a.clipped(WideInteger{a.raw_} + b.raw_); }
+    friend constexpr Finite operator-(Finite a, Finite b) noexcept { return a.clipped(WideInteger{a.raw_} - b.raw_); }
+    friend constexpr Finite operator*(Finite a, Finite b) noexcept {
+        return a.clipped(floor_quotient(WideInteger{a.raw_} * b.raw_, Carrier::scale));
+    }
+    friend constexpr Finite operator-(Finite a) noexcept { return a.clipped(-WideInteger{a.raw_}); }
+    friend constexpr Finite divide(Finite a, Finite b) noexcept {
+        if (b.raw_ == 0) return a;
+        return a.clipped(floor_quotient(WideInteger{a.raw_} * Carrier::scale, b.raw_));
+    }
+    friend constexpr Finite modulus(Finite a, Finite b) noexcept {
+        if (b.raw_ == 0) return a;
+        return a.clipped(a.raw_ - floor_quotient(a.raw_, b.raw_) * b.raw_);
+    }
+
+private:
+    /// The exact result if the carrier has it, else this value.
+    [[nodiscard]] constexpr Finite clipped(WideInteger exact) const noexcept {
+        const bool fits = exact >= INT64_MIN && exact <= INT64_MAX;
+        return fits && Carrier::contains(static_cast<std::int64_t>(exact)) ? from_raw(static_cast<std::int64_t>(exact)) : *this;
+    }
+
+    std::int64_t raw_ = 0;
+};
+
+/// A duration in time units; negative ones are zero.
+template <class Carrier>
+constexpr std::uint32_t duration(Finite<Carrier> units) noexcept {
+    const WideInteger whole = floor_quotient(units.raw(), Carrier::scale);
+    if (whole < 0) return 0;
+    return whole > INT32_MAX ? static_cast<std::uint32_t>(INT32_MAX) : static_cast<std::uint32_t>(whole);
+}
+
+}  // namespace robochart
+
+#endif

@@ -1,0 +1,281 @@
+// The exploration interface: the core over finite carriers behind the plain C functions of explore_abi.h.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cpp_emit/files.hpp"
+#include "cpp_emit/types.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+struct Register {
+    std::string name;       ///< "seeRobot.in", "set_EXT_reached"
+    std::string member;     ///< of Inputs
+    std::optional<ir::TypeId> type;
+};
+
+struct Output {
+    std::string name;       ///< "MoveClockwiseCall", "out.out", "set_reached"
+    std::string method;
+    std::vector<ir::TypeId> types;
+};
+
+std::vector<Register> registers(const Component& component) {
+    std::vector<Register> result;
+    for (const EventPort& event : component.events)
+        if (event.received) result.push_back({*event.outside + ".in", event.input, event.type});
+    for (const StoredVariable& variable : component.variables)
+        if (!variable.input.empty())
+            result.push_back({"set_EXT_" + variable.variable->name, variable.input, variable.variable->type});
+    return result;
+}
+
+std::vector<Output> outputs(const Component& component) {
+    std::vector<Output> result;
+    for (const PlatformCall& call : component.calls)
+        result.push_back({call.signature->name + "Call", call.method, call.signature->parameters});
+    for (const EventPort& event : component.events) {
+        if (event.output.empty()) continue;
+        result.push_back({*event.outside + ".out", event.output, {}});
+        if (event.type) result.back().types.push_back(*event.type);
+    }
+    for (const StoredVariable& variable : component.variables)
+        if (variable.visible)
+            result.push_back({"set_" + variable.variable->name, variable.output, {variable.variable->type}});
+    return result;
+}
+
+class ShimWriter {
+public:
+    ShimWriter(const Generation& generation, const Core& core)
+        : generation_(generation), core_(core), registers_(registers(generation.component)), outputs_(outputs(generation.component)) {}
+
+    std::string write() {
+        head();
+        carriers();
+        input_tables();
+        output_table();
+        log_class();
+        printers();
+        functions();
+        interface_table();
+        return out_.text();
+    }
+
+private:
+    void head() {
+        file_comment(generation_, out_, "Exploration interface");
+        for (const char* header : {"<cstddef>", "<cstring>", "<type_traits>"}) out_.line(fmt::format("#include {}", header));
+        out_.gap();
+        out_.line(fmt::format("#include \"{}\"", core_.header));
+        out_.line("#include \"robochart/explore.hpp\"");
+        out_.gap();
+        out_.line("namespace {");
+        out_.gap();
+        out_.line(fmt::format("namespace core = {};", core_.name_space));
+    }
+
+    void carrier_struct(const char* name, const std::vector<std::int64_t>& values, std::int64_t scale) {
+        out_.gap();
+        const bool range = !values.empty() && (values.back() - values.front()) + 1 == static_cast<std::int64_t>(values.size());
+        if (!range) out_.line(fmt::format("constexpr std::int64_t {}_values[] = {{{}}};", name, fmt::join(values, ", ")));
+        out_.open(fmt::format("struct {}Carrier {{", name));
+        out_.line(fmt::format("static constexpr std::int64_t scale = {};", scale));
+        out_.open("static constexpr bool contains(std::int64_t value) noexcept {");
+        out_.line(range ? fmt::format("return value >= {} && value <= {};", values.front(), values.back())
+                        : fmt::format("return robochart::listed({}_values, value);", name));
+        out_.close();
+        out_.close("};");
+    }
+
+    void carriers() {
+        const ir::Instantiation& inst = generation_.inst;
+        carrier_struct("Nat", inst.nat, 1);
+        carrier_struct("Int", inst.integer, 1);
+        carrier_struct("Real", inst.real, inst.scale);
+        out_.gap();
+        out_.doc("The model's basic types over the carriers of its instantiation.");
+        out_.open("struct Checking {");
+        for (const char* name : {"Real", "Nat", "Int"}) out_.line(fmt::format("using {0} = robochart::Finite<{0}Carrier>;", name));
+        out_.close("};");
+        out_.line("using Real = Checking::Real;");
+        out_.line("using Nat = Checking::Nat;");
+        out_.line("using Int = Checking::Int;");
+        out_.line("using State = core::State<Checking>;");
+        out_.line("using Inputs = core::Inputs<Checking>;");
+        out_.gap();
+        out_.line("static_assert(std::is_trivially_copyable_v<State>);");
+        out_.line("static_assert(std::has_unique_object_representations_v<State>, \"equal states have equal bytes\");");
+    }
+
+    void input_tables() {
+        out_.gap();
+        for (const Register& input : registers_) {
+            if (!input.type) continue;
+            std::vector<std::int64_t> numbers;
+            std::vector<std::string> texts;
+            for (const ir::Value& value : ir::carrier(generation_.system, generation_.inst, *input.type)) {
+                numbers.push_back(value.number);
+                texts.push_back('"' + cspm_value(generation_.system, *input.type, value) + '"');
+            }
+            out_.line(fmt::format("constexpr std::int64_t {}_values[] = {{{}}};", input.member, fmt::join(numbers, ", ")));
+            out_.line(fmt::format("constexpr const char* {}_texts[] = {{{}}};", input.member, fmt::join(texts, ", ")));
+        }
+        if (registers_.empty()) return out_.line("constexpr const rc_input* inputs = nullptr;");
+        out_.open("constexpr rc_input inputs[] = {");
+        for (const Register& input : registers_) {
+            out_.line(input.type ? fmt::format("{{\"{0}\", {1}, {2}_values, {2}_texts}},", input.name,
+                                               ir::carrier(generation_.system, generation_.inst, *input.type).size(), input.member)
+                                 : fmt::format("{{\"{}\", 0, nullptr, nullptr}},", input.name));
+        }
+        out_.close("};");
+    }
+
+    void output_table() {
+        out_.gap();
+        if (outputs_.empty()) return out_.line("constexpr const rc_output* outputs = nullptr;");
+        out_.open("constexpr rc_output outputs[] = {");
+        for (const Output& output : outputs_) out_.line(fmt::format("{{\"{}\", {}}},", output.name, output.types.size()));
+        out_.close("};");
+    }
+
+    std::string type(ir::TypeId id) const {
+        const ir::TypeKind kind = generation_.system.type(id).kind;
+        const std::string name = cpp_type(generation_.system, id);
+        return numeric(kind) || kind == ir::TypeKind::boolean ? name : "core::" + name;
+    }
+
+    void log_class() {
+        out_.gap();
+        out_.doc("The platform of the exploration: writes down what the controller does.");
+        out_.open("class Log {");
+        out_.label("public:");
+        out_.line("explicit Log(rc_log& log) noexcept : log_(log) {}");
+        out_.gap();
+        for (std::size_t index = 0; index < outputs_.size(); ++index) {
+            std::string parameters, arguments;
+            for (std::size_t i = 0; i < outputs_[index].types.size(); ++i) {
+                parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", type(outputs_[index].types[i]), i);
+                arguments += fmt::format(", a{}", i);
+            }
+            out_.line(fmt::format("void {}({}) noexcept {{ robochart::write_record(log_, {}{}); }}", outputs_[index].method,
+                                  parameters, index, arguments));
+        }
+        out_.gap();
+        out_.label("private:");
+        out_.line("[[maybe_unused]] rc_log& log_;");
+        out_.close("};");
+    }
+
+    void name_function(const Enumeration& enumeration) {
+        out_.gap();
+        out_.open(fmt::format("const char* name(core::{} place) noexcept {{", enumeration.name));
+        out_.open("switch (place) {");
+        for (const Enumerator& value : enumeration.values)
+            out_.line(fmt::format("case core::{0}::{1}: return \"{1}\";", enumeration.name, value.name));
+        out_.close();
+        out_.line("return \"?\";");
+        out_.close();
+    }
+
+    void print_field(const Field& field, const MachineCode& machine) {
+        if (field.name.starts_with("filler[")) return;
+        const std::string shown = field.name == "at" ? "state" : field.name;
+        const auto item = [&] { out_.line(fmt::format("text.item(prefix, \"{}\");", shown)); };
+        if (field.type.ends_with("<Types>")) {
+            out_.open(fmt::format("if (!(f.{} == core::{}<Checking>{{}})) {{", field.name,
+                                  field.type.substr(0, field.type.size() - std::string("<Types>").size())));
+            out_.line(fmt::format("print(text, \"{}.\", f.{});", field.name, field.name));
+            return out_.close();
+        }
+        item();
+        if (field.type == "bool") return out_.line(fmt::format("text.add(f.{} ? \"true\" : \"false\");", field.name));
+        if (field.type == "std::uint32_t") return out_.line(fmt::format("text.add(static_cast<std::int64_t>(f.{}), 1);", field.name));
+        if (field.type == "Real" || field.type == "Nat" || field.type == "Int")
+            return out_.line(fmt::format("text.add(f.{}.raw(), {}Carrier::scale);", field.name, field.type));
+        for (const Enumeration& enumeration : machine.enumerations)
+            if (enumeration.name == field.type) return out_.line(fmt::format("text.add(name(f.{}));", field.name));
+        out_.line(fmt::format("text.add(static_cast<std::int64_t>(f.{}), 1);", field.name));
+    }
+
+    void printers() {
+        for (std::size_t index = 0; index < core_.machines.size(); ++index) {
+            const MachineCode& machine = core_.machines[index];
+            for (const Enumeration& enumeration : machine.enumerations) name_function(enumeration);
+            out_.gap();
+            out_.open(fmt::format("void print(robochart::Text& text, const char* prefix, const core::{}<Checking>& f) noexcept {{",
+                                  generation_.component.units[index].frame));
+            for (const Field& field : machine.layout.fields)
+                if (field.name == "at") print_field(field, machine);
+            for (const Field& field : machine.layout.fields)
+                if (field.name != "at") print_field(field, machine);
+            out_.close();
+        }
+    }
+
+    void functions() {
+        out_.gap();
+        out_.open("void write_initial(void* state) noexcept {");
+        out_.line("const State initial{};");
+        out_.line("std::memcpy(state, &initial, sizeof initial);");
+        out_.close();
+        out_.gap();
+        out_.open("rc_result step_once(void* state, [[maybe_unused]] const rc_register* registers, rc_log* log) noexcept {");
+        out_.line("State current;");
+        out_.line("std::memcpy(&current, state, sizeof current);");
+        out_.line("Inputs read;");
+        for (std::size_t index = 0; index < registers_.size(); ++index) {
+            const Register& input = registers_[index];
+            out_.line(fmt::format("read.{}.present = registers[{}].present != 0;", input.member, index));
+            if (input.type)
+                out_.line(fmt::format("read.{0}.value = robochart::from_raw<{1}>({0}_values[registers[{2}].value]);", input.member,
+                                      type(*input.type), index));
+        }
+        out_.line("log->count = 0;");
+        out_.line("log->overflow = 0;");
+        out_.line("Log platform(*log);");
+        out_.line("const robochart::StepResult result = core::step(current, read, platform);");
+        out_.line("std::memcpy(state, &current, sizeof current);");
+        out_.line("return robochart::to_abi(result);");
+        out_.close();
+        out_.gap();
+        out_.open("void print_state(const void* state, char* buffer, std::size_t size) noexcept {");
+        out_.line("State current;");
+        out_.line("std::memcpy(&current, state, sizeof current);");
+        out_.line("robochart::Text text(buffer, size);");
+        out_.line("print(text, \"\", current);");
+        out_.close();
+    }
+
+    void interface_table() {
+        out_.gap();
+        out_.open("constexpr rc_interface interface = {");
+        out_.line("ROBOCHART_ABI_VERSION,");
+        out_.line(fmt::format("\"{}\",", generation_.component.name));
+        out_.line("sizeof(State),");
+        out_.line(fmt::format("{}, inputs,", registers_.size()));
+        out_.line(fmt::format("{}, outputs,", outputs_.size()));
+        out_.line(fmt::format("{},", generation_.inst.scale));
+        out_.line("write_initial,");
+        out_.line("step_once,");
+        out_.line("print_state,");
+        out_.close("};");
+        out_.gap();
+        out_.line("}  // namespace");
+        out_.gap();
+        out_.line("extern \"C\" const rc_interface* robochart_explore(void) { return &interface; }");
+    }
+
+    const Generation& generation_;
+    const Core& core_;
+    std::vector<Register> registers_;
+    std::vector<Output> outputs_;
+    CodeWriter out_;
+};
+
+}  // namespace
+
+std::string shim_source(const Generation& generation, const Core& core) { return ShimWriter(generation, core).write(); }
+
+}  // namespace robochart::cpp_emit

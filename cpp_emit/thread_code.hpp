@@ -1,0 +1,92 @@
+// Resumable programs as the cases of one switch: each case runs to the next place where the program may have to
+// wait (for time, for an input, for an operation), stores where it is and gives up control (codegen.md 6.3, A1).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cpp_emit/code_writer.hpp"
+#include "cpp_emit/generation.hpp"
+#include "cpp_emit/names.hpp"
+
+namespace robochart::cpp_emit {
+
+/// A place in a program.
+struct Place {
+    std::string label;
+    std::string comment;
+    CodeWriter code{5};
+};
+
+/// State of an operation called by a thread, a member of the caller's frame.
+struct CallFrame {
+    std::string field;
+    ir::MachineId operation;
+    std::vector<std::string> live;  ///< labels of the thread at which the operation runs
+};
+
+/// One line of control of a machine: its transitions and entries, or a state's during action.
+struct Thread {
+    std::string variable;           ///< where its place is stored: "f.at"
+    std::string enumeration;        ///< "At"
+    std::string wait;               ///< its wait counter: "f.wait"
+    std::string prefix;             ///< of its operations' frames
+    NameScope* labels = nullptr;
+    NameScope* fields = nullptr;    ///< of the frame, for frames of operations
+    std::vector<Place> places;      ///< in textual order
+    std::vector<CallFrame> calls;
+    bool waits = false;
+
+    [[nodiscard]] std::string at(const std::string& label) const { return enumeration + "::" + label; }
+    [[nodiscard]] std::string go(const std::string& label) const { return variable + " = " + at(label) + ";"; }
+};
+
+/// Whether running the statement can stop half-way: waits, inputs, calls of defined operations.
+[[nodiscard]] bool suspends(const Unit&, const ir::StmtPtr&);
+
+/// Writes programs into a thread's places.
+class ProgramWriter {
+public:
+    ProgramWriter(const Generation&, const Unit&, Thread&);
+
+    /// Starts a place; what follows is written there until the next `begin`.
+    void begin(const std::string& label, const std::string& comment);
+    /// Ends the current place: control goes on at another.
+    void jump(const std::string& label);
+    /// Ends the current place in a way written by the caller.
+    [[nodiscard]] CodeWriter& code();
+    /// A statement; places in the middle of it are called `stem`_1, `stem`_2, ...
+    void statement(const ir::StmtPtr&, const std::string& stem);
+    /// A line of the current place; nothing for "".
+    void line(const std::string&);
+
+private:
+    void resume_at(const std::string& label, const std::string& comment);
+    [[nodiscard]] std::string fresh(const std::string& stem);
+    void if_statement(const ir::Stmt&, const std::string& stem);
+    void suspending_if(const ir::Stmt&, const std::string& stem);
+    void assign(const ir::Stmt&);
+    void communicate(const ir::Stmt&, const std::string& stem);
+    void await_input(const ir::Stmt&, const std::string& stem);
+    void send(const ir::Stmt&);
+    void call(const ir::Stmt&, const std::string& stem);
+    void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments);
+    void call_operation(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
+    void require_preconditions(const Unit& operation, const std::string& frame);
+    [[nodiscard]] std::vector<std::string> arguments(const ir::Stmt&);
+    void wait(const ir::Stmt&, const std::string& stem);
+    CallFrame& call_frame(ir::MachineId operation);
+
+    const Generation& generation_;
+    const Unit& unit_;
+    Thread& thread_;
+};
+
+/// `write_x(value);` or a plain assignment, wherever the variable lives; "" if it has no place and is not seen.
+[[nodiscard]] std::string store(const Generation&, const Unit&, ir::VariableId, const std::string& value);
+/// `f.T = 0;`; "" for clocks that nothing reads.
+[[nodiscard]] std::string clock_reset(const Generation&, const Unit&, ir::ClockId);
+/// `inputs_.e.present && ...`: the input is there and its value fits the communication.
+[[nodiscard]] std::string receivable(const Generation&, const Unit&, const ir::Communication&);
+
+}  // namespace robochart::cpp_emit
