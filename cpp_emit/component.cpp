@@ -40,6 +40,7 @@ public:
         collect_events();
         collect_variables();
         collect_calls();
+        collect_types();
         name_everything();
         if (diagnostics_.errors() != errors_before_) return std::nullopt;
         return std::move(component_);
@@ -57,11 +58,15 @@ private:
 
     std::optional<ir::MachineId> find_machine(const ir::ComponentRef& ref) {
         switch (ref.kind) {
-            case ir::ComponentKind::machine: return machine_alone(ref);
-            case ir::ComponentKind::controller: return in_controller(ref);
-            case ir::ComponentKind::module: return in_module(ref);
+            case ir::ComponentKind::machine:
+                return machine_alone(ref);
+            case ir::ComponentKind::controller:
+                return in_controller(ref);
+            case ir::ComponentKind::module:
+                return in_module(ref);
             case ir::ComponentKind::operation:
-            case ir::ComponentKind::process: break;
+            case ir::ComponentKind::process:
+                break;
         }
         diagnostics_.report(rules::no_component, {}, {ref.path, "it is neither a machine, a controller nor a module"});
         return std::nullopt;
@@ -184,10 +189,11 @@ private:
         return name;
     }
 
-    static std::optional<std::string> through(const std::vector<ir::Connection>& connections, const std::string& event) {
+    static std::optional<std::string> through(const std::vector<ir::Connection>& connections,
+                                              const std::string& event) {
         for (const auto& connection : connections) {
-            for (const auto& [part, self] : {std::pair{&connection.to, &connection.from},
-                                             std::pair{&connection.from, &connection.to}}) {
+            for (const auto& [part, self] :
+                 {std::pair{&connection.to, &connection.from}, std::pair{&connection.from, &connection.to}}) {
                 const bool outwards = part->kind == ir::EndKind::part && self->kind == ir::EndKind::self;
                 if (outwards && part->event == event) return self->event;
             }
@@ -222,7 +228,8 @@ private:
         component_.variables.push_back(std::move(entry));
     }
 
-    /// Which level declares a shared variable decides who sees it (semantics 3.7). Returns the initial value to start with.
+    /// Which level declares a shared variable decides who sees it (semantics 3.7). Returns the initial value to start
+    /// with.
     ir::ExprPtr declaring_level(StoredVariable& entry) const {
         const std::string& name = entry.variable->name;
         if (context_.controller == nullptr) {
@@ -264,6 +271,24 @@ private:
                 if (!known) component_.calls.push_back({&signature, {}});
             });
         }
+    }
+
+    void collect_types() {
+        for (const auto& event : component_.events)
+            if (event.type) add_type(*event.type);
+        for (const auto& call : component_.calls)
+            for (const ir::TypeId type : call.signature->parameters) add_type(type);
+        for (const auto& unit : component_.units) {
+            for (const auto& variable : unit.machine->variables) add_type(variable.type);
+            visit_expressions(*unit.machine, [&](const ir::Expr& expr) { add_type(expr.type); });
+        }
+    }
+
+    void add_type(ir::TypeId id) {
+        const ir::TypeKind kind = system_.type(id).kind;
+        auto& types = component_.enumerations;
+        const bool declared = kind == ir::TypeKind::enumeration || kind == ir::TypeKind::given;
+        if (declared && std::find(types.begin(), types.end(), id) == types.end()) types.push_back(id);
     }
 
     void name_everything() {
@@ -319,23 +344,23 @@ const Unit& Component::unit(ir::MachineId id) const {
 }
 
 const EventPort& Component::event(const Unit& of, ir::EventId id) const {
-    const std::string& name = of.machine->events[id.index].name;
-    return *std::find_if(events.begin(), events.end(), [&](const EventPort& port) { return port.model_name == name; });
+    const std::string& wanted = of.machine->events[id.index].name;
+    return *std::find_if(events.begin(), events.end(),
+                         [&](const EventPort& port) { return port.model_name == wanted; });
 }
 
 const StoredVariable* Component::stored(const Unit& of, ir::VariableId id) const {
     const ir::Variable& variable = of.machine->variables[id.index];
     if (!of.root && variable.scope != ir::VariableScope::required) return nullptr;
-    const auto found = std::find_if(variables.begin(), variables.end(), [&](const StoredVariable& entry) {
-        return entry.variable->name == variable.name;
-    });
+    const auto found = std::find_if(variables.begin(), variables.end(),
+                                    [&](const StoredVariable& entry) { return entry.variable->name == variable.name; });
     return &*found;
 }
 
 const PlatformCall& Component::call(const Unit& of, ir::OperationId id) const {
-    const std::string& name = of.machine->operations[id.index].name;
+    const std::string& wanted = of.machine->operations[id.index].name;
     return *std::find_if(calls.begin(), calls.end(),
-                         [&](const PlatformCall& candidate) { return candidate.signature->name == name; });
+                         [&](const PlatformCall& candidate) { return candidate.signature->name == wanted; });
 }
 
 std::optional<Component> resolve(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,

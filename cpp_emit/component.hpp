@@ -15,26 +15,26 @@ namespace robochart::cpp_emit {
 
 /// An event of the machine (and of its operations, which use the caller's events by name).
 struct EventPort {
-    std::string model_name;            ///< in the machine
+    std::string model_name;              ///< in the machine
     std::optional<std::string> outside;  ///< at the component's boundary; none: connected to nothing
     std::optional<ir::TypeId> type;
     bool received = false;
     bool sent = false;
-    std::string input;                 ///< member of Inputs
-    std::string output;                ///< method of the platform
+    std::string input;   ///< member of Inputs
+    std::string output;  ///< method of the platform
 };
 
 /// A variable of the machine or one that it shares (semantics 3.7: the machine keeps a copy).
 struct StoredVariable {
     const ir::Variable* variable = nullptr;
-    bool shared = false;               ///< of a required interface
-    bool visible = false;              ///< writes are seen outside: set_x
-    bool external = false;             ///< may be written from outside: set_EXT_x
-    bool read = false;                 ///< some expression depends on it
+    bool shared = false;    ///< of a required interface
+    bool visible = false;   ///< writes are seen outside: set_x
+    bool external = false;  ///< may be written from outside: set_EXT_x
+    bool read = false;      ///< some expression depends on it
     std::optional<ir::Value> initial;
-    std::string field;                 ///< member of State
-    std::string input;                 ///< member of Inputs, if external and read
-    std::string output;                ///< method of the platform, if visible
+    std::string field;   ///< member of State
+    std::string input;   ///< member of Inputs, if external and read
+    std::string output;  ///< method of the platform, if visible
 
     /// A shared variable that nothing reads has no place in the state.
     [[nodiscard]] bool stored() const { return read || !shared; }
@@ -51,9 +51,9 @@ struct Unit {
     ir::MachineId id;
     const ir::Machine* machine = nullptr;
     bool root = false;
-    std::string frame;                 ///< struct of its state: "State", "TurnFrame"
-    std::string points;                ///< enumeration of its places: "At", "TurnAt"
-    std::vector<ir::MachineId> definitions;   ///< for each Machine::operations entry
+    std::string frame;                         ///< struct of its state: "State", "TurnFrame"
+    std::string points;                        ///< enumeration of its places: "At", "TurnAt"
+    std::vector<ir::MachineId> definitions;    ///< for each Machine::operations entry
     std::vector<std::string> variable_fields;  ///< operations: members of the frame for their own variables
     std::vector<std::string> clock_fields;
     std::vector<bool> clock_read;
@@ -61,16 +61,16 @@ struct Unit {
 
 struct Component {
     ir::ComponentRef ref;
-    std::string name;                  ///< of the model's element
-    std::string kind;                  ///< "state machine", "controller", "module"
+    std::string name;  ///< of the model's element
+    std::string kind;  ///< "state machine", "controller", "module"
     std::string cpp_name;
     std::string package;
     ir::Origin origin;
-    std::vector<Unit> units;           ///< callees before callers; the component's machine last
-    std::vector<EventPort> events;     ///< in textual order
+    std::vector<Unit> units;        ///< callees before callers; the component's machine last
+    std::vector<EventPort> events;  ///< in textual order
     std::vector<StoredVariable> variables;
     std::vector<PlatformCall> calls;
-    std::vector<ir::TypeId> enumerations;    ///< declared types used, in order of first use
+    std::vector<ir::TypeId> enumerations;  ///< declared types used, in order of first use
 
     [[nodiscard]] const Unit& root() const { return units.back(); }
     [[nodiscard]] const Unit& unit(ir::MachineId) const;

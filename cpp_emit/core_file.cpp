@@ -56,7 +56,9 @@ void write_frame(CodeWriter& out, const Unit& unit, const FrameLayout& layout) {
     numeric_aliases(out);
     out.gap();
     for (const Field& field : layout.fields) {
-        const std::string initial = field.initial == "{}" ? " = {}" : field.initial.empty() ? "{}" : " = " + field.initial;
+        const std::string initial = field.initial == "{}"   ? " = {}"
+                                    : field.initial.empty() ? "{}"
+                                                            : " = " + field.initial;
         const std::string comment = field.comment.empty() ? "" : "  ///< " + field.comment;
         out.line(fmt::format("{} {}{};{}", field.type, field.name, initial, comment));
     }
@@ -74,13 +76,15 @@ void write_inputs(const Generation& generation, CodeWriter& out) {
     out.gap();
     for (const EventPort& event : generation.component.events) {
         if (!event.received) continue;
-        const std::string type =
-            event.type ? fmt::format("robochart::Message<{}>", cpp_type(generation.system, *event.type)) : "robochart::Signal";
+        const std::string type = event.type
+                                     ? fmt::format("robochart::Message<{}>", cpp_type(generation.system, *event.type))
+                                     : "robochart::Signal";
         out.line(fmt::format("{} {};", type, event.input));
     }
     for (const StoredVariable& variable : generation.component.variables)
         if (!variable.input.empty())
-            out.line(fmt::format("robochart::Message<{}> {};", cpp_type(generation.system, variable.variable->type), variable.input));
+            out.line(fmt::format("robochart::Message<{}> {};", cpp_type(generation.system, variable.variable->type),
+                                 variable.input));
     out.close("};");
 }
 
@@ -93,12 +97,14 @@ void write_platform_comment(const Generation& generation, CodeWriter& out) {
     for (const PlatformCall& call : generation.component.calls) {
         std::string parameters;
         for (std::size_t i = 0; i < call.signature->parameters.size(); ++i)
-            parameters += fmt::format("{}{} {}", i == 0 ? "" : ", ", cpp_type(generation.system, call.signature->parameters[i]),
-                                      call.signature->parameter_names[i]);
+            parameters +=
+                fmt::format("{}{} {}", i == 0 ? "" : ", ", cpp_type(generation.system, call.signature->parameters[i]),
+                            call.signature->parameter_names[i]);
         method(call.method, parameters);
     }
     for (const EventPort& event : generation.component.events)
-        if (!event.output.empty()) method(event.output, event.type ? cpp_type(generation.system, *event.type) + " value" : "");
+        if (!event.output.empty())
+            method(event.output, event.type ? cpp_type(generation.system, *event.type) + " value" : "");
     for (const StoredVariable& variable : generation.component.variables)
         if (variable.visible) method(variable.output, cpp_type(generation.system, variable.variable->type) + " value");
 }
@@ -121,11 +127,11 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     out.open("robochart::StepResult cycle() noexcept {");
     for (const StoredVariable& variable : generation.component.variables)
         if (!variable.input.empty())
-            out.line(fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input, variable.field));
+            out.line(fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input,
+                                 variable.field));
     out.line("run(state_);");
     out.line("const robochart::StepResult result = this->result(finished(state_));");
-    if (core.machines.back().layout.timed)
-        out.line("if (result == robochart::StepResult::quiescent) advance(state_);");
+    if (core.machines.back().layout.timed) out.line("if (result == robochart::StepResult::quiescent) advance(state_);");
     out.line("return result;");
     out.close();
 }
@@ -181,7 +187,9 @@ Core make_core(const Generation& generation) {
     const Component& component = generation.component;
     core.name_space = package_namespace(component.package) + "::" + component.cpp_name + "_core";
     core.header = component.cpp_name + "_core.hpp";
-    NameScope type_names(std::set<std::string>{"State", "Inputs", "Step", "Real", "Nat", "Int", "Types", "Platform"});
+    NameScope type_names(std::set<std::string>{"State", "Inputs", "Step", "Real", "Nat", "Int", "Types", "Platform",
+                                               "step", "advance_clock", "advance_wait", "duration", "divide",
+                                               "modulus"});
     for (const ir::TypeId id : component.enumerations) (void)type_names.unique(generation.system.type(id).name);
     for (const Unit& unit : component.units) {
         (void)type_names.unique(unit.frame);
@@ -211,6 +219,9 @@ std::string core_header(const Generation& generation, const Core& core) {
     out.line(fmt::format("inline constexpr std::uint32_t cycle_length = {};", generation.options.cycle_length));
     out.doc("Steps that one cycle may take before the model is taken to diverge.");
     out.line(fmt::format("inline constexpr std::uint32_t step_bound = {};", bound_text(core)));
+    out.gap();
+    out.line("using robochart::advance_clock, robochart::advance_wait, robochart::duration;");
+    out.line("using robochart::divide, robochart::modulus;");
     write_declared_types(generation, out);
     for (std::size_t index = 0; index < core.machines.size(); ++index) {
         for (const Enumeration& enumeration : core.machines[index].enumerations) write_enumeration(out, enumeration);
@@ -222,7 +233,8 @@ std::string core_header(const Generation& generation, const Core& core) {
     out.gap();
     out.doc("One control cycle of the controller.");
     out.line("template <class Types, class Platform>");
-    out.open("robochart::StepResult step(State<Types>& state, const Inputs<Types>& inputs, Platform& platform) noexcept {");
+    out.open(
+        "robochart::StepResult step(State<Types>& state, const Inputs<Types>& inputs, Platform& platform) noexcept {");
     out.line("return Step<Types, Platform>(state, inputs, platform).cycle();");
     out.close();
     out.gap();

@@ -16,8 +16,8 @@ std::string Generation::place(std::string_view element, diagnostics::Span span) 
     return fmt::format("{} ({})", element, where);
 }
 
-Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref, const Options& options,
-              diagnostics::Diagnostics& diagnostics) {
+Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
+              const Options& options, diagnostics::Diagnostics& diagnostics) {
     Emission emission;
     const std::optional<Component> component = resolve(system, inst, ref, diagnostics);
     if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
@@ -26,12 +26,9 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     const Core core = make_core(generation);
     emission.shim = component->cpp_name + "_explore.cpp";
     emission.files = {
-        {core.header, core_header(generation, core)},
-        {emission.shim, shim_source(generation, core)},
-        {"robochart/runtime.hpp", runtime_header()},
-        {"robochart/finite.hpp", finite_header()},
-        {"robochart/explore.hpp", explore_helpers()},
-        {"robochart/explore_abi.h", explore_header()},
+        {core.header, core_header(generation, core)}, {emission.shim, shim_source(generation, core)},
+        {"robochart/runtime.hpp", runtime_header()},  {"robochart/finite.hpp", finite_header()},
+        {"robochart/explore.hpp", explore_helpers()}, {"robochart/explore_abi.h", explore_header()},
     };
     emission.fault_sites = mutation.sites();
     return emission;

@@ -20,24 +20,24 @@ struct OutputFile {
 /// Seeded faults of the generator, for testing the conformance checker (conformance/mutants). `none` in production.
 enum class Fault {
     none,
-    guard_after_consume,       ///< event eaten under a false guard
-    children_not_exited,       ///< leaving a composite does not exit its children
-    composite_resumed,         ///< re-entered composite continues where it was
-    input_not_awaited,         ///< input in an action read without waiting for the event
-    single_transition_step,    ///< one transition per cycle instead of running to quiescence
+    guard_after_consume,     ///< event eaten under a false guard
+    children_not_exited,     ///< leaving a composite does not exit its children
+    composite_resumed,       ///< re-entered composite continues where it was
+    input_not_awaited,       ///< input in an action read without waiting for the event
+    single_transition_step,  ///< one transition per cycle instead of running to quiescence
     guard_negated,
     guard_dropped,
     clock_not_reset,
-    clock_off_by_one,          ///< clock counts from 1 after a reset
+    clock_off_by_one,  ///< clock counts from 1 after a reset
     wrong_target,
     action_dropped,
     entry_dropped,
     exit_dropped,
-    argument_swapped,          ///< first two arguments of calls exchanged
+    argument_swapped,  ///< first two arguments of calls exchanged
     assignment_dropped,
-    event_kept,                ///< inputs survive the end of the cycle
+    event_kept,  ///< inputs survive the end of the cycle
     wait_dropped,
-    trigger_value_old,         ///< guard reads the variable's old value, not the incoming one
+    trigger_value_old,  ///< guard reads the variable's old value, not the incoming one
 };
 
 struct Options {
@@ -49,15 +49,16 @@ struct Options {
 };
 
 struct Emission {
-    std::vector<OutputFile> files;     ///< headers, sources, CMakeLists.txt, the runtime headers
-    std::string shim;                  ///< path of the source that exports the exploration interface (runtime/explore_abi.h); "" if none
+    std::vector<OutputFile> files;  ///< headers, sources, CMakeLists.txt, the runtime headers
+    std::string
+        shim;  ///< path of the source that exports the exploration interface (runtime/explore_abi.h); "" if none
     std::vector<std::string> sources;  ///< paths of the sources to compile with it
     std::uint32_t fault_sites = 0;     ///< how many places the requested fault applies to
 };
 
 /// Emits the controller of one state machine, controller or module. `component` is the path as in
 /// ir::ComponentRef ("AggregationFSM", "AggregationModule"). What cannot be generated is refused by name.
-[[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component, const Options&,
-                            diagnostics::Diagnostics&);
+[[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
+                            const Options&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::cpp_emit

@@ -34,14 +34,18 @@ bool atom(ExprKind kind) {
         case ExprKind::since:
         case ExprKind::since_entry:
         case ExprKind::divide:
-        case ExprKind::modulus: return true;
-        default: return false;
+        case ExprKind::modulus:
+            return true;
+        default:
+            return false;
     }
 }
 
 }  // namespace
 
-TypeKind ExpressionWriter::kind(const ir::Expr& expr) const { return generation_.system.type(expr.type).kind; }
+TypeKind ExpressionWriter::kind(const ir::Expr& expr) const {
+    return generation_.system.type(expr.type).kind;
+}
 
 std::string ExpressionWriter::operand(const ir::Expr& expr) const {
     return atom(expr.kind) ? write(expr) : "(" + write(expr) + ")";
@@ -64,7 +68,9 @@ std::string ExpressionWriter::variable(ir::VariableId id) const {
     return stored->stored() ? "state_." + stored->field : "";
 }
 
-std::string ExpressionWriter::clock(ir::ClockId id) const { return frame_ + "." + unit_.clock_fields[id.index]; }
+std::string ExpressionWriter::clock(ir::ClockId id) const {
+    return frame_ + "." + unit_.clock_fields[id.index];
+}
 
 std::string ExpressionWriter::arithmetic(const ir::Expr& expr, const char* symbol) const {
     const TypeKind result = kind(expr);
@@ -93,40 +99,65 @@ std::string ExpressionWriter::constant(const ir::Expr& expr) const {
 
 std::string ExpressionWriter::write(const ir::Expr& expr) const {
     switch (expr.kind) {
-        case ExprKind::boolean: return expr.number != 0 ? "true" : "false";
-        case ExprKind::integer: return fmt::format("{}({})", numeric_name(kind(expr)), expr.number);
-        case ExprKind::real: return fmt::format("Real({})", decimal_text(expr.decimal));
+        case ExprKind::boolean:
+            return expr.number != 0 ? "true" : "false";
+        case ExprKind::integer:
+            return fmt::format("{}({})", numeric_name(kind(expr)), expr.number);
+        case ExprKind::real:
+            return fmt::format("Real({})", decimal_text(expr.decimal));
         case ExprKind::enum_literal: {
             ir::Value value;
             value.number = expr.number;
             return cpp_value(generation_.system, generation_.inst, expr.type, value);
         }
-        case ExprKind::variable: return variable(expr.variable);
-        case ExprKind::trigger_value: return incoming_;
-        case ExprKind::constant: return constant(expr);
+        case ExprKind::variable:
+            return variable(expr.variable);
+        case ExprKind::trigger_value:
+            return incoming_;
+        case ExprKind::constant:
+            return constant(expr);
         case ExprKind::since:
-        case ExprKind::since_entry: return fmt::format("Nat({})", clock(clock_of(*unit_.machine, expr)));
-        case ExprKind::negate: return "-" + operand(*expr.args[0]);
-        case ExprKind::logical_not: return "!" + operand(*expr.args[0]);
-        case ExprKind::iff: return logical(expr, "==");
-        case ExprKind::implies: return fmt::format("!{} || {}", operand(*expr.args[0]), operand(*expr.args[1]));
-        case ExprKind::disjunction: return logical(expr, "||");
-        case ExprKind::conjunction: return logical(expr, "&&");
-        case ExprKind::equal: return comparison(expr, "==");
-        case ExprKind::not_equal: return comparison(expr, "!=");
-        case ExprKind::greater: return comparison(expr, ">");
-        case ExprKind::greater_equal: return comparison(expr, ">=");
-        case ExprKind::less: return comparison(expr, "<");
-        case ExprKind::less_equal: return comparison(expr, "<=");
-        case ExprKind::plus: return arithmetic(expr, "+");
-        case ExprKind::minus: return arithmetic(expr, "-");
-        case ExprKind::times: return arithmetic(expr, "*");
-        case ExprKind::divide: return function(expr, "divide");
-        case ExprKind::modulus: return function(expr, "modulus");
+        case ExprKind::since_entry:
+            return fmt::format("Nat({})", clock(clock_of(*unit_.machine, expr)));
+        case ExprKind::negate:
+            return "-" + operand(*expr.args[0]);
+        case ExprKind::logical_not:
+            return "!" + operand(*expr.args[0]);
+        case ExprKind::iff:
+            return logical(expr, "==");
+        case ExprKind::implies:
+            return fmt::format("!{} || {}", operand(*expr.args[0]), operand(*expr.args[1]));
+        case ExprKind::disjunction:
+            return logical(expr, "||");
+        case ExprKind::conjunction:
+            return logical(expr, "&&");
+        case ExprKind::equal:
+            return comparison(expr, "==");
+        case ExprKind::not_equal:
+            return comparison(expr, "!=");
+        case ExprKind::greater:
+            return comparison(expr, ">");
+        case ExprKind::greater_equal:
+            return comparison(expr, ">=");
+        case ExprKind::less:
+            return comparison(expr, "<");
+        case ExprKind::less_equal:
+            return comparison(expr, "<=");
+        case ExprKind::plus:
+            return arithmetic(expr, "+");
+        case ExprKind::minus:
+            return arithmetic(expr, "-");
+        case ExprKind::times:
+            return arithmetic(expr, "*");
+        case ExprKind::divide:
+            return function(expr, "divide");
+        case ExprKind::modulus:
+            return function(expr, "modulus");
         case ExprKind::if_then_else:
             return fmt::format("{} ? {} : {}", operand(*expr.args[0]), write_as(*expr.args[1], expr.type),
                                write_as(*expr.args[2], expr.type));
-        default: return {};  // refused before (support.cpp)
+        default:
+            return {};  // refused before (support.cpp)
     }
 }
 

@@ -25,12 +25,18 @@ std::set<std::string> taken_fields(const Generation& generation, const Unit& uni
 }
 
 /// Enumerations have one byte up to 256 values.
-std::size_t enumeration_size(std::size_t values) { return values <= 256 ? 1 : 2; }
+std::size_t enumeration_size(std::size_t values) {
+    return values <= 256 ? 1 : 2;
+}
 
 }  // namespace
 
 MachineWriter::MachineWriter(const Generation& generation, const Unit& unit, const Layouts& done, NameScope& type_names)
-    : generation_(generation), unit_(unit), done_(done), plan_(generation, unit), fields_(taken_fields(generation, unit)) {
+    : generation_(generation),
+      unit_(unit),
+      done_(done),
+      plan_(generation, unit),
+      fields_(taken_fields(generation, unit)) {
     const std::string prefix = unit.root ? "" : identifier(unit.machine->name);
     control_.variable = "f.at";
     control_.enumeration = unit.points;
@@ -39,7 +45,7 @@ MachineWriter::MachineWriter(const Generation& generation, const Unit& unit, con
     control_.fields = &fields_;
     leaving_ = plan_.has_shared_exits() ? type_names.unique(prefix + "Leaving") : "";
     std::size_t durings = 0;
-    for (const auto& node : unit.machine->nodes) durings += node.during ? 1 : 0;
+    for (const auto& node : unit.machine->nodes) durings += node.during ? 1U : 0U;
     during_.reserve(durings);  // threads point at their own labels
     for (std::uint32_t index = 0; index < unit.machine->nodes.size(); ++index) {
         const NodeId id{index};
@@ -64,8 +70,8 @@ std::string MachineWriter::signature(const std::string& name) const {
 MachineCode MachineWriter::write() {
     during_places();
     control_places();
-    thread_function(control_, "control", "Actions and junctions of " + unit_.machine->name + ", until it settles or has to wait.",
-                    true);
+    thread_function(control_, "control",
+                    "Actions and junctions of " + unit_.machine->name + ", until it settles or has to wait.", true);
     during_functions();
     transition_functions();
     leave_function();
@@ -88,7 +94,8 @@ void MachineWriter::thread_function(const Thread& thread, const std::string& nam
     out_.open(fmt::format("switch ({}) {{", thread.variable));
     if (!control) out_.line(fmt::format("case {}: return moved;", thread.at("idle")));
     for (std::uint32_t index = 0; control && index < plan_.machine().nodes.size(); ++index)
-        if (plan_.settles(NodeId{index})) out_.line(fmt::format("case {}: return moved;", thread.at(plan_.label(NodeId{index}))));
+        if (plan_.settles(NodeId{index}))
+            out_.line(fmt::format("case {}: return moved;", thread.at(plan_.label(NodeId{index}))));
     for (const Place& place : thread.places) {
         out_.comment(place.comment);
         out_.line(fmt::format("case {}:", thread.at(place.label)));
@@ -105,8 +112,8 @@ void MachineWriter::during_functions() {
     if (during_.empty()) return;
     for (const DuringThread& during : during_) {
         const std::string place = generation_.place(plan_.node(during.state).origin);
-        thread_function(during.thread, "during_" + during.suffix, "During action of " + place + ": once an entry, as far as it gets.",
-                        false);
+        thread_function(during.thread, "during_" + during.suffix,
+                        "During action of " + place + ": once an entry, as far as it gets.", false);
         out_.gap();
         out_.doc("The state is left: what remains of its during action is cut.");
         out_.open(fmt::format("static void cut_{}({}& f) noexcept {{", during.suffix, frame_type()));
@@ -141,7 +148,8 @@ void MachineWriter::leave_function() {
     out_.open("switch (f.at) {");
     for (const NodeId leaf : leaves) {
         const NodeId first = plan_.node(leaf).kind == ir::NodeKind::final ? plan_.node(leaf).parent : leaf;
-        out_.line(fmt::format("case {}: {} return;", control_.at(plan_.label(leaf)), control_.go(plan_.exit_label(first))));
+        out_.line(
+            fmt::format("case {}: {} return;", control_.at(plan_.label(leaf)), control_.go(plan_.exit_label(first))));
     }
     out_.line("default: return;");
     out_.close();
@@ -151,12 +159,12 @@ void MachineWriter::leave_function() {
 bool MachineWriter::timed() const {
     const auto& read = unit_.clock_read;
     const auto timed_calls = [&](const Thread& thread) {
-        return thread.waits || std::any_of(thread.calls.begin(), thread.calls.end(), [&](const CallFrame& call) {
-            return done_.at(call.operation).timed;
-        });
+        return thread.waits || std::any_of(thread.calls.begin(), thread.calls.end(),
+                                           [&](const CallFrame& call) { return done_.at(call.operation).timed; });
     };
     return std::find(read.begin(), read.end(), true) != read.end() || timed_calls(control_) ||
-           std::any_of(during_.begin(), during_.end(), [&](const DuringThread& during) { return timed_calls(during.thread); });
+           std::any_of(during_.begin(), during_.end(),
+                       [&](const DuringThread& during) { return timed_calls(during.thread); });
 }
 
 void MachineWriter::advance_function() {
@@ -166,9 +174,9 @@ void MachineWriter::advance_function() {
     out_.open(fmt::format("static void advance({}& f) noexcept {{", frame_type()));
     for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index) {
         if (!unit_.clock_read[index]) continue;
-        const std::int64_t saturation = std::min(
-            generation_.inst.clock_bound,
-            ir::clock_saturation(generation_.system, generation_.inst, *unit_.machine, ir::ClockId{index}));
+        const std::int64_t saturation =
+            std::min(generation_.inst.clock_bound,
+                     ir::clock_saturation(generation_.system, generation_.inst, *unit_.machine, ir::ClockId{index}));
         out_.line(fmt::format("advance_clock(f.{}, cycle_length, {});", unit_.clock_fields[index], saturation));
     }
     const auto thread = [&](const Thread& each) {
@@ -176,7 +184,8 @@ void MachineWriter::advance_function() {
         for (const CallFrame& call : each.calls) {
             if (!done_.at(call.operation).timed) continue;
             std::vector<std::string> running;
-            for (const auto& label : call.live) running.push_back(fmt::format("{} == {}", each.variable, each.at(label)));
+            for (const auto& label : call.live)
+                running.push_back(fmt::format("{} == {}", each.variable, each.at(label)));
             out_.line(fmt::format("if ({}) advance(f.{});", fmt::join(running, " || "), call.field));
         }
     };
@@ -187,7 +196,8 @@ void MachineWriter::advance_function() {
 
 std::string MachineWriter::finished(const std::string& frame) const {
     std::vector<std::string> places;
-    for (const NodeId id : plan_.finals()) places.push_back(fmt::format("{}.at == {}", frame, control_.at(plan_.label(id))));
+    for (const NodeId id : plan_.finals())
+        places.push_back(fmt::format("{}.at == {}", frame, control_.at(plan_.label(id))));
     return places.empty() ? "false" : fmt::format("{}", fmt::join(places, " || "));
 }
 
@@ -207,7 +217,8 @@ void MachineWriter::run_function() {
         }
         out_.close();
         out_.gap();
-        out_.open(fmt::format("[[nodiscard]] static bool finished([[maybe_unused]] const {}& f) noexcept {{", frame_type()));
+        out_.open(
+            fmt::format("[[nodiscard]] static bool finished([[maybe_unused]] const {}& f) noexcept {{", frame_type()));
         out_.line(fmt::format("return {};", finished("f")));
         return out_.close();
     }
@@ -220,8 +231,10 @@ void MachineWriter::run_function() {
 
 std::vector<Field> MachineWriter::variable_fields() const {
     std::vector<Field> fields;
-    const auto add = [&](const std::string& name, const ir::Variable& variable, const std::optional<ir::Value>& initial) {
-        const ir::Value value = initial.value_or(ir::default_value(generation_.system, generation_.inst, variable.type));
+    const auto add = [&](const std::string& name, const ir::Variable& variable,
+                         const std::optional<ir::Value>& initial) {
+        const ir::Value value =
+            initial.value_or(ir::default_value(generation_.system, generation_.inst, variable.type));
         const std::size_t size = cpp_size(generation_.system.type(variable.type));
         fields.push_back({cpp_type(generation_.system, variable.type), name,
                           cpp_value(generation_.system, generation_.inst, variable.type, value),
@@ -255,7 +268,8 @@ std::vector<Field> MachineWriter::thread_fields() const {
     const std::string first = control_.at(plan_.label(plan_.machine().initial));
     fields.push_back({unit_.points, "at", first, "", size, size});
     thread_field(fields, control_, "wait");
-    if (!leaving_.empty()) fields.push_back({leaving_, "leaving", leaving_ + "::nothing", "transition being taken", 1, 1});
+    if (!leaving_.empty())
+        fields.push_back({leaving_, "leaving", leaving_ + "::nothing", "transition being taken", 1, 1});
     for (const DuringThread& during : during_) {
         fields.push_back({during.thread.enumeration, "during_" + during.suffix, during.thread.at("idle"), "", 1, 1});
         thread_field(fields, during.thread, "wait_" + during.suffix);
@@ -263,9 +277,11 @@ std::vector<Field> MachineWriter::thread_fields() const {
     for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index) {
         const NodeId id{index};
         if (plan_.node(id).composite() && plan_.notes_entry(id))
-            fields.push_back({"bool", "entering_" + plan_.label(id), "false", "its first child is still to be entered", 1, 1});
+            fields.push_back(
+                {"bool", "entering_" + plan_.label(id), "false", "its first child is still to be entered", 1, 1});
     }
-    for (const NodeId id : histories_) fields.push_back({unit_.points, "history_" + plan_.label(id), first, "", size, size});
+    for (const NodeId id : histories_)
+        fields.push_back({unit_.points, "history_" + plan_.label(id), first, "", size, size});
     return fields;
 }
 
@@ -281,7 +297,8 @@ FrameLayout MachineWriter::layout() {
 }
 
 std::vector<Enumeration> MachineWriter::enumerations() const {
-    Enumeration at{unit_.points, fmt::format("Where {} is: in a node, or in the middle of a program.", unit_.machine->name), {}};
+    Enumeration at{
+        unit_.points, fmt::format("Where {} is: in a node, or in the middle of a program.", unit_.machine->name), {}};
     const auto node_value = [&](NodeId id) {
         at.values.push_back({plan_.label(id), generation_.place(plan_.node(id).origin)});
     };
@@ -292,13 +309,15 @@ std::vector<Enumeration> MachineWriter::enumerations() const {
         if (rests && id != plan_.machine().initial) node_value(id);
     }
     const auto known = [&](const std::string& label) {
-        return std::any_of(at.values.begin(), at.values.end(), [&](const Enumerator& value) { return value.name == label; });
+        return std::any_of(at.values.begin(), at.values.end(),
+                           [&](const Enumerator& value) { return value.name == label; });
     };
     for (const Place& place : control_.places)
         if (!known(place.label)) at.values.push_back({place.label, place.comment});
     std::vector<Enumeration> result = {at};
     for (const DuringThread& during : during_) {
-        Enumeration each{during.thread.enumeration, "How far the during action of " + during.suffix + " is.", {{"idle", ""}}};
+        Enumeration each{
+            during.thread.enumeration, "How far the during action of " + during.suffix + " is.", {{"idle", ""}}};
         for (const Place& place : during.thread.places) each.values.push_back({place.label, place.comment});
         result.push_back(std::move(each));
     }
@@ -324,7 +343,8 @@ FrameLayout arrange(std::vector<Field> fields, bool timed) {
     }
     if (const std::size_t rest = layout.size % layout.alignment; rest != 0) {
         const std::size_t filler = layout.alignment - rest;
-        fields.push_back({"std::uint8_t", fmt::format("filler[{}]", filler), "{}", "keeps the bytes canonical", filler, 1});
+        fields.push_back(
+            {"std::uint8_t", fmt::format("filler[{}]", filler), "{}", "keeps the bytes canonical", filler, 1});
         layout.size += filler;
     }
     layout.fields = std::move(fields);

@@ -33,16 +33,16 @@ struct Field {
 };
 
 struct FrameLayout {
-    std::vector<Field> fields;      ///< sorted, filler included
+    std::vector<Field> fields;  ///< sorted, filler included
     std::size_t size = 0;
     std::size_t alignment = 1;
-    bool timed = false;             ///< something in it changes with time
+    bool timed = false;  ///< something in it changes with time
 };
 
 struct MachineCode {
     std::vector<Enumeration> enumerations;
     FrameLayout layout;
-    std::string methods;            ///< members of Step
+    std::string methods;  ///< members of Step
 };
 
 using Layouts = std::map<ir::MachineId, FrameLayout>;

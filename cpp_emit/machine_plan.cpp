@@ -29,7 +29,9 @@ std::vector<NodeId> MachinePlan::chain(NodeId id) const {
     return result;
 }
 
-std::vector<NodeId> MachinePlan::ancestors(NodeId id) const { return chain(node(id).parent); }
+std::vector<NodeId> MachinePlan::ancestors(NodeId id) const {
+    return chain(node(id).parent);
+}
 
 bool MachinePlan::notes_entry(NodeId id) const {
     if (node(id).kind != NodeKind::state) return false;
@@ -44,13 +46,16 @@ bool MachinePlan::needs_entry(NodeId id) const {
     return node(id).entry != nullptr || std::any_of(around.begin(), around.end(), noted);
 }
 
-const std::string& MachinePlan::target(NodeId id) const { return needs_entry(id) ? enter_label(id) : label(id); }
+const std::string& MachinePlan::target(NodeId id) const {
+    return needs_entry(id) ? enter_label(id) : label(id);
+}
 
 bool MachinePlan::shared_exit(NodeId id) const {
     const ir::Node& state = node(id);
     if (state.kind != NodeKind::state) return false;
     const std::vector<NodeId> around = ancestors(id);
-    if (std::any_of(around.begin(), around.end(), [&](NodeId outer) { return !node(outer).outgoing.empty(); })) return true;
+    if (std::any_of(around.begin(), around.end(), [&](NodeId outer) { return !node(outer).outgoing.empty(); }))
+        return true;
     return (state.composite() && !state.outgoing.empty()) || (state.exit != nullptr && state.outgoing.size() > 1);
 }
 

@@ -9,7 +9,7 @@ namespace robochart::cpp_emit {
 /// A state's during action as a thread of its own.
 struct DuringThread {
     ir::NodeId state;
-    std::string suffix;      ///< of its members and functions: during_SUFFIX, cut_SUFFIX
+    std::string suffix;  ///< of its members and functions: during_SUFFIX, cut_SUFFIX
     NameScope labels;
     Thread thread;
 };
@@ -70,8 +70,8 @@ private:
     NameScope fields_;
     Thread control_;
     std::vector<DuringThread> during_;
-    std::string leaving_;                    ///< enumeration of transitions in progress
-    std::vector<ir::NodeId> histories_;      ///< Fault::composite_resumed
+    std::string leaving_;                ///< enumeration of transitions in progress
+    std::vector<ir::NodeId> histories_;  ///< Fault::composite_resumed
     CodeWriter out_{1};
 };
 

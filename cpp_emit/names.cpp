@@ -10,24 +10,26 @@ namespace {
 
 // ISO C++20 [lex.key], [lex.digraph]; then macros of the headers that generated code includes.
 constexpr std::array keywords = {
-    "alignas",      "alignof",     "and",           "and_eq",     "asm",          "auto",      "bitand",
-    "bitor",        "bool",        "break",         "case",       "catch",        "char",      "char16_t",
-    "char32_t",     "char8_t",     "class",         "co_await",   "co_return",    "co_yield",  "compl",
-    "concept",      "const",       "const_cast",    "consteval",  "constexpr",    "constinit", "continue",
-    "decltype",     "default",     "delete",        "do",         "double",       "dynamic_cast", "else",
-    "enum",         "explicit",    "export",        "extern",     "false",        "float",     "for",
-    "friend",       "goto",        "if",            "inline",     "int",          "long",      "mutable",
-    "namespace",    "new",         "noexcept",      "not",        "not_eq",       "nullptr",   "operator",
-    "or",           "or_eq",       "private",       "protected",  "public",       "register",  "reinterpret_cast",
-    "requires",     "return",      "short",         "signed",     "sizeof",       "static",    "static_assert",
-    "static_cast",  "struct",      "switch",        "template",   "this",         "thread_local", "throw",
-    "true",         "try",         "typedef",       "typeid",     "typename",     "union",     "unsigned",
-    "using",        "virtual",     "void",          "volatile",   "wchar_t",      "while",     "xor",
-    "xor_eq",       "assert",      "errno",         "linux",      "unix",         "main",      "NULL",
-    "EOF",          "stdin",       "stdout",        "stderr",     "std",          "final",     "override",
+    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
+    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
+    "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
+    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
+    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
+    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
+    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
+    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
+    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
+    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
+    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
+    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
+    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
+    "xor_eq",      "assert",   "errno",      "linux",     "unix",      "main",         "NULL",
+    "EOF",         "stdin",    "stdout",     "stderr",    "std",       "final",        "override",
 };
 
-bool identifier_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+bool identifier_character(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
 
 }  // namespace
 

@@ -16,8 +16,9 @@ const Rule several_machines{"RC-G02", Severity::error, "no C++ for '{}': it has 
                             "yet. Generate the machines one by one."};
 const Rule no_body{"RC-G03", Severity::error, "no C++ for '{}': the state machine has no initial node",
                    "A state machine starts at its initial node; without one it does nothing."};
-const Rule unsupported_type{"RC-G04", Severity::error, "no C++ for '{}': its type {} is not generated",
-                            "Generated types: boolean, nat, int, real, enumerations without arguments and given types."};
+const Rule unsupported_type{
+    "RC-G04", Severity::error, "no C++ for '{}': its type {} is not generated",
+    "Generated types: boolean, nat, int, real, enumerations without arguments and given types."};
 const Rule unsupported_expr{"RC-G05", Severity::error, "no C++ for {} in '{}'",
                             "Generated expressions: literals, variables, constants, clocks, arithmetic, comparison, "
                             "logic and if-then-else over generated types."};
@@ -48,9 +49,9 @@ const Rule no_constant{"RC-G14", Severity::error, "no C++ for '{}': constant '{}
 
 std::span<const Rule* const> all() {
     static constexpr std::array table = {
-        &no_component,     &several_machines, &no_body,   &unsupported_type, &unsupported_expr,
-        &unsupported_stmt, &unsupported_node, &unsupported_trigger, &deadline, &recursion,
-        &unconnected,      &crossing,         &too_large, &no_constant,
+        &no_component,     &several_machines,    &no_body,  &unsupported_type, &unsupported_expr, &unsupported_stmt,
+        &unsupported_node, &unsupported_trigger, &deadline, &recursion,        &unconnected,      &crossing,
+        &too_large,        &no_constant,
     };
     return table;
 }

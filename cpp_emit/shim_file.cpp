@@ -10,13 +10,13 @@ namespace robochart::cpp_emit {
 namespace {
 
 struct Register {
-    std::string name;       ///< "seeRobot.in", "set_EXT_reached"
-    std::string member;     ///< of Inputs
+    std::string name;    ///< "seeRobot.in", "set_EXT_reached"
+    std::string member;  ///< of Inputs
     std::optional<ir::TypeId> type;
 };
 
 struct Output {
-    std::string name;       ///< "MoveClockwiseCall", "out.out", "set_reached"
+    std::string name;  ///< "MoveClockwiseCall", "out.out", "set_reached"
     std::string method;
     std::vector<ir::TypeId> types;
 };
@@ -49,7 +49,10 @@ std::vector<Output> outputs(const Component& component) {
 class ShimWriter {
 public:
     ShimWriter(const Generation& generation, const Core& core)
-        : generation_(generation), core_(core), registers_(registers(generation.component)), outputs_(outputs(generation.component)) {}
+        : generation_(generation),
+          core_(core),
+          registers_(registers(generation.component)),
+          outputs_(outputs(generation.component)) {}
 
     std::string write() {
         head();
@@ -66,7 +69,8 @@ public:
 private:
     void head() {
         file_comment(generation_, out_, "Exploration interface");
-        for (const char* header : {"<cstddef>", "<cstring>", "<type_traits>"}) out_.line(fmt::format("#include {}", header));
+        for (const char* header : {"<cstddef>", "<cstring>", "<type_traits>"})
+            out_.line(fmt::format("#include {}", header));
         out_.gap();
         out_.line(fmt::format("#include \"{}\"", core_.header));
         out_.line("#include \"robochart/explore.hpp\"");
@@ -78,8 +82,10 @@ private:
 
     void carrier_struct(const char* name, const std::vector<std::int64_t>& values, std::int64_t scale) {
         out_.gap();
-        const bool range = !values.empty() && (values.back() - values.front()) + 1 == static_cast<std::int64_t>(values.size());
-        if (!range) out_.line(fmt::format("constexpr std::int64_t {}_values[] = {{{}}};", name, fmt::join(values, ", ")));
+        const bool range =
+            !values.empty() && (values.back() - values.front()) + 1 == static_cast<std::int64_t>(values.size());
+        if (!range)
+            out_.line(fmt::format("constexpr std::int64_t {}_values[] = {{{}}};", name, fmt::join(values, ", ")));
         out_.open(fmt::format("struct {}Carrier {{", name));
         out_.line(fmt::format("static constexpr std::int64_t scale = {};", scale));
         out_.open("static constexpr bool contains(std::int64_t value) noexcept {");
@@ -97,7 +103,8 @@ private:
         out_.gap();
         out_.doc("The model's basic types over the carriers of its instantiation.");
         out_.open("struct Checking {");
-        for (const char* name : {"Real", "Nat", "Int"}) out_.line(fmt::format("using {0} = robochart::Finite<{0}Carrier>;", name));
+        for (const char* name : {"Real", "Nat", "Int"})
+            out_.line(fmt::format("using {0} = robochart::Finite<{0}Carrier>;", name));
         out_.close("};");
         out_.line("using Real = Checking::Real;");
         out_.line("using Nat = Checking::Nat;");
@@ -119,14 +126,16 @@ private:
                 numbers.push_back(value.number);
                 texts.push_back('"' + cspm_value(generation_.system, *input.type, value) + '"');
             }
-            out_.line(fmt::format("constexpr std::int64_t {}_values[] = {{{}}};", input.member, fmt::join(numbers, ", ")));
+            out_.line(
+                fmt::format("constexpr std::int64_t {}_values[] = {{{}}};", input.member, fmt::join(numbers, ", ")));
             out_.line(fmt::format("constexpr const char* {}_texts[] = {{{}}};", input.member, fmt::join(texts, ", ")));
         }
         if (registers_.empty()) return out_.line("constexpr const rc_input* inputs = nullptr;");
         out_.open("constexpr rc_input inputs[] = {");
         for (const Register& input : registers_) {
             out_.line(input.type ? fmt::format("{{\"{0}\", {1}, {2}_values, {2}_texts}},", input.name,
-                                               ir::carrier(generation_.system, generation_.inst, *input.type).size(), input.member)
+                                               ir::carrier(generation_.system, generation_.inst, *input.type).size(),
+                                               input.member)
                                  : fmt::format("{{\"{}\", 0, nullptr, nullptr}},", input.name));
         }
         out_.close("};");
@@ -136,7 +145,8 @@ private:
         out_.gap();
         if (outputs_.empty()) return out_.line("constexpr const rc_output* outputs = nullptr;");
         out_.open("constexpr rc_output outputs[] = {");
-        for (const Output& output : outputs_) out_.line(fmt::format("{{\"{}\", {}}},", output.name, output.types.size()));
+        for (const Output& output : outputs_)
+            out_.line(fmt::format("{{\"{}\", {}}},", output.name, output.types.size()));
         out_.close("};");
     }
 
@@ -159,8 +169,8 @@ private:
                 parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", type(outputs_[index].types[i]), i);
                 arguments += fmt::format(", a{}", i);
             }
-            out_.line(fmt::format("void {}({}) noexcept {{ robochart::write_record(log_, {}{}); }}", outputs_[index].method,
-                                  parameters, index, arguments));
+            out_.line(fmt::format("void {}({}) noexcept {{ robochart::write_record(log_, {}{}); }}",
+                                  outputs_[index].method, parameters, index, arguments));
         }
         out_.gap();
         out_.label("private:");
@@ -191,7 +201,8 @@ private:
         }
         item();
         if (field.type == "bool") return out_.line(fmt::format("text.add(f.{} ? \"true\" : \"false\");", field.name));
-        if (field.type == "std::uint32_t") return out_.line(fmt::format("text.add(static_cast<std::int64_t>(f.{}), 1);", field.name));
+        if (field.type == "std::uint32_t")
+            return out_.line(fmt::format("text.add(static_cast<std::int64_t>(f.{}), 1);", field.name));
         if (field.type == "Real" || field.type == "Nat" || field.type == "Int")
             return out_.line(fmt::format("text.add(f.{}.raw(), {}Carrier::scale);", field.name, field.type));
         for (const Enumeration& enumeration : machine.enumerations)
@@ -204,8 +215,9 @@ private:
             const MachineCode& machine = core_.machines[index];
             for (const Enumeration& enumeration : machine.enumerations) name_function(enumeration);
             out_.gap();
-            out_.open(fmt::format("void print(robochart::Text& text, const char* prefix, const core::{}<Checking>& f) noexcept {{",
-                                  generation_.component.units[index].frame));
+            out_.open(fmt::format(
+                "void print(robochart::Text& text, const char* prefix, const core::{}<Checking>& f) noexcept {{",
+                generation_.component.units[index].frame));
             for (const Field& field : machine.layout.fields)
                 if (field.name == "at") print_field(field, machine);
             for (const Field& field : machine.layout.fields)
@@ -221,7 +233,8 @@ private:
         out_.line("std::memcpy(state, &initial, sizeof initial);");
         out_.close();
         out_.gap();
-        out_.open("rc_result step_once(void* state, [[maybe_unused]] const rc_register* registers, rc_log* log) noexcept {");
+        out_.open(
+            "rc_result step_once(void* state, [[maybe_unused]] const rc_register* registers, rc_log* log) noexcept {");
         out_.line("State current;");
         out_.line("std::memcpy(&current, state, sizeof current);");
         out_.line("Inputs read;");
@@ -229,8 +242,8 @@ private:
             const Register& input = registers_[index];
             out_.line(fmt::format("read.{}.present = registers[{}].present != 0;", input.member, index));
             if (input.type)
-                out_.line(fmt::format("read.{0}.value = robochart::from_raw<{1}>({0}_values[registers[{2}].value]);", input.member,
-                                      type(*input.type), index));
+                out_.line(fmt::format("read.{0}.value = robochart::from_raw<{1}>({0}_values[registers[{2}].value]);",
+                                      input.member, type(*input.type), index));
         }
         out_.line("log->count = 0;");
         out_.line("log->overflow = 0;");
@@ -276,6 +289,8 @@ private:
 
 }  // namespace
 
-std::string shim_source(const Generation& generation, const Core& core) { return ShimWriter(generation, core).write(); }
+std::string shim_source(const Generation& generation, const Core& core) {
+    return ShimWriter(generation, core).write();
+}
 
 }  // namespace robochart::cpp_emit

@@ -24,33 +24,55 @@ constexpr std::int64_t max_exact = std::int64_t{1} << 52;
 
 const char* refused_expression(ExprKind kind) {
     switch (kind) {
-        case ExprKind::string: return "a string";
-        case ExprKind::call: return "a function's call (functions are specified by contract only)";
-        case ExprKind::tuple: return "a tuple";
-        case ExprKind::record: return "a record";
-        case ExprKind::sequence: return "a sequence";
-        case ExprKind::set: return "a set";
-        case ExprKind::member: return "a member";
-        case ExprKind::index: return "an index";
-        case ExprKind::concat: return "a concatenation";
-        case ExprKind::is_in: return "`in`";
-        case ExprKind::set_range: return "a range";
-        case ExprKind::cast: return "a cast";
-        case ExprKind::bound: return "a bound name";
-        case ExprKind::forall: return "`forall`";
-        case ExprKind::exists: return "`exists`";
-        case ExprKind::exists_unique: return "`exists1`";
-        case ExprKind::lambda: return "`lambda`";
-        case ExprKind::the: return "`the`";
-        case ExprKind::let: return "`let`";
-        case ExprKind::set_comprehension: return "a set comprehension";
-        default: return nullptr;
+        case ExprKind::string:
+            return "a string";
+        case ExprKind::call:
+            return "a function's call (functions are specified by contract only)";
+        case ExprKind::tuple:
+            return "a tuple";
+        case ExprKind::record:
+            return "a record";
+        case ExprKind::sequence:
+            return "a sequence";
+        case ExprKind::set:
+            return "a set";
+        case ExprKind::member:
+            return "a member";
+        case ExprKind::index:
+            return "an index";
+        case ExprKind::concat:
+            return "a concatenation";
+        case ExprKind::is_in:
+            return "`in`";
+        case ExprKind::set_range:
+            return "a range";
+        case ExprKind::cast:
+            return "a cast";
+        case ExprKind::bound:
+            return "a bound name";
+        case ExprKind::forall:
+            return "`forall`";
+        case ExprKind::exists:
+            return "`exists`";
+        case ExprKind::exists_unique:
+            return "`exists1`";
+        case ExprKind::lambda:
+            return "`lambda`";
+        case ExprKind::the:
+            return "`the`";
+        case ExprKind::let:
+            return "`let`";
+        case ExprKind::set_comprehension:
+            return "a set comprehension";
+        default:
+            return nullptr;
     }
 }
 
 class Support {
 public:
-    Support(const ir::System& system, const ir::Instantiation& inst, const Component& component, Diagnostics& diagnostics)
+    Support(const ir::System& system, const ir::Instantiation& inst, const Component& component,
+            Diagnostics& diagnostics)
         : system_(system), inst_(inst), component_(component), diagnostics_(diagnostics) {}
 
     bool check() {
@@ -74,9 +96,11 @@ private:
     }
 
     void check_call(const ir::OperationSignature& signature) {
-        for (const ir::TypeId type : signature.parameters) check_type(type, signature.origin.element, signature.origin.span);
+        for (const ir::TypeId type : signature.parameters)
+            check_type(type, signature.origin.element, signature.origin.span);
         if (signature.parameters.size() > max_arguments)
-            diagnostics_.report(rules::too_large, signature.origin.span, {signature.name, "an operation has at most 8 parameters"});
+            diagnostics_.report(rules::too_large, signature.origin.span,
+                                {signature.name, "an operation has at most 8 parameters"});
     }
 
     void check_type(ir::TypeId id, const std::string& element, Span span) {
@@ -109,7 +133,8 @@ private:
 
     void check_node(const ir::Machine& machine, const ir::Node& node) {
         if (node.kind == NodeKind::probabilistic)
-            diagnostics_.report(rules::unsupported_node, node.origin.span, {"the probabilistic junction", machine.name + "::" + node.path});
+            diagnostics_.report(rules::unsupported_node, node.origin.span,
+                                {"the probabilistic junction", machine.name + "::" + node.path});
         if (node.composite() && !node.initial.valid())
             diagnostics_.report(rules::unsupported_node, node.origin.span,
                                 {"a composite state without an initial node", machine.name + "::" + node.path});
@@ -119,7 +144,8 @@ private:
         const ir::Node& source = machine.nodes[transition.source.index];
         const std::string& name = transition.origin.element;
         const Span span = transition.origin.span;
-        if (source.parent != machine.nodes[transition.target.index].parent) diagnostics_.report(rules::crossing, span, {name});
+        if (source.parent != machine.nodes[transition.target.index].parent)
+            diagnostics_.report(rules::crossing, span, {name});
         if (transition.deadline) diagnostics_.report(rules::deadline, span, {name});
         if (!transition.trigger) return;
         const bool settled = source.kind == NodeKind::state;
@@ -129,9 +155,11 @@ private:
     }
 
     void check_statement(const ir::Machine& machine, const ir::Stmt& stmt) {
-        if (stmt.kind == StmtKind::deadline) diagnostics_.report(rules::deadline, stmt.origin.span, {stmt.origin.element});
+        if (stmt.kind == StmtKind::deadline)
+            diagnostics_.report(rules::deadline, stmt.origin.span, {stmt.origin.element});
         if (stmt.kind == StmtKind::assign && !stmt.path.empty())
-            diagnostics_.report(rules::unsupported_stmt, stmt.origin.span, {"an assignment to a part of a variable", machine.name});
+            diagnostics_.report(rules::unsupported_stmt, stmt.origin.span,
+                                {"an assignment to a part of a variable", machine.name});
     }
 
     void check_expression(const ir::Machine& machine, const ir::Expr& expr) {
@@ -144,7 +172,8 @@ private:
         if (expr.kind == ExprKind::real && (expr.decimal.unscaled > max_exact || expr.decimal.unscaled < -max_exact))
             diagnostics_.report(rules::too_large, expr.span, {machine.name, "a decimal has more than 15 digits"});
         if (expr.kind == ExprKind::constant && !constant_value(system_, inst_, machine, expr.constant))
-            diagnostics_.report(rules::no_constant, expr.span, {machine.name, machine.constants[expr.constant.index].name});
+            diagnostics_.report(rules::no_constant, expr.span,
+                                {machine.name, machine.constants[expr.constant.index].name});
     }
 
     const ir::System& system_;

@@ -17,9 +17,12 @@ bool suspends(const Unit& unit, const ir::StmtPtr& stmt) {
     if (!stmt) return false;
     switch (stmt->kind) {
         case StmtKind::wait:
-        case StmtKind::wait_interval: return true;
-        case StmtKind::communicate: return stmt->communication.kind == CommKind::input;
-        case StmtKind::call: return unit.definitions[stmt->operation.index].valid();
+        case StmtKind::wait_interval:
+            return true;
+        case StmtKind::communicate:
+            return stmt->communication.kind == CommKind::input;
+        case StmtKind::call:
+            return unit.definitions[stmt->operation.index].valid();
         default:
             return std::any_of(stmt->body.begin(), stmt->body.end(),
                                [&](const ir::StmtPtr& part) { return suspends(unit, part); });
@@ -48,7 +51,9 @@ std::string receivable(const Generation& generation, const Unit& unit, const ir:
 ProgramWriter::ProgramWriter(const Generation& generation, const Unit& unit, Thread& thread)
     : generation_(generation), unit_(unit), thread_(thread) {}
 
-CodeWriter& ProgramWriter::code() { return thread_.places.back().code; }
+CodeWriter& ProgramWriter::code() {
+    return thread_.places.back().code;
+}
 
 void ProgramWriter::begin(const std::string& label, const std::string& comment) {
     thread_.places.push_back({label, comment, CodeWriter(5)});
@@ -68,7 +73,9 @@ void ProgramWriter::resume_at(const std::string& label, const std::string& comme
     begin(label, comment);
 }
 
-std::string ProgramWriter::fresh(const std::string& stem) { return thread_.labels->numbered(stem); }
+std::string ProgramWriter::fresh(const std::string& stem) {
+    return thread_.labels->numbered(stem);
+}
 
 void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) {
     if (!stmt) return;
@@ -76,15 +83,22 @@ void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) 
         case StmtKind::sequence:
             for (const auto& part : stmt->body) statement(part, stem);
             return;
-        case StmtKind::if_then_else: return if_statement(*stmt, stem);
-        case StmtKind::assign: return assign(*stmt);
-        case StmtKind::communicate: return communicate(*stmt, stem);
-        case StmtKind::call: return call(*stmt, stem);
+        case StmtKind::if_then_else:
+            return if_statement(*stmt, stem);
+        case StmtKind::assign:
+            return assign(*stmt);
+        case StmtKind::communicate:
+            return communicate(*stmt, stem);
+        case StmtKind::call:
+            return call(*stmt, stem);
         case StmtKind::wait:
-        case StmtKind::wait_interval: return wait(*stmt, stem);
-        case StmtKind::clock_reset: return line(clock_reset(generation_, unit_, stmt->clock));
+        case StmtKind::wait_interval:
+            return wait(*stmt, stem);
+        case StmtKind::clock_reset:
+            return line(clock_reset(generation_, unit_, stmt->clock));
         case StmtKind::skip:
-        case StmtKind::deadline: return;  // deadlines are refused before (support.cpp)
+        case StmtKind::deadline:
+            return;  // deadlines are refused before (support.cpp)
     }
 }
 
@@ -160,8 +174,8 @@ void ProgramWriter::send(const ir::Stmt& stmt) {
     }
     const ExpressionWriter expressions(generation_, unit_, "f");
     const ir::ExprPtr& value = stmt.communication.value;
-    code().line(
-        fmt::format("platform_.{}({});", event.output, value ? expressions.write_as(*value, *event.type) : std::string()));
+    code().line(fmt::format("platform_.{}({});", event.output,
+                            value ? expressions.write_as(*value, *event.type) : std::string()));
 }
 
 std::vector<std::string> ProgramWriter::arguments(const ir::Stmt& stmt) {
@@ -197,7 +211,8 @@ CallFrame& ProgramWriter::call_frame(ir::MachineId operation) {
     return thread_.calls.back();
 }
 
-void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::string>& texts, const std::string& stem) {
+void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::string>& texts,
+                                   const std::string& stem) {
     const ir::MachineId id = unit_.definitions[stmt.operation.index];
     const Unit& operation = generation_.component.unit(id);
     CallFrame& frame = call_frame(id);

@@ -27,13 +27,13 @@ struct CallFrame {
 
 /// One line of control of a machine: its transitions and entries, or a state's during action.
 struct Thread {
-    std::string variable;           ///< where its place is stored: "f.at"
-    std::string enumeration;        ///< "At"
-    std::string wait;               ///< its wait counter: "f.wait"
-    std::string prefix;             ///< of its operations' frames
+    std::string variable;     ///< where its place is stored: "f.at"
+    std::string enumeration;  ///< "At"
+    std::string wait;         ///< its wait counter: "f.wait"
+    std::string prefix;       ///< of its operations' frames
     NameScope* labels = nullptr;
-    NameScope* fields = nullptr;    ///< of the frame, for frames of operations
-    std::vector<Place> places;      ///< in textual order
+    NameScope* fields = nullptr;  ///< of the frame, for frames of operations
+    std::vector<Place> places;    ///< in textual order
     std::vector<CallFrame> calls;
     bool waits = false;
 

@@ -8,7 +8,9 @@ namespace robochart::cpp_emit {
 
 using ir::TypeKind;
 
-bool numeric(TypeKind kind) { return kind == TypeKind::nat || kind == TypeKind::integer || kind == TypeKind::real; }
+bool numeric(TypeKind kind) {
+    return kind == TypeKind::nat || kind == TypeKind::integer || kind == TypeKind::real;
+}
 
 bool supported(const ir::Type& type) {
     if (type.kind == TypeKind::enumeration) {
@@ -22,15 +24,22 @@ bool supported(const ir::Type& type) {
 std::string cpp_type(const ir::System& system, ir::TypeId id) {
     const ir::Type& type = system.type(id);
     switch (type.kind) {
-        case TypeKind::boolean: return "bool";
-        case TypeKind::nat: return "Nat";
-        case TypeKind::integer: return "Int";
-        case TypeKind::real: return "Real";
-        default: return identifier(type.name);
+        case TypeKind::boolean:
+            return "bool";
+        case TypeKind::nat:
+            return "Nat";
+        case TypeKind::integer:
+            return "Int";
+        case TypeKind::real:
+            return "Real";
+        default:
+            return identifier(type.name);
     }
 }
 
-std::size_t cpp_size(const ir::Type& type) { return numeric(type.kind) ? 8 : 1; }
+std::size_t cpp_size(const ir::Type& type) {
+    return numeric(type.kind) ? 8 : 1;
+}
 
 std::string decimal_text(ir::Decimal decimal) {
     const bool negative = decimal.unscaled < 0;
@@ -72,12 +81,15 @@ ir::Decimal shortest(ir::Decimal decimal) {
 std::string cpp_value(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id, const ir::Value& value) {
     const ir::Type& type = system.type(id);
     switch (type.kind) {
-        case TypeKind::boolean: return value.number != 0 ? "true" : "false";
+        case TypeKind::boolean:
+            return value.number != 0 ? "true" : "false";
         case TypeKind::real:
             return fmt::format("Real({})", decimal_text(shortest({value.number, decimals_of(inst.scale)})));
         case TypeKind::enumeration:
-            return fmt::format("{}::{}", identifier(type.name), literal_name(type, static_cast<std::size_t>(value.number)));
-        default: return fmt::format("{}({})", cpp_type(system, id), value.number);
+            return fmt::format("{}::{}", identifier(type.name),
+                               literal_name(type, static_cast<std::size_t>(value.number)));
+        default:
+            return fmt::format("{}({})", cpp_type(system, id), value.number);
     }
 }
 

@@ -52,11 +52,16 @@ constexpr T from_raw(std::int64_t raw) noexcept {
 
 inline rc_result to_abi(StepResult result) noexcept {
     switch (result) {
-        case StepResult::terminated: return RC_TERMINATED;
-        case StepResult::step_bound: return RC_STEP_BOUND;
-        case StepResult::precondition: return RC_PRECONDITION;
-        case StepResult::deadline: return RC_DEADLINE;
-        case StepResult::quiescent: break;
+        case StepResult::terminated:
+            return RC_TERMINATED;
+        case StepResult::step_bound:
+            return RC_STEP_BOUND;
+        case StepResult::precondition:
+            return RC_PRECONDITION;
+        case StepResult::deadline:
+            return RC_DEADLINE;
+        case StepResult::quiescent:
+            break;
     }
     return RC_QUIESCENT;
 }

@@ -5,6 +5,7 @@
 #ifndef ROBOCHART_FINITE_HPP
 #define ROBOCHART_FINITE_HPP
 
+#include <compare>
 #include <concepts>
 #include <cstdint>
 
@@ -61,7 +62,8 @@ private:
     /// The exact result if the carrier has it, else this value.
     [[nodiscard]] constexpr Finite clipped(WideInteger exact) const noexcept {
         const bool fits = exact >= INT64_MIN && exact <= INT64_MAX;
-        return fits && Carrier::contains(static_cast<std::int64_t>(exact)) ? from_raw(static_cast<std::int64_t>(exact)) : *this;
+        return fits && Carrier::contains(static_cast<std::int64_t>(exact)) ? from_raw(static_cast<std::int64_t>(exact))
+                                                                           : *this;
     }
 
     std::int64_t raw_ = 0;

@@ -35,14 +35,19 @@ struct Deployment {
     using Int = std::int64_t;
 };
 
-/// Division and remainder as in the model's semantics: by zero is by one, and for whole numbers the quotient is rounded down.
-constexpr double divide(double a, double b) noexcept { return a / (b < 0.0 || b > 0.0 ? b : 1.0); }
+/// Division and remainder as in the model's semantics: by zero is by one, and for whole numbers the quotient is rounded
+/// down.
+constexpr double divide(double a, double b) noexcept {
+    return a / (b < 0.0 || b > 0.0 ? b : 1.0);
+}
 constexpr std::int64_t divide(std::int64_t a, std::int64_t b) noexcept {
     if (b == 0) return a;
     const std::int64_t quotient = a / b;
     return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
 }
-constexpr std::int64_t modulus(std::int64_t a, std::int64_t b) noexcept { return a - (b == 0 ? a : divide(a, b) * b); }
+constexpr std::int64_t modulus(std::int64_t a, std::int64_t b) noexcept {
+    return a - (b == 0 ? a : divide(a, b) * b);
+}
 
 /// A duration in time units; negative ones are zero.
 constexpr std::uint32_t duration(std::int64_t units) noexcept {
@@ -56,7 +61,9 @@ constexpr void advance_clock(std::uint32_t& clock, std::uint32_t units, std::uin
 }
 
 /// What is left of a wait.
-constexpr void advance_wait(std::uint32_t& left, std::uint32_t units) noexcept { left = units < left ? left - units : 0; }
+constexpr void advance_wait(std::uint32_t& left, std::uint32_t units) noexcept {
+    left = units < left ? left - units : 0;
+}
 
 /// The bookkeeping of one cycle.
 class Cycle {

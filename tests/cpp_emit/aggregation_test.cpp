@@ -1,0 +1,103 @@
+// The paper's first case study at its three levels. Expected outputs are argued from the model text
+// (corpus/aggregation): reals are hundredths, one cycle is one time unit.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cpp_emit/harness.hpp"
+#include "tests/semantics/sample_systems.hpp"
+
+namespace robochart::cpp_emit {
+namespace {
+
+using testing::component;
+using testing::Controller;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::Registers;
+
+class Machine : public ::testing::Test {
+protected:
+    const ir::System system_ = ir::samples::aggregation();
+    Controller controller_{system_, component(system_, "AggregationFSM")};
+};
+
+TEST_F(Machine, ListsInputsAndOutputs) {
+    const rc_interface& interface = controller_.interface();
+    EXPECT_STREQ(interface.component, "AggregationFSM");
+    EXPECT_EQ(interface.scale, 100);
+    ASSERT_EQ(interface.inputs, 2U);  // nothing reads the shared speeds, so they are no inputs
+    EXPECT_STREQ(interface.input[0].name, "seeRobot.in");
+    EXPECT_STREQ(interface.input[1].name, "seeWall.in");
+}
+
+TEST_F(Machine, FirstCycleEntersS1) {
+    EXPECT_THAT(controller_.cycle(), ElementsAre("MoveClockwiseCall(-75,-1088)"));
+    EXPECT_EQ(controller_.result(), RC_QUIESCENT);
+    EXPECT_EQ(controller_.state(), "state=S1");
+    EXPECT_THAT(controller_.cycle(), IsEmpty());
+}
+
+TEST_F(Machine, NothingRunsBeforeTheFirstCycle) {
+    const auto before = controller_.image();
+    controller_.reset();
+    EXPECT_EQ(controller_.image(), before);
+}
+
+TEST_F(Machine, RobotThenWall) {
+    controller_.cycle();
+    EXPECT_THAT(controller_.cycle({{"seeRobot.in", ""}}), ElementsAre("RotateClockwiseCall(-502)"));
+    EXPECT_THAT(controller_.cycle({{"seeRobot.in", ""}}), IsEmpty());
+    EXPECT_THAT(controller_.cycle({{"seeWall.in", ""}}), ElementsAre("MoveClockwiseCall(-75,-1088)"));
+}
+
+TEST_F(Machine, BothInputsInOneCycleGoThereAndBack) {
+    controller_.cycle();
+    EXPECT_THAT(controller_.cycle({{"seeRobot.in", ""}, {"seeWall.in", ""}}),
+                ElementsAre("RotateClockwiseCall(-502)", "MoveClockwiseCall(-75,-1088)"));
+    EXPECT_EQ(controller_.state(), "state=S1");
+}
+
+class Module : public ::testing::Test {
+protected:
+    const ir::System system_ = ir::samples::aggregation();
+    Controller controller_{system_, component(system_, "Aggregation")};
+};
+
+TEST_F(Module, OperationWritesTheSpeedsAndTakesACycle) {
+    // semantics 3.8: the operation's own writes are seen, its call is not. The order is that of the entry action.
+    EXPECT_THAT(controller_.cycle(), ElementsAre("set_angularSpeed(-75)", "set_linearSpeed(-1088)"));
+    EXPECT_THAT(controller_.cycle({{"seeRobot.in", ""}}), ElementsAre("set_angularSpeed(-502)", "set_linearSpeed(0)"));
+}
+
+TEST_F(Module, TransitionsWaitForTheOperationsEnd) {
+    // In the first cycle S1's entry action is still running: seeRobot is refused and lost.
+    controller_.cycle({{"seeRobot.in", ""}});
+    EXPECT_THAT(controller_.cycle(), IsEmpty());
+}
+
+TEST_F(Module, OneSpeedPerCycleThoughBothInputsAreRaised) {
+    const Registers both = {{"seeRobot.in", ""}, {"seeWall.in", ""}};
+    controller_.cycle();
+    EXPECT_THAT(controller_.cycle(both), ElementsAre("set_angularSpeed(-502)", "set_linearSpeed(0)"));
+    EXPECT_THAT(controller_.cycle(both), ElementsAre("set_angularSpeed(-75)", "set_linearSpeed(-1088)"));
+}
+
+TEST_F(Module, EqualStatesHaveEqualBytes) {
+    controller_.cycle();
+    controller_.cycle();
+    const auto rested = controller_.image();
+    for (const char* input : {"seeRobot.in", "seeWall.in"}) controller_.cycle({{input, ""}});
+    controller_.cycle();
+    EXPECT_EQ(controller_.state(), "state=S1");
+    EXPECT_EQ(controller_.image(), rested);
+}
+
+TEST_F(Module, ControllerAndModuleAgree) {
+    Controller inner(system_, component(system_, "AggregationController"));
+    const Registers robot = {{"seeRobot.in", ""}};
+    for (const Registers& inputs : {Registers{}, robot, robot, Registers{{"seeWall.in", ""}}})
+        EXPECT_EQ(inner.cycle(inputs), controller_.cycle(inputs));
+}
+
+}  // namespace
+}  // namespace robochart::cpp_emit

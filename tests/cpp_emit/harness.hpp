@@ -1,0 +1,70 @@
+// Emits a component, compiles it as the conformance room does, loads it and drives it cycle by cycle.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cpp_emit/emit.hpp"
+#include "cpp_emit/runtime/explore_abi.h"
+
+namespace robochart::cpp_emit::testing {
+
+/// A folder below the system's temporary one, removed at the end.
+class Folder {
+public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+    void write(const Emission&) const;
+    /// Runs a shell command in the folder; its output, "" if it printed nothing. Fails the test on a bad exit code.
+    std::string run(const std::string& command) const;
+    [[nodiscard]] int status(const std::string& command, std::string& output) const;
+
+private:
+    std::string path_;
+};
+
+/// Inputs of one cycle: register name -> value text as in rc_input::text ("" for inputs without value).
+using Registers = std::map<std::string, std::string>;
+
+/// A controller in a shared object.
+class Controller {
+public:
+    Controller(const ir::System&, const ir::ComponentRef&, const Options& = {}, const ir::InstantiationOptions& = {});
+    ~Controller();
+    Controller(const Controller&) = delete;
+    Controller& operator=(const Controller&) = delete;
+
+    /// One cycle; what it wrote: "MoveClockwiseCall(-75,-1088)", "out.out(1)", "stop.out".
+    std::vector<std::string> cycle(const Registers& = {});
+    /// Back to the initial state.
+    void reset();
+    [[nodiscard]] rc_result result() const { return result_; }
+    [[nodiscard]] std::string state() const;
+    /// The bytes of the state.
+    [[nodiscard]] const std::vector<unsigned char>& image() const { return state_; }
+    void restore(const std::vector<unsigned char>& image) { state_ = image; }
+    [[nodiscard]] const rc_interface& interface() const { return *interface_; }
+    [[nodiscard]] std::uint32_t fault_sites() const { return emission_.fault_sites; }
+    [[nodiscard]] const Emission& emission() const { return emission_; }
+
+private:
+    Folder folder_;
+    Emission emission_;
+    void* library_ = nullptr;
+    const rc_interface* interface_ = nullptr;
+    std::vector<unsigned char> state_;
+    rc_result result_ = RC_QUIESCENT;
+};
+
+/// Reference to a machine, controller or module by name.
+[[nodiscard]] ir::ComponentRef component(const ir::System&, const std::string& name);
+/// Emission that must succeed.
+[[nodiscard]] Emission emit_ok(const ir::System&, const ir::ComponentRef&, const Options& = {},
+                               const ir::InstantiationOptions& = {});
+
+}  // namespace robochart::cpp_emit::testing
