@@ -20,15 +20,15 @@ struct Limits {
     std::uint64_t max_states = 500'000'000;
     std::uint64_t memory_bytes = 16ULL << 30U;
     std::optional<std::chrono::steady_clock::time_point> deadline;
-    std::function<bool()> interrupted;   ///< polled; true stops the search
+    std::function<bool()> interrupted;  ///< polled; true stops the search
     unsigned threads = 1;
 };
 
 struct Statistics {
-    std::uint64_t states = 0;       ///< pairs (specification node, implementation state) or states visited
+    std::uint64_t states = 0;  ///< pairs (specification node, implementation state) or states visited
     std::uint64_t transitions = 0;
-    std::uint64_t depth = 0;        ///< breadth-first level of the last state
-    std::uint64_t spec_nodes = 0;   ///< normalised specification nodes made
+    std::uint64_t depth = 0;       ///< breadth-first level of the last state
+    std::uint64_t spec_nodes = 0;  ///< normalised specification nodes made
     double seconds = 0;
 };
 
@@ -42,33 +42,35 @@ struct Step {
 };
 
 enum class ViolationKind {
-    trace,          ///< the last step's event is not allowed by the specification
-    refusal,        ///< the reached stable state offers too little
-    divergence,     ///< the reached state can do taus for ever (loop), where the specification may not
-    deadlock,       ///< nothing is possible in the reached state
-    nondeterminism, ///< after the trace, `event` may be both accepted and refused
-    no_trace,       ///< has trace: the process cannot perform it; steps hold the longest possible prefix
+    trace,           ///< the last step's event is not allowed by the specification
+    refusal,         ///< the reached stable state offers too little
+    divergence,      ///< the reached state can do taus for ever (loop), where the specification may not
+    deadlock,        ///< nothing is possible in the reached state
+    nondeterminism,  ///< after the trace, `event` may be both accepted and refused
+    no_trace,        ///< has trace: the process cannot perform it; steps hold the longest possible prefix
 };
 
 struct Counterexample {
     ViolationKind kind = ViolationKind::trace;
-    std::vector<Step> steps;                    ///< shortest run of the implementation, taus included
-    std::string initial;                        ///< describe() of the initial state
-    std::vector<process::Event> offered;        ///< refusal, deadlock: what the last state offers
-    std::vector<process::EventSet> required;    ///< refusal: the specification's minimal acceptances; trace: one set, the events it allowed
-    std::vector<Step> loop;                     ///< divergence: the tau loop
-    std::optional<process::Event> event;        ///< nondeterminism: the event; trace: the offending one
+    std::vector<Step> steps;              ///< shortest run of the implementation, taus included
+    std::string initial;                  ///< describe() of the initial state
+    std::vector<process::Event> offered;  ///< refusal, deadlock: what the last state offers
+    std::vector<process::EventSet>
+        required;  ///< refusal: the specification's minimal acceptances; trace: one set, the events it allowed
+    std::vector<Step> loop;               ///< divergence: the tau loop
+    std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the offending one
 };
 
 struct Verdict {
     Outcome outcome = Outcome::inconclusive;
-    std::string reason;                         ///< inconclusive: which limit, or the evaluation error
+    std::string reason;                            ///< inconclusive: which limit, or the evaluation error
     std::optional<Counterexample> counterexample;  ///< present iff fails (for has trace: iff the trace is impossible)
     Statistics statistics;
 };
 
 /// specification [M= implementation. The two share one EventTable.
-[[nodiscard]] Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model, const Limits&);
+[[nodiscard]] Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model,
+                              const Limits&);
 /// :[deadlock free [M]]. M is failures (divergence ignored) or failures_divergences (a divergence fails it).
 /// A terminated process counts as deadlocked, as FDR has it.
 [[nodiscard]] Verdict deadlock_free(lts::TransitionSystem&, Model, const Limits&);

@@ -1,0 +1,181 @@
+// The questions of check.hpp, each as a search with its monitor; determinism has a file of its own.
+#include "checker/refine/check.hpp"
+
+#include <algorithm>
+#include <new>
+
+#include "checker/refine/counterexample.hpp"
+#include "checker/refine/monitors.hpp"
+#include "checker/refine/question.hpp"
+
+namespace robochart::refine {
+
+using lts::StateIndex;
+using process::Event;
+
+Verdict decide(const Limits& limits, const std::function<void(Budget&, Verdict&)>& question) {
+    Verdict verdict;
+    Budget budget(limits);
+    const auto leave_open = [&](const char* reason) {
+        verdict.outcome = Outcome::inconclusive;
+        verdict.counterexample.reset();
+        verdict.reason = reason;
+    };
+    try {
+        question(budget, verdict);
+    } catch (const LimitReached& limit) {
+        leave_open(limit.what());
+    } catch (const std::bad_alloc&) {
+        leave_open("there is no more memory");
+    }
+    verdict.statistics.seconds = budget.seconds();
+    return verdict;
+}
+
+Tally::~Tally() {
+    statistics_.states += search_.states();
+    statistics_.transitions += search_.transitions();
+    statistics_.depth = std::max(statistics_.depth, search_.depth());
+    if (specification_ != nullptr) statistics_.spec_nodes = specification_->size();
+}
+
+namespace {
+
+class FirstStepBy final : public lts::SuccessorSink {
+public:
+    explicit FirstStepBy(Event wanted) : wanted_(wanted) {}
+    void add(Event event, lts::StateView target, Event revealed) override {
+        if (event == wanted_ && !found) found = RunStep{event, revealed, {target.begin(), target.end()}};
+    }
+    std::optional<RunStep> found;
+
+private:
+    Event wanted_;
+};
+
+void fail(Verdict& verdict, Counterexample counterexample) {
+    verdict.outcome = Outcome::fails;
+    verdict.counterexample = std::move(counterexample);
+}
+
+/// The specification's side of a refusal or of a forbidden event: what it allows after the same trace.
+std::vector<process::EventSet> required_after(NormalForm& specification, const Violation& violation) {
+    std::vector<Event> trace = violation.run.trace();
+    if (violation.kind == ViolationKind::divergence) return {};
+    if (violation.kind == ViolationKind::trace) trace.pop_back();
+    NormalForm::Node node = specification.initial();
+    for (Event event : trace) node = specification.after(node, event).value();
+    if (violation.kind == ViolationKind::refusal) return specification.acceptances(node);
+    return {specification.initials(node)};
+}
+
+Counterexample told_violation(lts::TransitionSystem& implementation, NormalForm& normal, const Violation& violation) {
+    Counterexample told = tell(implementation, violation);
+    told.required = required_after(normal, violation);
+    if (violation.kind == ViolationKind::trace) told.event = told.steps.back().event;
+    return told;
+}
+
+void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
+                       Budget& budget, Verdict& verdict) {
+    const bool with_divergence = model == Model::failures_divergences;
+    NormalForm normal(specification, budget);
+    RefinementMonitor monitor(normal, model);
+    Search search(implementation, monitor, budget, with_divergence);
+    const Tally tally(search, verdict.statistics, &normal);
+    verdict.outcome = Outcome::holds;
+    if (with_divergence && normal.diverges(normal.initial())) return;  // everything refines divergence
+    std::optional<Violation> violation;
+    if (const std::optional<Finding> finding = search.first_violation())
+        violation = violation_of(search, implementation, *finding);
+    else if (with_divergence)
+        violation = first_divergence(search);
+    if (!violation) return;
+    confirm_refinement_violation(specification, implementation, model, *violation, budget);
+    fail(verdict, told_violation(implementation, normal, *violation));
+}
+
+void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence, Budget& budget,
+                   Verdict& verdict) {
+    StateMonitor monitor(forbid_deadlock);
+    Search search(system, monitor, budget, forbid_divergence);
+    const Tally tally(search, verdict.statistics);
+    verdict.outcome = Outcome::holds;
+    std::optional<Violation> violation;
+    if (const std::optional<Finding> finding = search.first_violation())
+        violation = violation_of(search, system, *finding);
+    else if (forbid_divergence)
+        violation = first_divergence(search);
+    if (!violation) return;
+    confirm_property_violation(system, *violation, budget);
+    fail(verdict, tell(system, *violation));
+}
+
+/// The run of a trace's first events, which is known to exist.
+Run run_of_prefix(lts::TransitionSystem& system, const std::vector<Event>& trace, std::size_t length, Budget& budget) {
+    TraceMonitor monitor(trace, length);
+    Search search(system, monitor, budget);
+    return search.run_along(search.path_to(search.first_violation().value().pair));
+}
+
+void decide_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget, Verdict& verdict) {
+    TraceMonitor monitor(trace, trace.size());
+    Search search(system, monitor, budget);
+    const Tally tally(search, verdict.statistics);
+    if (const std::optional<Finding> end = search.first_violation()) {
+        confirm_trace(system, trace, search.run_along(search.path_to(end->pair)), budget);
+        verdict.outcome = Outcome::holds;
+        return;
+    }
+    const Run run = run_of_prefix(system, trace, monitor.furthest(), budget);
+    confirm_missing_trace(system, trace, run, budget);
+    Counterexample told = tell(system, {ViolationKind::no_trace, run, {}, {}});
+    told.event = trace[monitor.furthest()];
+    fail(verdict, std::move(told));
+}
+
+}  // namespace
+
+Violation violation_of(Search& search, lts::TransitionSystem& system, const Finding& finding) {
+    Violation violation{finding.kind, search.run_along(search.path_to(finding.pair)), {}, {}};
+    if (finding.kind == ViolationKind::trace) {
+        FirstStepBy step(finding.event);
+        system.successors(search.state(finding.pair), step);
+        violation.run.steps.push_back(step.found.value());
+    }
+    return violation;
+}
+
+std::optional<Violation> first_divergence(Search& search) {
+    const std::optional<StateIndex> pair = search.first_tau_cycle();
+    if (!pair) return std::nullopt;
+    std::vector<StateIndex> loop = search.tau_cycle(*pair);
+    loop.insert(loop.begin(), *pair);
+    return Violation{
+        ViolationKind::divergence, search.run_along(search.path_to(*pair)), search.run_along(loop, true), {}};
+}
+
+Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
+                const Limits& limits) {
+    return decide(limits, [&](Budget& budget, Verdict& verdict) {
+        decide_refinement(specification, implementation, model, budget, verdict);
+    });
+}
+
+Verdict deadlock_free(lts::TransitionSystem& system, Model model, const Limits& limits) {
+    return decide(limits, [&](Budget& budget, Verdict& verdict) {
+        decide_states(system, true, model == Model::failures_divergences, budget, verdict);
+    });
+}
+
+Verdict divergence_free(lts::TransitionSystem& system, const Limits& limits) {
+    return decide(limits,
+                  [&](Budget& budget, Verdict& verdict) { decide_states(system, false, true, budget, verdict); });
+}
+
+Verdict has_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model /*model*/,
+                  const Limits& limits) {
+    return decide(limits, [&](Budget& budget, Verdict& verdict) { decide_trace(system, trace, budget, verdict); });
+}
+
+}  // namespace robochart::refine

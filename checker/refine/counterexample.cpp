@@ -1,0 +1,46 @@
+// States as people read them, and what the last one offers.
+#include "checker/refine/counterexample.hpp"
+
+#include <algorithm>
+
+namespace robochart::refine {
+namespace {
+
+class OfferedEvents final : public lts::SuccessorSink {
+public:
+    void add(process::Event event, lts::StateView /*target*/, process::Event /*revealed*/) override {
+        if (event != process::tau) events.push_back(event);
+    }
+    std::vector<process::Event> events;
+};
+
+std::vector<Step> steps_of(lts::TransitionSystem& system, const Run& run) {
+    std::vector<Step> steps;
+    for (const RunStep& step : run.steps) steps.push_back({step.event, step.revealed, system.describe(step.state)});
+    return steps;
+}
+
+std::vector<process::Event> offered_by(lts::TransitionSystem& system, const std::vector<lts::Word>& state) {
+    OfferedEvents offered;
+    system.successors(state, offered);
+    std::sort(offered.events.begin(), offered.events.end());
+    offered.events.erase(std::unique(offered.events.begin(), offered.events.end()), offered.events.end());
+    return std::move(offered.events);
+}
+
+}  // namespace
+
+Counterexample tell(lts::TransitionSystem& system, const Violation& violation) {
+    Counterexample told;
+    told.kind = violation.kind;
+    told.initial = system.describe(violation.run.initial);
+    told.steps = steps_of(system, violation.run);
+    told.loop = steps_of(system, violation.loop);
+    told.event = violation.event;
+    const bool stops = violation.kind == ViolationKind::refusal || violation.kind == ViolationKind::deadlock ||
+                       violation.kind == ViolationKind::nondeterminism;
+    if (stops) told.offered = offered_by(system, violation.run.last());
+    return told;
+}
+
+}  // namespace robochart::refine

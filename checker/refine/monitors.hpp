@@ -1,0 +1,54 @@
+// What the questions watch along a run.
+#pragma once
+
+#include <vector>
+
+#include "checker/refine/normal_form.hpp"
+#include "checker/refine/search.hpp"
+
+namespace robochart::refine {
+
+/// specification [M= implementation: nodes are those of the specification's normal form.
+class RefinementMonitor final : public Monitor {
+public:
+    RefinementMonitor(NormalForm& specification, Model model) : specification_(specification), model_(model) {}
+    Node start() override { return specification_.initial(); }
+    Advance advance(Node node, process::Event event) override;
+    std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
+
+private:
+    NormalForm& specification_;
+    Model model_;
+};
+
+/// Nothing but the reachable states: for deadlock (a state where nothing is possible) and divergence alone.
+class StateMonitor final : public Monitor {
+public:
+    explicit StateMonitor(bool forbid_deadlock) : forbid_deadlock_(forbid_deadlock) {}
+    Node start() override { return 0; }
+    Advance advance(Node node, process::Event /*event*/) override { return {Effect::follow, node}; }
+    std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
+
+private:
+    bool forbid_deadlock_;
+};
+
+/// Runs along one trace; finds the end of its first `goal` events. With `refused`, an end that can refuse that event.
+class TraceMonitor final : public Monitor {
+public:
+    TraceMonitor(const std::vector<process::Event>& trace, std::size_t goal,
+                 std::optional<process::Event> refused = std::nullopt)
+        : trace_(trace), goal_(goal), refused_(refused) {}
+    Node start() override { return 0; }
+    Advance advance(Node node, process::Event event) override;
+    std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
+    [[nodiscard]] std::size_t furthest() const { return furthest_; }
+
+private:
+    const std::vector<process::Event>& trace_;
+    std::size_t goal_;
+    std::optional<process::Event> refused_;
+    std::size_t furthest_ = 0;
+};
+
+}  // namespace robochart::refine

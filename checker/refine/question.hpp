@@ -1,0 +1,35 @@
+// The frame all questions share: a budget, a clock, and limits told as an inconclusive verdict.
+#pragma once
+
+#include <functional>
+
+#include "checker/refine/normal_form.hpp"
+#include "checker/refine/replay.hpp"
+#include "checker/refine/search.hpp"
+
+namespace robochart::refine {
+
+/// Runs the question; a limit reached or memory that is not there gives inconclusive. Other exceptions pass.
+[[nodiscard]] Verdict decide(const Limits& limits, const std::function<void(Budget&, Verdict&)>& question);
+
+/// Adds up what a search has seen, also when it is left by an exception.
+class Tally {
+public:
+    Tally(const Search& search, Statistics& statistics, const NormalForm* specification = nullptr)
+        : search_(search), statistics_(statistics), specification_(specification) {}
+    Tally(const Tally&) = delete;
+    Tally& operator=(const Tally&) = delete;
+    ~Tally();
+
+private:
+    const Search& search_;
+    Statistics& statistics_;
+    const NormalForm* specification_;
+};
+
+/// The run to a finding, with the forbidden event as its last step if there is one.
+[[nodiscard]] Violation violation_of(Search& search, lts::TransitionSystem& system, const Finding& finding);
+/// After an exhausted search that kept taus: the first divergence.
+[[nodiscard]] std::optional<Violation> first_divergence(Search& search);
+
+}  // namespace robochart::refine

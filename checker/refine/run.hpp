@@ -1,0 +1,30 @@
+// Runs of a system as exact states, before they are told as counterexamples.
+#pragma once
+
+#include <vector>
+
+#include "checker/lts/transition_system.hpp"
+
+namespace robochart::refine {
+
+struct RunStep {
+    process::Event event;
+    process::Event revealed;
+    std::vector<lts::Word> state;  ///< the state reached
+};
+
+struct Run {
+    std::vector<lts::Word> initial;
+    std::vector<RunStep> steps;
+
+    [[nodiscard]] const std::vector<lts::Word>& last() const { return steps.empty() ? initial : steps.back().state; }
+    /// Its visible events and tick.
+    [[nodiscard]] std::vector<process::Event> trace() const {
+        std::vector<process::Event> events;
+        for (const RunStep& step : steps)
+            if (step.event != process::tau) events.push_back(step.event);
+        return events;
+    }
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,103 @@
+// The checker against the naive reference on random processes over all operators, in every model. The number of
+// random pairs comes from RC_PARAMS (max_success); each gives thirteen checks.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cstdlib>
+
+#include "checker/refine/check.hpp"
+#include "naive.hpp"
+#include "random_process.hpp"
+#include "translate.hpp"
+
+namespace robochart::refine {
+namespace {
+
+using naive::Behaviour;
+using naive::Semantics;
+
+constexpr std::size_t largest_graph = 120;
+constexpr auto models = {std::pair{Semantics::T, Model::traces}, std::pair{Semantics::F, Model::failures},
+                         std::pair{Semantics::FD, Model::failures_divergences}};
+
+/// How often each answer was seen, so that the test cannot become empty.
+struct Seen {
+    int checks = 0;
+    int holds = 0;
+    int fails = 0;
+    void count(bool held) { ++checks, ++(held ? holds : fails); }
+};
+
+class Agreement : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        setenv("RC_PARAMS", "seed=20 max_success=2000 max_discard_ratio=20 max_size=120", 0);
+    }
+
+    static auto numbers() {
+        return rc::gen::scale(1.0, rc::gen::container<std::vector<unsigned>>(rc::gen::inRange<unsigned>(0, 2520)));
+    }
+    void expect(const Verdict& verdict, bool holds, const char* question) {
+        seen_[question].count(holds);
+        RC_LOG() << question << (holds ? ": should hold" : ": should fail") << std::endl;
+        RC_ASSERT(verdict.outcome == (holds ? Outcome::holds : Outcome::fails));
+        RC_ASSERT(verdict.counterexample.has_value() == !holds);
+    }
+    std::map<std::string, Seen> seen_;
+};
+
+std::size_t length(const Verdict& verdict) {
+    return verdict.counterexample->steps.size();
+}
+
+TEST_F(Agreement, OnRandomProcesses) {
+    const bool agreed = rc::check("the checker agrees with the definitions", [this] {
+        const std::vector<unsigned> list = *numbers();
+        naive::Script script = naive::Decoder(list).script(2);
+        // A quarter of the pairs are related, so that refinements hold often enough.
+        if (!list.empty() && list[0] % 4 == 0)
+            script.mains[0] = std::make_shared<const naive::Tree>(
+                naive::Tree{naive::Kind::internal, {script.mains[0], script.mains[1]}, {}, {}, {}, {}, 0});
+        const auto first = naive::explore(script, script.mains[0], largest_graph);
+        const auto second = naive::explore(script, script.mains[1], largest_graph);
+        RC_PRE(first && second);
+        RC_LOG() << show(script) << std::endl;
+        const Behaviour a(*first, naive::letters_used);
+        const Behaviour b(*second, naive::letters_used);
+        Translation translation(script);
+        lts::TermSystem sa = translation.system(script.mains[0]);
+        lts::TermSystem sb = translation.system(script.mains[1]);
+        const Limits limits;
+        for (const auto& [semantics, model] : models) {
+            const char* const name = semantics == Semantics::T ? "[T=" : semantics == Semantics::F ? "[F=" : "[FD=";
+            const Verdict forth = refines(sa, sb, model, limits);
+            expect(forth, naive::refines(a, b, semantics), name);
+            expect(refines(sb, sa, model, limits), naive::refines(b, a, semantics), name);
+            if (semantics != Semantics::FD && forth.counterexample)
+                RC_ASSERT(length(forth) == *naive::shortest_violation(a, b, semantics));
+            if (semantics == Semantics::T) continue;
+            expect(deadlock_free(sb, model, limits), naive::deadlock_free(b, semantics), "deadlock free");
+            expect(deterministic(sb, model, limits), naive::deterministic(b, semantics), "deterministic");
+        }
+        expect(divergence_free(sb, limits), naive::divergence_free(b), "divergence free");
+        const std::vector<naive::Letter> trace{static_cast<int>(list.size() % 3),
+                                               list.empty() ? 0 : static_cast<int>(list[0] % 3)};
+        expect(has_trace(sb, {translation.event(trace[0]), translation.event(trace[1])}, Model::traces, limits),
+               naive::has_trace(b, trace), "has trace");
+        expect(refines(sb, sb, Model::failures_divergences, limits), true, "reflexive");
+    });
+    EXPECT_TRUE(agreed);
+    int checks = 0;
+    for (const auto& [question, seen] : seen_) {
+        checks += seen.checks;
+        RecordProperty(question, std::to_string(seen.holds) + " hold, " + std::to_string(seen.fails) + " fail");
+        EXPECT_GT(seen.holds * 20, seen.checks) << question << " held too rarely to be tested: " << seen.holds;
+        if (question != "reflexive") {
+            EXPECT_GT(seen.fails * 20, seen.checks) << question << " failed too rarely to be tested: " << seen.fails;
+        }
+    }
+    EXPECT_GE(checks, 5000);
+}
+
+}  // namespace
+}  // namespace robochart::refine

@@ -1,0 +1,60 @@
+// A second checker, by definition only: firing rules on trees, an explicit graph, the powerset of its states by trace,
+// refusal sets enumerated one by one. Shares nothing with the engine. For small processes over few letters.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "process_tree.hpp"
+
+namespace robochart::refine::naive {
+
+struct Graph {
+    struct Edge {
+        Letter letter;
+        int target;
+    };
+    std::vector<std::vector<Edge>> edges;  ///< state 0 is the initial one
+};
+
+/// None if there are more states, or bigger ones, than a test wants.
+std::optional<Graph> explore(const Script& script, const Process& process, std::size_t limit);
+
+enum class Semantics { T, F, FD };
+
+/// The behaviours of one graph, over an alphabet 0 .. letters-1.
+class Behaviour {
+public:
+    Behaviour(const Graph& graph, int letters) : graph_(graph), letters_(letters) {}
+
+    using States = std::set<int>;
+    [[nodiscard]] States initially() const { return closed({0}); }
+    [[nodiscard]] States after(const States& states, Letter letter) const;
+    /// Whether some of the states can refuse every letter of the set, given as bits: bit 0 tick, bit 1+l the letter l.
+    [[nodiscard]] bool refuses(const States& states, unsigned set) const;
+    [[nodiscard]] bool diverges(const States& states) const;
+    [[nodiscard]] unsigned refusal_sets() const { return 1U << (letters_ + 1); }
+    [[nodiscard]] std::vector<Letter> alphabet() const;
+
+    [[nodiscard]] bool state_refuses(int state, unsigned set) const;
+    [[nodiscard]] const Graph& graph() const { return graph_; }
+
+private:
+    [[nodiscard]] States closed(States states) const;
+
+    const Graph& graph_;
+    int letters_;
+};
+
+bool refines(const Behaviour& specification, const Behaviour& implementation, Semantics semantics);
+bool deadlock_free(const Behaviour& process, Semantics semantics);
+bool divergence_free(const Behaviour& process);
+bool deterministic(const Behaviour& process, Semantics semantics);
+bool has_trace(const Behaviour& process, const std::vector<Letter>& trace);
+/// The least number of steps, taus included, of a run that breaks T or F refinement.
+std::optional<std::size_t> shortest_violation(const Behaviour& specification, const Behaviour& implementation,
+                                              Semantics semantics);
+
+}  // namespace robochart::refine::naive

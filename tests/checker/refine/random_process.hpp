@@ -1,0 +1,39 @@
+// Processes made from lists of numbers: a random list gives a random process over all operators, a shorter list or
+// smaller numbers a simpler one, so shrinking the list shrinks the process.
+#pragma once
+
+#include <vector>
+
+#include "process_tree.hpp"
+
+namespace robochart::refine::naive {
+
+inline constexpr int letters_used = 3;
+
+class Decoder {
+public:
+    explicit Decoder(const std::vector<unsigned>& numbers) : numbers_(numbers) {}
+
+    /// Two named sequential processes with recursion, and main processes over them.
+    Script script(int mains);
+
+private:
+    unsigned take(unsigned below);
+    Letter letter() { return static_cast<Letter>(take(letters_used)); }
+    std::set<Letter> set();
+    /// A process whose calls stand where they replace it, so that recursion keeps it finite; `guarded`: after an event.
+    Process sequential(int depth, bool guarded);
+    Process sequential_leaf(bool guarded);
+    Process prefix(int depth);
+    /// A process without calls.
+    Process closed(int depth);
+    Process static_leaf();
+    Process composite(int depth);
+    Process with_levels(Kind kind, std::vector<Process> operands);
+
+    const std::vector<unsigned>& numbers_;
+    std::size_t next_ = 0;
+    int definitions_ = 0;  // 0 where no calls may be made
+};
+
+}  // namespace robochart::refine::naive
