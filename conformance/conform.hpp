@@ -35,8 +35,11 @@ struct Result {
     std::string expected;              ///< what the model allows where the code differs
     std::uint64_t code_states = 0;     ///< distinct state images of the code
     std::uint64_t code_cycles = 0;     ///< (state, input valuation) pairs stepped
+    std::uint64_t model_states = 0;    ///< states of M met under the simulation assumptions
     refine::Statistics product;        ///< of the refinement check
+    refine::Statistics schedulability; ///< of the check of NF_c(M) alone
     std::vector<std::string> raw;      ///< the trace in events of NF_c(M)
+    std::vector<std::string> warnings; ///< of the code: states that are not canonical
 };
 
 struct Options {

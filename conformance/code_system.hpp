@@ -1,0 +1,89 @@
+// L(G): the compiled controller as a transition system. A state is the byte image of the code's state and how far
+// the cycle has come (docs/conformance.md, "The code").
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "checker/lts/transition_system.hpp"
+#include "conformance/interface.hpp"
+#include "cpp_emit/runtime/explore_abi.h"
+
+namespace robochart::conformance {
+
+/// The interface as the code states it; carriers are numbers until the caller knows better.
+[[nodiscard]] Interface interface_of(const rc_interface&);
+
+/// What one call of `step` did. Equal results are one object.
+struct CycleResult {
+    rc_result outcome = RC_QUIESCENT;
+    bool overflow = false;
+    std::vector<process::Event> writes;
+    std::uint32_t next = 0;  ///< image
+};
+
+class CodeSystem : public lts::TransitionSystem {
+public:
+    static constexpr std::uint64_t max_valuations = 1ULL << 24U;
+
+    /// Throws std::length_error if the inputs have more than `max_valuations` together.
+    CodeSystem(const rc_interface& code, const Alphabet& alphabet, std::uint32_t cycle_length);
+
+    [[nodiscard]] std::size_t width() const override;
+    void initial(std::span<lts::Word> state) override;
+    void successors(lts::StateView state, lts::SuccessorSink& sink) override;
+    [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
+    [[nodiscard]] std::string describe(lts::StateView state) const override;
+
+    /// For telling runs: the reset image, one step (`readings` one per register), an image as text.
+    [[nodiscard]] std::uint32_t reset() const { return reset_; }
+    [[nodiscard]] const CycleResult& step(std::uint32_t image, const std::vector<std::uint32_t>& readings);
+    [[nodiscard]] std::string print(std::uint32_t image) const;
+
+    [[nodiscard]] std::uint64_t images() const { return image_count_; }
+    [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
+    /// Faults of the code that are no refinement questions: `step` or `initial` not a function of its arguments.
+    [[nodiscard]] const std::string& unsound() const { return unsound_; }
+    /// Two images print alike and differ in bytes: the state is not canonical, the numbers are larger than need be.
+    [[nodiscard]] bool alias_found() const { return alias_found_; }
+
+private:
+    using Bytes = std::vector<unsigned char>;
+    /// After some reads: for each reading of the next register the node, after the last one the result.
+    using Node = std::vector<std::uint32_t>;
+    std::uint32_t intern(const Bytes&);
+    [[nodiscard]] Bytes bytes(std::uint32_t image) const;
+    [[nodiscard]] Bytes fresh_state(unsigned char fill) const;
+    [[nodiscard]] std::uint32_t root(std::uint32_t image);
+    std::uint32_t tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read);
+    std::uint32_t intern_node(std::size_t level, Node);
+    [[nodiscard]] std::uint32_t run(const Bytes& from, const std::vector<rc_register>& registers);
+    [[nodiscard]] CycleResult result_of(rc_result, const rc_log&, const Bytes&);
+    std::uint32_t intern_result(CycleResult);
+    void read(lts::StateView state, lts::SuccessorSink& sink);
+    void act(lts::StateView state, lts::SuccessorSink& sink);
+    void finish(lts::StateView state, const CycleResult& result, lts::SuccessorSink& sink);
+    void enter_cycle(std::span<lts::Word> state, std::uint32_t image);
+
+    const rc_interface* code_;
+    const Alphabet* alphabet_;
+    std::uint32_t cycle_length_;
+    std::uint32_t reset_ = 0;
+    std::uint64_t image_count_ = 0;
+    Bytes images_;
+    std::unordered_map<std::string, std::uint32_t> image_ids_;        ///< never iterated, as those below
+    std::unordered_map<std::string, std::uint32_t> printed_;
+    std::unordered_map<std::uint32_t, std::uint32_t> roots_;          ///< image -> its tree of readings
+    std::unordered_map<std::string, std::uint32_t> node_ids_;
+    std::unordered_map<std::string, std::uint32_t> result_ids_;
+    std::vector<Node> nodes_;
+    std::deque<CycleResult> results_;  ///< references stay valid
+    std::uint64_t cycles_ = 0;
+    std::string unsound_;
+    bool alias_found_ = false;
+};
+
+}  // namespace robochart::conformance

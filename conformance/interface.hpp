@@ -1,0 +1,108 @@
+// What a component shows its environment: input registers and outputs, and the names their events have in the
+// model, in NF_c(M) and in L(G) (docs/conformance.md, "Alphabets"). Model and code meet here and nowhere else.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "checker/process/term.hpp"
+
+namespace robochart::conformance {
+
+/// How the numbers of the C interface (cpp_emit/runtime/explore_abi.h) read as text.
+struct Carrier {
+    enum class Kind { number, real, boolean, enumeration };
+    Kind kind = Kind::number;
+    std::vector<std::string> literals;  ///< enumeration: for people
+    std::vector<std::string> names;     ///< enumeration: in CSPM
+};
+
+/// An input register: in every cycle absent, or present with one of its values.
+struct Register {
+    std::string name;                  ///< event prefix below the component: "seeRobot.in", "set_EXT_reached"
+    std::vector<std::int64_t> values;  ///< empty: carries no value
+    std::vector<std::string> texts;    ///< the same as CSPM text
+    Carrier carrier;
+
+    /// Readings of one cycle: absent, then each value (one "present" if it carries none).
+    [[nodiscard]] std::uint32_t readings() const {
+        return 1 + (values.empty() ? 1 : static_cast<std::uint32_t>(values.size()));
+    }
+};
+
+/// An output: event sent, operation called, shared variable written.
+struct Output {
+    std::string name;                ///< "out.out", "MoveCall", "set_linearSpeed"
+    std::vector<Carrier> arguments;  ///< one per argument
+};
+
+struct Interface {
+    std::string component;  ///< CSP prefix of its events: "P::M"
+    std::int64_t scale = 1; ///< reals are multiples of 1/scale
+    std::vector<Register> inputs;
+    std::vector<Output> outputs;
+};
+
+/// `value` as CSPM writes it, and as a RoboChart user does (reals as exact decimals).
+[[nodiscard]] std::string cspm_text(const Carrier&, std::int64_t value);
+[[nodiscard]] std::string people_text(const Carrier&, std::int64_t value, std::int64_t scale);
+
+/// The model can do something the code's interface has no name for, or the interface is not usable.
+class AlphabetError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Role of an event of the model M.
+struct ModelRole {
+    enum class Kind { tau, tick, tock, terminate, input, output, foreign };
+    Kind kind = Kind::foreign;
+    std::uint32_t index = 0;        ///< input, output
+    std::uint32_t reading = 0;      ///< input: 1 + index of the value
+    process::Event write = process::tau;  ///< output: the event of NF that reports it
+};
+
+/// Role of an event of NF_c(M) or L(G), for telling a trace in cycles.
+struct CycleRole {
+    enum class Kind { read, write, tock, tick, other };
+    Kind kind = Kind::other;
+    std::uint32_t index = 0;
+    std::uint32_t reading = 0;  ///< read: 0 absent, else 1 + index of the value
+};
+
+/// Both alphabets over one event table. Constructor names follow the register and output names:
+/// "seeRobot.in" gives registerRead.absent__seeRobot and registerRead.present__seeRobot.
+class Alphabet {
+public:
+    Alphabet(Interface, process::EventTable&);
+
+    [[nodiscard]] const Interface& interface() const { return interface_; }
+    [[nodiscard]] process::EventTable& events() const { return *events_; }
+    [[nodiscard]] process::Event tock() const { return tock_; }
+    [[nodiscard]] process::Event read(std::uint32_t input, std::uint32_t reading) const { return reads_[input][reading]; }
+    /// The report of an output with these arguments.
+    [[nodiscard]] process::Event write(std::uint32_t output, const std::vector<std::int64_t>& arguments) const;
+    [[nodiscard]] ModelRole model_role(process::Event) const;
+    [[nodiscard]] CycleRole cycle_role(process::Event) const;
+    /// "present__heading" and so on: the constructors of the NF script's datatypes.
+    [[nodiscard]] const std::string& input_constructor(std::uint32_t input) const { return input_names_[input]; }
+    [[nodiscard]] const std::string& output_constructor(std::uint32_t output) const { return output_names_[output]; }
+    /// "heading = 0.1", "MoveForward()", "end of cycle": an event of NF for people.
+    [[nodiscard]] std::string tell(process::Event) const;
+
+private:
+    [[nodiscard]] ModelRole find_role(const std::string& name) const;
+    [[nodiscard]] std::string tell_write(std::uint32_t output, std::string_view name) const;
+
+    Interface interface_;
+    process::EventTable* events_;
+    process::Event tock_;
+    std::vector<std::string> input_names_, output_names_;
+    std::vector<std::vector<process::Event>> reads_;
+};
+
+}  // namespace robochart::conformance

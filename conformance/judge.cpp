@@ -1,0 +1,186 @@
+// Asks the checker and tells its counterexamples in cycles; see judge.hpp.
+#include "conformance/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "conformance/normal_form_system.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+/// A run of NF_c(M) or L(G), cycle by cycle.
+struct Run {
+    std::vector<Cycle> cycles;
+    std::vector<std::vector<std::uint32_t>> readings;  ///< per cycle, one per register read
+    std::vector<std::string> raw;
+};
+
+void add_step(Run& run, const Alphabet& alphabet, const refine::Step& step, std::uint32_t& tocks,
+              std::uint32_t cycle_length) {
+    if (step.event == process::tau) return;
+    run.raw.push_back(alphabet.events().name(step.event));
+    const CycleRole role = alphabet.cycle_role(step.event);
+    Cycle& cycle = run.cycles.back();
+    if (role.kind == CycleRole::Kind::read) {
+        run.readings.back().push_back(role.reading);
+        if (role.reading != 0) cycle.inputs.push_back(alphabet.tell(step.event));
+    } else if (role.kind == CycleRole::Kind::write) {
+        cycle.outputs.push_back(alphabet.tell(step.event));
+    } else if (role.kind == CycleRole::Kind::tock && ++tocks == cycle_length) {
+        cycle.state = step.state;
+        tocks = 0;
+        run.cycles.emplace_back();
+        run.readings.emplace_back();
+    }
+}
+
+Run tell_run(const std::vector<refine::Step>& steps, const Alphabet& alphabet, std::uint32_t cycle_length) {
+    Run run;
+    run.cycles.emplace_back();
+    run.readings.emplace_back();
+    std::uint32_t tocks = 0;
+    for (const refine::Step& step : steps) add_step(run, alphabet, step, tocks, cycle_length);
+    const bool ended = run.readings.back().empty() && run.cycles.back().outputs.empty();
+    if (ended && run.cycles.size() > 1 && !alphabet.interface().inputs.empty()) {
+        run.cycles.pop_back();
+        run.readings.pop_back();
+    }
+    return run;
+}
+
+/// The states of the code, by running it again over the inputs of the counterexample.
+void replay(Run& run, CodeSystem& code) {
+    std::uint32_t image = code.reset();
+    for (std::size_t c = 0; c < run.cycles.size(); ++c) {
+        image = code.step(image, run.readings[c]).next;
+        run.cycles[c].state = code.print(image);
+    }
+}
+
+std::string tell_events(const process::EventSet& events, const Alphabet& alphabet) {
+    constexpr std::size_t shown = 6;
+    std::string text;
+    for (std::size_t i = 0; i < events.size() && i < shown; ++i)
+        text += (i == 0 ? "" : " or ") + alphabet.tell(events[i]);
+    if (events.size() > shown) text += fmt::format(" or {} others", events.size() - shown);
+    return text.empty() ? "nothing" : text;
+}
+
+std::string expected_text(const refine::Counterexample& found, const Alphabet& alphabet) {
+    if (found.kind == refine::ViolationKind::divergence) return "an end of the cycle";
+    std::string text;
+    for (const process::EventSet& events : found.required)
+        text += (text.empty() ? "" : "; or all of: ") + tell_events(events, alphabet);
+    return text.empty() ? "nothing" : text;
+}
+
+std::string difference(const refine::Counterexample& found, const Alphabet& alphabet) {
+    if (found.kind == refine::ViolationKind::divergence)
+        return "the code's cycle does not end: its step bound is reached";
+    if (found.kind == refine::ViolationKind::refusal)
+        return fmt::format("the code offers only {}", tell_events(found.offered, alphabet));
+    const process::Event event = found.event.value_or(found.steps.empty() ? process::tau : found.steps.back().event);
+    const std::string& name = alphabet.events().name(event);
+    if (name == "code.precondition") return "the code calls an operation outside its precondition";
+    if (name == "code.deadline") return "the code misses a deadline";
+    if (name == "code.overflow") return "the code writes more in one cycle than the interface can log";
+    if (alphabet.cycle_role(event).kind == CycleRole::Kind::write)
+        return fmt::format("the code writes {}, which the model does not allow here", alphabet.tell(event));
+    if (event == alphabet.tock()) return "the code ends its cycle although the model must go on";
+    return fmt::format("the code does {}, which the model does not allow here", alphabet.tell(event));
+}
+
+std::string timelock_reason(const refine::Counterexample& found) {
+    const std::string& where = found.steps.empty() ? found.initial : found.steps.back().state;
+    if (found.kind == refine::ViolationKind::divergence)
+        return "the model does infinitely much without time passing, at " + where;
+    return "the model can neither go on nor let time pass, at " + where;
+}
+
+void not_schedulable(Result& result, const refine::Counterexample& found, const Alphabet& alphabet,
+                     std::uint32_t cycle_length) {
+    Run run = tell_run(found.steps, alphabet, cycle_length);
+    if (!found.steps.empty()) run.cycles.back().state = found.steps.back().state;
+    result.outcome = Outcome::not_schedulable;
+    result.reason = timelock_reason(found);
+    result.cycles = std::move(run.cycles);
+    result.raw = std::move(run.raw);
+}
+
+void differs(Result& result, const refine::Counterexample& found, const Alphabet& alphabet, CodeSystem& code,
+             std::uint32_t cycle_length) {
+    Run run = tell_run(found.steps, alphabet, cycle_length);
+    replay(run, code);
+    result.outcome = Outcome::differs;
+    result.reason = difference(found, alphabet);
+    result.expected = expected_text(found, alphabet);
+    result.cycles = std::move(run.cycles);
+    result.raw = std::move(run.raw);
+}
+
+void count(Result& result, const ModelGraph& model, const CodeSystem& code) {
+    result.model_states = model.size();
+    result.code_states = code.images();
+    result.code_cycles = code.cycles();
+    if (code.alias_found())
+        result.warnings.emplace_back("the code's state is not canonical: different bytes print alike");
+}
+
+void compare(Result& result, ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled,
+             std::uint32_t cycle_length, const refine::Limits& limits) {
+    NormalFormSystem specification(model, alphabet, cycle_length, AfterTermination::stop);
+    CodeSystem code(compiled, alphabet, cycle_length);
+    const refine::Verdict verdict =
+        refine::refines(specification, code, refine::Model::failures_divergences, limits);
+    result.product = verdict.statistics;
+    if (!code.unsound().empty()) {
+        result.outcome = Outcome::differs;
+        result.reason = code.unsound();
+    } else if (verdict.outcome == refine::Outcome::fails && verdict.counterexample) {
+        differs(result, *verdict.counterexample, alphabet, code, cycle_length);
+    } else {
+        result.outcome = verdict.outcome == refine::Outcome::holds ? Outcome::conforms : Outcome::inconclusive;
+        result.reason = verdict.reason;
+    }
+    count(result, model, code);
+}
+
+}  // namespace
+
+Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
+                   const refine::Limits& limits) {
+    Result result;
+    NormalFormSystem normal_form(model, alphabet, cycle_length, AfterTermination::idle);
+    const refine::Verdict verdict =
+        refine::deadlock_free(normal_form, refine::Model::failures_divergences, limits);
+    result.schedulability = verdict.statistics;
+    result.model_states = model.size();
+    result.reason = verdict.reason;
+    if (verdict.outcome == refine::Outcome::holds) result.outcome = Outcome::conforms;
+    if (verdict.outcome == refine::Outcome::fails && verdict.counterexample)
+        not_schedulable(result, *verdict.counterexample, alphabet, cycle_length);
+    return result;
+}
+
+Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
+             const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits) {
+    Result result;
+    try {
+        const Alphabet alphabet(interface, events);
+        ModelGraph graph(model, alphabet);
+        result = schedulable(graph, alphabet, cycle_length, limits);
+        if (result.outcome == Outcome::conforms) compare(result, graph, alphabet, code, cycle_length, limits);
+    } catch (const AlphabetError& mismatch) {
+        result.outcome = Outcome::differs;
+        result.reason = mismatch.what();
+    } catch (const std::length_error& limit) {
+        result.outcome = Outcome::inconclusive;
+        result.reason = limit.what();
+    }
+    return result;
+}
+
+}  // namespace robochart::conformance

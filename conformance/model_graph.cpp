@@ -1,0 +1,101 @@
+// See model_graph.hpp.
+#include "conformance/model_graph.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+namespace robochart::conformance {
+
+namespace {
+
+struct Successor {
+    process::Event event;
+    process::Event revealed;
+    std::vector<lts::Word> target;
+};
+
+class Collect : public lts::SuccessorSink {
+public:
+    void add(process::Event event, lts::StateView target, process::Event revealed) override {
+        successors.push_back({event, revealed, {target.begin(), target.end()}});
+    }
+    std::vector<Successor> successors;
+};
+
+}  // namespace
+
+ModelGraph::ModelGraph(lts::TransitionSystem& model, const Alphabet& alphabet)
+    : model_(&model), alphabet_(&alphabet), width_(model.width()) {
+    std::vector<lts::Word> start(width_);
+    model.initial(start);
+    initial_ = intern(start);
+}
+
+ModelState ModelGraph::intern(lts::StateView state) {
+    const std::string key(reinterpret_cast<const char*>(state.data()), state.size_bytes());
+    const auto [place, fresh] = ids_.emplace(key, static_cast<ModelState>(edges_.size()));
+    if (fresh) {
+        words_.insert(words_.end(), state.begin(), state.end());
+        edges_.emplace_back();
+    }
+    return place->second;
+}
+
+lts::StateView ModelGraph::view(ModelState state) const { return {words_.data() + state * width_, width_}; }
+
+const ModelRole& ModelGraph::role(process::Event event) {
+    if (event >= roles_.size()) {
+        roles_.resize(event + 1U);
+        role_known_.resize(event + 1U);
+    }
+    if (!role_known_[event]) {
+        roles_[event] = alphabet_->model_role(event);
+        role_known_[event] = true;
+    }
+    return roles_[event];
+}
+
+void ModelGraph::expand(ModelState state) {
+    Collect sink;
+    // A copy: `words_` may grow while the model answers through its own sink.
+    const std::vector<lts::Word> packed(view(state).begin(), view(state).end());
+    model_->successors(packed, sink);
+    std::vector<ModelEdge> edges;
+    for (const Successor& successor : sink.successors) {
+        const ModelRole& role_of = role(successor.event);
+        if (role_of.kind == ModelRole::Kind::foreign)
+            throw AlphabetError(fmt::format("the model can do {}, which the code's interface does not have",
+                                            model_->events().name(successor.event)));
+        edges.push_back({role_of, successor.event, successor.revealed, intern(successor.target)});
+    }
+    edges_[state].edges = std::move(edges);
+    edges_[state].known = true;
+}
+
+const std::vector<ModelEdge>& ModelGraph::edges(ModelState state) {
+    if (!edges_[state].known) expand(state);
+    return edges_[state].edges;
+}
+
+const std::vector<bool>& ModelGraph::hears(ModelState start) {
+    const auto found = hears_.find(start);
+    if (found != hears_.end()) return found->second;
+    std::vector<bool> heard(alphabet_->interface().inputs.size());
+    std::unordered_map<ModelState, bool> seen{{start, true}};
+    std::vector<ModelState> open{start};
+    while (!open.empty()) {
+        const ModelState state = open.back();
+        open.pop_back();
+        for (const ModelEdge& edge : edges(state)) {
+            if (edge.role.kind == ModelRole::Kind::tock) continue;
+            if (edge.role.kind == ModelRole::Kind::input) heard[edge.role.index] = true;
+            if (seen.emplace(edge.target, true).second) open.push_back(edge.target);
+        }
+    }
+    return hears_.emplace(start, std::move(heard)).first->second;
+}
+
+std::string ModelGraph::describe(ModelState state) const { return model_->describe(view(state)); }
+
+}  // namespace robochart::conformance

@@ -1,0 +1,49 @@
+// Generated sources, compiled by the system's compiler and loaded into this process through the C interface of
+// cpp_emit/runtime/explore_abi.h.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cpp_emit/emit.hpp"
+#include "cpp_emit/runtime/explore_abi.h"
+
+namespace robochart::conformance {
+
+struct BuildOptions {
+    std::string compiler = "c++";  ///< found through PATH; must accept g++'s options
+    std::string flags;             ///< separated by blanks
+    std::string work_dir;          ///< "": a fresh temporary folder, removed with the object
+};
+
+/// One loaded controller. Its code runs in this process: load only what this toolkit generated or tests wrote.
+class SharedObject {
+public:
+    /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and
+    /// loads it. On failure returns nothing and sets `error` to the cause, with the compiler's words if it spoke.
+    static std::unique_ptr<SharedObject> build(const std::vector<cpp_emit::OutputFile>& files,
+                                               const std::vector<std::string>& sources, const BuildOptions&,
+                                               std::string& error);
+    ~SharedObject();
+    SharedObject(const SharedObject&) = delete;
+    SharedObject& operator=(const SharedObject&) = delete;
+
+    [[nodiscard]] const rc_interface& interface() const { return *interface_; }
+
+private:
+    SharedObject() = default;
+    [[nodiscard]] bool load(std::string& error);
+
+    std::string folder_;
+    bool temporary_ = false;
+    std::string path_;
+    void* handle_ = nullptr;
+    const rc_interface* interface_ = nullptr;
+};
+
+/// Why the interface cannot be used (version, null pointers, sizes); "" if it can.
+[[nodiscard]] std::string interface_fault(const rc_interface&);
+
+}  // namespace robochart::conformance
