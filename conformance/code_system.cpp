@@ -114,9 +114,13 @@ std::string CodeSystem::print(std::uint32_t image) const {
     return text.data();
 }
 
-std::size_t CodeSystem::width() const { return fields; }
+std::size_t CodeSystem::width() const {
+    return fields;
+}
 
-void CodeSystem::initial(std::span<lts::Word> state) { enter_cycle(state, reset_); }
+void CodeSystem::initial(std::span<lts::Word> state) {
+    enter_cycle(state, reset_);
+}
 
 void CodeSystem::enter_cycle(std::span<lts::Word> state, std::uint32_t image) {
     state[phase] = alphabet_->interface().inputs.empty() ? acting : reading;

@@ -74,9 +74,9 @@ private:
     std::uint32_t reset_ = 0;
     std::uint64_t image_count_ = 0;
     Bytes images_;
-    std::unordered_map<std::string, std::uint32_t> image_ids_;        ///< never iterated, as those below
+    std::unordered_map<std::string, std::uint32_t> image_ids_;  ///< never iterated, as those below
     std::unordered_map<std::string, std::uint32_t> printed_;
-    std::unordered_map<std::uint32_t, std::uint32_t> roots_;          ///< image -> its tree of readings
+    std::unordered_map<std::uint32_t, std::uint32_t> roots_;  ///< image -> its tree of readings
     std::unordered_map<std::string, std::uint32_t> node_ids_;
     std::unordered_map<std::string, std::uint32_t> result_ids_;
     std::vector<Node> nodes_;

@@ -15,9 +15,9 @@ namespace robochart::conformance {
 
 enum class Outcome {
     conforms,
-    differs,           ///< the code does something NF_c(M) does not allow
-    not_schedulable,   ///< the model cannot be run in cycles: a witness of NF_c(M) alone
-    not_generated,     ///< the generator refused the component (diagnostics say why)
+    differs,          ///< the code does something NF_c(M) does not allow
+    not_schedulable,  ///< the model cannot be run in cycles: a witness of NF_c(M) alone
+    not_generated,    ///< the generator refused the component (diagnostics say why)
     inconclusive,
 };
 
@@ -31,28 +31,29 @@ struct Cycle {
 struct Result {
     Outcome outcome = Outcome::inconclusive;
     std::string reason;
-    std::vector<Cycle> cycles;         ///< differs, not_schedulable: shortest input sequence
-    std::string expected;              ///< what the model allows where the code differs
-    std::uint64_t code_states = 0;     ///< distinct state images of the code
-    std::uint64_t code_cycles = 0;     ///< (state, input valuation) pairs stepped
-    std::uint64_t model_states = 0;    ///< states of M met under the simulation assumptions
-    refine::Statistics product;        ///< of the refinement check
-    refine::Statistics schedulability; ///< of the check of NF_c(M) alone
-    std::vector<std::string> raw;      ///< the trace in events of NF_c(M)
-    std::vector<std::string> warnings; ///< of the code: states that are not canonical
+    std::vector<Cycle> cycles;          ///< differs, not_schedulable: shortest input sequence
+    std::string expected;               ///< what the model allows where the code differs
+    std::uint64_t code_states = 0;      ///< distinct state images of the code
+    std::uint64_t code_cycles = 0;      ///< (state, input valuation) pairs stepped
+    std::uint64_t model_states = 0;     ///< states of M met under the simulation assumptions
+    refine::Statistics product;         ///< of the refinement check
+    refine::Statistics schedulability;  ///< of the check of NF_c(M) alone
+    std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
+    std::vector<std::string> warnings;  ///< of the code: states that are not canonical
 };
 
 struct Options {
-    std::uint32_t cycle_length = 1;    ///< c: tocks per cycle
-    cpp_emit::Options generator;       ///< seeded faults, for tests
-    std::string compiler = "c++";      ///< must accept g++'s options
+    std::uint32_t cycle_length = 1;  ///< c: tocks per cycle
+    cpp_emit::Options generator;     ///< seeded faults, for tests
+    std::string compiler = "c++";    ///< must accept g++'s options
     std::string flags = "-std=c++20 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror";
-    std::string work_dir;              ///< where sources and the shared object are put; "" : a fresh temporary folder, removed after
+    std::string
+        work_dir;  ///< where sources and the shared object are put; "" : a fresh temporary folder, removed after
     refine::Limits limits;
 };
 
 /// Generates, compiles, explores and checks one component.
-[[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component, const Options&,
-                             diagnostics::SourceManager&, diagnostics::Diagnostics&);
+[[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
+                             const Options&, diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::conformance

@@ -12,7 +12,9 @@ namespace robochart::conformance {
 
 namespace {
 
-bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
+bool starts_with(std::string_view text, std::string_view prefix) {
+    return text.substr(0, prefix.size()) == prefix;
+}
 
 /// What follows `prefix` if it ends at a dot or at the end of `name`: ".1.2" or "".
 std::optional<std::string_view> arguments_after(std::string_view name, std::string_view prefix) {
@@ -54,7 +56,8 @@ std::vector<std::string> split_arguments(std::string_view text) {
 std::string decimal_text(std::int64_t value, std::int64_t scale) {
     if (scale <= 1) return fmt::format("{}", value);
     // Magnitudes as unsigned, so that the least number has one.
-    const std::uint64_t magnitude = value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
+    const std::uint64_t magnitude =
+        value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
     const auto unit = static_cast<std::uint64_t>(scale);
     std::string fraction = fmt::format("{:0{}}", magnitude % unit, fmt::formatted_size("{}", scale) - 1);
     while (!fraction.empty() && fraction.back() == '0') fraction.pop_back();

@@ -41,8 +41,8 @@ struct Output {
 };
 
 struct Interface {
-    std::string component;  ///< CSP prefix of its events: "P::M"
-    std::int64_t scale = 1; ///< reals are multiples of 1/scale
+    std::string component;   ///< CSP prefix of its events: "P::M"
+    std::int64_t scale = 1;  ///< reals are multiples of 1/scale
     std::vector<Register> inputs;
     std::vector<Output> outputs;
 };
@@ -61,8 +61,8 @@ public:
 struct ModelRole {
     enum class Kind { tau, tick, tock, terminate, input, output, foreign };
     Kind kind = Kind::foreign;
-    std::uint32_t index = 0;        ///< input, output
-    std::uint32_t reading = 0;      ///< input: 1 + index of the value
+    std::uint32_t index = 0;              ///< input, output
+    std::uint32_t reading = 0;            ///< input: 1 + index of the value
     process::Event write = process::tau;  ///< output: the event of NF that reports it
 };
 
@@ -83,7 +83,9 @@ public:
     [[nodiscard]] const Interface& interface() const { return interface_; }
     [[nodiscard]] process::EventTable& events() const { return *events_; }
     [[nodiscard]] process::Event tock() const { return tock_; }
-    [[nodiscard]] process::Event read(std::uint32_t input, std::uint32_t reading) const { return reads_[input][reading]; }
+    [[nodiscard]] process::Event read(std::uint32_t input, std::uint32_t reading) const {
+        return reads_[input][reading];
+    }
     /// The report of an output with these arguments.
     [[nodiscard]] process::Event write(std::uint32_t output, const std::vector<std::int64_t>& arguments) const;
     [[nodiscard]] ModelRole model_role(process::Event) const;

@@ -133,8 +133,7 @@ void compare(Result& result, ModelGraph& model, const Alphabet& alphabet, const 
              std::uint32_t cycle_length, const refine::Limits& limits) {
     NormalFormSystem specification(model, alphabet, cycle_length, AfterTermination::stop);
     CodeSystem code(compiled, alphabet, cycle_length);
-    const refine::Verdict verdict =
-        refine::refines(specification, code, refine::Model::failures_divergences, limits);
+    const refine::Verdict verdict = refine::refines(specification, code, refine::Model::failures_divergences, limits);
     result.product = verdict.statistics;
     if (!code.unsound().empty()) {
         result.outcome = Outcome::differs;
@@ -154,8 +153,7 @@ Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cy
                    const refine::Limits& limits) {
     Result result;
     NormalFormSystem normal_form(model, alphabet, cycle_length, AfterTermination::idle);
-    const refine::Verdict verdict =
-        refine::deadlock_free(normal_form, refine::Model::failures_divergences, limits);
+    const refine::Verdict verdict = refine::deadlock_free(normal_form, refine::Model::failures_divergences, limits);
     result.schedulability = verdict.statistics;
     result.model_states = model.size();
     result.reason = verdict.reason;

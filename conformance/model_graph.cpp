@@ -42,7 +42,9 @@ ModelState ModelGraph::intern(lts::StateView state) {
     return place->second;
 }
 
-lts::StateView ModelGraph::view(ModelState state) const { return {words_.data() + state * width_, width_}; }
+lts::StateView ModelGraph::view(ModelState state) const {
+    return {words_.data() + state * width_, width_};
+}
 
 const ModelRole& ModelGraph::role(process::Event event) {
     if (event >= roles_.size()) {
@@ -96,6 +98,8 @@ const std::vector<bool>& ModelGraph::hears(ModelState start) {
     return hears_.emplace(start, std::move(heard)).first->second;
 }
 
-std::string ModelGraph::describe(ModelState state) const { return model_->describe(view(state)); }
+std::string ModelGraph::describe(ModelState state) const {
+    return model_->describe(view(state));
+}
 
 }  // namespace robochart::conformance

@@ -14,10 +14,10 @@ namespace {
 // 0 nothing to consume, else the reading.
 enum Field : std::size_t { phase, progress, model_state, pending, fields };
 enum Phase : lts::Word {
-    reading,   ///< progress: the next register
-    acting,    ///< between the reads and the tock
-    waiting,   ///< progress: tocks still to come (cycles longer than one)
-    ending,    ///< terminated, ✓ to come
+    reading,  ///< progress: the next register
+    acting,   ///< between the reads and the tock
+    waiting,  ///< progress: tocks still to come (cycles longer than one)
+    ending,   ///< terminated, ✓ to come
     over,
 };
 /// Model state after M's own ✓, before `terminate`.
@@ -51,7 +51,9 @@ NormalFormSystem::NormalFormSystem(ModelGraph& model, const Alphabet& alphabet, 
       inputs_(alphabet.interface().inputs.size()),
       mask_words_((alphabet.interface().outputs.size() + 31) / 32) {}
 
-std::size_t NormalFormSystem::width() const { return fields + mask_words_ + inputs_; }
+std::size_t NormalFormSystem::width() const {
+    return fields + mask_words_ + inputs_;
+}
 
 void NormalFormSystem::initial(std::span<lts::Word> state) {
     std::fill(state.begin(), state.end(), 0U);

@@ -174,8 +174,8 @@ std::string interface_fault(const rc_interface& interface) {
 }
 
 std::unique_ptr<SharedObject> SharedObject::build(const std::vector<cpp_emit::OutputFile>& files,
-                                                  const std::vector<std::string>& sources,
-                                                  const BuildOptions& options, std::string& error) {
+                                                  const std::vector<std::string>& sources, const BuildOptions& options,
+                                                  std::string& error) {
     std::unique_ptr<SharedObject> object(new SharedObject);
     std::error_code failed;
     object->temporary_ = options.work_dir.empty();

@@ -1,0 +1,48 @@
+// What the tests of the conformance room share: models written as graphs, and controllers written by hand.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "checker/lts/transition_system.hpp"
+#include "conformance/interface.hpp"
+#include "conformance/shared_object.hpp"
+
+namespace robochart::conformance::test {
+
+/// A model as a list of edges; event "tau" and "tick" are the invisible action and termination. State 0 first.
+struct Edge {
+    unsigned from;
+    std::string event;
+    unsigned to;
+};
+
+class GraphSystem : public lts::TransitionSystem {
+public:
+    GraphSystem(std::vector<Edge> edges, process::EventTable& events);
+    [[nodiscard]] std::size_t width() const override { return 1; }
+    void initial(std::span<lts::Word> state) override { state[0] = 0; }
+    void successors(lts::StateView state, lts::SuccessorSink& sink) override;
+    [[nodiscard]] const process::EventTable& events() const override { return *events_; }
+    [[nodiscard]] std::string describe(lts::StateView state) const override;
+
+private:
+    struct Numbered {
+        unsigned from;
+        process::Event event;
+        unsigned to;
+    };
+    std::vector<Numbered> edges_;
+    process::EventTable* events_;
+};
+
+/// The model of objects/turner.cpp, component "T". `waits`: each operation takes one time unit.
+[[nodiscard]] std::vector<Edge> turner_model(bool waits = true);
+/// Its interface with the component's prefix.
+[[nodiscard]] Interface turner_interface();
+
+/// Compiles objects/NAME.cpp with -DFAULT=fault.
+[[nodiscard]] std::unique_ptr<SharedObject> hand_made(const std::string& name, int fault, std::string& error);
+
+}  // namespace robochart::conformance::test
