@@ -157,6 +157,9 @@ ModelRole Alphabet::find_role(const std::string& name) const {
         const process::Event write = events_->intern(fmt::format("registerWrite.wrote__{}{}", output_names_[o], *rest));
         return {ModelRole::Kind::output, o, 0, write};
     }
+    for (const std::string& channel : interface_.blocked) {
+        if (arguments_after(local, channel)) return {ModelRole::Kind::blocked};
+    }
     return {ModelRole::Kind::foreign};
 }
 

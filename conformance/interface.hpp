@@ -45,6 +45,7 @@ struct Interface {
     std::int64_t scale = 1;  ///< reals are multiples of 1/scale
     std::vector<Register> inputs;
     std::vector<Output> outputs;
+    std::vector<std::string> blocked;  ///< channels of M that the environment does not use: "set_EXT_x"
 };
 
 /// `value` as CSPM writes it, and as a RoboChart user does (reals as exact decimals).
@@ -59,7 +60,7 @@ public:
 
 /// Role of an event of the model M.
 struct ModelRole {
-    enum class Kind { tau, tick, tock, terminate, input, output, foreign };
+    enum class Kind { tau, tick, tock, terminate, input, output, blocked, foreign };
     Kind kind = Kind::foreign;
     std::uint32_t index = 0;              ///< input, output
     std::uint32_t reading = 0;            ///< input: 1 + index of the value

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <stdexcept>
 
 #include "conformance/normal_form_system.hpp"
@@ -77,20 +78,27 @@ std::string expected_text(const refine::Counterexample& found, const Alphabet& a
     return text.empty() ? "nothing" : text;
 }
 
+/// What the code does that the model does not allow. Outside of reads L(G) offers one event; where the model insists on
+/// another, the checker stops before it, at the refusal.
+std::optional<process::Event> offence(const refine::Counterexample& found) {
+    if (found.kind == refine::ViolationKind::refusal && found.offered.size() == 1) return found.offered.front();
+    if (found.kind == refine::ViolationKind::trace && !found.steps.empty()) return found.steps.back().event;
+    return std::nullopt;
+}
+
 std::string difference(const refine::Counterexample& found, const Alphabet& alphabet) {
     if (found.kind == refine::ViolationKind::divergence)
         return "the code's cycle does not end: its step bound is reached";
-    if (found.kind == refine::ViolationKind::refusal)
-        return fmt::format("the code offers only {}", tell_events(found.offered, alphabet));
-    const process::Event event = found.event.value_or(found.steps.empty() ? process::tau : found.steps.back().event);
-    const std::string& name = alphabet.events().name(event);
+    const auto event = offence(found);
+    if (!event) return fmt::format("the code offers only {}", tell_events(found.offered, alphabet));
+    const std::string& name = alphabet.events().name(*event);
     if (name == "code.precondition") return "the code calls an operation outside its precondition";
     if (name == "code.deadline") return "the code misses a deadline";
     if (name == "code.overflow") return "the code writes more in one cycle than the interface can log";
-    if (alphabet.cycle_role(event).kind == CycleRole::Kind::write)
-        return fmt::format("the code writes {}, which the model does not allow here", alphabet.tell(event));
-    if (event == alphabet.tock()) return "the code ends its cycle although the model must go on";
-    return fmt::format("the code does {}, which the model does not allow here", alphabet.tell(event));
+    if (alphabet.cycle_role(*event).kind == CycleRole::Kind::write)
+        return fmt::format("the code writes {}, which the model does not allow here", alphabet.tell(*event));
+    if (*event == alphabet.tock()) return "the code ends its cycle although the model must go on";
+    return fmt::format("the code does {}, which the model does not allow here", alphabet.tell(*event));
 }
 
 std::string timelock_reason(const refine::Counterexample& found) {
@@ -112,7 +120,10 @@ void not_schedulable(Result& result, const refine::Counterexample& found, const 
 
 void differs(Result& result, const refine::Counterexample& found, const Alphabet& alphabet, CodeSystem& code,
              std::uint32_t cycle_length) {
-    Run run = tell_run(found.steps, alphabet, cycle_length);
+    std::vector<refine::Step> steps = found.steps;
+    const auto event = offence(found);
+    if (found.kind == refine::ViolationKind::refusal && event) steps.push_back({*event, *event, ""});
+    Run run = tell_run(steps, alphabet, cycle_length);
     replay(run, code);
     result.outcome = Outcome::differs;
     result.reason = difference(found, alphabet);

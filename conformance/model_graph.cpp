@@ -69,6 +69,7 @@ void ModelGraph::expand(ModelState state) {
         if (role_of.kind == ModelRole::Kind::foreign)
             throw AlphabetError(fmt::format("the model can do {}, which the code's interface does not have",
                                             model_->events().name(successor.event)));
+        if (role_of.kind == ModelRole::Kind::blocked) continue;
         edges.push_back({role_of, successor.event, successor.revealed, intern(successor.target)});
     }
     edges_[state].edges = std::move(edges);

@@ -261,11 +261,19 @@ private:
                                model_events(true, true, {"registerRead", "tock", end_event}), b::name("TA3__"));
     }
 
+    /// The model without the external writes that the environment does not make.
+    [[nodiscard]] ExprPtr unwritten(const ExprPtr& model) const {
+        std::vector<ExprPtr> blocked;
+        for (const std::string& channel : alphabet_.interface().blocked) blocked.push_back(model_event(channel));
+        if (blocked.empty()) return model;
+        return b::parallel(model, b::productions(std::move(blocked)), b::skip());
+    }
+
     [[nodiscard]] ExprPtr composed(const ExprPtr& model) const {
         const std::string terminate = alphabet_.interface().component + "::terminate";
         const ExprPtr quiet = find_channel(script_, terminate) ? b::hide(model, b::set({b::name(terminate)})) : model;
         const ExprPtr parallel =
-            b::parallel(b::sequential({quiet, end()}), model_events(true, true, {"tock", end_event}),
+            b::parallel(b::sequential({unwritten(quiet), end()}), model_events(true, true, {"tock", end_event}),
                         b::name("SimulationAssumptions__"));
         const ExprPtr hidden = b::hide(parallel, model_events(true, true, {end_event}));
         return b::call("prioritise", {hidden, b::sequence({b::set({}), b::set({b::name("tock")})})});

@@ -140,6 +140,7 @@ void NormalFormSystem::model_step(Move& move, const ModelEdge& edge) {
         case ModelRole::Kind::output:
             return output(move, edge);
         case ModelRole::Kind::tock:
+        case ModelRole::Kind::blocked:
         case ModelRole::Kind::foreign:
             return;
     }

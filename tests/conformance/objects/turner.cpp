@@ -1,6 +1,7 @@
 // A controller written by hand against explore_abi.h, for testing the explorer and the conformance check: drives
 // until it sees a robot, turns until it sees a wall. Each operation takes one cycle. FAULT selects a defect.
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 

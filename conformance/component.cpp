@@ -1,0 +1,196 @@
+// Facts about one component from the IR and the emitted script; see component.hpp.
+#include "conformance/component.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "checker/cspm/build.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+namespace b = cspm::build;
+
+/// CSPM identifiers keep "::" out of package and type names.
+std::string flatten(const std::string& name) {
+    std::string result;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (name[i] == ':' && i + 1 < name.size() && name[i + 1] == ':') ++i;
+        result += std::isalnum(static_cast<unsigned char>(name[i])) != 0 ? name[i] : '_';
+    }
+    return result;
+}
+
+const cspm::Decl* find_module(const std::vector<cspm::DeclPtr>& decls, const std::string& path);
+
+const cspm::Decl* in_module(const cspm::Decl& module, const std::string& path) {
+    const std::string& name = module.names.front();
+    if (path == name) return &module;
+    if (path.compare(0, name.size() + 2, name + "::") != 0) return nullptr;
+    const std::string rest = path.substr(name.size() + 2);
+    if (const cspm::Decl* found = find_module(module.exports, rest)) return found;
+    return find_module(module.decls, rest);
+}
+
+const cspm::Decl* find_module(const std::vector<cspm::DeclPtr>& decls, const std::string& path) {
+    for (const cspm::DeclPtr& decl : decls) {
+        const cspm::Decl* found = nullptr;
+        if (decl->kind == cspm::DeclKind::timed) found = find_module(decl->decls, path);
+        if (decl->kind == cspm::DeclKind::module && !decl->names.empty()) found = in_module(*decl, path);
+        if (found != nullptr) return found;
+    }
+    return nullptr;
+}
+
+const cspm::Decl* find_function(const std::vector<cspm::DeclPtr>& decls, const std::string& name) {
+    for (const cspm::DeclPtr& decl : decls) {
+        if (decl->kind == cspm::DeclKind::timed) {
+            if (const cspm::Decl* found = find_function(decl->decls, name)) return found;
+        }
+        if (decl->kind == cspm::DeclKind::function && decl->names.front() == name) return decl.get();
+    }
+    return nullptr;
+}
+
+/// A carrier by the model's type; what is composed stays a number (and is not generated).
+Carrier carrier_of(const ir::System& system, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    if (type.kind == ir::TypeKind::boolean) return {Carrier::Kind::boolean, {}, {}};
+    if (type.kind == ir::TypeKind::real) return {Carrier::Kind::real, {}, {}};
+    if (type.kind != ir::TypeKind::enumeration) return {};
+    Carrier carrier{Carrier::Kind::enumeration, type.labels, {}};
+    const std::string prefix = type.package.empty() ? "" : flatten(type.package) + "_";
+    for (const std::string& label : type.labels) carrier.names.push_back(prefix + type.name + "_" + label);
+    return carrier;
+}
+
+/// Which required variables occur in expressions of a machine.
+class Reads {
+public:
+    Reads(const ir::System& system, std::set<std::string>& found) : system_(system), found_(found) {}
+
+    void machine(ir::MachineId id) {
+        const ir::Machine& machine = system_.machine(id);
+        current_ = &machine;
+        for (const ir::ExprPtr& condition : machine.preconditions) expression(condition);
+        for (const ir::ExprPtr& condition : machine.postconditions) expression(condition);
+        for (const ir::Variable& variable : machine.variables) expression(variable.initial);
+        for (const ir::Constant& constant : machine.constants) expression(constant.value);
+        for (const ir::Node& node : machine.nodes) {
+            for (const ir::StmtPtr& action : {node.entry, node.during, node.exit}) statement(action);
+        }
+        for (const ir::Transition& transition : machine.transitions) {
+            for (const ir::ExprPtr& part : {transition.guard, transition.deadline, transition.probability})
+                expression(part);
+            if (transition.trigger) communication(*transition.trigger);
+            statement(transition.action);
+        }
+    }
+
+private:
+    void variable(ir::VariableId id) {
+        const ir::Variable& variable = current_->variables[id.index];
+        if (variable.scope == ir::VariableScope::required) found_.insert(variable.name);
+    }
+    // As deep as the model's expressions, which the reader bounds.
+    void expression(const ir::ExprPtr& expr) {
+        if (!expr) return;
+        if (expr->kind == ir::ExprKind::variable) variable(expr->variable);
+        for (const ir::ExprPtr& part : expr->args) expression(part);
+    }
+    void communication(const ir::Communication& communication) {
+        expression(communication.value);
+        expression(communication.predicate);
+    }
+    void statement(const ir::StmtPtr& stmt) {
+        if (!stmt) return;
+        for (const ir::ExprPtr& part : {stmt->value, stmt->upper, stmt->condition}) expression(part);
+        for (const ir::ExprPtr& part : stmt->args) expression(part);
+        for (const ir::ExprPtr& part : stmt->path) expression(part);
+        // An assignment to a part keeps the rest.
+        if (stmt->kind == ir::StmtKind::assign && !stmt->path.empty()) variable(stmt->variable);
+        communication(stmt->communication);
+        for (const ir::StmtPtr& part : stmt->body) statement(part);
+    }
+
+    const ir::System& system_;
+    std::set<std::string>& found_;
+    const ir::Machine* current_ = nullptr;
+};
+
+std::vector<ir::MachineId> machines_of(const ir::System& system, const ir::ComponentRef& ref) {
+    if (ref.kind == ir::ComponentKind::machine) return {ir::MachineId{ref.definition}};
+    if (ref.kind != ir::ComponentKind::controller) return {};
+    const ir::Controller& controller = system.controllers[ref.definition];
+    std::vector<ir::MachineId> machines = controller.definitions;
+    for (const ir::MachineInstance& instance : controller.machines) machines.push_back(instance.machine);
+    return machines;
+}
+
+const std::vector<ir::Variable>* variables_of(const ir::System& system, const ir::ComponentRef& ref) {
+    if (ref.definition == ir::no_id) return nullptr;
+    if (ref.kind == ir::ComponentKind::machine) return &system.machines[ref.definition].variables;
+    if (ref.kind == ir::ComponentKind::controller) return &system.controllers[ref.definition].variables;
+    return nullptr;
+}
+
+const std::vector<ir::TypeId>* types_of(const csp_emit::Provenance& provenance, const std::string& event) {
+    const auto found = provenance.events.find(event);
+    return found == provenance.events.end() ? nullptr : &found->second.types;
+}
+
+}  // namespace
+
+std::string component_prefix(const ir::ComponentRef& ref) {
+    return ref.package.empty() ? ref.path : flatten(ref.package) + "::" + ref.path;
+}
+
+cspm::ExprPtr component_process(const cspm::Script& script, const ir::ComponentRef& ref) {
+    const std::string prefix = component_prefix(ref);
+    const cspm::Decl* const module = find_module(script.decls, prefix);
+    if (module == nullptr) return nullptr;
+    const cspm::Decl* const process = find_function(module->exports, "D__");
+    if (process == nullptr || process->patterns.empty()) return nullptr;
+    // semantics 3.12: the id, then the constants, whose values are global definitions of the same name.
+    std::vector<cspm::ExprPtr> arguments{b::number(0)};
+    const std::vector<cspm::PatternPtr>& parameters = process->patterns.front();
+    for (std::size_t p = 1; p < parameters.size(); ++p) arguments.push_back(b::name(parameters[p]->text));
+    return b::call(prefix + "::D__", std::move(arguments));
+}
+
+std::vector<std::string> unread_variables(const ir::System& system, const ir::ComponentRef& ref) {
+    std::vector<std::string> unread;
+    const std::vector<ir::Variable>* const variables = variables_of(system, ref);
+    if (variables == nullptr) return unread;
+    std::set<std::string> read;
+    Reads reads(system, read);
+    for (const ir::MachineId machine : machines_of(system, ref)) reads.machine(machine);
+    for (const ir::Variable& variable : *variables) {
+        if (variable.scope == ir::VariableScope::required && read.count(variable.name) == 0)
+            unread.push_back(variable.name);
+    }
+    return unread;
+}
+
+void complete(Interface& interface, const ir::System& system, const ir::ComponentRef& ref,
+              const csp_emit::Provenance& provenance) {
+    interface.component = component_prefix(ref);
+    for (Register& input : interface.inputs) {
+        const auto* types = types_of(provenance, interface.component + "::" + input.name);
+        if (types != nullptr && !types->empty()) input.carrier = carrier_of(system, types->front());
+    }
+    for (Output& output : interface.outputs) {
+        const auto* types = types_of(provenance, interface.component + "::" + output.name);
+        for (std::size_t a = 0; types != nullptr && a < types->size() && a < output.arguments.size(); ++a)
+            output.arguments[a] = carrier_of(system, (*types)[a]);
+    }
+    for (const std::string& variable : unread_variables(system, ref)) {
+        const std::string channel = "set_EXT_" + variable;
+        const bool has_register = std::any_of(interface.inputs.begin(), interface.inputs.end(),
+                                              [&](const Register& input) { return input.name == channel; });
+        if (!has_register) interface.blocked.push_back(channel);
+    }
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,67 @@
+// The whole check: script of the model, generated code, shared object, and the judgement (docs/conformance.md).
+#include "conformance/conform.hpp"
+
+#include <fmt/format.h>
+
+#include "checker/cspm/session.hpp"
+#include "conformance/component.hpp"
+#include "conformance/judge.hpp"
+#include "conformance/shared_object.hpp"
+#include "csp_emit/emit.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+Result not_generated(std::string reason) {
+    Result result;
+    result.outcome = Outcome::not_generated;
+    result.reason = std::move(reason);
+    return result;
+}
+
+std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Options& options, std::string& error) {
+    std::vector<std::string> sources = emission.sources;
+    sources.push_back(emission.shim);
+    return SharedObject::build(emission.files, sources, {options.compiler, options.flags, options.work_dir}, error);
+}
+
+Result judge_object(const csp_emit::Emission& script, const cspm::ExprPtr& process, const ir::System& system,
+                    const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
+    Interface interface = interface_of(code);
+    complete(interface, system, component, script.provenance);
+    try {
+        cspm::Session session(script.definitions);
+        const auto model = session.system(process);
+        return judge(*model, session.event_table(), interface, code, options.cycle_length, options.limits);
+    } catch (const cspm::EvaluationError& failed) {
+        Result result;
+        result.reason = fmt::format("the script of the model cannot be evaluated: {}", failed.what());
+        return result;
+    }
+}
+
+}  // namespace
+
+Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,
+               const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    const csp_emit::Emission script =
+        csp_emit::emit(system, instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+    const cspm::ExprPtr process = component_process(script.definitions, component);
+    if (diagnostics.errors() != errors || !process)
+        return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
+
+    cpp_emit::Options generator = options.generator;
+    generator.cycle_length = options.cycle_length;
+    const cpp_emit::Emission code = cpp_emit::emit(system, instantiation, component, generator, diagnostics);
+    if (diagnostics.errors() != errors || code.shim.empty())
+        return not_generated(fmt::format("no C++ is generated for {}", component.path));
+
+    std::string error;
+    const auto object = build(code, options, error);
+    if (!object) return not_generated(std::move(error));
+    return judge_object(script, process, system, component, object->interface(), options);
+}
+
+}  // namespace robochart::conformance
