@@ -140,24 +140,6 @@ void count(Result& result, const ModelGraph& model, const CodeSystem& code) {
         result.warnings.emplace_back("the code's state is not canonical: different bytes print alike");
 }
 
-void compare(Result& result, ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled,
-             std::uint32_t cycle_length, const refine::Limits& limits) {
-    NormalFormSystem specification(model, alphabet, cycle_length, AfterTermination::stop);
-    CodeSystem code(compiled, alphabet, cycle_length);
-    const refine::Verdict verdict = refine::refines(specification, code, refine::Model::failures_divergences, limits);
-    result.product = verdict.statistics;
-    if (!code.unsound().empty()) {
-        result.outcome = Outcome::differs;
-        result.reason = code.unsound();
-    } else if (verdict.outcome == refine::Outcome::fails && verdict.counterexample) {
-        differs(result, *verdict.counterexample, alphabet, code, cycle_length);
-    } else {
-        result.outcome = verdict.outcome == refine::Outcome::holds ? Outcome::conforms : Outcome::inconclusive;
-        result.reason = verdict.reason;
-    }
-    count(result, model, code);
-}
-
 }  // namespace
 
 Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
@@ -174,6 +156,26 @@ Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cy
     return result;
 }
 
+Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled, std::uint32_t cycle_length,
+                  const refine::Limits& limits) {
+    Result result;
+    NormalFormSystem specification(model, alphabet, cycle_length, AfterTermination::stop);
+    CodeSystem code(compiled, alphabet, cycle_length);
+    const refine::Verdict verdict = refine::refines(specification, code, refine::Model::failures_divergences, limits);
+    result.product = verdict.statistics;
+    if (!code.unsound().empty()) {
+        result.outcome = Outcome::differs;
+        result.reason = code.unsound();
+    } else if (verdict.outcome == refine::Outcome::fails && verdict.counterexample) {
+        differs(result, *verdict.counterexample, alphabet, code, cycle_length);
+    } else {
+        result.outcome = verdict.outcome == refine::Outcome::holds ? Outcome::conforms : Outcome::inconclusive;
+        result.reason = verdict.reason;
+    }
+    count(result, model, code);
+    return result;
+}
+
 Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
              const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits) {
     Result result;
@@ -181,7 +183,10 @@ Result judge(lts::TransitionSystem& model, process::EventTable& events, const In
         const Alphabet alphabet(interface, events);
         ModelGraph graph(model, alphabet);
         result = schedulable(graph, alphabet, cycle_length, limits);
-        if (result.outcome == Outcome::conforms) compare(result, graph, alphabet, code, cycle_length, limits);
+        if (result.outcome != Outcome::conforms) return result;
+        const refine::Statistics schedulability = result.schedulability;
+        result = refined_by(graph, alphabet, code, cycle_length, limits);
+        result.schedulability = schedulability;
     } catch (const AlphabetError& mismatch) {
         result.outcome = Outcome::differs;
         result.reason = mismatch.what();

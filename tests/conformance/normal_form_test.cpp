@@ -65,11 +65,11 @@ cspm::Script read_script(const std::string& text) {
 
 /// The two normal forms of one model in one session.
 struct Both {
-    Both(const std::string& text, std::uint32_t cycle_length, Reading reading, const char* process)
-        : Both(with_normal_form(text, cycle_length, reading), cycle_length, process) {}
+    Both(const std::string& source, std::uint32_t cycle_length, Reading reading, const char* process)
+        : Both(with_normal_form(source, cycle_length, reading), cycle_length, process) {}
 
-    static cspm::Script with_normal_form(const std::string& text, std::uint32_t cycle_length, Reading reading) {
-        cspm::Script script = read_script(text);
+    static cspm::Script with_normal_form(const std::string& source, std::uint32_t cycle_length, Reading reading) {
+        cspm::Script script = read_script(source);
         process::EventTable scratch;
         const Alphabet alphabet(small_interface(), scratch);
         NormalFormScript form = normal_form(script, b::name("M"), alphabet, cycle_length, reading);
