@@ -70,7 +70,10 @@ typedef struct rc_interface {
     void (*print)(const void* state, char* buffer, size_t size);
 } rc_interface;
 
-/* The only exported symbol. */
+/* The only exported symbol, also of objects compiled with -fvisibility=hidden. */
+#if defined(__GNUC__)
+__attribute__((visibility("default")))
+#endif
 const rc_interface* robochart_explore(void);
 
 #ifdef __cplusplus

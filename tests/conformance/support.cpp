@@ -75,4 +75,12 @@ std::unique_ptr<SharedObject> hand_made(const std::string& name, int fault, std:
     return SharedObject::build(files, {name + ".cpp"}, options, error);
 }
 
+std::unique_ptr<SharedObject> build(const cpp_emit::Emission& code, std::string& error) {
+    std::vector<std::string> sources = code.sources;
+    sources.push_back(code.shim);
+    BuildOptions options;
+    options.flags = "-std=c++20 -O1 -w";
+    return SharedObject::build(code.files, sources, options, error);
+}
+
 }  // namespace robochart::conformance::test

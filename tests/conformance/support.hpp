@@ -45,4 +45,7 @@ private:
 /// Compiles objects/NAME.cpp with -DFAULT=fault.
 [[nodiscard]] std::unique_ptr<SharedObject> hand_made(const std::string& name, int fault, std::string& error);
 
+/// Compiles generated code as `conform` does, with warnings off: seeded faults may leave things unused.
+[[nodiscard]] std::unique_ptr<SharedObject> build(const cpp_emit::Emission& code, std::string& error);
+
 }  // namespace robochart::conformance::test

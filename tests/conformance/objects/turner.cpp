@@ -122,6 +122,6 @@ const rc_interface interface {
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) const rc_interface* robochart_explore(void) {
+extern "C" const rc_interface* robochart_explore(void) {
     return &interface;
 }
