@@ -1,5 +1,6 @@
 #include "checker/cspm/build.hpp"
 
+#include <limits>
 #include <utility>
 
 namespace robochart::cspm::build {
@@ -132,6 +133,8 @@ Patterns variables(const std::vector<std::string>& names) {
 // ---------------------------------------------------------------- values
 
 ExprPtr number(std::int64_t value) {
+    constexpr auto least = std::numeric_limits<std::int64_t>::min();  // has no magnitude of its own
+    if (value == least) return binary(ExprKind::minus, number(least + 1), number(1));
     if (value < 0) return negate(leaf(ExprKind::integer, "", -value));
     return leaf(ExprKind::integer, "", value);
 }

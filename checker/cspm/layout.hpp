@@ -1,0 +1,42 @@
+// Text with places where a line may end, and the choice of those that do: groups break all their places
+// if they do not fit (Oppen 1980, with consistent breaking).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robochart::cspm {
+
+class Layout {
+public:
+    explicit Layout(std::size_t width) : width_(width) {}
+
+    /// Text without line ends. Spaces are put in where two texts would join to another token: `{-`, `<-`, `{|`.
+    void text(std::string_view piece);
+    void space_or_line() { place(Kind::line, " "); }
+    void line() { place(Kind::hard_line, ""); }
+    void open() { pieces_.push_back({Kind::open, ""}); }
+    void close() { pieces_.push_back({Kind::close, ""}); }
+    void indent() { pieces_.push_back({Kind::indent, ""}); }
+    void outdent() { pieces_.push_back({Kind::outdent, ""}); }
+
+    [[nodiscard]] std::string render() const;
+
+private:
+    enum class Kind : std::uint8_t { text, line, hard_line, open, close, indent, outdent };
+    struct Piece {
+        Kind kind;
+        std::string text;
+    };
+
+    void place(Kind kind, std::string text);
+    [[nodiscard]] std::vector<std::size_t> group_widths() const;
+
+    std::size_t width_;
+    char last_ = '\0';  // the character before, on the same line
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace robochart::cspm

@@ -1,0 +1,48 @@
+// CSPM text to tokens, with FDR's layout rule: a line end is a token of its own unless the token before it
+// cannot end an expression, or the token after it cannot begin one or a declaration.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::cspm {
+
+enum class Tok : std::uint8_t {
+    // clang-format off
+    end, newline, bad,
+    identifier, integer, character, string, property, print, include,
+    // words
+    kw_false, kw_true, kw_and, kw_or, kw_not, kw_if, kw_then, kw_else, kw_let, kw_within,
+    kw_channel, kw_assert, kw_datatype, kw_subtype, kw_external, kw_transparent, kw_nametype,
+    kw_module, kw_exports, kw_endmodule, kw_instance, kw_timed,
+    // brackets
+    l_paren, r_paren, l_pipe_brace, r_pipe_brace, l_brace, r_brace, l_map, r_map,
+    l_double_square, r_double_square, l_pipe_square, r_pipe_square, l_square, r_square,
+    empty_sequence,
+    // operators
+    refines_t, refines_f, refines_fd, refines_v, refines_vd, refines_r, refines_rd,
+    external_choice, internal_choice, interleave, interrupt, arrow, sliding, exception_end, parallel_bar,
+    semicolon, ampersand, project, l_sync_interrupt, r_sync_interrupt, l_sync_choice, r_sync_choice,
+    equal_equal, not_equal, less_equal, greater_equal, less, greater,
+    pipe, comma, dot_dot, dot, question, exclamation, dollar, drawn_from, tie, scope, of_type, colon,
+    yield_star, yield, double_at, at, equals, backslash, plus, minus, times, divide, modulus, concat, hash, underscore,
+    // clang-format on
+};
+
+struct Token {
+    Tok kind = Tok::end;
+    diagnostics::Span span;
+    std::string_view text;    ///< the text covered
+    std::int64_t number = 0;  ///< integer value, character code
+};
+
+/// All tokens of a text; the last is `end`. Broken pieces are reported and left out.
+[[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&);
+
+/// How a token is named in messages: its spelling in quotes, or what it is.
+[[nodiscard]] std::string_view spelling(Tok kind);
+
+}  // namespace robochart::cspm

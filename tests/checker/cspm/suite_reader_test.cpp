@@ -1,0 +1,82 @@
+// Scripts that FDR's front end accepts or rejects, and RoboTool's own scripts: accepted ones read, print and
+// read back equal.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "tests/checker/cspm/support.hpp"
+
+namespace robochart::cspm::test {
+namespace {
+
+void expect_round_trip(const Script& script, const std::string& what) {
+    const std::string text = print(script);
+    const Reading again(text);
+    ASSERT_TRUE(again.ok()) << what << "\n" << again.report();
+    EXPECT_TRUE(equal(again.script, script)) << what;
+    EXPECT_EQ(print(again.script), text) << what;
+}
+
+std::vector<std::filesystem::path> scripts_below(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> result;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.path().extension() == ".csp") result.push_back(entry.path());
+    }
+    std::ranges::sort(result);
+    return result;
+}
+
+void expect_all_read(const std::filesystem::path& folder) {
+    const auto files = scripts_below(folder);
+    ASSERT_FALSE(files.empty()) << folder;
+    for (const auto& file : files) {
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics found;
+        std::string cause;
+        const auto source = sources.load(file.string(), cause);
+        ASSERT_TRUE(source) << cause;
+        const Script script = read(sources, *source, found);
+        EXPECT_TRUE(found.ok()) << diagnostics::render_text(sources, found);
+        if (found.ok()) expect_round_trip(script, file.string());
+    }
+}
+
+TEST(SuiteReaderTest, RoboToolScriptsReadAndRoundTrip) {
+    const auto shared = shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
+    expect_all_read(shared / "suite" / "robotool-csp");
+    expect_all_read(shared / "suite" / "robotool-csp-2026");
+    expect_all_read(shared / "bench" / "hvc" / "robotool-csp");
+    expect_all_read(shared / "bench" / "models");
+}
+
+TEST(SuiteReaderTest, FrontEndVerdictsOfThePublishedScripts) {
+    const auto shared = shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
+    const auto folder = shared / "suite" / "cspm";
+    std::ifstream table(folder / "EXPECTED.tsv");
+    std::string line;
+    std::getline(table, line);
+    int seen = 0;
+    while (std::getline(table, line)) {
+        std::istringstream row(line);
+        std::string phase, expectation, file;
+        std::getline(row, phase, '\t');
+        std::getline(row, expectation, '\t');
+        std::getline(row, file, '\t');
+        // Scripts meant for later phases must read as well; only the parser's rejections are ours to give.
+        if (phase != "parser" && expectation == "reject") continue;
+        ++seen;
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics found;
+        const Script script = read_file(sources, (folder / file).string(), found);
+        EXPECT_EQ(found.ok(), expectation == "accept") << file << "\n" << diagnostics::render_text(sources, found);
+        if (found.ok()) expect_round_trip(script, file);
+    }
+    EXPECT_GT(seen, 100);
+}
+
+}  // namespace
+}  // namespace robochart::cspm::test
