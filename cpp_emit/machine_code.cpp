@@ -231,24 +231,17 @@ void MachineWriter::run_function() {
 
 std::vector<Field> MachineWriter::variable_fields() const {
     std::vector<Field> fields;
-    const auto add = [&](const std::string& name, const ir::Variable& variable,
-                         const std::optional<ir::Value>& initial) {
-        const ir::Value value =
-            initial.value_or(ir::default_value(generation_.system, generation_.inst, variable.type));
+    const auto add = [&](const std::string& name, const ir::Variable& variable, const ir::Value& initial) {
         const std::size_t size = cpp_size(generation_.system.type(variable.type));
         fields.push_back({cpp_type(generation_.system, variable.type), name,
-                          cpp_value(generation_.system, generation_.inst, variable.type, value),
+                          cpp_value(generation_.system, generation_.inst, variable.type, initial),
                           generation_.place(variable.origin), size, size});
     };
     for (const auto& stored : generation_.component.variables)
         if (unit_.root && stored.stored()) add(stored.field, *stored.variable, stored.initial);
     for (std::size_t index = 0; index < unit_.variable_fields.size(); ++index) {
         if (unit_.variable_fields[index].empty()) continue;
-        const ir::Variable& variable = unit_.machine->variables[index];
-        std::optional<ir::Value> initial;
-        if (variable.initial)
-            initial = ir::evaluate_constant(generation_.system, generation_.inst, unit_.machine, *variable.initial);
-        add(unit_.variable_fields[index], variable, initial);
+        add(unit_.variable_fields[index], unit_.machine->variables[index], unit_.initials[index]);
     }
     return fields;
 }

@@ -139,7 +139,8 @@ void ProgramWriter::assign(const ir::Stmt& stmt) {
 }
 
 std::string clock_reset(const Generation& generation, const Unit& unit, ir::ClockId id) {
-    if (!unit.clock_read[id.index] || generation.mutation.hits(Fault::clock_not_reset)) return {};
+    const auto [owner, own] = generation.component.clock(unit, id);
+    if (!owner->clock_read[own.index] || generation.mutation.hits(Fault::clock_not_reset)) return {};
     const bool off_by_one = generation.mutation.hits(Fault::clock_off_by_one);
     return fmt::format("{} = {};", ExpressionWriter(generation, unit, "f").clock(id), off_by_one ? 1 : 0);
 }
