@@ -33,16 +33,7 @@ public:
     Resolver(const ir::System& system, const ir::Instantiation& inst, Diagnostics& diagnostics)
         : system_(system), inst_(inst), diagnostics_(diagnostics), errors_before_(diagnostics.errors()) {}
 
-    std::pair<const Unit*, ir::ClockId> Component::clock(const Unit& of, ir::ClockId id) const {
-    const ir::Clock& wanted = of.machine->clocks[id.index];
-    if (of.root || !wanted.required) return {&of, id};
-    const auto& clocks = root().machine->clocks;
-    for (std::uint32_t index = 0; index < clocks.size(); ++index)
-        if (clocks[index].name == wanted.name) return {&root(), ir::ClockId{index}};
-    return {&of, id};
-}
-
-std::optional<Component> resolve(const ir::ComponentRef& ref) {
+    std::optional<Component> resolve(const ir::ComponentRef& ref) {
         component_.ref = ref;
         const std::optional<ir::MachineId> root = find_machine(ref);
         if (!root) return std::nullopt;
@@ -128,7 +119,8 @@ private:
 
     /// The operation's definition in this context (semantics 3.8); machines alone have none.
     ir::MachineId definition(const ir::OperationSignature& signature) const {
-        return context_.controller == nullptr ? ir::MachineId{} : ir::definition_in(system_, *context_.controller, signature);
+        return context_.controller == nullptr ? ir::MachineId{}
+                                              : ir::definition_in(system_, *context_.controller, signature);
     }
 
     /// The name under which a machine or operation runs in the controller.
@@ -140,7 +132,8 @@ private:
         return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
     }
 
-    /// The value of a variable at the start: its initial value in this context, else its type's default (semantics 3.6).
+    /// The value of a variable at the start: its initial value in this context, else its type's default
+    /// (semantics 3.6).
     ir::Value initial_value(const ir::Machine& machine, const std::vector<ir::Value>& constants, ir::TypeId type,
                             const ir::ExprPtr& initial) const {
         const ir::Value otherwise = ir::default_value(system_, inst_, type);
@@ -150,9 +143,11 @@ private:
         try {
             return ir::evaluate(system_, inst_, &machine, environment, *initial);
         } catch (const ir::EvaluationFault& fault) {
-            diagnostics_.report(rules::unsupported_expr, fault.span, {"an initial value (" + std::string(fault.what()) + ")", machine.name});
+            diagnostics_.report(rules::unsupported_expr, fault.span,
+                                {"an initial value (" + std::string(fault.what()) + ")", machine.name});
         } catch (const std::length_error& error) {
-            diagnostics_.report(rules::unsupported_expr, initial->span, {"an initial value (" + std::string(error.what()) + ")", machine.name});
+            diagnostics_.report(rules::unsupported_expr, initial->span,
+                                {"an initial value (" + std::string(error.what()) + ")", machine.name});
         }
         return otherwise;
     }
@@ -175,11 +170,12 @@ private:
         unit.machine = &machine;
         unit.root = root;
         unit.definitions.resize(machine.operations.size());
-        unit.constants = ir::constant_values(system_, inst_, context_.module, context_.controller, part_name(id, root),
-                                             machine);
+        unit.constants =
+            ir::constant_values(system_, inst_, context_.module, context_.controller, part_name(id, root), machine);
         for (const auto& variable : machine.variables) {
             const bool shared = variable.scope == ir::VariableScope::required;
-            unit.initials.push_back(initial_value(machine, unit.constants, variable.type, shared ? nullptr : variable.initial));
+            unit.initials.push_back(
+                initial_value(machine, unit.constants, variable.type, shared ? nullptr : variable.initial));
         }
         open_.push_back(id);
         visit_statements(machine, [&](const ir::Stmt& stmt) {
@@ -303,14 +299,23 @@ private:
     void collect_calls() {
         for (auto unit = component_.units.rbegin(); unit != component_.units.rend(); ++unit) {
             visit_statements(*unit->machine, [&](const ir::Stmt& stmt) {
-                if (stmt.kind != ir::StmtKind::call || unit->definitions[stmt.operation.index].valid()) return;
-                const auto& signature = unit->machine->operations[stmt.operation.index];
-                const auto& calls = component_.calls;
-                const bool known = std::any_of(calls.begin(), calls.end(), [&](const PlatformCall& call) {
-                    return call.signature->name == signature.name;
-                });
-                if (!known) component_.calls.push_back({&signature, {}});
+                if (stmt.kind == ir::StmtKind::call) add_call(*unit, stmt.operation);
             });
+        }
+    }
+
+    void add_call(const Unit& unit, ir::OperationId id) {
+        const ir::OperationSignature& signature = unit.machine->operations[id.index];
+        const ir::MachineId definition = unit.definitions[id.index];
+        const auto add = [&](auto& calls, auto call, const auto& same) {
+            if (std::none_of(calls.begin(), calls.end(), same)) calls.push_back(std::move(call));
+        };
+        if (definition.valid()) {
+            add(component_.modelled, ModelledCall{&signature, definition, {}},
+                [&](const ModelledCall& call) { return call.definition == definition; });
+        } else {
+            add(component_.calls, PlatformCall{&signature, {}},
+                [&](const PlatformCall& call) { return call.signature->name == signature.name; });
         }
     }
 
@@ -335,6 +340,7 @@ private:
     void name_everything() {
         NameScope platform;
         for (auto& call : component_.calls) call.method = platform.unique(call.signature->name);
+        for (auto& call : component_.modelled) call.method = platform.unique("replaces_" + call.signature->name);
         NameScope inputs(state_names);
         NameScope state(state_names);
         for (auto& event : component_.events) {
@@ -362,7 +368,8 @@ private:
             unit.variable_fields.push_back(own_variable ? scope.unique(variable.name) : "");
         }
         for (const auto& clock : unit.machine->clocks) {
-            const bool of_caller = !unit.root && clock.required;
+            const bool of_caller =
+                !unit.root && clock.required && find_named(component_.root().machine->clocks, clock.name) != nullptr;
             const std::string name = (clock.entry_of.valid() ? "since_entry_" : "") + clock.name;
             unit.clock_fields.push_back(of_caller ? "" : scope.unique(name));
         }
@@ -413,6 +420,20 @@ const PlatformCall& Component::call(const Unit& of, ir::OperationId id) const {
     const std::string& wanted = of.machine->operations[id.index].name;
     return *std::find_if(calls.begin(), calls.end(),
                          [&](const PlatformCall& candidate) { return candidate.signature->name == wanted; });
+}
+
+const ModelledCall& Component::modelled_call(ir::MachineId definition) const {
+    return *std::find_if(modelled.begin(), modelled.end(),
+                         [&](const ModelledCall& candidate) { return candidate.definition == definition; });
+}
+
+std::pair<const Unit*, ir::ClockId> Component::clock(const Unit& of, ir::ClockId id) const {
+    const ir::Clock& wanted = of.machine->clocks[id.index];
+    if (of.root || !wanted.required) return {&of, id};
+    const auto& clocks = root().machine->clocks;
+    for (std::uint32_t index = 0; index < clocks.size(); ++index)
+        if (clocks[index].name == wanted.name) return {&root(), ir::ClockId{index}};
+    return {&of, id};
 }
 
 std::optional<Component> resolve(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
