@@ -287,7 +287,7 @@ private:
         out_.line("}  // namespace");
         out_.gap();
         out_.open(
-            "extern \"C\" __attribute__((visibility(\"default\"))) const rc_interface* robochart_explore(void) {");
+            "extern \"C\" const rc_interface* robochart_explore(void) {");
         out_.line("return &interface;");
         out_.close();
     }
