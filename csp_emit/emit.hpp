@@ -18,21 +18,29 @@ enum class Time { untimed, timed };
 
 /// What a name in the script means to the reader of the model.
 enum class MeaningKind {
-    transition,   ///< hidden event of a transition that fires without a trigger
-    trigger,      ///< visible input event
-    output, call, entered, assignment, external_write, terminate, step, tock,
+    transition,  ///< hidden event of a transition that fires without a trigger
+    trigger,     ///< visible input event
+    output,
+    call,
+    entered,
+    assignment,
+    external_write,
+    terminate,
+    step,
+    tock,
 };
 struct EventMeaning {
     MeaningKind kind = MeaningKind::step;
-    std::string text;     ///< for people: "S1 -> S2 on seeRobot", "call MoveClockwise"
+    std::string text;               ///< for people: "S1 -> S2 on seeRobot", "call MoveClockwise"
     std::vector<ir::TypeId> types;  ///< of the event's arguments, in order; empty if it has none
     ir::Origin origin;
 };
 /// A process definition of the script: where a machine stands when it is in it.
 struct DefinitionMeaning {
-    std::string text;                    ///< "in S1", "in the action of t2"
-    std::vector<std::string> parameters; ///< variable or clock of each parameter, RoboChart names; clocks as "since(T)"
-    std::vector<ir::TypeId> types;       ///< type of each; invalid for clocks and counters
+    std::string text;  ///< "in S1", "in the action of t2"
+    std::vector<std::string>
+        parameters;                 ///< variable or clock of each parameter, RoboChart names; clocks as "since(T)"
+    std::vector<ir::TypeId> types;  ///< type of each; invalid for clocks and counters
     ir::Origin origin;
 };
 /// Keys are names as the checker prints them: qualified event name without arguments
@@ -52,14 +60,15 @@ struct Obligation {
 };
 
 struct Emission {
-    cspm::Script definitions;        ///< library, instantiations, components
-    cspm::Script script;             ///< definitions, the CSP blocks, the assertions: what is checked
+    cspm::Script definitions;  ///< library, instantiations, components
+    cspm::Script script;       ///< definitions, the CSP blocks, the assertions: what is checked
     std::vector<Obligation> obligations;
     Provenance provenance;
 };
 
 struct Options {
-    bool core_assertions = false;    ///< add the generated ones (deadlock, divergence, determinism, timelock) for each component
+    bool core_assertions =
+        false;  ///< add the generated ones (deadlock, divergence, determinism, timelock) for each component
 };
 
 /// Emits all components of the system for one time. CSP blocks are read with the CSPM reader; their syntax errors are

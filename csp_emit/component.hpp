@@ -1,0 +1,40 @@
+// What machines, controllers and modules have in common once emitted: a CSPM module and the parameters of its
+// process variants (semantics 3.12).
+#pragma once
+
+#include <map>
+
+#include "csp_emit/project.hpp"
+
+namespace robochart::csp_emit {
+
+/// A constant that a component takes as a parameter (semantics 3.12).
+struct ConstantParameter {
+    std::string parameter;               ///< const_P_C_part_c
+    std::string constant;                ///< name in the model
+    std::string value;                   ///< the global definition that is passed unless an assertion says otherwise
+    const ir::Machine* owner = nullptr;  ///< the machine that declares it; null: the component itself does
+    ir::ConstantId id;                   ///< in the owner
+    ir::TypeId type;
+};
+
+/// A parameter of a standalone operation.
+struct ArgumentParameter {
+    std::string name;
+    ir::TypeId type;
+};
+
+struct ComponentEmission {
+    cspm::DeclPtr module;
+    std::vector<ArgumentParameter> arguments;  ///< operations: between id__ and the constants
+    std::vector<ConstantParameter> constants;
+    std::vector<std::string> visible;  ///< channels of sem__events, relative to the component
+};
+
+/// All that has been emitted so far: every component by its qualified CSPM name, nested ones included.
+struct Emitted {
+    Provenance provenance;
+    std::map<std::string, ComponentEmission> components;
+};
+
+}  // namespace robochart::csp_emit

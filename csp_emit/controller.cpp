@@ -1,0 +1,201 @@
+// Controllers: their channels, their machines, their connections.
+#include "csp_emit/controller.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/build.hpp"
+#include "csp_emit/instantiations.hpp"
+#include "csp_emit/machine.hpp"
+#include "csp_emit/types.hpp"
+#include "semantics/query.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::DeclPtr;
+using ir::VariableScope;
+
+namespace {
+
+class ControllerEmitter {
+public:
+    ControllerEmitter(const ControllerContext& context, Emitted& emitted) : context_(context), emitted_(emitted) {}
+    ComponentEmission emit();
+
+private:
+    const Project& project() const { return *context_.project; }
+    const ir::Controller& controller() const { return *context_.controller; }
+    void mean(const std::string& event, EventMeaning meaning) {
+        emitted_.provenance.events[context_.path + "::" + event] = std::move(meaning);
+    }
+    void declare_channels(std::vector<DeclPtr>& decls);
+    void declare_sets(std::vector<DeclPtr>& decls);
+    void add_constants();
+    void add_part(const ir::MachineInstance& instance, std::vector<DeclPtr>& decls);
+    std::string constant_argument(const ir::MachineInstance& instance, const ConstantParameter& constant);
+    std::string part_of(const ir::MachineInstance& instance, const ir::Machine& owner) const;
+    void add_connections();
+
+    const ControllerContext& context_;
+    Emitted& emitted_;
+    Composition composition_;
+    std::vector<std::string> visible_;
+};
+
+void ControllerEmitter::declare_channels(std::vector<DeclPtr>& decls) {
+    decls.push_back(b::channel({"terminate"}));
+    mean("terminate", {MeaningKind::terminate, controller().name + " terminates", {}, controller().origin});
+    for (const ir::Event& event : controller().events) {
+        b::Exprs fields{b::name("InOut")};
+        std::vector<ir::TypeId> types;
+        if (event.type) {
+            fields.push_back(type_set(project(), *event.type));
+            types.push_back(*event.type);
+        }
+        decls.push_back(b::channel({event.name}, b::dot(fields)));
+        mean(event.name + ".in", {MeaningKind::trigger, "input " + event.name, types, event.origin});
+        mean(event.name + ".out", {MeaningKind::output, "output " + event.name, types, event.origin});
+    }
+    for (const ir::OperationSignature& call : leaving_calls(project().system, controller())) {
+        b::Exprs fields;
+        for (const ir::TypeId type : call.parameters) fields.push_back(type_set(project(), type));
+        decls.push_back(b::channel({call.name + "Call"}, fields.empty() ? nullptr : b::dot(fields)));
+        mean(call.name + "Call", {MeaningKind::call, "call " + call.name, call.parameters, call.origin});
+    }
+    for (const ir::Variable& variable : controller().variables) {
+        std::vector<std::string> names{"set_" + variable.name};
+        if (variable.scope == VariableScope::required) names.push_back("set_EXT_" + variable.name);
+        decls.push_back(b::channel(names, type_set(project(), variable.type)));
+        mean(names[0], {MeaningKind::assignment, "write " + variable.name, {variable.type}, variable.origin});
+        if (names.size() > 1)
+            mean(names[1],
+                 {MeaningKind::external_write, "others write " + variable.name, {variable.type}, variable.origin});
+        composition_.variables.push_back({variable.name, variable.type, variable.scope == VariableScope::required,
+                                          variable.scope == VariableScope::required, nullptr});
+    }
+}
+
+void ControllerEmitter::declare_sets(std::vector<DeclPtr>& decls) {
+    b::Exprs visible{b::name("terminate")};
+    b::Exprs external;
+    for (const ir::Event& event : controller().events) visible.push_back(b::name(event.name));
+    for (const auto& call : leaving_calls(project().system, controller()))
+        visible.push_back(b::name(call.name + "Call"));
+    for (const ir::Variable& variable : controller().variables) {
+        if (variable.scope != VariableScope::required) continue;
+        external.push_back(b::name("set_EXT_" + variable.name));
+        visible.push_back(external.back());
+        visible.push_back(b::name("set_" + variable.name));
+    }
+    for (const auto& channel : visible) visible_.push_back(channel->text);
+    decls.push_back(b::value("sem__events", b::productions(visible)));
+    decls.push_back(b::value("shared_variable_events", b::productions(external)));
+}
+
+void ControllerEmitter::add_constants() {
+    for (std::uint32_t i = 0; i < controller().constants.size(); ++i) {
+        const ir::Constant& constant = controller().constants[i];
+        const std::string name = ir::constant_name(controller().package, controller().path, constant.name);
+        composition_.constants.push_back({name, constant.name, name, nullptr, {i}, constant.type});
+    }
+}
+
+/// The reference that a constant belongs to: the machine's, or that of the operation it calls.
+std::string ControllerEmitter::part_of(const ir::MachineInstance& instance, const ir::Machine& owner) const {
+    for (std::size_t i = 0; i < controller().definitions.size(); ++i)
+        if (&project().system.machine(controller().definitions[i]) == &owner)
+            return controller().definition_names.at(i);
+    return instance.name;
+}
+
+/// The controller's parameter for a machine's constant; added if it is a new one.
+std::string ControllerEmitter::constant_argument(const ir::MachineInstance& instance,
+                                                 const ConstantParameter& constant) {
+    const ir::Machine& owner = *constant.owner;
+    const auto source =
+        ir::constant_source(project().system, nullptr, &controller(), part_of(instance, owner), owner, constant.id);
+    const auto known = std::any_of(composition_.constants.begin(), composition_.constants.end(),
+                                   [&](const ConstantParameter& c) { return c.parameter == source.name; });
+    if (!known) {
+        ConstantParameter added = constant;
+        added.parameter = source.name;
+        added.value = default_constant(project(), constant.value, source.name);
+        composition_.constants.push_back(added);
+    }
+    return source.name;
+}
+
+void ControllerEmitter::add_part(const ir::MachineInstance& instance, std::vector<DeclPtr>& decls) {
+    const ir::Machine& machine = project().system.machine(instance.machine);
+    MachineContext context;
+    context.project = &project();
+    context.machine = &machine;
+    context.name = instance.name;
+    context.path = context_.path + "::" + instance.name;
+    context.names = context_.names;
+    for (const ir::MachineId id : controller().definitions) context.definitions[project().system.machine(id).name] = id;
+    for (std::size_t i = 0; i < instance.definitions.size(); ++i)
+        if (instance.definitions[i].valid())
+            context.definitions[machine.operations.at(i).name] = instance.definitions[i];
+    const auto definitions = context.definitions;
+    Part part;
+    part.name = instance.name;
+    part.emission = emit_machine(std::move(context), emitted_);
+    decls.push_back(part.emission.module);
+    for (const ir::Event& event : machine.events) part.events.push_back(event.name);
+    for (const ir::Variable& variable : machine.variables)
+        if (variable.scope == VariableScope::required) part.variables.push_back(variable.name);
+    for (const ir::OperationSignature& operation : machine.operations)
+        if (definitions.count(operation.name) == 0) part.calls.push_back(operation.name);
+    for (const ConstantParameter& constant : part.emission.constants)
+        part.arguments.push_back(constant_argument(instance, constant));
+    composition_.parts.push_back(std::move(part));
+}
+
+void ControllerEmitter::add_connections() {
+    const auto place = [](const ir::ConnectionEnd& end) {
+        return end.kind == ir::EndKind::part ? std::optional<std::size_t>(end.part) : std::nullopt;
+    };
+    // Asynchronous connections between machines are synchronous (semantics 3.9).
+    for (const ir::Connection& connection : controller().connections)
+        connect(composition_, place(connection.from), connection.from.event, place(connection.to), connection.to.event);
+}
+
+ComponentEmission ControllerEmitter::emit() {
+    composition_.project = &project();
+    std::vector<DeclPtr> decls;
+    declare_channels(decls);
+    declare_sets(decls);
+    add_constants();
+    for (const ir::MachineInstance& instance : controller().machines) add_part(instance, decls);
+    add_connections();
+    define_composition(composition_, decls);
+    ComponentEmission result;
+    result.module = b::module_(context_.name, {}, {}, decls, "controller " + controller().origin.element);
+    result.constants = composition_.constants;
+    result.visible = visible_;
+    emitted_.components[context_.path] = result;
+    return result;
+}
+
+}  // namespace
+
+std::vector<ir::OperationSignature> leaving_calls(const ir::System& system, const ir::Controller& controller) {
+    std::vector<ir::OperationSignature> result = controller.operations;
+    const auto add = [&](const ir::OperationSignature& operation) {
+        const auto same = [&](const auto& other) { return other.name == operation.name; };
+        const auto defines = [&](ir::MachineId id) { return system.machine(id).name == operation.name; };
+        if (std::none_of(result.begin(), result.end(), same) &&
+            std::none_of(controller.definitions.begin(), controller.definitions.end(), defines))
+            result.push_back(operation);
+    };
+    for (const ir::MachineInstance& instance : controller.machines)
+        for (const ir::OperationSignature& operation : system.machine(instance.machine).operations) add(operation);
+    return result;
+}
+
+ComponentEmission emit_controller(const ControllerContext& context, Emitted& emitted) {
+    return ControllerEmitter(context, emitted).emit();
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,165 @@
+// The machine's module: RoboTool's channels, event sets and process variants (semantics 3.2, 3.12) around our points.
+#include <algorithm>
+#include <set>
+
+#include "checker/cspm/build.hpp"
+#include "csp_emit/machine.hpp"
+#include "csp_emit/types.hpp"
+#include "csp_emit/variants.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::DeclPtr;
+using cspm::ExprPtr;
+using ir::NodeKind;
+
+void MachineEmitter::mean(const std::string& event, EventMeaning meaning) {
+    emitted_.provenance.events[context_.path + "::" + event] = std::move(meaning);
+}
+
+/// `id__`, the operation's parameters, the constants in order of declaration (semantics 3.12).
+std::vector<std::string> MachineEmitter::parameter_names(bool with_id) const {
+    std::vector<std::string> result;
+    if (with_id) {
+        result.emplace_back("id__");
+        for (const CellId cell : frames_[0].variables)
+            if (cells_[cell].parameter) result.push_back(cells_[cell].name);
+    }
+    for (const ConstantParameter& constant : constants_) result.push_back(constant.parameter);
+    return result;
+}
+
+ExprPtr MachineEmitter::constant_call(const std::string& name, bool with_id) const {
+    b::Exprs arguments;
+    for (const std::string& parameter : parameter_names(with_id)) arguments.push_back(b::name(parameter));
+    return b::call(name, arguments);
+}
+
+/// States and final states, whose `entered` is an event.
+std::vector<ir::NodeId> MachineEmitter::states() const {
+    std::vector<ir::NodeId> result;
+    for (std::uint32_t i = 0; i < machine().nodes.size(); ++i)
+        if (machine().nodes[i].kind == NodeKind::state || machine().nodes[i].kind == NodeKind::final)
+            result.push_back({i});
+    return result;
+}
+
+DeclPtr MachineEmitter::module(std::vector<DeclPtr> points, const ExprPtr& initial) {
+    std::vector<DeclPtr> decls;
+    declare_channels(decls);
+    declare_calls(decls);
+    declare_states(decls);
+    declare_sets(decls);
+    decls.insert(decls.end(), points.begin(), points.end());
+    declare_variants(decls, initial);
+    const bool operation = machine().kind == ir::MachineKind::operation;
+    return b::module_(context_.name, {}, {}, decls,
+                      (operation ? "operation " : "state machine ") + machine().origin.element);
+}
+
+void MachineEmitter::declare_channels(std::vector<DeclPtr>& decls) {
+    if (machine().kind == ir::MachineKind::state_machine) decls.push_back(b::channel({"terminate"}));
+    mean("terminate", {MeaningKind::terminate, machine().name + " terminates", {}, machine().origin});
+    for (const ir::Event& event : machine().events) {
+        b::Exprs fields{b::name("InOut")};
+        std::vector<ir::TypeId> types;
+        if (event.type) {
+            fields.push_back(type_set(project(), *event.type));
+            types.push_back(*event.type);
+        }
+        decls.push_back(b::channel({event.name}, b::dot(fields)));
+        mean(event.name + ".in", {MeaningKind::trigger, "input " + event.name, types, event.origin});
+        mean(event.name + ".out", {MeaningKind::output, "output " + event.name, types, event.origin});
+    }
+    for (const CellId cell : frames_[0].variables) {
+        if (!cells_[cell].shared) continue;
+        const std::string& name = cells_[cell].channel;
+        decls.push_back(b::channel({"set_" + name, "set_EXT_" + name}, type_set(project(), cells_[cell].type)));
+        const auto origin = machine().origin;
+        mean("set_" + name, {MeaningKind::assignment, "write " + name, {cells_[cell].type}, origin});
+        mean("set_EXT_" + name, {MeaningKind::external_write, "others write " + name, {cells_[cell].type}, origin});
+    }
+    if (!transition_of_.empty()) {
+        std::vector<cspm::Constructor> constructors;
+        for (const auto& [place, name] : transition_of_) constructors.push_back(b::constructor(name));
+        decls.push_back(b::datatype("TIDS", constructors, "transitions without trigger"));
+        decls.push_back(b::channel({"internal__"}, b::name("TIDS")));
+    }
+    if (!step_of_.empty()) {
+        const auto last = static_cast<std::int64_t>(step_of_.size()) - 1;
+        decls.push_back(b::channel({"step__"}, b::set_range(b::number(0), b::number(last)), "steps of actions"));
+    }
+}
+
+void MachineEmitter::declare_calls(std::vector<DeclPtr>& decls) {
+    for (const ir::OperationSignature& operation : machine().operations) {
+        if (context_.definitions.count(operation.name) != 0) continue;
+        b::Exprs fields;
+        for (const ir::TypeId type : operation.parameters) fields.push_back(type_set(project(), type));
+        decls.push_back(b::channel({operation.name + "Call"}, fields.empty() ? nullptr : b::dot(fields)));
+        mean(operation.name + "Call",
+             {MeaningKind::call, "call " + operation.name, operation.parameters, operation.origin});
+        calls_.push_back(operation.name);
+    }
+}
+
+void MachineEmitter::declare_states(std::vector<DeclPtr>& decls) {
+    for (const ir::NodeId node : machine().top)
+        if (DeclPtr state = state_module(node)) decls.push_back(state);
+}
+
+/// `module S exports channel entered ... endmodule`, inner states inside.
+DeclPtr MachineEmitter::state_module(ir::NodeId id) {
+    const ir::Node& node = machine().nodes[id.index];
+    if (node.kind != NodeKind::state && node.kind != NodeKind::final) return nullptr;
+    std::vector<DeclPtr> decls{b::channel({"entered"})};
+    mean(node.path + "::entered", {MeaningKind::entered, "entered " + node.path, {}, node.origin});
+    for (const ir::NodeId child : node.children)
+        if (DeclPtr inner = state_module(child)) decls.push_back(inner);
+    return b::module_(node.name, {}, {}, decls);
+}
+
+void MachineEmitter::declare_sets(std::vector<DeclPtr>& decls) {
+    b::Exprs visible;
+    b::Exprs external;
+    b::Exprs entered;
+    if (machine().kind == ir::MachineKind::state_machine) visible.push_back(b::name("terminate"));
+    for (const CellId cell : frames_[0].variables) {
+        if (!cells_[cell].shared) continue;
+        external.push_back(b::name("set_EXT_" + cells_[cell].channel));
+        visible.push_back(external.back());
+        visible.push_back(b::name("set_" + cells_[cell].channel));
+    }
+    for (const ir::Event& event : machine().events) visible.push_back(b::name(event.name));
+    for (const std::string& call : calls_) visible.push_back(b::name(call + "Call"));
+    for (const ir::NodeId state : states()) entered.push_back(b::name(machine().nodes[state.index].path + "::entered"));
+    b::Exprs hidden;
+    if (!transition_of_.empty()) hidden.push_back(b::name("internal__"));
+    if (!step_of_.empty()) hidden.push_back(b::name("step__"));
+    for (const ExprPtr& channel : visible) visible_.push_back(channel->text);
+    decls.push_back(b::value("sem__events", b::productions(visible)));
+    decls.push_back(b::value("shared_variable_events", b::productions(external)));
+    decls.push_back(b::value("enteredSS", b::productions(entered)));
+    decls.push_back(b::value("internal_events", b::productions(hidden)));
+}
+
+/// D__, O__, VS__, VS_O__, FVS__, HEXT__, HUP__ (semantics 3.12).
+void MachineEmitter::declare_variants(std::vector<DeclPtr>& decls, const ExprPtr& initial) {
+    const auto parameters = parameter_names(true);
+    const auto define = [&](const std::string& name, const ExprPtr& process) {
+        decls.push_back(b::function_decl(name, b::variables(parameters), process));
+    };
+    const auto of = [&](const std::string& name) { return constant_call(name, true); };
+    const ExprPtr inside = b::name("internal_events");
+    define("STM__", initial);
+    define("FVS__", maximal_progress(project(), b::hide(of("STM__"), inside)));
+    define("D__", maximal_progress(project(), b::hide(of("STM__"), b::call("union", {inside, b::name("enteredSS")}))));
+    define("O__", compressed(project(), of("D__")));
+    define("VS__", of("FVS__"));
+    define("VS_O__", compressed(project(), of("VS__")));
+    define("HEXT__", b::parallel(of("O__"), b::name("shared_variable_events"), b::skip()));
+    define("HUP__", of("O__"));
+}
+
+}  // namespace robochart::csp_emit

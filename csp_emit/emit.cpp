@@ -1,0 +1,200 @@
+// The script of one time: library, data, instantiations, components by package, CSP blocks, assertions.
+#include "csp_emit/emit.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "checker/cspm/build.hpp"
+#include "checker/cspm/reader.hpp"
+#include "csp_emit/assertions.hpp"
+#include "csp_emit/controller.hpp"
+#include "csp_emit/expressions.hpp"
+#include "csp_emit/instantiations.hpp"
+#include "csp_emit/library.hpp"
+#include "csp_emit/machine.hpp"
+#include "csp_emit/module.hpp"
+#include "csp_emit/rules.hpp"
+#include "csp_emit/types.hpp"
+#include "semantics/query.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::DeclPtr;
+
+namespace {
+
+const char* const instantiations_block = "Instantiations";
+
+/// Reserves every name that elements of the model have in the script, and refuses those that mean something else.
+class NameSurvey {
+public:
+    NameSurvey(const Project& project, NameManager& names) : project_(project), names_(names) {}
+
+    void all() {
+        for (const ir::Type& type : project_.system.types) types(type);
+        for (const ir::Function& function : project_.system.functions) names_.reserve(function_name(function));
+        for (const ir::NamedConstant& constant : ir::named_constants(project_.system)) names_.reserve(constant.name);
+        for (const ir::Machine& machine : project_.system.machines) component(machine, machine.name);
+        for (const ir::Machine& machine : project_.system.machines) nodes(machine);
+        for (const ir::Controller& controller : project_.system.controllers) {
+            component(controller, controller.name);
+            for (const auto& part : controller.machines) element(part.name, part.origin.span);
+        }
+        for (const ir::Module& module : project_.system.modules) {
+            component(module.platform, module.name);
+            for (const auto& part : module.controllers) element(part.name, part.origin.span);
+        }
+    }
+
+private:
+    void element(const std::string& name, diagnostics::Span span) {
+        if (is_reserved(name)) project_.diagnostics.report(rules::reserved_name, span, {name});
+        names_.reserve(name);
+    }
+    void types(const ir::Type& type) {
+        if (type.kind != ir::TypeKind::enumeration && type.kind != ir::TypeKind::given) return;
+        names_.reserve(type_name(type));
+        for (std::size_t i = 0; i < type.labels.size(); ++i) names_.reserve(literal_name(type, i));
+    }
+    template <class Component>
+    void component(const Component& component, const std::string& name) {
+        element(name, component.origin.span);
+        for (const ir::Event& event : component.events) element(event.name, event.origin.span);
+        for (const auto& operation : component.operations) names_.reserve(operation.name + "Call");
+        for (const ir::Variable& variable : component.variables) {
+            names_.reserve("set_" + variable.name);
+            names_.reserve("set_EXT_" + variable.name);
+        }
+    }
+    void nodes(const ir::Machine& machine) {
+        for (const ir::Node& node : machine.nodes)
+            if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final)
+                element(node.name, node.origin.span);
+    }
+
+    const Project& project_;
+    NameManager& names_;
+};
+
+/// Components of a package, in the order machines, controllers, modules.
+class Packages {
+public:
+    void add(const std::string& package, const DeclPtr& module) {
+        const std::string name = flatten(package);
+        const auto found =
+            std::find_if(packages_.begin(), packages_.end(), [&](const auto& p) { return p.first == name; });
+        if (found == packages_.end())
+            packages_.push_back({name, {module}});
+        else
+            found->second.push_back(module);
+    }
+    std::vector<DeclPtr> decls() const {
+        std::vector<DeclPtr> result;
+        for (const auto& [name, modules] : packages_) {
+            if (name.empty())
+                result.insert(result.end(), modules.begin(), modules.end());
+            else
+                result.push_back(b::module_(name, {}, {}, modules, "package " + name));
+        }
+        return result;
+    }
+
+private:
+    std::vector<std::pair<std::string, std::vector<DeclPtr>>> packages_;
+};
+
+void emit_components(const Project& project, const NameManager& names, Emitted& emitted, std::vector<DeclPtr>& decls) {
+    Packages packages;
+    const ir::System& system = project.system;
+    for (const ir::Machine& machine : system.machines) {
+        if (machine.path != machine.name) continue;  // inline: inside its controller
+        MachineContext context;
+        context.project = &project;
+        context.machine = &machine;
+        context.name = module_name(machine);
+        context.path = qualified(machine.package, context.name);
+        context.names = names;
+        packages.add(machine.package, emit_machine(std::move(context), emitted).module);
+    }
+    for (const ir::Controller& controller : system.controllers) {
+        if (controller.path != controller.name) continue;
+        const ControllerContext context{&project, &controller, controller.name,
+                                        qualified(controller.package, controller.name), names};
+        packages.add(controller.package, emit_controller(context, emitted).module);
+    }
+    for (const ir::Module& module : system.modules) {
+        const ModuleContext context{&project, &module, qualified(module.package, module.name), names};
+        packages.add(module.package, emit_module(context, emitted).module);
+    }
+    const auto modules = packages.decls();
+    decls.insert(decls.end(), modules.begin(), modules.end());
+}
+
+/// Reads a block so that its diagnostics point into the .assertions file: the text around it is blanked out.
+std::vector<DeclPtr> read_block(const Project& project, const ir::CspBlock& block) {
+    std::string text = block.text;
+    if (block.text_span.known()) {
+        text = std::string(project.sources.text(block.text_span.source));
+        for (std::size_t i = 0; i < text.size(); ++i)
+            if ((i < block.text_span.begin || i >= block.text_span.end) && text[i] != '\n') text[i] = ' ';
+    }
+    const auto source = project.sources.add(block.file, text);
+    return cspm::read(project.sources, source, project.diagnostics).decls;
+}
+
+bool applies(const Project& project, const ir::CspBlock& block) {
+    return project.timed() ? block.timed : block.untimed;
+}
+
+/// The user's instantiations with the generated ones of all names that they leave out.
+void add_instantiations(const Project& project, std::vector<DeclPtr>& decls) {
+    std::set<std::string> given;
+    for (const ir::CspBlock& block : project.system.csp_blocks) {
+        if (block.name != instantiations_block || !applies(project, block)) continue;
+        project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
+        for (const DeclPtr& decl : read_block(project, block)) {
+            given.insert(decl->names.begin(), decl->names.end());
+            if (decl->kind == cspm::DeclKind::value && !decl->patterns.empty())
+                for (const auto& pattern : decl->patterns.front()) given.insert(pattern->text);
+            decls.push_back(decl);
+        }
+    }
+    for (const DeclPtr& decl : instantiations(project)) {
+        const std::string name = !decl->names.empty() ? decl->names.front() : decl->patterns.front().front()->text;
+        if (given.count(name) == 0) decls.push_back(decl);
+    }
+}
+
+void append(std::vector<DeclPtr>& decls, const std::vector<DeclPtr>& more) {
+    decls.insert(decls.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+Emission emit(const ir::System& system, const ir::Instantiation& instantiation, Time time, const Options& options,
+              diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+    const Project project{system, instantiation, time, options, sources, diagnostics};
+    NameManager names;
+    reserve_all(names);
+    NameSurvey(project, names).all();
+    Emission result;
+    std::vector<DeclPtr>& definitions = result.definitions.decls;
+    append(definitions, library(project));
+    append(definitions, data_definitions(project));
+    add_instantiations(project, definitions);
+    Emitted emitted;
+    emit_components(project, names, emitted, definitions);
+    EventMeaning tock{MeaningKind::tock, "one time unit passes", {}, {}};
+    if (project.timed()) emitted.provenance.events["tock"] = tock;
+    result.script = result.definitions;
+    for (const ir::CspBlock& block : system.csp_blocks)
+        if (applies(project, block) && block.name != instantiations_block)
+            append(result.script.decls, read_block(project, block));
+    result.obligations = obligations(project, emitted);
+    for (const Obligation& obligation : result.obligations) append(result.script.decls, obligation.assertions);
+    result.provenance = std::move(emitted.provenance);
+    return result;
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,187 @@
+// Defaults follow semantics 3.13; the finite sets themselves are chosen by semantics/instantiation.
+#include "csp_emit/instantiations.hpp"
+
+#include <set>
+
+#include "checker/cspm/build.hpp"
+#include "csp_emit/expressions.hpp"
+#include "csp_emit/names.hpp"
+#include "csp_emit/types.hpp"
+#include "semantics/query.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::DeclPtr;
+using cspm::ExprPtr;
+using Op = cspm::ExprKind;
+
+namespace {
+
+/// `{a..b}` where there are no gaps, `{a,c,...}` otherwise.
+ExprPtr number_set(const std::vector<std::int64_t>& values) {
+    const bool range =
+        !values.empty() && values.back() - values.front() == static_cast<std::int64_t>(values.size()) - 1;
+    if (range) return b::set_range(b::number(values.front()), b::number(values.back()));
+    b::Exprs items;
+    for (const std::int64_t value : values) items.push_back(b::number(value));
+    return b::set(items);
+}
+
+/// `F(e1__,e2__,T__) = if member(v,T__) then v else e1__`: RoboTool's clipping.
+DeclPtr clipped(const std::string& name, const ExprPtr& value, bool unary = false) {
+    const std::vector<std::string> parameters =
+        unary ? std::vector<std::string>{"e1__", "t__"} : std::vector<std::string>{"e1__", "e2__", "t__"};
+    return b::function_decl(name, b::variables(parameters),
+                            b::if_(b::call("member", {value, b::name("t__")}), value, b::name("e1__")));
+}
+
+void add_arithmetic(const Project& project, std::vector<DeclPtr>& decls) {
+    const ExprPtr left = b::name("e1__");
+    const ExprPtr right = b::name("e2__");
+    const ExprPtr scale = b::number(project.instantiation.scale);
+    decls.push_back(clipped("Plus", b::binary(Op::plus, left, right)));
+    decls.push_back(clipped("Minus", b::binary(Op::minus, left, right)));
+    decls.push_back(clipped("Mult", b::binary(Op::times, left, right)));
+    decls.push_back(clipped("Div", b::binary(Op::divide, left, right)));
+    decls.push_back(clipped("Modulus", b::binary(Op::modulus, left, right)));
+    decls.push_back(clipped("Neg", b::negate(left), true));
+    if (project.instantiation.scale == 1) return;
+    decls.push_back(clipped("RealMult", b::binary(Op::divide, b::binary(Op::times, left, right), scale)));
+    decls.push_back(clipped("RealDiv", b::binary(Op::divide, b::binary(Op::times, left, scale), right)));
+}
+
+void add_carriers(const Project& project, std::vector<DeclPtr>& decls) {
+    const ir::Instantiation& finite = project.instantiation;
+    decls.push_back(
+        b::value("real_scale", b::number(finite.scale), "a real r of the model is the whole number r * real_scale"));
+    decls.push_back(b::nametype("core_nat", number_set(finite.nat)));
+    decls.push_back(b::nametype("core_int", number_set(finite.integer)));
+    decls.push_back(b::nametype("core_real", number_set(finite.real)));
+    decls.push_back(b::nametype("core_boolean", b::name("Bool")));
+    const ExprPtr bound = b::number(finite.sequence_bound);
+    decls.push_back(b::nametype("core_string", b::call("LSeq", {b::name("Char"), bound})));
+    decls.push_back(b::nametype("core_clock_type", b::set_range(b::number(0), b::number(finite.clock_bound))));
+    for (const ir::Type& type : project.system.types)
+        if (type.kind == ir::TypeKind::given)
+            decls.push_back(b::nametype(type_name(type), b::set_range(b::number(0), b::number(finite.given_size - 1))));
+}
+
+/// Every constant once: the instantiation's value, or the model's.
+class Constants {
+public:
+    Constants(const Project& project, std::vector<DeclPtr>& decls) : project_(project), decls_(decls) {}
+
+    void add(const std::string& name, const ir::Constant& constant, const ir::Machine* machine) {
+        if (!seen_.insert(name).second) return;
+        decls_.push_back(b::value(name, value(name, constant, machine)));
+    }
+    /// A machine's constant in a controller: as the machine's own unless the instantiation differs.
+    void add_part(const std::string& name, const std::string& own, const ir::Constant& constant,
+                  const ir::Machine& machine) {
+        if (!seen_.insert(name).second) return;
+        const bool same = default_constant(project_, own, name) == own;
+        decls_.push_back(b::value(name, same ? b::name(own) : value(name, constant, &machine)));
+    }
+
+private:
+    ExprPtr value(const std::string& name, const ir::Constant& constant, const ir::Machine* machine) const {
+        const auto& given = project_.instantiation.constants;
+        if (const auto found = given.find(name); found != given.end())
+            return value_literal(project_, constant.type, found->second);
+        if (!constant.value) return default_literal(project_, constant.type);
+        const auto known = ir::evaluate_constant(project_.system, project_.instantiation, machine, *constant.value);
+        if (known) return value_literal(project_, constant.type, *known);
+        project_.refuse("the value of constant " + constant.name + ", which is not constant", constant.origin.span);
+        return b::number(0);
+    }
+
+    const Project& project_;
+    std::vector<DeclPtr>& decls_;
+    std::set<std::string> seen_;
+};
+
+void add_parts(const ir::System& system, const ir::Controller& controller, Constants& constants) {
+    const auto part = [&](const std::string& name, const ir::Machine& machine) {
+        for (const ir::Constant& constant : machine.constants)
+            constants.add_part(ir::constant_name(controller.package, controller.path + "::" + name, constant.name),
+                               ir::constant_name(machine.package, machine.path, constant.name), constant, machine);
+    };
+    for (const auto& instance : controller.machines) part(instance.name, system.machine(instance.machine));
+    for (std::size_t i = 0; i < controller.definitions.size(); ++i)
+        part(controller.definition_names.at(i), system.machine(controller.definitions[i]));
+}
+
+void add_constants(const Project& project, std::vector<DeclPtr>& decls) {
+    Constants constants(project, decls);
+    const ir::System& system = project.system;
+    for (const ir::Machine& machine : system.machines)
+        for (const ir::Constant& constant : machine.constants)
+            constants.add(ir::constant_name(machine.package, machine.path, constant.name), constant, &machine);
+    for (const ir::Controller& controller : system.controllers) {
+        for (const ir::Constant& constant : controller.constants)
+            constants.add(ir::constant_name(controller.package, controller.path, constant.name), constant, nullptr);
+        add_parts(system, controller, constants);
+    }
+    for (const ir::Module& module : system.modules)
+        for (const ir::Constant& constant : module.platform.constants)
+            constants.add(ir::constant_name(module.package, module.name, constant.name), constant, nullptr);
+}
+
+b::Patterns parameters_of(const ir::Function& function) {
+    b::Patterns result;
+    for (const std::string& name : function.parameter_names) result.push_back(b::variable(name + "__q"));
+    return result;
+}
+
+/// Functions have contracts, not bodies: 0 or the first literal, as RoboTool has it, unless the user overrides it.
+void add_functions(const Project& project, std::vector<DeclPtr>& decls) {
+    for (const ir::Function& function : project.system.functions)
+        decls.push_back(b::function_decl(function_name(function), parameters_of(function),
+                                         default_literal(project, function.result),
+                                         "function without body: default value"));
+}
+
+}  // namespace
+
+std::string default_constant(const Project& project, const std::string& own, const std::string& part) {
+    const auto& given = project.instantiation.constants;
+    const auto of_part = given.find(part);
+    const auto of_own = given.find(own);
+    const bool differs = of_part != given.end() && (of_own == given.end() || of_own->second != of_part->second);
+    return differs ? part : own;
+}
+
+std::vector<DeclPtr> data_definitions(const Project& project) {
+    std::vector<DeclPtr> decls;
+    for (const ir::Type& type : project.system.types) {
+        if (type.kind != ir::TypeKind::enumeration) continue;
+        std::vector<cspm::Constructor> constructors;
+        for (std::size_t i = 0; i < type.labels.size(); ++i) {
+            b::Exprs fields;
+            if (i < type.literal_args.size())
+                for (const ir::TypeId argument : type.literal_args[i]) fields.push_back(type_set(project, argument));
+            constructors.push_back(b::constructor(literal_name(type, i), fields.empty() ? nullptr : b::dot(fields)));
+        }
+        decls.push_back(b::datatype(type_name(type), constructors));
+    }
+    for (const ir::Function& function : project.system.functions) {
+        if (function.preconditions.empty()) continue;
+        b::Exprs conditions;
+        for (const auto& condition : function.preconditions) conditions.push_back(expression(project, {}, *condition));
+        decls.push_back(
+            b::function_decl("pre_" + function_name(function), parameters_of(function), b::all_of(conditions)));
+    }
+    return decls;
+}
+
+std::vector<DeclPtr> instantiations(const Project& project) {
+    std::vector<DeclPtr> decls;
+    add_carriers(project, decls);
+    add_arithmetic(project, decls);
+    add_constants(project, decls);
+    add_functions(project, decls);
+    return decls;
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,75 @@
+// The library is kept as text: it is read by the reader that reads everybody's CSPM. Parameters end in `__`, because a
+// parameter named like somebody's channel or constructor would be a pattern (checkers.md 3).
+#include "csp_emit/library.hpp"
+
+#include "checker/cspm/reader.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+const char* const common = R"(
+datatype InOut = in | out
+
+transparent sbisim, dbisim, diamond
+external prioritise
+
+-- offered for ever after termination, to tell termination from deadlock
+channel r__
+
+-- sequences of at most n__ elements
+LSeq(s__,0) = {<>}
+LSeq(s__,n__) = let shorter__ = LSeq(s__,n__-1) within union(shorter__,{<x__>^y__ | x__ <- s__, y__ <- shorter__})
+-- relations and total functions as sets of pairs
+Relation(a__,b__) = Set({(x__,y__) | x__ <- a__, y__ <- b__})
+Function(a__,b__) = {r__f | r__f <- Relation(a__,b__), {x__ | (x__,_) <- r__f} == a__, card(r__f) == card(a__)}
+-- element n__ of a sequence, counted from 1, and the sequence with another one there
+access_(<x__>^y__,n__) = if n__ == 1 then x__ else access_(y__,n__-1)
+update_(<x__>^y__,e__,n__) = if n__ == 1 then <e__>^y__ else <x__>^update_(y__,e__,n__-1)
+no_zero_div(x__) = if x__ == 0 then 1 else x__
+)";
+
+const char* const timed_part = R"(
+-- one tock is one time unit; tock' serves the check for deadlock
+channel tock, tock'
+
+OneStep(_) = 0
+-- nothing, and time stops
+USTOP = STOP
+
+Timed(OneStep) {
+  TSKIP = SKIP
+  WAIT_INTERVAL(s__) = |~| x__ : s__ @ WAIT(x__)
+  -- a deadline to start, a deadline to finish, a deadline for one event
+  StartBy(p__,d__) = p__ [] (WAIT(d__) ; USTOP)
+  EndBy(p__,d__) = p__ /\ (WAIT(d__) ; USTOP)
+  Deadline(p__,d__) = EndBy(p__,d__)
+  EDeadline(e__,d__) = e__ -> SKIP [] (WAIT(d__) ; USTOP)
+}
+
+-- p__ in this time unit, q__ in the next
+TimeOut_1(p__,q__) = (USTOP [+ {tock} +] p__) [] (tock -> q__)
+wait(n__) = if n__ > 0 then tock -> wait(n__-1) else SKIP
+SHARE_WAIT(n__) = wait(n__)
+SHARE_WAIT_INTERVAL(s__) = |~| x__ : s__ @ wait(x__)
+SKIP_ANYTIME = SKIP |~| tock -> SKIP_ANYTIME
+
+-- clocks count up to a limit
+clock_step(c__,max__) = if c__ < max__ then c__+1 else c__
+clock_type_plus(x__,y__,t__) = if member(x__+y__,t__) then x__+y__ else x__
+clock_type_max(s__) = let largest__(<>,m__) = m__
+                          largest__(<x__>^y__,m__) = largest__(y__,if x__ > m__ then x__ else m__)
+                      within largest__(seq(s__),0)
+)";
+
+}  // namespace
+
+std::string library_text(Time time) {
+    return time == Time::timed ? std::string(common) + timed_part : std::string(common);
+}
+
+std::vector<cspm::DeclPtr> library(const Project& project) {
+    const auto source = project.sources.add("<library of generated scripts>", library_text(project.time));
+    return cspm::read(project.sources, source, project.diagnostics).decls;
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,14 @@
+// What every script starts with: directions of events, bounded data types, and for timed scripts the operators that
+// hand-written specifications use. The names are RoboTool's (semantics 3.10, 3.13), so that users' CSP blocks run.
+#pragma once
+
+#include "csp_emit/project.hpp"
+
+namespace robochart::csp_emit {
+
+/// The library of one time, as CSPM text in our own wording.
+[[nodiscard]] std::string library_text(Time);
+/// The same as a tree.
+[[nodiscard]] std::vector<cspm::DeclPtr> library(const Project&);
+
+}  // namespace robochart::csp_emit

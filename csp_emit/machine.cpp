@@ -1,0 +1,242 @@
+// From configurations to functions: the work list, the names, the arguments.
+#include "csp_emit/machine.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "checker/cspm/build.hpp"
+#include "csp_emit/rules.hpp"
+#include "csp_emit/types.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::ExprPtr;
+using ir::NodeKind;
+
+namespace {
+
+constexpr std::size_t max_points = 20'000;
+/// Statements done at once before a function of their own follows: bounds recursion and the size of expressions.
+constexpr std::size_t max_run = 100;
+
+void add_cells(const Program& program, std::vector<CellId>& cells) {
+    for (const Link* link = program.get(); link != nullptr; link = link->tail.get())
+        cells.insert(cells.end(), link->head.cells.begin(), link->head.cells.end());
+}
+
+/// The innermost thing that goes on: what names and describes the configuration.
+const Item* running_item(const Activation& activation) {
+    if (activation.control.callee) return running_item(*activation.control.callee);
+    return activation.control.rest ? &activation.control.rest->head : nullptr;
+}
+
+std::uint32_t running_frame(const Activation& activation) {
+    return activation.control.callee ? running_frame(*activation.control.callee) : activation.frame;
+}
+
+const Activation& innermost(const Activation& activation) {
+    return activation.control.callee ? innermost(*activation.control.callee) : activation;
+}
+
+}  // namespace
+
+ComponentEmission emit_machine(MachineContext context, Emitted& emitted) {
+    return MachineEmitter(std::move(context), emitted).emit();
+}
+
+MachineEmitter::MachineEmitter(MachineContext context, Emitted& emitted)
+    : context_(std::move(context)), emitted_(emitted) {}
+
+ComponentEmission MachineEmitter::emit() {
+    std::vector<const ir::Machine*> chain;
+    collect_constants(machine(), chain);
+    open_frame(machine(), 0, "");
+    const bool bodiless = machine().kind == ir::MachineKind::operation && !machine().initial.valid();
+    const ExprPtr initial = bodiless ? machine().terminates ? b::skip() : b::internal_choice({b::skip(), b::stop()})
+                                     : go(start(), initial_values());
+    std::vector<cspm::DeclPtr> definitions;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const Point point = points_[i];
+        current_ = &point;
+        definitions.push_back(definition(point, body(point)));
+    }
+    current_ = nullptr;
+    ComponentEmission result;
+    definitions.insert(definitions.begin(), clock_limits_.begin(), clock_limits_.end());
+    result.module = module(std::move(definitions), initial);
+    result.constants = constants_;
+    for (const CellId cell : frames_[0].variables)
+        if (cells_[cell].parameter) result.arguments.push_back({cells_[cell].meaning, cells_[cell].type});
+    result.visible = visible_;
+    emitted_.components[context_.path] = result;
+    return result;
+}
+
+Activation MachineEmitter::start() const {
+    Activation result;
+    result.at = machine().initial;
+    return result;
+}
+
+/// Declared initial value of a private variable; required ones start at the type's default (semantics 3.6, 3.7).
+ExprPtr MachineEmitter::initial_value(std::uint32_t frame, const ir::Variable& variable) const {
+    const bool own = variable.scope == ir::VariableScope::local && variable.initial;
+    return own ? expression_as(project(), scope(frame, {}), *variable.initial, variable.type)
+               : default_literal(project(), variable.type);
+}
+
+/// Parameters of a standalone operation keep the value that the caller gives.
+Values MachineEmitter::initial_values() const {
+    Values result;
+    for (std::size_t i = 0; i < machine().variables.size(); ++i) {
+        const CellId cell = frames_[0].variables[i];
+        result[cell] = cells_[cell].parameter ? b::name(cells_[cell].name) : initial_value(0, machine().variables[i]);
+    }
+    for (const auto& clock : frames_[0].clocks)
+        if (clock) result[*clock] = b::number(0);
+    return result;
+}
+
+/// The process in this configuration with these values: does what needs no event, then names the rest.
+ExprPtr MachineEmitter::go(const Activation& config, const Values& values) {
+    if (run_ >= max_run) return call_point(config, values);
+    ++run_;
+    auto moved = silent(config, values);
+    --run_;
+    return moved ? *moved : call_point(config, values);
+}
+
+ExprPtr MachineEmitter::call_point(const Activation& config, const Values& values) {
+    const std::size_t index = point(config);
+    if (index == points_.size()) return b::stop();  // too many, reported
+    const Point target = points_[index];
+    std::map<CellId, ExprPtr> guards;
+    const View now = view(config);
+    for (const auto& [cell, guard] : monitors(now, values)) guards[cell] = guard;
+    b::Exprs arguments;
+    for (const ConstantParameter& constant : constants_) arguments.push_back(b::name(constant.parameter));
+    for (const CellId cell : target.cells) {
+        const bool known = current_ == nullptr || values.count(cell) != 0 ||
+                           std::find(current_->cells.begin(), current_->cells.end(), cell) != current_->cells.end();
+        if (!known) throw std::logic_error("csp_emit: parameter " + cells_[cell].name + " has no value");
+        ExprPtr value = value_of(cell, values);
+        const auto guard = guards.find(cell);
+        const bool conditional = guard != guards.end() && guard->second->kind != cspm::ExprKind::boolean;
+        // A transition's deadline starts anew whenever its guard is false (semantics 3.10).
+        arguments.push_back(conditional ? b::if_(guard->second, value, monitor_bound(cell, values)) : value);
+    }
+    return b::call(target.name, arguments);
+}
+
+std::size_t MachineEmitter::point(const Activation& config) {
+    const auto [found, added] = point_of_.try_emplace(key(config), points_.size());
+    if (!added) return found->second;
+    if (points_.size() == max_points) {
+        if (!overflow_)
+            project().diagnostics.report(rules::too_many_points, machine().origin.span,
+                                         {machine().name, std::to_string(max_points)});
+        overflow_ = true;
+        point_of_.erase(found);
+        return points_.size();
+    }
+    points_.push_back({config, point_name(config), cells_of(config)});
+    return points_.size() - 1;
+}
+
+std::vector<CellId> MachineEmitter::cells_of(const Activation& config) const {
+    std::vector<CellId> all;
+    const View now = view(config);
+    for (const Spot& spot : now.spots)
+        all.insert(all.end(), frames_[spot.activation->frame].own.begin(), frames_[spot.activation->frame].own.end());
+    for (const Place& call : now.calls) add_cells(call.thread->rest, all);
+    for (const Place& place : now.places) add_cells(place.thread->rest, all);
+    for (const auto& [cell, guard] : monitors(now, {})) all.push_back(cell);
+    std::vector<CellId> result;
+    std::set<CellId> seen;
+    for (const CellId cell : all)
+        if (seen.insert(cell).second) result.push_back(cell);
+    return result;
+}
+
+ExprPtr MachineEmitter::body(const Point& point) {
+    run_ = 0;
+    branching_ = 0;
+    if (auto moved = silent(point.config, {})) return *moved;
+    if (is_final(point.config) && machine().kind == ir::MachineKind::operation) return b::skip();
+    return b::choice(branches(point.config));
+}
+
+std::vector<ExprPtr> MachineEmitter::branches(const Activation& config) {
+    std::vector<ExprPtr> result;
+    const View now = view(config);
+    // Visible termination, then ✓ (semantics 3.9).
+    if (is_final(config)) result.push_back(b::prefix(b::name("terminate"), b::skip()));
+    for (const Spot& spot : now.spots) transition_branches(spot, result);
+    for (const Place& place : now.places) item_branches(place, now.places.size() == 1, result);
+    external_writes(config, now, result);
+    if (timed()) tock_branch(config, now, result);
+    return result;
+}
+
+cspm::DeclPtr MachineEmitter::definition(const Point& point, const ExprPtr& body) const {
+    std::vector<std::string> parameters = parameter_names(false);
+    DefinitionMeaning meaning;
+    meaning.text = describe(point.config);
+    for (const ConstantParameter& constant : constants_) {
+        meaning.parameters.push_back(constant.constant);
+        meaning.types.emplace_back();
+    }
+    for (const CellId cell : point.cells) {
+        parameters.push_back(cells_[cell].name);
+        meaning.parameters.push_back(cells_[cell].meaning);
+        meaning.types.push_back(cells_[cell].type);
+    }
+    const Activation& inner = innermost(point.config);
+    const Item* item = running_item(point.config);
+    if (item != nullptr && item->stmt != nullptr)
+        meaning.origin = item->stmt->origin;
+    else if (inner.at.valid())
+        meaning.origin = frames_[inner.frame].machine->nodes[inner.at.index].origin;
+    emitted_.provenance.definitions[context_.path + "::" + point.name] = meaning;
+    return b::function_decl(point.name, b::variables(parameters), body, meaning.text);
+}
+
+std::string MachineEmitter::describe(const Activation& config) const {
+    const std::uint32_t frame = running_frame(config);
+    std::string result;
+    if (frame != 0) result = "operation " + frames_[frame].machine->name + ": ";
+    const Activation& inner = innermost(config);
+    if (const Item* item = running_item(config)) {
+        result += item->label;
+        if (item->kind == ItemKind::waiting) result += ", waiting";
+        if (item->kind == ItemKind::stuck) result += ", blocked";
+        const bool statement = item->kind == ItemKind::statement || item->kind == ItemKind::frozen;
+        const std::string text = statement && item->stmt != nullptr ? project().text(item->stmt->origin.span) : "";
+        if (!text.empty()) result += ", at " + text;
+    } else if (inner.at.valid()) {
+        const ir::Node& node = frames_[inner.frame].machine->nodes[inner.at.index];
+        const char* kinds[] = {"in ", "at initial node ", "at junction ", "at probabilistic junction ",
+                               "at final state "};
+        result += kinds[static_cast<std::size_t>(node.kind)] + node.path;
+    } else {
+        result += "no behaviour";
+    }
+    for (const During& during : config.durings)
+        result += ", during action of " + frames_[config.frame].machine->nodes[during.node.index].path + " goes on";
+    return result;
+}
+
+std::string MachineEmitter::point_name(const Activation& config) {
+    const Activation& inner = innermost(config);
+    std::string base = frames_[running_frame(config)].prefix;
+    if (const Item* item = running_item(config))
+        base += flatten(item->label);
+    else if (inner.at.valid())
+        base += flatten(frames_[inner.frame].machine->nodes[inner.at.index].path);
+    if (!config.durings.empty()) base += "_during";
+    return context_.names.unique(base + "__");
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,209 @@
+// One machine as one sequential process: mutually recursive functions, one for each reachable configuration,
+// whose parameters are the machine's constants, variables, clocks and counters (semantics 3.3 to 3.8, 3.10, 3.11).
+//
+// How a configuration becomes a function: what needs no event is done at once by changing arguments (`go`); what
+// does is a branch of an external choice (`branches`). A step is an event of its own, hidden, wherever something
+// else could happen between it and its neighbours: external writes to required variables, other threads, and the
+// transitions that may cut a during action.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "csp_emit/component.hpp"
+#include "csp_emit/configuration.hpp"
+#include "csp_emit/expressions.hpp"
+#include "csp_emit/names.hpp"
+
+namespace robochart::csp_emit {
+
+/// A machine in the place where it runs.
+struct MachineContext {
+    const Project* project = nullptr;
+    const ir::Machine* machine = nullptr;
+    std::string name;                                  ///< of the CSPM module
+    std::string path;                                  ///< qualified CSPM name, "P::C::stm_ref0"
+    std::map<std::string, ir::MachineId> definitions;  ///< operations defined in this context
+    NameManager names;                                 ///< everything that parameters and functions must not be called
+};
+
+/// Emits the machine's CSPM module and adds to the provenance.
+[[nodiscard]] ComponentEmission emit_machine(MachineContext, Emitted&);
+
+enum class CellKind { variable, clock, deadline, waiting, frozen, monitor };
+
+struct Cell {
+    std::string name;  ///< the CSPM parameter
+    CellKind kind = CellKind::variable;
+    std::string meaning;  ///< RoboChart name, "since(T)"
+    ir::TypeId type;
+    bool shared = false;     ///< a required variable: others write it, writes are events set_x
+    bool parameter = false;  ///< an operation's parameter: read-only
+    std::string channel;     ///< variable: its name in set_x
+    cspm::ExprPtr limit;     ///< clock: where it saturates
+};
+
+/// A machine, or an operation called at one place of it.
+struct Frame {
+    const ir::Machine* machine = nullptr;
+    std::uint32_t parent = 0;
+    std::string prefix;                         ///< in front of its names: "Turn_"
+    std::vector<CellId> variables;              ///< by VariableId; required ones are the caller's
+    std::vector<std::optional<CellId>> clocks;  ///< by ClockId; those that nothing reads have none
+    std::vector<cspm::ExprPtr> constants;       ///< by ConstantId
+    std::vector<std::string> events;            ///< by EventId: the channel
+    std::vector<CellId> own;                    ///< cells that live while the frame does
+    std::map<std::uint32_t, CellId> monitors;   ///< by TransitionId: deadlines of transitions
+};
+
+/// What the cells hold when it is not what the parameter of the same name holds.
+using Values = std::map<CellId, cspm::ExprPtr>;
+
+class MachineEmitter {
+public:
+    MachineEmitter(MachineContext context, Emitted& emitted);
+    ComponentEmission emit();
+
+private:
+    using ExprPtr = cspm::ExprPtr;
+    struct Point {
+        Activation config;
+        std::string name;
+        std::vector<CellId> cells;
+    };
+
+    // machine.cpp: points and the whole
+    ExprPtr go(const Activation& config, const Values& values);
+    ExprPtr call_point(const Activation& config, const Values& values);
+    std::size_t point(const Activation& config);
+    std::vector<CellId> cells_of(const Activation& config) const;
+    ExprPtr body(const Point& point);
+    cspm::DeclPtr definition(const Point& point, const ExprPtr& body) const;
+    std::vector<ExprPtr> branches(const Activation& config);
+    Activation start() const;
+    Values initial_values() const;
+    ExprPtr initial_value(std::uint32_t frame, const ir::Variable& variable) const;
+    std::string describe(const Activation& config) const;
+    std::string point_name(const Activation& config);
+
+    // declarations.cpp: the module
+    cspm::DeclPtr module(std::vector<cspm::DeclPtr> points, const ExprPtr& initial);
+    void declare_channels(std::vector<cspm::DeclPtr>& decls);
+    void declare_calls(std::vector<cspm::DeclPtr>& decls);
+    void declare_states(std::vector<cspm::DeclPtr>& decls);
+    void declare_sets(std::vector<cspm::DeclPtr>& decls);
+    void declare_variants(std::vector<cspm::DeclPtr>& decls, const ExprPtr& initial);
+    cspm::DeclPtr state_module(ir::NodeId node);
+    std::vector<std::string> parameter_names(bool with_id) const;
+    ExprPtr constant_call(const std::string& name, bool with_id) const;
+    std::vector<ir::NodeId> states() const;
+    void mean(const std::string& event, EventMeaning meaning);
+
+    // frames.cpp: machines, operations and their cells
+    std::uint32_t open_frame(const ir::Machine& machine, std::uint32_t parent, const std::string& prefix);
+    std::uint32_t callee_frame(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& machine);
+    CellId add_cell(Cell cell);
+    void add_variables(Frame& frame, bool root);
+    bool needed(const ir::Machine& owner, std::uint32_t variable) const;
+    void add_clocks(Frame& frame, bool root);
+    void add_constants(Frame& frame);
+    void collect_constants(const ir::Machine& owner, std::vector<const ir::Machine*>& seen);
+    void add_events(Frame& frame, bool root);
+    void add_monitors(Frame& frame);
+    const ir::Machine* definition_of(const Frame& frame, ir::OperationId operation) const;
+    std::vector<const ir::Machine*> callable() const;
+    Scope scope(std::uint32_t frame, const Values& values, ExprPtr trigger_value = nullptr) const;
+    ExprPtr value_of(CellId cell, const Values& values) const;
+    CellId cell_for(std::uint32_t frame, const ir::Stmt& stmt, std::size_t index, CellKind kind,
+                    const std::string& name);
+
+    // actions.cpp: statements (semantics 3.5)
+    std::optional<ExprPtr> silent(const Activation& config, const Values& values);
+    std::optional<ExprPtr> silent_item(const Place& place, const Activation& config, const Values& values, bool alone);
+    std::optional<ExprPtr> silent_statement(const Place& place, const Activation& config, const Values& values,
+                                            bool alone);
+    ExprPtr perform(const Place& place, const Values& values);
+    ExprPtr perform_statement(const Place& place, const ir::Stmt& stmt, const Program& rest, const Values& values);
+    ExprPtr perform_assignment(const Place& place, const ir::Stmt& stmt, const Program& rest, const Values& values);
+    std::vector<const ir::Expr*> reads(const ir::Stmt& stmt) const;
+    bool visible(const Place& place, const ir::Stmt& stmt) const;
+    bool stable(std::uint32_t frame, const ir::Stmt& stmt, bool alone) const;
+    bool light(std::uint32_t frame, const ir::Stmt& stmt, const Values& values) const;
+    void item_branches(const Place& place, bool alone, std::vector<ExprPtr>& out);
+    void statement_branches(const Place& place, bool alone, std::vector<ExprPtr>& out);
+    ExprPtr freeze(const Place& place, const ir::Stmt& stmt);
+    ExprPtr communication(const Place& place, const ir::Stmt& stmt, const ExprPtr& value);
+    ExprPtr reception(const Place& place, const ir::Stmt& stmt);
+    ExprPtr write(const Place& place, CellId cell, const ExprPtr& value, const ir::Stmt* stmt);
+    ExprPtr assigned(std::uint32_t frame, const ir::Stmt& stmt, const Values& values) const;
+    ExprPtr guarded(std::uint32_t frame, const ir::Stmt& stmt, const ExprPtr& process) const;
+    ExprPtr step(std::uint32_t frame, const ir::Stmt& stmt, const std::string& what, const ExprPtr& then);
+    ExprPtr step_event(const std::string& key, const EventMeaning& meaning);
+
+    // operations.cpp: calls (semantics 3.8)
+    ExprPtr perform_call(const Place& place, const ir::Stmt& stmt, const Program& rest, const Values& values);
+    ExprPtr call_event(const Place& place, const ir::Stmt& stmt, const std::vector<ExprPtr>& arguments);
+    bool defined(const Place& place, const ir::Stmt& stmt) const;
+
+    // states.cpp, transitions.cpp (semantics 3.3, 3.4)
+    ExprPtr perform_enter(const Place& place, const Item& item, const Values& values);
+    ExprPtr perform_entered(const Place& place, const Item& item, const Values& values);
+    void entered_branch(const Place& place, std::vector<ExprPtr>& out);
+    bool settled(const Activation& activation) const;
+    bool is_final(const Activation& activation) const;
+    void transition_branches(const Spot& spot, std::vector<ExprPtr>& out);
+    std::vector<ir::TransitionId> candidates(const Activation& activation) const;
+    bool has_urgent_transition(const Activation& activation) const;
+    ExprPtr fire(const Spot& spot, ir::TransitionId id);
+    ExprPtr fire_trigger(const Spot& spot, ir::TransitionId id);
+    ExprPtr transition_event(std::uint32_t frame, ir::TransitionId id);
+    CellId trigger_cell(std::uint32_t frame, ir::TransitionId id);
+    Activation leave(const Activation& activation, ir::TransitionId id, Program first) const;
+    ExprPtr guard_of(std::uint32_t frame, const ir::Transition& transition, const Values& values,
+                     ExprPtr trigger_value) const;
+    Values reset_clocks(const Frame& frame, const ir::Transition& transition) const;
+    void check_races(const Frame& frame);
+
+    // memory.cpp (semantics 3.7)
+    void external_writes(const Activation& config, const View& view, std::vector<ExprPtr>& out);
+    bool refuses_writes(const Place& place) const;
+
+    // time.cpp (semantics 3.10)
+    void tock_branch(const Activation& config, const View& view, std::vector<ExprPtr>& out);
+    ExprPtr after_tock(const Activation& config, const Values& values);
+    ExprPtr start_wait(const Place& place, const ir::Stmt& stmt, const Program& rest, const Values& values);
+    ExprPtr wait_for(const Place& place, const ir::Stmt& stmt, const ExprPtr& units, const Program& rest,
+                     const Values& values);
+    bool stops_time(const Place& place, bool alone) const;
+    std::vector<ExprPtr> time_conditions(const View& view) const;
+    std::vector<std::pair<CellId, ExprPtr>> monitors(const View& view, const Values& values) const;
+    ExprPtr monitor_bound(CellId cell, const Values& values) const;
+    ExprPtr clock_limit(const ir::Machine& opened, const std::string& clock, ir::NodeId entry_of);
+    ExprPtr clock_bound(const ir::Machine& checked, const ir::Expr& bound, std::vector<cspm::Clause>& variables) const;
+
+    const ir::Machine& machine() const { return *context_.machine; }
+    const Project& project() const { return *context_.project; }
+    bool timed() const { return project().timed(); }
+
+    MachineContext context_;
+    Emitted& emitted_;
+    std::vector<Cell> cells_;
+    std::vector<Frame> frames_;
+    std::vector<ConstantParameter> constants_;
+    std::map<std::pair<std::uint32_t, const ir::Stmt*>, std::uint32_t> callees_;
+    std::map<std::tuple<std::uint32_t, const ir::Stmt*, std::size_t>, CellId> statement_cells_;
+    std::map<std::string, std::size_t> point_of_;
+    std::vector<Point> points_;
+    const Point* current_ = nullptr;
+    std::size_t run_ = 0;        ///< statements done at once so far
+    std::size_t branching_ = 0;  ///< conditionals around the present one
+    bool overflow_ = false;
+    std::map<std::string, std::size_t> step_of_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> transition_of_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, CellId> trigger_cells_;
+    std::vector<std::string> calls_;    ///< operations that remain events
+    std::vector<std::string> visible_;  ///< channels of sem__events
+    std::vector<cspm::DeclPtr> clock_limits_;
+};
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,173 @@
+// Reserved words are those of the FDR manual (CSPM: definitions, built-in definitions) and of library.cpp.
+#include "csp_emit/names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace robochart::csp_emit {
+namespace {
+
+// Keywords and predefined names that generated text relies on.
+constexpr std::array reserved_names{"and",
+                                    "or",
+                                    "not",
+                                    "if",
+                                    "then",
+                                    "else",
+                                    "let",
+                                    "within",
+                                    "channel",
+                                    "datatype",
+                                    "subtype",
+                                    "nametype",
+                                    "module",
+                                    "exports",
+                                    "endmodule",
+                                    "instance",
+                                    "assert",
+                                    "print",
+                                    "include",
+                                    "transparent",
+                                    "external",
+                                    "Timed",
+                                    "true",
+                                    "false",
+                                    "STOP",
+                                    "SKIP",
+                                    "DIV",
+                                    "RUN",
+                                    "CHAOS",
+                                    "WAIT",
+                                    "Events",
+                                    "Int",
+                                    "Bool",
+                                    "Char",
+                                    "Proc",
+                                    "Set",
+                                    "Seq",
+                                    "union",
+                                    "inter",
+                                    "diff",
+                                    "Union",
+                                    "Inter",
+                                    "member",
+                                    "card",
+                                    "empty",
+                                    "set",
+                                    "seq",
+                                    "head",
+                                    "tail",
+                                    "concat",
+                                    "elem",
+                                    "length",
+                                    "null",
+                                    "error",
+                                    "show",
+                                    "extensions",
+                                    "productions",
+                                    "Map",
+                                    "prioritise",
+                                    "timed_priority",
+                                    "sbisim",
+                                    "dbisim",
+                                    "diamond",
+                                    "in",
+                                    "out",
+                                    "InOut",
+                                    "tock",
+                                    "Plus",
+                                    "Minus",
+                                    "Mult",
+                                    "Div",
+                                    "Modulus",
+                                    "Neg",
+                                    "RealMult",
+                                    "RealDiv",
+                                    "LSeq",
+                                    "Relation",
+                                    "Function",
+                                    "callFunc",
+                                    "access_",
+                                    "update_",
+                                    "no_zero_div",
+                                    "clock_type_plus",
+                                    "core_nat",
+                                    "core_int",
+                                    "core_real",
+                                    "core_boolean",
+                                    "core_string",
+                                    "core_clock_type",
+                                    "USTOP",
+                                    "TSKIP",
+                                    "StartBy",
+                                    "EndBy",
+                                    "Deadline",
+                                    "EDeadline",
+                                    "TimeOut",
+                                    "TimeOut_1",
+                                    "OneStep",
+                                    "wait",
+                                    "terminate",
+                                    "internal__",
+                                    "step__",
+                                    "id__",
+                                    "r__",
+                                    "D__",
+                                    "O__",
+                                    "VS__",
+                                    "VS_O__",
+                                    "FVS__",
+                                    "HEXT__",
+                                    "HEXT",
+                                    "HUP__",
+                                    "AS_O__",
+                                    "STM__",
+                                    "TIDS",
+                                    "sem__events",
+                                    "shared_variable_events",
+                                    "enteredSS",
+                                    "internal_events",
+                                    "Memory",
+                                    "MemoryStart__",
+                                    "in__",
+                                    "d__",
+                                    "part__",
+                                    "entered",
+                                    "real_scale"};
+
+}  // namespace
+
+std::string NameManager::unique(const std::string& wanted) {
+    std::string result = wanted;
+    for (int suffix = 2; !taken_.insert(result).second; ++suffix) result = wanted + "_" + std::to_string(suffix);
+    return result;
+}
+
+std::string flatten(std::string_view name) {
+    std::string result;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (name[i] == ':' && i + 1 < name.size() && name[i + 1] == ':') ++i;
+        const bool plain = std::isalnum(static_cast<unsigned char>(name[i])) != 0;
+        result += plain ? name[i] : '_';
+    }
+    return result;
+}
+
+std::string qualified(const std::string& package, const std::string& name) {
+    return package.empty() ? name : flatten(package) + "::" + name;
+}
+
+std::string module_name(const ir::Machine& machine) {
+    return machine.kind == ir::MachineKind::operation ? "OP_" + machine.name : machine.name;
+}
+
+bool is_reserved(const std::string& name) {
+    return std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
+}
+
+void reserve_all(NameManager& names) {
+    for (const char* name : reserved_names) names.reserve(name);
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,25 @@
+// What every part of the emitter works with: the model, its finite reading, where to report.
+#pragma once
+
+#include <string>
+
+#include "csp_emit/emit.hpp"
+
+namespace robochart::csp_emit {
+
+struct Project {
+    const ir::System& system;
+    const ir::Instantiation& instantiation;
+    Time time;
+    const Options& options;
+    diagnostics::SourceManager& sources;
+    diagnostics::Diagnostics& diagnostics;
+
+    [[nodiscard]] bool timed() const { return time == Time::timed; }
+    /// Reports RC-C01: the construct is named and refused.
+    void refuse(const std::string& construct, diagnostics::Span span) const;
+    /// The model's text at a place, blanks folded, at most 80 characters; "" if the place is unknown.
+    [[nodiscard]] std::string text(diagnostics::Span span) const;
+};
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,47 @@
+// Wording of the rules of csp_emit. Codes are ours; they do not change once published.
+#include "csp_emit/rules.hpp"
+
+#include <array>
+
+namespace robochart::csp_emit::rules {
+
+using diagnostics::Rule;
+using diagnostics::Severity;
+
+const Rule unsupported{
+    "RC-C01", Severity::error, "{} has no CSP semantics here yet",
+    "The construct is well-formed RoboChart, but no rule of the emitter covers it. It is refused by name rather than "
+    "left out, because a script without it would describe another model. Write the behaviour without it."};
+const Rule recursive_call{
+    "RC-C02", Severity::error, "operation {} calls itself: {}",
+    "The machine of a defined operation is put in the place of its call, so every chain of calls must end."};
+const Rule missing_in_caller{
+    "RC-C03", Severity::error, "operation {} needs the {} {}, which its caller {} does not have",
+    "An operation works on the variables, events and clocks of the machine that calls it; each that it requires must "
+    "be declared or required there under the same name (rules STM8, STM9, STM10)."};
+const Rule reserved_name{
+    "RC-C04", Severity::error, "the name {} means something else in CSPM",
+    "Events, variables, operations, states and components keep their names in the CSP script. Keywords of CSPM and the "
+    "functions that the script itself uses cannot be names there. Rename the element."};
+const Rule racing_exit{
+    "RC-C05", Severity::error, "exit actions of {} race with the trigger's value of transition {}",
+    "When a transition leaves a composite state, storing the trigger's value runs concurrently with the exit actions "
+    "of inner states (semantics 3.4). One of these actions uses the variable or the store is visible, so the order "
+    "matters; the emitter would fix one order and is therefore not sound for this model."};
+const Rule too_many_points{
+    "RC-C06", Severity::error, "{} has more than {} program points",
+    "During actions of nested states run concurrently, and each combination of their positions is a point of the "
+    "script. The model multiplies too many of them."};
+const Rule instantiations_replaced{
+    "RC-C07", Severity::note, "the csp block {} replaces the generated instantiations",
+    "A block named Instantiations is used instead of the generated carriers, constants and functions, as RoboTool "
+    "does; it must define all names that the script needs."};
+
+std::span<const Rule* const> all() {
+    static constexpr std::array<const Rule*, 7> table{
+        &unsupported, &recursive_call,  &missing_in_caller,      &reserved_name,
+        &racing_exit, &too_many_points, &instantiations_replaced};
+    return table;
+}
+
+}  // namespace robochart::csp_emit::rules

@@ -1,0 +1,21 @@
+// The rule table of this room: what has no CSP semantics here, and what is wrong with a CSP block.
+#pragma once
+
+#include <span>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::csp_emit::rules {
+
+extern const diagnostics::Rule unsupported;              // RC-C01
+extern const diagnostics::Rule recursive_call;           // RC-C02
+extern const diagnostics::Rule missing_in_caller;        // RC-C03
+extern const diagnostics::Rule reserved_name;            // RC-C04
+extern const diagnostics::Rule racing_exit;              // RC-C05
+extern const diagnostics::Rule too_many_points;          // RC-C06
+extern const diagnostics::Rule instantiations_replaced;  // RC-C07
+
+/// Every rule above, in order of code.
+[[nodiscard]] std::span<const diagnostics::Rule* const> all();
+
+}  // namespace robochart::csp_emit::rules

@@ -1,0 +1,21 @@
+// Types of the model as CSPM sets, and values of the model as CSPM values (semantics 3.13).
+#pragma once
+
+#include "csp_emit/project.hpp"
+
+namespace robochart::csp_emit {
+
+/// The finite set of a type's values: a name (core_nat, P_Colour) or an expression.
+[[nodiscard]] cspm::ExprPtr type_set(const Project&, ir::TypeId);
+/// A value of a type.
+[[nodiscard]] cspm::ExprPtr value_literal(const Project&, ir::TypeId, const ir::Value&);
+/// The value of a variable without an initial one (semantics 3.6).
+[[nodiscard]] cspm::ExprPtr default_literal(const Project&, ir::TypeId);
+/// The CSPM name of a declared type: `P_T`.
+[[nodiscard]] std::string type_name(const ir::Type&);
+/// The CSPM constructor of an enumeration's literal: `P_E_L`.
+[[nodiscard]] std::string literal_name(const ir::Type&, std::size_t literal);
+/// nat, int or real.
+[[nodiscard]] bool numeric(const ir::Type&);
+
+}  // namespace robochart::csp_emit
