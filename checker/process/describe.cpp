@@ -7,13 +7,14 @@ namespace robochart::process {
 namespace {
 
 constexpr int deepest_description = 64;
+constexpr int largest_description = 250;  // terms looked at
 
 class Describer {
 public:
     explicit Describer(const TermStore& terms) : terms_(terms) {}
 
-    std::string describe(TermId id, int depth = 0) const {
-        if (depth > deepest_description) return "…";
+    std::string describe(TermId id, int depth = 0) {
+        if (depth > deepest_description || ++seen_ > largest_description) return "…";
         const Term& term = terms_[id];
         switch (term.op) {
             case Op::stop:
@@ -59,9 +60,10 @@ public:
     }
 
 private:
-    std::string joined(const Term& term, const char* separator, int depth) const {
+    std::string joined(const Term& term, const char* separator, int depth) {
         std::string text;
         for (TermId child : term.children) {
+            if (seen_ > largest_description) return text + separator + "…";
             if (!text.empty()) text += separator;
             const bool grouped = needs_brackets(terms_[child].op) && terms_[child].op != term.op;
             text += grouped ? "(" + describe(child, depth + 1) + ")" : describe(child, depth + 1);
@@ -87,6 +89,7 @@ private:
     }
 
     const TermStore& terms_;
+    int seen_ = 0;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
+#include <map>
 
 #include "checker/refine/check.hpp"
 #include "naive.hpp"
@@ -30,10 +30,6 @@ struct Seen {
 
 class Agreement : public testing::Test {
 protected:
-    static void SetUpTestSuite() {
-        setenv("RC_PARAMS", "seed=20 max_success=2000 max_discard_ratio=20 max_size=120", 0);
-    }
-
     static auto numbers() {
         return rc::gen::scale(1.0, rc::gen::container<std::vector<unsigned>>(rc::gen::inRange<unsigned>(0, 2520)));
     }

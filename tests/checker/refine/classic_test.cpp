@@ -1,0 +1,95 @@
+// Known families with verdicts and sizes that are published or follow by counting.
+#include <gtest/gtest.h>
+
+#include "checker/lts/term_system.hpp"
+#include "checker/refine/check.hpp"
+#include "classics.hpp"
+
+namespace robochart::refine {
+namespace {
+
+class Classics : public testing::Test {
+protected:
+    Scripted s;
+    process::OperationalSemantics semantics{s.store};
+    const Limits limits;
+    lts::TermSystem system(TermId term) { return {semantics, term}; }
+};
+
+TEST_F(Classics, SymmetricPhilosophersDeadlock) {
+    // Everyone thinks, sits and picks up his left fork: three events each, and no fewer will do.
+    lts::TermSystem table = system(dining_philosophers(s, 3, true));
+    const Verdict verdict = deadlock_free(table, Model::failures, limits);
+    ASSERT_EQ(verdict.outcome, Outcome::fails);
+    EXPECT_EQ(verdict.counterexample->kind, ViolationKind::deadlock);
+    EXPECT_EQ(verdict.counterexample->steps.size(), 9U);
+    EXPECT_TRUE(verdict.counterexample->offered.empty());
+    EXPECT_EQ(deadlock_free(table, Model::failures_divergences, limits).outcome, Outcome::fails);
+}
+
+TEST_F(Classics, AsymmetricPhilosophersDoNot) {
+    lts::TermSystem table = system(dining_philosophers(s, 3, false));
+    const Verdict verdict = deadlock_free(table, Model::failures_divergences, limits);
+    EXPECT_EQ(verdict.outcome, Outcome::holds);
+    EXPECT_EQ(verdict.statistics.states, 347U);  // checked by others with four tools
+    EXPECT_EQ(verdict.statistics.transitions, 947U);
+    lts::TermSystem five = system(dining_philosophers(s, 5, false));
+    EXPECT_EQ(divergence_free(five, limits).statistics.states, 17711U);
+}
+
+TEST_F(Classics, MilnersSchedulerRunsInTurn) {
+    constexpr int count = 6;
+    const TermId scheduler = milner_scheduler(s, count);
+    lts::TermSystem whole = system(scheduler);
+    lts::TermSystem turns = system(hide_channels(s, scheduler, {"b", "c"}, count));
+    lts::TermSystem specification = system(round_robin(s, count));
+    const Verdict verdict = refines(specification, turns, Model::failures_divergences, limits);
+    EXPECT_EQ(verdict.outcome, Outcome::holds);
+    EXPECT_EQ(verdict.statistics.states, 3U * count << (count - 1));  // Milner 1989: 3 N 2^(N-1) states
+    EXPECT_EQ(verdict.statistics.spec_nodes, static_cast<std::uint64_t>(count));
+    EXPECT_EQ(deterministic(whole, Model::failures_divergences, limits).outcome, Outcome::holds);
+    EXPECT_EQ(deadlock_free(whole, Model::failures_divergences, limits).outcome, Outcome::holds);
+    lts::TermSystem fewer = system(round_robin(s, count - 1));
+    const Verdict wrong = refines(fewer, turns, Model::traces, limits);
+    ASSERT_EQ(wrong.outcome, Outcome::fails);
+    EXPECT_EQ(s.events.name(*wrong.counterexample->event), "a.5");  // a.0 should come
+    EXPECT_EQ(wrong.counterexample->required, (std::vector<process::EventSet>{{s.event("a.0")}}));
+}
+
+TEST_F(Classics, ABufferChainIsABuffer) {
+    constexpr int places = 5;
+    lts::TermSystem chain = system(buffer_chain(s, places));
+    lts::TermSystem whole = system(buffer(s, places));
+    const Verdict forth = refines(whole, chain, Model::failures_divergences, limits);
+    EXPECT_EQ(forth.outcome, Outcome::holds);
+    EXPECT_EQ(forth.statistics.states, 243U);     // 3^5: every place is empty, 0 or 1
+    EXPECT_EQ(forth.statistics.spec_nodes, 63U);  // 2^6 - 1 contents
+    EXPECT_EQ(refines(chain, whole, Model::failures_divergences, limits).outcome, Outcome::holds);
+    EXPECT_EQ(deterministic(chain, Model::failures_divergences, limits).outcome, Outcome::holds);
+}
+
+TEST_F(Classics, AShorterChainIsNotTheSameBuffer) {
+    lts::TermSystem chain = system(s.rename(buffer_chain(s, 2), {{"ch.2.0", "ch.3.0"}, {"ch.2.1", "ch.3.1"}}));
+    lts::TermSystem three = system(buffer(s, 3));
+    EXPECT_EQ(refines(three, chain, Model::traces, limits).outcome, Outcome::holds);
+    const Verdict verdict = refines(three, chain, Model::failures, limits);
+    ASSERT_EQ(verdict.outcome, Outcome::fails);
+    // Two items, the first of which has moved on by a tau, and no room for a third.
+    EXPECT_EQ(verdict.counterexample->kind, ViolationKind::refusal);
+    EXPECT_EQ(verdict.counterexample->steps.size(), 3U);
+    EXPECT_EQ(verdict.counterexample->offered.size(), 1U);
+    ASSERT_EQ(verdict.counterexample->required.size(), 1U);
+    EXPECT_EQ(verdict.counterexample->required[0].size(), 3U);
+}
+
+TEST_F(Classics, IndependentCyclesMultiply) {
+    lts::TermSystem cycles = system(independent_cycles(s, 7));
+    const Verdict verdict = deadlock_free(cycles, Model::failures, limits);
+    EXPECT_EQ(verdict.outcome, Outcome::holds);
+    EXPECT_EQ(verdict.statistics.states, 16384U);  // 4^7
+    EXPECT_EQ(verdict.statistics.transitions, 7U * 16384U);
+    EXPECT_EQ(verdict.statistics.depth, 21U);
+}
+
+}  // namespace
+}  // namespace robochart::refine

@@ -1,0 +1,85 @@
+// The replay must find out a checker that lies.
+#include "checker/refine/replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include "checker/lts/term_system.hpp"
+#include "checker/refine/tau_cycle.hpp"
+#include "tests/checker/process/scripted.hpp"
+
+namespace robochart::refine {
+namespace {
+
+using process::Op;
+using process::Scripted;
+using process::TermId;
+
+class Replay : public testing::Test {
+protected:
+    Scripted s;
+    process::OperationalSemantics semantics{s.store};
+    Limits limits;
+    Budget budget{limits};
+    TermId stop = s.stop();
+    TermId a = s.prefix("a", stop);
+    TermId ab = s.menu({{"a", stop}, {"b", stop}});
+
+    refine::Run run(TermId from, const std::vector<std::pair<std::string, TermId>>& steps) {
+        refine::Run result{{static_cast<lts::Word>(from)}, {}};
+        for (const auto& [name, target] : steps)
+            result.steps.push_back({s.event(name), s.event(name), {static_cast<lts::Word>(target)}});
+        return result;
+    }
+    void judge(TermId specification, TermId implementation, Model model, const Violation& violation) {
+        lts::TermSystem left(semantics, specification);
+        lts::TermSystem right(semantics, implementation);
+        confirm_refinement_violation(left, right, model, violation, budget);
+    }
+    void judge(TermId process, const Violation& violation) {
+        lts::TermSystem system(semantics, process);
+        confirm_property_violation(system, violation, budget);
+    }
+};
+
+TEST_F(Replay, AcceptsWhatIsTrue) {
+    EXPECT_NO_THROW(judge(a, ab, Model::traces, {ViolationKind::trace, run(ab, {{"b", stop}}), {}, {}}));
+    EXPECT_NO_THROW(judge(ab, a, Model::failures, {ViolationKind::refusal, run(a, {}), {}, {}}));
+    EXPECT_NO_THROW(judge(a, {ViolationKind::deadlock, run(a, {{"a", stop}}), {}, {}}));
+}
+
+TEST_F(Replay, RejectsRunsThatDoNotExist) {
+    EXPECT_THROW(judge(a, ab, Model::traces, {ViolationKind::trace, run(a, {{"a", stop}}), {}, {}}), std::logic_error);
+    EXPECT_THROW(judge(a, ab, Model::traces, {ViolationKind::trace, run(ab, {{"c", stop}}), {}, {}}), std::logic_error);
+    EXPECT_THROW(judge(a, ab, Model::traces, {ViolationKind::trace, run(ab, {{"b", a}}), {}, {}}), std::logic_error);
+}
+
+TEST_F(Replay, RejectsViolationsThatAreNone) {
+    EXPECT_THROW(judge(ab, ab, Model::traces, {ViolationKind::trace, run(ab, {{"b", stop}}), {}, {}}),
+                 std::logic_error);
+    EXPECT_THROW(judge(a, ab, Model::failures, {ViolationKind::refusal, run(ab, {}), {}, {}}), std::logic_error);
+    EXPECT_THROW(judge(ab, a, Model::traces, {ViolationKind::refusal, run(a, {}), {}, {}}), std::logic_error);
+    EXPECT_THROW(judge(a, {ViolationKind::deadlock, run(a, {}), {}, {}}), std::logic_error);
+    EXPECT_THROW(judge(a, {ViolationKind::divergence, run(a, {}), {}, {}}), std::logic_error);
+    EXPECT_THROW(judge(a, {ViolationKind::nondeterminism, run(a, {}), {}, s.event("a")}), std::logic_error);
+    const TermId div = s.op(Op::div);
+    EXPECT_THROW(judge(div, ab, Model::failures_divergences, {ViolationKind::trace, run(ab, {{"b", stop}}), {}, {}}),
+                 std::logic_error);
+    lts::TermSystem system(semantics, ab);
+    EXPECT_THROW(confirm_missing_trace(system, {s.event("a")}, run(ab, {}), budget), std::logic_error);
+    EXPECT_THROW(confirm_trace(system, {s.event("b")}, run(ab, {{"a", stop}}), budget), std::logic_error);
+}
+
+TEST(TauCycle, FindsTheLeastVertexOnACycle) {
+    const std::vector<std::vector<lts::StateIndex>> edges{{1, 2}, {3}, {4}, {}, {5, 3}, {6}, {4}, {7}};
+    const GraphView graph{edges.size(), [&](lts::StateIndex v, std::size_t i) {
+                              return i < edges[v].size() ? edges[v][i] : lts::no_state;
+                          }};
+    EXPECT_EQ(least_on_cycle(graph), 4U);
+    EXPECT_EQ(shortest_cycle(graph, 4), (std::vector<lts::StateIndex>{5, 6, 4}));
+    EXPECT_EQ(shortest_cycle(graph, 7), (std::vector<lts::StateIndex>{7}));
+    EXPECT_TRUE(shortest_cycle(graph, 0).empty());
+    EXPECT_EQ(least_on_cycle(GraphView{2, [](lts::StateIndex, std::size_t) { return lts::no_state; }}), std::nullopt);
+}
+
+}  // namespace
+}  // namespace robochart::refine
