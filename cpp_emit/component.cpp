@@ -4,6 +4,8 @@
 
 #include "cpp_emit/rules.hpp"
 #include "cpp_emit/walk.hpp"
+#include "semantics/evaluate.hpp"
+#include "semantics/query.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -116,11 +118,38 @@ private:
     }
 
     /// The operation's definition in this context (semantics 3.8); machines alone have none.
-    ir::MachineId definition(const std::string& operation) const {
+    ir::MachineId definition(const ir::OperationSignature& signature) const {
+        return context_.controller == nullptr ? ir::MachineId{}
+                                              : ir::definition_in(system_, *context_.controller, signature);
+    }
+
+    /// The name under which a machine or operation runs in the controller.
+    std::string part_name(ir::MachineId id, bool root) const {
         if (context_.controller == nullptr) return {};
-        for (const ir::MachineId id : context_.controller->definitions)
-            if (system_.machine(id).name == operation) return id;
-        return {};
+        const ir::Controller& controller = *context_.controller;
+        if (root) return controller.machines.front().name;
+        const auto found = std::find(controller.definitions.begin(), controller.definitions.end(), id);
+        return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
+    }
+
+    /// The value of a variable at the start: its initial value in this context, else its type's default
+    /// (semantics 3.6).
+    ir::Value initial_value(const ir::Machine& machine, const std::vector<ir::Value>& constants, ir::TypeId type,
+                            const ir::ExprPtr& initial) const {
+        const ir::Value otherwise = ir::default_value(system_, inst_, type);
+        if (!initial) return otherwise;
+        ir::Environment environment;
+        environment.constants = constants;
+        try {
+            return ir::evaluate(system_, inst_, &machine, environment, *initial);
+        } catch (const ir::EvaluationFault& fault) {
+            diagnostics_.report(rules::unsupported_expr, fault.span,
+                                {"an initial value (" + std::string(fault.what()) + ")", machine.name});
+        } catch (const std::length_error& error) {
+            diagnostics_.report(rules::unsupported_expr, initial->span,
+                                {"an initial value (" + std::string(error.what()) + ")", machine.name});
+        }
+        return otherwise;
     }
 
     /// Adds the operations that the machine calls, then the machine. `open_` holds the calls in progress.
@@ -141,10 +170,17 @@ private:
         unit.machine = &machine;
         unit.root = root;
         unit.definitions.resize(machine.operations.size());
+        unit.constants =
+            ir::constant_values(system_, inst_, context_.module, context_.controller, part_name(id, root), machine);
+        for (const auto& variable : machine.variables) {
+            const bool shared = variable.scope == ir::VariableScope::required;
+            unit.initials.push_back(
+                initial_value(machine, unit.constants, variable.type, shared ? nullptr : variable.initial));
+        }
         open_.push_back(id);
         visit_statements(machine, [&](const ir::Stmt& stmt) {
             if (stmt.kind != ir::StmtKind::call) return;
-            const ir::MachineId target = definition(machine.operations[stmt.operation.index].name);
+            const ir::MachineId target = definition(machine.operations[stmt.operation.index]);
             unit.definitions[stmt.operation.index] = target;
             if (target.valid()) add_unit(target, false);
         });
@@ -207,7 +243,7 @@ private:
         for (auto unit = component_.units.rbegin(); unit != component_.units.rend(); ++unit) {
             for (const auto& variable : unit->machine->variables) {
                 const bool own_of_operation = !unit->root && variable.scope != ir::VariableScope::required;
-                if (!own_of_operation && stored(variable.name) == nullptr) add_variable(*unit->machine, variable);
+                if (!own_of_operation && stored(variable.name) == nullptr) add_variable(*unit, variable);
             }
             mark_read(*unit);
         }
@@ -219,12 +255,13 @@ private:
         return nullptr;
     }
 
-    void add_variable(const ir::Machine& machine, const ir::Variable& variable) {
+    void add_variable(const Unit& unit, const ir::Variable& variable) {
         StoredVariable entry;
         entry.variable = &variable;
         entry.shared = variable.scope == ir::VariableScope::required;
-        const ir::ExprPtr initial = entry.shared ? declaring_level(entry) : variable.initial;
-        if (initial) entry.initial = ir::evaluate_constant(system_, inst_, &machine, *initial);
+        entry.initial = unit.initials[static_cast<std::size_t>(&variable - unit.machine->variables.data())];
+        const ir::ExprPtr declared = entry.shared ? declaring_level(entry) : nullptr;
+        if (declared) entry.initial = initial_value(*unit.machine, {}, variable.type, declared);
         component_.variables.push_back(std::move(entry));
     }
 
@@ -262,14 +299,23 @@ private:
     void collect_calls() {
         for (auto unit = component_.units.rbegin(); unit != component_.units.rend(); ++unit) {
             visit_statements(*unit->machine, [&](const ir::Stmt& stmt) {
-                if (stmt.kind != ir::StmtKind::call || unit->definitions[stmt.operation.index].valid()) return;
-                const auto& signature = unit->machine->operations[stmt.operation.index];
-                const auto& calls = component_.calls;
-                const bool known = std::any_of(calls.begin(), calls.end(), [&](const PlatformCall& call) {
-                    return call.signature->name == signature.name;
-                });
-                if (!known) component_.calls.push_back({&signature, {}});
+                if (stmt.kind == ir::StmtKind::call) add_call(*unit, stmt.operation);
             });
+        }
+    }
+
+    void add_call(const Unit& unit, ir::OperationId id) {
+        const ir::OperationSignature& signature = unit.machine->operations[id.index];
+        const ir::MachineId definition = unit.definitions[id.index];
+        const auto add = [&](auto& calls, auto call, const auto& same) {
+            if (std::none_of(calls.begin(), calls.end(), same)) calls.push_back(std::move(call));
+        };
+        if (definition.valid()) {
+            add(component_.modelled, ModelledCall{&signature, definition, {}},
+                [&](const ModelledCall& call) { return call.definition == definition; });
+        } else {
+            add(component_.calls, PlatformCall{&signature, {}},
+                [&](const PlatformCall& call) { return call.signature->name == signature.name; });
         }
     }
 
@@ -294,6 +340,7 @@ private:
     void name_everything() {
         NameScope platform;
         for (auto& call : component_.calls) call.method = platform.unique(call.signature->name);
+        for (auto& call : component_.modelled) call.method = platform.unique("replaces_" + call.signature->name);
         NameScope inputs(state_names);
         NameScope state(state_names);
         for (auto& event : component_.events) {
@@ -308,6 +355,7 @@ private:
         }
         NameScope types(std::set<std::string>{"State", "Inputs", "Step", "At", "Real", "Nat", "Int"});
         for (auto& unit : component_.units) name_unit(unit, state, types);
+        mark_clocks_read();
     }
 
     void name_unit(Unit& unit, NameScope& fields, NameScope& types) {
@@ -319,13 +367,24 @@ private:
             const bool own_variable = !unit.root && variable.scope != ir::VariableScope::required;
             unit.variable_fields.push_back(own_variable ? scope.unique(variable.name) : "");
         }
+        for (const auto& clock : unit.machine->clocks) {
+            const bool of_caller =
+                !unit.root && clock.required && find_named(component_.root().machine->clocks, clock.name) != nullptr;
+            const std::string name = (clock.entry_of.valid() ? "since_entry_" : "") + clock.name;
+            unit.clock_fields.push_back(of_caller ? "" : scope.unique(name));
+        }
         unit.clock_read.assign(unit.machine->clocks.size(), false);
-        visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
-            const ir::ClockId clock = clock_of(*unit.machine, expr);
-            if (clock.valid()) unit.clock_read[clock.index] = true;
-        });
-        for (const auto& clock : unit.machine->clocks)
-            unit.clock_fields.push_back(scope.unique((clock.entry_of.valid() ? "since_entry_" : "") + clock.name));
+    }
+
+    void mark_clocks_read() {
+        for (const Unit& unit : component_.units) {
+            visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
+                const ir::ClockId clock = clock_of(*unit.machine, expr);
+                if (!clock.valid()) return;
+                const auto [owner, id] = component_.clock(unit, clock);
+                component_.units[static_cast<std::size_t>(owner - component_.units.data())].clock_read[id.index] = true;
+            });
+        }
     }
 
     const ir::System& system_;
@@ -361,6 +420,20 @@ const PlatformCall& Component::call(const Unit& of, ir::OperationId id) const {
     const std::string& wanted = of.machine->operations[id.index].name;
     return *std::find_if(calls.begin(), calls.end(),
                          [&](const PlatformCall& candidate) { return candidate.signature->name == wanted; });
+}
+
+const ModelledCall& Component::modelled_call(ir::MachineId definition) const {
+    return *std::find_if(modelled.begin(), modelled.end(),
+                         [&](const ModelledCall& candidate) { return candidate.definition == definition; });
+}
+
+std::pair<const Unit*, ir::ClockId> Component::clock(const Unit& of, ir::ClockId id) const {
+    const ir::Clock& wanted = of.machine->clocks[id.index];
+    if (of.root || !wanted.required) return {&of, id};
+    const auto& clocks = root().machine->clocks;
+    for (std::uint32_t index = 0; index < clocks.size(); ++index)
+        if (clocks[index].name == wanted.name) return {&root(), ir::ClockId{index}};
+    return {&of, id};
 }
 
 std::optional<Component> resolve(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,

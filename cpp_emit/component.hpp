@@ -31,7 +31,7 @@ struct StoredVariable {
     bool visible = false;   ///< writes are seen outside: set_x
     bool external = false;  ///< may be written from outside: set_EXT_x
     bool read = false;      ///< some expression depends on it
-    std::optional<ir::Value> initial;
+    ir::Value initial;
     std::string field;   ///< member of State
     std::string input;   ///< member of Inputs, if external and read
     std::string output;  ///< method of the platform, if visible
@@ -46,6 +46,13 @@ struct PlatformCall {
     std::string method;
 };
 
+/// An operation that the model defines. The platform may still do it instead.
+struct ModelledCall {
+    const ir::OperationSignature* signature = nullptr;
+    ir::MachineId definition;
+    std::string method;  ///< of the platform: true if it has done the operation itself
+};
+
 /// A machine whose code is generated: the component's own, or an operation it calls.
 struct Unit {
     ir::MachineId id;
@@ -55,8 +62,10 @@ struct Unit {
     std::string points;                        ///< enumeration of its places: "At", "TurnAt"
     std::vector<ir::MachineId> definitions;    ///< for each Machine::operations entry
     std::vector<std::string> variable_fields;  ///< operations: members of the frame for their own variables
-    std::vector<std::string> clock_fields;
-    std::vector<bool> clock_read;
+    std::vector<ir::Value> constants;          ///< in this context
+    std::vector<ir::Value> initials;           ///< of its variables; shared ones: the default of their type
+    std::vector<std::string> clock_fields;     ///< members of the frame; "" for clocks of the caller
+    std::vector<bool> clock_read;              ///< by this machine or by operations that share the clock
 };
 
 struct Component {
@@ -70,6 +79,7 @@ struct Component {
     std::vector<EventPort> events;  ///< in textual order
     std::vector<StoredVariable> variables;
     std::vector<PlatformCall> calls;
+    std::vector<ModelledCall> modelled;
     std::vector<ir::TypeId> enumerations;  ///< declared types used, in order of first use
 
     [[nodiscard]] const Unit& root() const { return units.back(); }
@@ -78,6 +88,9 @@ struct Component {
     /// The machine's or shared variable behind a unit's variable; null: the operation's own.
     [[nodiscard]] const StoredVariable* stored(const Unit&, ir::VariableId) const;
     [[nodiscard]] const PlatformCall& call(const Unit&, ir::OperationId) const;
+    [[nodiscard]] const ModelledCall& modelled_call(ir::MachineId definition) const;
+    /// The unit whose state holds a clock, and its number there: operations may require the caller's.
+    [[nodiscard]] std::pair<const Unit*, ir::ClockId> clock(const Unit&, ir::ClockId) const;
 };
 
 /// Follows the reference and collects the above. Reports what can't be generated; nothing on errors.

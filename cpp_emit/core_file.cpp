@@ -41,7 +41,7 @@ void write_declared_types(const Generation& generation, CodeWriter& out) {
         }
         Enumeration enumeration{cpp_type(generation.system, id), generation.place(type.origin), {}};
         for (std::size_t index = 0; index < type.labels.size(); ++index)
-            enumeration.values.push_back({literal_name(type, index), ""});
+            enumeration.values.push_back({literal_name(type, index), "", {}});
         write_enumeration(out, enumeration);
     }
 }
@@ -88,25 +88,33 @@ void write_inputs(const Generation& generation, CodeWriter& out) {
     out.close("};");
 }
 
+std::string parameter_list(const Generation& generation, const ir::OperationSignature& signature) {
+    std::string parameters;
+    for (std::size_t i = 0; i < signature.parameters.size(); ++i)
+        parameters += fmt::format("{}{} {}", i == 0 ? "" : ", ", cpp_type(generation.system, signature.parameters[i]),
+                                  signature.parameter_names[i]);
+    return parameters;
+}
+
 void write_platform_comment(const Generation& generation, CodeWriter& out) {
-    const auto method = [&](const std::string& name, const std::string& parameters) {
-        out.comment(fmt::format("    void {}({});", name, parameters));
+    const auto method = [&](const char* result, const std::string& name, const std::string& parameters) {
+        out.comment(fmt::format("    {} {}({});", result, name, parameters));
     };
+    const Component& component = generation.component;
     out.gap();
-    out.comment("The platform that Step drives has these methods, all noexcept:");
-    for (const PlatformCall& call : generation.component.calls) {
-        std::string parameters;
-        for (std::size_t i = 0; i < call.signature->parameters.size(); ++i)
-            parameters +=
-                fmt::format("{}{} {}", i == 0 ? "" : ", ", cpp_type(generation.system, call.signature->parameters[i]),
-                            call.signature->parameter_names[i]);
-        method(call.method, parameters);
-    }
-    for (const EventPort& event : generation.component.events)
+    out.comment(
+        "The platform that Step drives has these methods, all noexcept; replaces_X answers true when it has done X "
+        "itself:");
+    for (const PlatformCall& call : component.calls)
+        method("void", call.method, parameter_list(generation, *call.signature));
+    for (const ModelledCall& call : component.modelled)
+        method("bool", call.method, parameter_list(generation, *call.signature));
+    for (const EventPort& event : component.events)
         if (!event.output.empty())
-            method(event.output, event.type ? cpp_type(generation.system, *event.type) + " value" : "");
-    for (const StoredVariable& variable : generation.component.variables)
-        if (variable.visible) method(variable.output, cpp_type(generation.system, variable.variable->type) + " value");
+            method("void", event.output, event.type ? cpp_type(generation.system, *event.type) + " value" : "");
+    for (const StoredVariable& variable : component.variables)
+        if (variable.visible)
+            method("void", variable.output, cpp_type(generation.system, variable.variable->type) + " value");
 }
 
 void write_variables(const Generation& generation, CodeWriter& out) {
@@ -122,6 +130,20 @@ void write_variables(const Generation& generation, CodeWriter& out) {
     }
 }
 
+void take_kept(CodeWriter& out, const EventPort& event) {
+    out.open(fmt::format("if (state_.kept_{0} && !inputs_.{0}.present) {{", event.input));
+    out.line(fmt::format("inputs_.{}.present = true;", event.input));
+    if (event.type) out.line(fmt::format("inputs_.{0}.value = state_.kept_value_{0};", event.input));
+    out.close();
+}
+
+void keep(CodeWriter& out, const EventPort& event) {
+    out.line(fmt::format("state_.kept_{0} = inputs_.{0}.present;", event.input));
+    if (!event.type) return;
+    out.line(fmt::format("state_.kept_value_{0} = {{}};", event.input));
+    out.line(fmt::format("if (inputs_.{0}.present) state_.kept_value_{0} = inputs_.{0}.value;", event.input));
+}
+
 void write_cycle(const Generation& generation, const Core& core, CodeWriter& out) {
     out.doc("One control cycle: inputs, everything that they and time make possible, then time passes.");
     out.open("robochart::StepResult cycle() noexcept {");
@@ -129,7 +151,9 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
         if (!variable.input.empty())
             out.line(fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input,
                                  variable.field));
+    for (const EventPort* event : core.kept) take_kept(out, *event);
     out.line("run(state_);");
+    for (const EventPort* event : core.kept) keep(out, *event);
     out.line("const robochart::StepResult result = this->result(finished(state_));");
     if (core.machines.back().layout.timed) out.line("if (result == robochart::StepResult::quiescent) advance(state_);");
     out.line("return result;");
@@ -160,6 +184,22 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.line("Inputs<Types> inputs_;");
     out.line("Platform& platform_;");
     out.close("};");
+}
+
+}  // namespace
+
+namespace {
+
+/// Members of the state for inputs that outlive their cycle.
+std::vector<Field> kept_fields(const Generation& generation, const Core& core) {
+    std::vector<Field> fields;
+    for (const EventPort* event : core.kept) {
+        fields.push_back({"bool", "kept_" + event->input, "false", "", 1, 1});
+        if (!event->type) continue;
+        const std::size_t size = cpp_size(generation.system.type(*event->type));
+        fields.push_back({cpp_type(generation.system, *event->type), "kept_value_" + event->input, "", "", size, size});
+    }
+    return fields;
 }
 
 }  // namespace
@@ -195,9 +235,12 @@ Core make_core(const Generation& generation) {
         (void)type_names.unique(unit.frame);
         (void)type_names.unique(unit.points);
     }
+    for (const EventPort& event : component.events)
+        if (event.received && generation.mutation.hits(Fault::event_kept)) core.kept.push_back(&event);
     Layouts layouts;
     for (const Unit& unit : component.units) {
-        core.machines.push_back(generate(generation, unit, layouts, type_names));
+        core.machines.push_back(generate(generation, unit, layouts, type_names,
+                                         unit.root ? kept_fields(generation, core) : std::vector<Field>{}));
         layouts[unit.id] = core.machines.back().layout;
     }
     return core;

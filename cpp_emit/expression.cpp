@@ -69,7 +69,8 @@ std::string ExpressionWriter::variable(ir::VariableId id) const {
 }
 
 std::string ExpressionWriter::clock(ir::ClockId id) const {
-    return frame_ + "." + unit_.clock_fields[id.index];
+    const auto [owner, own] = generation_.component.clock(unit_, id);
+    return (owner == &unit_ ? frame_ : "state_") + "." + owner->clock_fields[own.index];
 }
 
 std::string ExpressionWriter::arithmetic(const ir::Expr& expr, const char* symbol) const {
@@ -93,8 +94,8 @@ std::string ExpressionWriter::logical(const ir::Expr& expr, const char* symbol) 
 }
 
 std::string ExpressionWriter::constant(const ir::Expr& expr) const {
-    const auto value = constant_value(generation_.system, generation_.inst, *unit_.machine, expr.constant);
-    return cpp_value(generation_.system, generation_.inst, expr.type, value.value_or(ir::Value{}));
+    const auto& value = unit_.constants[expr.constant.index];
+    return cpp_value(generation_.system, generation_.inst, expr.type, value);
 }
 
 std::string ExpressionWriter::write(const ir::Expr& expr) const {
@@ -159,16 +160,6 @@ std::string ExpressionWriter::write(const ir::Expr& expr) const {
         default:
             return {};  // refused before (support.cpp)
     }
-}
-
-std::optional<ir::Value> constant_value(const ir::System& system, const ir::Instantiation& inst,
-                                        const ir::Machine& machine, ir::ConstantId id) {
-    const ir::Constant& constant = machine.constants[id.index];
-    if (constant.value) return ir::evaluate_constant(system, inst, &machine, *constant.value);
-    const std::string suffix = "_" + machine.name + "_" + constant.name;
-    for (const auto& [name, value] : inst.constants)
-        if (name.ends_with(suffix)) return value;
-    return std::nullopt;
 }
 
 }  // namespace robochart::cpp_emit

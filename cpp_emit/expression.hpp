@@ -39,8 +39,4 @@ private:
     std::string incoming_;
 };
 
-/// The constant's value: its expression's, or the instantiation's. Nothing if it has none.
-[[nodiscard]] std::optional<ir::Value> constant_value(const ir::System&, const ir::Instantiation&, const ir::Machine&,
-                                                      ir::ConstantId);
-
 }  // namespace robochart::cpp_emit

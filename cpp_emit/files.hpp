@@ -10,9 +10,10 @@ namespace robochart::cpp_emit {
 
 /// What the core's text consists of, shared by the files that use it.
 struct Core {
-    std::string name_space;             ///< "aggregation::AggregationFSM_core"
-    std::string header;                 ///< file name
-    std::vector<MachineCode> machines;  ///< as Component::units
+    std::string name_space;              ///< "aggregation::AggregationFSM_core"
+    std::string header;                  ///< file name
+    std::vector<MachineCode> machines;   ///< as Component::units
+    std::vector<const EventPort*> kept;  ///< Fault::event_kept: inputs that outlive the cycle
 };
 
 /// Generates the machines' code.

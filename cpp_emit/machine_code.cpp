@@ -67,7 +67,8 @@ std::string MachineWriter::signature(const std::string& name) const {
     return fmt::format("{}([[maybe_unused]] {}& f) noexcept {{", name, frame_type());
 }
 
-MachineCode MachineWriter::write() {
+MachineCode MachineWriter::write(const std::vector<Field>& more) {
+    if (!plan_.machine().initial.valid()) return {enumerations(), layout(more), {}};
     during_places();
     control_places();
     thread_function(control_, "control",
@@ -80,7 +81,7 @@ MachineCode MachineWriter::write() {
     MachineCode code;
     code.methods = out_.text();
     code.enumerations = enumerations();
-    code.layout = layout();
+    code.layout = layout(more);
     return code;
 }
 
@@ -231,24 +232,17 @@ void MachineWriter::run_function() {
 
 std::vector<Field> MachineWriter::variable_fields() const {
     std::vector<Field> fields;
-    const auto add = [&](const std::string& name, const ir::Variable& variable,
-                         const std::optional<ir::Value>& initial) {
-        const ir::Value value =
-            initial.value_or(ir::default_value(generation_.system, generation_.inst, variable.type));
+    const auto add = [&](const std::string& name, const ir::Variable& variable, const ir::Value& initial) {
         const std::size_t size = cpp_size(generation_.system.type(variable.type));
         fields.push_back({cpp_type(generation_.system, variable.type), name,
-                          cpp_value(generation_.system, generation_.inst, variable.type, value),
+                          cpp_value(generation_.system, generation_.inst, variable.type, initial),
                           generation_.place(variable.origin), size, size});
     };
     for (const auto& stored : generation_.component.variables)
         if (unit_.root && stored.stored()) add(stored.field, *stored.variable, stored.initial);
     for (std::size_t index = 0; index < unit_.variable_fields.size(); ++index) {
         if (unit_.variable_fields[index].empty()) continue;
-        const ir::Variable& variable = unit_.machine->variables[index];
-        std::optional<ir::Value> initial;
-        if (variable.initial)
-            initial = ir::evaluate_constant(generation_.system, generation_.inst, unit_.machine, *variable.initial);
-        add(unit_.variable_fields[index], variable, initial);
+        add(unit_.variable_fields[index], unit_.machine->variables[index], unit_.initials[index]);
     }
     return fields;
 }
@@ -265,7 +259,8 @@ void MachineWriter::thread_field(std::vector<Field>& fields, const Thread& threa
 std::vector<Field> MachineWriter::thread_fields() const {
     std::vector<Field> fields;
     const std::size_t size = enumeration_size(plan_.machine().nodes.size() + control_.places.size());
-    const std::string first = control_.at(plan_.label(plan_.machine().initial));
+    const ir::NodeId initial = plan_.machine().initial;
+    const std::string first = control_.at(initial.valid() ? plan_.label(initial) : "idle");
     fields.push_back({unit_.points, "at", first, "", size, size});
     thread_field(fields, control_, "wait");
     if (!leaving_.empty())
@@ -285,8 +280,9 @@ std::vector<Field> MachineWriter::thread_fields() const {
     return fields;
 }
 
-FrameLayout MachineWriter::layout() {
+FrameLayout MachineWriter::layout(const std::vector<Field>& more) {
     std::vector<Field> fields = variable_fields();
+    fields.insert(fields.end(), more.begin(), more.end());
     for (std::size_t index = 0; index < unit_.clock_fields.size(); ++index)
         if (unit_.clock_read[index])
             fields.push_back({"std::uint32_t", unit_.clock_fields[index], "0",
@@ -300,8 +296,14 @@ std::vector<Enumeration> MachineWriter::enumerations() const {
     Enumeration at{
         unit_.points, fmt::format("Where {} is: in a node, or in the middle of a program.", unit_.machine->name), {}};
     const auto node_value = [&](NodeId id) {
-        at.values.push_back({plan_.label(id), generation_.place(plan_.node(id).origin)});
+        const bool state = plan_.node(id).kind == ir::NodeKind::state;
+        at.values.push_back(
+            {plan_.label(id), generation_.place(plan_.node(id).origin), state ? id : plan_.node(id).parent});
     };
+    if (!plan_.machine().initial.valid()) {
+        at.values.push_back({"idle", "no body", {}});
+        return {at};
+    }
     node_value(plan_.machine().initial);  // zero: where a fresh state struct stands
     for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index) {
         const NodeId id{index};
@@ -313,20 +315,22 @@ std::vector<Enumeration> MachineWriter::enumerations() const {
                            [&](const Enumerator& value) { return value.name == label; });
     };
     for (const Place& place : control_.places)
-        if (!known(place.label)) at.values.push_back({place.label, place.comment});
+        if (!known(place.label)) at.values.push_back({place.label, place.comment, place.state});
     std::vector<Enumeration> result = {at};
     for (const DuringThread& during : during_) {
         Enumeration each{
-            during.thread.enumeration, "How far the during action of " + during.suffix + " is.", {{"idle", ""}}};
-        for (const Place& place : during.thread.places) each.values.push_back({place.label, place.comment});
+            during.thread.enumeration, "How far the during action of " + during.suffix + " is.", {{"idle", "", {}}}};
+        for (const Place& place : during.thread.places)
+            each.values.push_back({place.label, place.comment, place.state});
         result.push_back(std::move(each));
     }
     if (leaving_.empty()) return result;
-    Enumeration leaving{leaving_, "The transition whose exits are running.", {{"nothing", ""}}};
+    Enumeration leaving{leaving_, "The transition whose exits are running.", {{"nothing", "", {}}}};
     for (std::uint32_t index = 0; index < plan_.machine().transitions.size(); ++index) {
         const ir::Transition& transition = plan_.machine().transitions[index];
         if (plan_.shared_exit(transition.source))
-            leaving.values.push_back({plan_.take_label(ir::TransitionId{index}), generation_.place(transition.origin)});
+            leaving.values.push_back(
+                {plan_.take_label(ir::TransitionId{index}), generation_.place(transition.origin), {}});
     }
     result.push_back(std::move(leaving));
     return result;
@@ -351,8 +355,9 @@ FrameLayout arrange(std::vector<Field> fields, bool timed) {
     return layout;
 }
 
-MachineCode generate(const Generation& generation, const Unit& unit, const Layouts& done, NameScope& type_names) {
-    return MachineWriter(generation, unit, done, type_names).write();
+MachineCode generate(const Generation& generation, const Unit& unit, const Layouts& done, NameScope& type_names,
+                     const std::vector<Field>& more) {
+    return MachineWriter(generation, unit, done, type_names).write(more);
 }
 
 }  // namespace robochart::cpp_emit

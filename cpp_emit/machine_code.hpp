@@ -14,6 +14,7 @@ namespace robochart::cpp_emit {
 struct Enumerator {
     std::string name;
     std::string comment;
+    ir::NodeId state;  ///< places of a machine: the state it shows to be in
 };
 
 struct Enumeration {
@@ -47,8 +48,10 @@ struct MachineCode {
 
 using Layouts = std::map<ir::MachineId, FrameLayout>;
 
-/// `done` holds the layouts of the operations that the unit calls. `type_names` is the scope of the core's namespace.
-[[nodiscard]] MachineCode generate(const Generation&, const Unit&, const Layouts& done, NameScope& type_names);
+/// `done` holds the layouts of the operations that the unit calls, `type_names` is the scope of the core's namespace,
+/// `more` are further members of the state.
+[[nodiscard]] MachineCode generate(const Generation&, const Unit&, const Layouts& done, NameScope& type_names,
+                                   const std::vector<Field>& more);
 
 /// Sorts fields by alignment and fills the struct up to a multiple of its alignment.
 [[nodiscard]] FrameLayout arrange(std::vector<Field> fields, bool timed);

@@ -26,7 +26,7 @@ void MachineWriter::control_places() {
 
 /// Initial nodes and junctions: the first transition whose guard holds; none: control stays (semantics 3.3, 3.4).
 void MachineWriter::choose_place(NodeId id) {
-    ProgramWriter program(generation_, unit_, control_);
+    ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
     program.begin(plan_.label(id), generation_.place(plan_.node(id).origin));
     bool stays = true;
     for (const ir::TransitionId transition_id : plan_.node(id).outgoing) {
@@ -46,7 +46,7 @@ void MachineWriter::choose_place(NodeId id) {
 }
 
 void MachineWriter::enter_place(NodeId id) {
-    ProgramWriter program(generation_, unit_, control_);
+    ProgramWriter program(generation_, unit_, control_, id);
     const ir::Node& node = plan_.node(id);
     const std::string label = plan_.enter_label(id);
     program.begin(label, "enters " + generation_.place(node.origin));
@@ -93,7 +93,7 @@ void MachineWriter::mark_entered(NodeId id) {
 
 /// A shared exit place: the state's exit action, then the transition that leaves it or the exit around it.
 void MachineWriter::exit_place(NodeId id) {
-    ProgramWriter program(generation_, unit_, control_);
+    ProgramWriter program(generation_, unit_, control_, id);
     const ir::Node& node = plan_.node(id);
     const std::string label = plan_.exit_label(id);
     program.begin(label, "leaves " + generation_.place(node.origin));
@@ -108,9 +108,15 @@ void MachineWriter::exit_place(NodeId id) {
     program.code().line("return moved;");
 }
 
+/// During a transition's action the machine shows its source, or the state around an initial node or junction.
+ir::NodeId MachineWriter::shown_while_taking(ir::TransitionId id) const {
+    const NodeId source = plan_.machine().transitions[id.index].source;
+    return plan_.node(source).kind == NodeKind::state ? source : plan_.node(source).parent;
+}
+
 /// Exit action of the source, unless it has a place of its own, and the transition's action.
 void MachineWriter::take_place(ir::TransitionId id) {
-    ProgramWriter program(generation_, unit_, control_);
+    ProgramWriter program(generation_, unit_, control_, shown_while_taking(id));
     const ir::Transition& transition = plan_.machine().transitions[id.index];
     const std::string label = plan_.take_label(id);
     program.begin(label, "takes " + generation_.place(transition.origin));
@@ -130,7 +136,7 @@ std::string MachineWriter::after_exit(const ir::Transition& transition) {
 void MachineWriter::during_places() {
     for (DuringThread& during : during_) {
         const ir::Node& state = plan_.node(during.state);
-        ProgramWriter program(generation_, unit_, during.thread);
+        ProgramWriter program(generation_, unit_, during.thread, during.state);
         program.begin("start", "during action of " + generation_.place(state.origin));
         program.statement(state.during, "step");
         program.jump("idle");

@@ -20,7 +20,7 @@ public:
     MachineWriter(const MachineWriter&) = delete;
     MachineWriter& operator=(const MachineWriter&) = delete;
 
-    [[nodiscard]] MachineCode write();
+    [[nodiscard]] MachineCode write(const std::vector<Field>& more);
 
 private:
     // machine_control.cpp: the programs of the control thread and of the during actions
@@ -29,6 +29,7 @@ private:
     void enter_place(ir::NodeId);
     void exit_place(ir::NodeId);
     void take_place(ir::TransitionId);
+    [[nodiscard]] ir::NodeId shown_while_taking(ir::TransitionId) const;
     void during_places();
     void note_entry(ir::NodeId);
     void mark_entered(ir::NodeId);
@@ -53,7 +54,7 @@ private:
     void run_function();
     void leave_function();
     void advance_function();
-    [[nodiscard]] FrameLayout layout();
+    [[nodiscard]] FrameLayout layout(const std::vector<Field>& more);
     [[nodiscard]] std::vector<Field> variable_fields() const;
     [[nodiscard]] std::vector<Field> thread_fields() const;
     void thread_field(std::vector<Field>&, const Thread&, const std::string& wait) const;

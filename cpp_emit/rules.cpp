@@ -44,14 +44,12 @@ const Rule crossing{"RC-G12", Severity::error, "no C++ for transition '{}': it l
                     "Source and target of a transition lie in the same state."};
 const Rule too_large{"RC-G13", Severity::error, "no C++ for '{}': {}",
                      "A limit of the generated code or of its exploration interface (runtime/explore_abi.h)."};
-const Rule no_constant{"RC-G14", Severity::error, "no C++ for '{}': constant '{}' has no value",
-                       "Constants without a value in the model take one from the instantiation (--const NAME=VALUE)."};
 
 std::span<const Rule* const> all() {
     static constexpr std::array table = {
         &no_component,     &several_machines,    &no_body,  &unsupported_type, &unsupported_expr, &unsupported_stmt,
         &unsupported_node, &unsupported_trigger, &deadline, &recursion,        &unconnected,      &crossing,
-        &too_large,        &no_constant,
+        &too_large,
     };
     return table;
 }

@@ -72,6 +72,9 @@ private:
         for (const char* header : {"<cstddef>", "<cstring>", "<type_traits>"})
             out_.line(fmt::format("#include {}", header));
         out_.gap();
+        out_.comment("A violated precondition is a result of step(), not an abort.");
+        out_.line("#define RC_REQUIRE(condition) static_cast<void>(0)");
+        out_.gap();
         out_.line(fmt::format("#include \"{}\"", core_.header));
         out_.line("#include \"robochart/explore.hpp\"");
         out_.gap();
@@ -171,6 +174,12 @@ private:
             }
             out_.line(fmt::format("void {}({}) noexcept {{ robochart::write_record(log_, {}{}); }}",
                                   outputs_[index].method, parameters, index, arguments));
+        }
+        for (const ModelledCall& call : generation_.component.modelled) {
+            std::string parameters;
+            for (const ir::TypeId parameter : call.signature->parameters)
+                parameters += (parameters.empty() ? "" : ", ") + type(parameter);
+            out_.line(fmt::format("bool {}({}) noexcept {{ return false; }}", call.method, parameters));
         }
         out_.gap();
         out_.label("private:");
@@ -277,7 +286,10 @@ private:
         out_.gap();
         out_.line("}  // namespace");
         out_.gap();
-        out_.line("extern \"C\" const rc_interface* robochart_explore(void) { return &interface; }");
+        out_.open(
+            "extern \"C\" const rc_interface* robochart_explore(void) {");
+        out_.line("return &interface;");
+        out_.close();
     }
 
     const Generation& generation_;

@@ -1,6 +1,5 @@
 #include "cpp_emit/support.hpp"
 
-#include "cpp_emit/expression.hpp"
 #include "cpp_emit/rules.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/walk.hpp"
@@ -171,9 +170,6 @@ private:
             diagnostics_.report(rules::unsupported_type, expr.span, {machine.name, system_.type(expr.type).name});
         if (expr.kind == ExprKind::real && (expr.decimal.unscaled > max_exact || expr.decimal.unscaled < -max_exact))
             diagnostics_.report(rules::too_large, expr.span, {machine.name, "a decimal has more than 15 digits"});
-        if (expr.kind == ExprKind::constant && !constant_value(system_, inst_, machine, expr.constant))
-            diagnostics_.report(rules::no_constant, expr.span,
-                                {machine.name, machine.constants[expr.constant.index].name});
     }
 
     const ir::System& system_;

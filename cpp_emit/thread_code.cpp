@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "cpp_emit/expression.hpp"
+#include "cpp_emit/machine_plan.hpp"
 #include "cpp_emit/types.hpp"
 
 namespace robochart::cpp_emit {
@@ -48,15 +49,15 @@ std::string receivable(const Generation& generation, const Unit& unit, const ir:
     return condition;
 }
 
-ProgramWriter::ProgramWriter(const Generation& generation, const Unit& unit, Thread& thread)
-    : generation_(generation), unit_(unit), thread_(thread) {}
+ProgramWriter::ProgramWriter(const Generation& generation, const Unit& unit, Thread& thread, ir::NodeId state)
+    : generation_(generation), unit_(unit), thread_(thread), state_(state) {}
 
 CodeWriter& ProgramWriter::code() {
     return thread_.places.back().code;
 }
 
 void ProgramWriter::begin(const std::string& label, const std::string& comment) {
-    thread_.places.push_back({label, comment, CodeWriter(5)});
+    thread_.places.push_back({label, comment, state_, CodeWriter(5)});
 }
 
 void ProgramWriter::jump(const std::string& label) {
@@ -139,7 +140,8 @@ void ProgramWriter::assign(const ir::Stmt& stmt) {
 }
 
 std::string clock_reset(const Generation& generation, const Unit& unit, ir::ClockId id) {
-    if (!unit.clock_read[id.index] || generation.mutation.hits(Fault::clock_not_reset)) return {};
+    const auto [owner, own] = generation.component.clock(unit, id);
+    if (!owner->clock_read[own.index] || generation.mutation.hits(Fault::clock_not_reset)) return {};
     const bool off_by_one = generation.mutation.hits(Fault::clock_off_by_one);
     return fmt::format("{} = {};", ExpressionWriter(generation, unit, "f").clock(id), off_by_one ? 1 : 0);
 }
@@ -220,6 +222,7 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     for (std::size_t i = 0; i < texts.size(); ++i)
         code().line(fmt::format("{}.{} = {};", place, operation.variable_fields[i], texts[i]));
     require_preconditions(operation, place);
+    offer_to_platform(operation, place);
     if (!operation.machine->initial.valid()) {
         code().line(place + " = {};");
         return;
@@ -236,7 +239,25 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
 void ProgramWriter::require_preconditions(const Unit& operation, const std::string& frame) {
     const ExpressionWriter expressions(generation_, operation, frame);
     for (const auto& condition : operation.machine->preconditions)
-        code().line(fmt::format("require({});", expressions.write(*condition)));
+        code().line(fmt::format("ROBOCHART_PRECONDITION({});", expressions.write(*condition)));
+}
+
+/// The platform may do an operation itself; then the model's definition counts as finished.
+void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& frame) {
+    const std::size_t parameters = generation_.component.modelled_call(operation.id).signature->parameters.size();
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < parameters; ++i) texts.push_back(frame + "." + operation.variable_fields[i]);
+    const std::string offer = fmt::format("platform_.{}({})", generation_.component.modelled_call(operation.id).method,
+                                          fmt::join(texts, ", "));
+    const auto& machine = *operation.machine;
+    const auto final = std::find_if(machine.top.begin(), machine.top.end(),
+                                    [&](ir::NodeId id) { return machine.nodes[id.index].kind == ir::NodeKind::final; });
+    if (!machine.initial.valid()) {
+        code().line(fmt::format("static_cast<void>({});", offer));
+    } else if (final != machine.top.end()) {
+        const MachinePlan plan(generation_, operation);
+        code().line(fmt::format("if ({}) {}.at = {}::{};", offer, frame, operation.points, plan.label(*final)));
+    }
 }
 
 void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {

@@ -15,6 +15,7 @@ namespace robochart::cpp_emit {
 struct Place {
     std::string label;
     std::string comment;
+    ir::NodeId state;  ///< that the machine shows to be in meanwhile
     CodeWriter code{5};
 };
 
@@ -47,7 +48,8 @@ struct Thread {
 /// Writes programs into a thread's places.
 class ProgramWriter {
 public:
-    ProgramWriter(const Generation&, const Unit&, Thread&);
+    /// `state` is the one that the machine shows to be in while the program runs.
+    ProgramWriter(const Generation&, const Unit&, Thread&, ir::NodeId state);
 
     /// Starts a place; what follows is written there until the next `begin`.
     void begin(const std::string& label, const std::string& comment);
@@ -72,6 +74,7 @@ private:
     void call(const ir::Stmt&, const std::string& stem);
     void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments);
     void call_operation(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
+    void offer_to_platform(const Unit& operation, const std::string& frame);
     void require_preconditions(const Unit& operation, const std::string& frame);
     [[nodiscard]] std::vector<std::string> arguments(const ir::Stmt&);
     void wait(const ir::Stmt&, const std::string& stem);
@@ -80,6 +83,7 @@ private:
     const Generation& generation_;
     const Unit& unit_;
     Thread& thread_;
+    ir::NodeId state_;
 };
 
 /// `write_x(value);` or a plain assignment, wherever the variable lives; "" if it has no place and is not seen.

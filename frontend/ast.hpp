@@ -463,6 +463,7 @@ struct File {
     std::vector<Assertion> assertions;
     std::vector<CspBlock> csp_blocks;
     std::vector<std::string> verbatim;  ///< PRISM parts and others kept as text
+    bool is_library = false;            ///< a toolkit that comes with the tool
     bool has_syntax_errors = false;     ///< parts may be missing; rules about absent things stay silent
 };
 

@@ -43,8 +43,9 @@ const Rule open_csp_block{"RC-P13", error, "`csp-begin` without `csp-end`",
 const Rule too_many{"RC-P14", error, "too many mistakes; the rest of this file was not read",
                     "After 100 mistakes in one file further messages rarely help."};
 const Rule bare_quantifier{
-    "RC-P15", error, "`{}` binds weaker than every operator; put it in parentheses",
-    "Quantified and lambda expressions reach as far right as possible and may not be an operand without parentheses."};
+    "RC-P15", error, "`{}` binds weaker than the operator before it; put it in parentheses",
+    "Quantifiers, lambda, let, the and not reach further right than the operator in front of them; parentheses make "
+    "plain what belongs together."};
 const Rule late_package{"RC-P16", error, "the package clause must come first, and once",
                         "`package P` names the package of the whole file."};
 const Rule parameter_list{

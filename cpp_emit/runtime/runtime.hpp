@@ -5,6 +5,19 @@
 
 #include <cstdint>
 
+/// What a violated precondition of an operation does. Define it before including generated code to change that.
+#ifndef RC_REQUIRE
+#include <cassert>
+#define RC_REQUIRE(condition) assert(condition)
+#endif
+
+/// In generated code: reports to RC_REQUIRE and makes the cycle end with StepResult::precondition.
+#define ROBOCHART_PRECONDITION(condition) \
+    do {                                  \
+        RC_REQUIRE(condition);            \
+        this->require(condition);         \
+    } while (false)
+
 namespace robochart {
 
 /// How a control cycle ended.

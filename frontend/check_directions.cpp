@@ -1,0 +1,126 @@
+// Directions of connections (language reference 2: Cn5 to Cn9). A trigger and an input statement receive; the
+// statements `e`, `e!v`, `e.v` send. Called operations that the controller defines count as part of the machine,
+// statements in parentheses too (where RoboTool forgets them).
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "frontend/checks.hpp"
+#include "frontend/rules.hpp"
+#include "frontend/scopes.hpp"
+#include "frontend/walk.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// Events of a machine by name, with " via the operation …" where a call brings them.
+struct Traffic {
+    std::map<std::string_view, std::string> receives, sends;
+};
+
+class TrafficReader {
+public:
+    explicit TrafficReader(const Component& controller) : controller_(controller) {}
+
+    Traffic read(const Machine& machine) {
+        add(machine, "");
+        return std::move(traffic_);
+    }
+
+private:
+    void add(const Machine& machine, const std::string& via) {
+        if (!seen_.insert(&machine).second) return;
+        walk(machine, [&](const NodeContainer& container) {
+            for (const auto& transition : container.transitions)
+                if (transition->trigger && transition->trigger->event_target != nullptr)
+                    traffic_.receives.emplace(transition->trigger->event_target->name, via);
+        });
+        for_actions(machine, [&](const Stmt& action) {
+            walk(action, [&](const Stmt& statement) { this->statement(statement, via); });
+        });
+    }
+
+    void statement(const Stmt& statement, const std::string& via) {
+        if (statement.kind == StmtKind::communication && statement.communication->event_target != nullptr) {
+            const bool input = statement.communication->kind == CommKind::input;
+            (input ? traffic_.receives : traffic_.sends).emplace(statement.communication->event_target->name, via);
+        }
+        if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
+        for (const Machine* defined : defined_operations(controller_))
+            if (defined->name == statement.declaration->name)
+                add(*defined, via.empty() ? fmt::format(" via operation `{}`", defined->name) : via);
+    }
+
+    const Component& controller_;
+    std::set<const Machine*> seen_;
+    Traffic traffic_;
+};
+
+/// Cn8, Cn9: one-way connections of machines run the way the machines communicate.
+void check_machine_end(const Component& controller, const Connection& connection, const Connection::End& end,
+                       bool beginning, Diagnostics& out) {
+    const auto* machine = followed<Machine>(end.node_target);
+    if (machine == nullptr || end.event_target == nullptr || connection.multiple) return;
+    const Traffic traffic = TrafficReader(controller).read(*machine);
+    const auto& wrong = beginning ? traffic.receives : traffic.sends;
+    const auto found = wrong.find(end.event_target->name);
+    if (found == wrong.end()) return;
+    out.report(beginning ? rules::cn8 : rules::cn9, end.event.span,
+               {end.event.text(), end.node.text(), machine->name, found->second});
+}
+
+/// The connections inside a controller that end, begin or run both ways at one of its own events.
+struct Inside {
+    const Connection* from = nullptr;
+    const Connection* to = nullptr;
+    const Connection* both = nullptr;
+};
+
+Inside inside(const Component& controller, const std::string& event) {
+    Inside result;
+    for (const auto& connection : controller.connections) {
+        const bool from = connection->from.node_target == &controller && connection->from.event.text() == event;
+        const bool to = connection->to.node_target == &controller && connection->to.event.text() == event;
+        if (!from && !to) continue;
+        if (connection->multiple) result.both = connection.get();
+        if (from && !connection->multiple) result.from = connection.get();
+        if (to && !connection->multiple) result.to = connection.get();
+    }
+    return result;
+}
+
+/// Cn5 to Cn7: what a module connects to a controller goes on inside in the same way.
+void check_controller_end(const Connection& connection, const Connection::End& end, bool beginning, Diagnostics& out) {
+    const auto* controller = followed<Component>(end.node_target);
+    if (controller == nullptr || controller->kind != DeclKind::controller || end.event_target == nullptr) return;
+    const Inside found = inside(*controller, end.event.text());
+    const bool connected = found.from != nullptr || found.to != nullptr || found.both != nullptr;
+    const std::string way = beginning ? "starts" : "ends";
+    const auto report = [&](const Rule& rule, std::vector<std::string> arguments, const Connection* other) {
+        auto& finding = out.report(rule, end.event.span, std::move(arguments));
+        if (other != nullptr) finding.notes.push_back({other->span, "the connection inside"});
+    };
+    if (connection.multiple) {
+        if (connected && found.both == nullptr)
+            report(rules::cn5, {end.event.text(), end.node.text()}, found.from != nullptr ? found.from : found.to);
+        return;
+    }
+    if (found.both != nullptr) report(rules::cn6, {way, end.event.text(), end.node.text()}, found.both);
+    const Connection* against = beginning ? found.from : found.to;
+    if (against != nullptr) report(rules::cn7, {way, end.event.text(), end.node.text()}, against);
+}
+
+}  // namespace
+
+void check_directions(const Component& component, Diagnostics& out) {
+    for (const auto& connection : component.connections)
+        for (const bool beginning : {true, false}) {
+            const Connection::End& end = beginning ? connection->from : connection->to;
+            if (component.kind == DeclKind::module) check_controller_end(*connection, end, beginning, out);
+            if (component.kind == DeclKind::controller) check_machine_end(component, *connection, end, beginning, out);
+        }
+}
+
+}  // namespace robochart::frontend

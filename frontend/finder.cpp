@@ -1,0 +1,62 @@
+// See finder.hpp.
+#include "frontend/finder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "frontend/lexer.hpp"
+#include "frontend/print.hpp"
+#include "frontend/rules.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+constexpr DeclKind all_kinds[] = {DeclKind::primitive_type, DeclKind::record_type, DeclKind::enumeration,
+                                  DeclKind::enum_literal,   DeclKind::function,    DeclKind::interface,
+                                  DeclKind::platform,       DeclKind::operation,   DeclKind::state_machine,
+                                  DeclKind::controller,     DeclKind::module,      DeclKind::reference};
+
+const Declaration* find_other_kind(const Names& names, const Place& place, const QualifiedName& name) {
+    for (const DeclKind kind : all_kinds)
+        if (const Declaration* found = names.find(place, name, {kind})) return found;
+    return nullptr;
+}
+
+}  // namespace
+
+const Declaration* Finder::find(const Place& place, const QualifiedName& name, const Kinds& kinds,
+                                std::string_view what) {
+    if (const Declaration* found = names_.find(place, name, kinds)) return found;
+    if (const Declaration* other = find_other_kind(names_, place, name)) {
+        diagnostics::Diagnostic& finding =
+            out_.report(rules::ambiguous_kind, name.span,
+                        {shorten(name.text()), std::string(to_text(other->kind)), std::string(what)});
+        finding.notes.push_back({other->name_span, "it is declared here"});
+        return nullptr;
+    }
+    diagnostics::Diagnostic& finding =
+        unknown(name, what, "in the project as seen from here", names_.candidates(kinds));
+    if (const Declaration* hidden = names_.anywhere(name.parts.back(), kinds)) {
+        const std::string full = names_.full_name(hidden);
+        const std::size_t cut = full.rfind("::");
+        const std::string advice =
+            cut == std::string::npos || name.parts.size() > 1
+                ? fmt::format("there is `{}`", full)
+                : fmt::format("there is `{}`; `import {}::*` makes it visible", full, full.substr(0, cut));
+        finding.notes.push_back({hidden->name_span, advice});
+    }
+    return nullptr;
+}
+
+diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_view what, std::string_view where,
+                                         const std::vector<std::string>& candidates) {
+    diagnostics::Diagnostic& finding =
+        out_.report(rules::unknown_name, name.span, {std::string(what), shorten(name.text()), std::string(where)});
+    const std::string meant = nearest(name.parts.back(), candidates);
+    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, "did you mean"});
+    return finding;
+}
+
+}  // namespace robochart::frontend

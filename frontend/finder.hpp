@@ -1,0 +1,38 @@
+// Finding names and saying well that there are none (private to the front end).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+#include "frontend/names.hpp"
+
+namespace robochart::frontend {
+
+class Finder {
+public:
+    Finder(const Names& names, diagnostics::Diagnostics& out) : names_(names), out_(out) {}
+
+    /// A name of the project; reported if there is none.
+    const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds, std::string_view what);
+    /// Reports an unknown name with the nearest candidate as a mend. `where` completes "there is no X `x` …".
+    diagnostics::Diagnostic& unknown(const QualifiedName& name, std::string_view what, std::string_view where,
+                                     const std::vector<std::string>& candidates);
+    [[nodiscard]] const Names& names() const { return names_; }
+    [[nodiscard]] diagnostics::Diagnostics& out() { return out_; }
+
+private:
+    const Names& names_;
+    diagnostics::Diagnostics& out_;
+};
+
+/// The keys of a scope's table, for suggestions.
+template <class Map>
+[[nodiscard]] std::vector<std::string> keys(const Map& map) {
+    std::vector<std::string> result;
+    for (const auto& [name, declaration] : map) result.emplace_back(name);
+    return result;
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,22 @@
+// The toolkits of the language (set_toolkit and others), shipped inside the tool (private to the front end).
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "frontend/project.hpp"
+
+namespace robochart::frontend {
+
+/// A toolkit: its package and its text (frontend/library/PACKAGE.rct).
+struct Toolkit {
+    std::string_view package;
+    std::string_view text;
+};
+
+[[nodiscard]] const std::vector<Toolkit>& toolkits();
+
+/// Adds the toolkits that files of the model import, and those that they import in turn.
+void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics::Diagnostics& out);
+
+}  // namespace robochart::frontend

@@ -1,0 +1,191 @@
+// See names.hpp.
+#include "frontend/names.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace robochart::frontend {
+
+namespace {
+
+std::string qualified(const std::string& prefix, std::string_view name) {
+    return prefix.empty() ? std::string(name) : prefix + "::" + std::string(name);
+}
+
+void adopt_context(Context& context) {
+    for (auto& variable : context.variables) variable->parent = &context;
+    for (auto& event : context.events) event->parent = &context;
+    for (auto& clock : context.clocks) clock->parent = &context;
+    for (auto& signature : context.signatures) {
+        signature->parent = &context;
+        for (auto& parameter : signature->parameters) parameter->parent = signature.get();
+    }
+}
+
+/// Depth of composite states is bounded by the parser.
+void adopt_nodes(NodeContainer& container, const Declaration& parent) {
+    for (auto& node : container.nodes) {
+        node->parent = &parent;
+        adopt_nodes(*node, *node);
+    }
+    for (auto& transition : container.transitions) transition->parent = &parent;
+}
+
+}  // namespace
+
+Names::Names(Model& model) {
+    for (const auto& file : model.files) enter_file(*file);
+    for (const auto& [full, declarations] : by_name_)
+        for (const Declaration* declaration : declarations) by_simple_name_[declaration->name].push_back(declaration);
+    std::sort(packages_.begin(), packages_.end());
+}
+
+void Names::enter_file(File& file) {
+    const std::string package = file.package.text();
+    entering_ = &file;
+    packages_.push_back(package);
+    for (auto& declaration : file.declarations) enter(*declaration, nullptr, package);
+}
+
+void Names::enter(Declaration& declaration, const Declaration* parent, const std::string& prefix) {
+    declaration.parent = parent;
+    const std::string full = qualified(prefix, declaration.name);
+    by_name_[full].push_back(&declaration);
+    full_names_[&declaration] = full;
+    files_[&declaration] = entering_;
+    if (auto* type = dynamic_cast<TypeDeclaration*>(&declaration)) enter_type(*type, prefix);
+    if (auto* function = dynamic_cast<Function*>(&declaration))
+        for (auto& parameter : function->parameters) parameter->parent = function;
+    if (auto* context = dynamic_cast<Context*>(&declaration)) adopt_context(*context);
+    if (auto* machine = dynamic_cast<Machine*>(&declaration)) {
+        for (auto& parameter : machine->parameters) parameter->parent = machine;
+        adopt_nodes(*machine, *machine);
+    }
+    if (auto* component = dynamic_cast<Component*>(&declaration)) enter_component(*component, full);
+}
+
+/// Literals are known by `E::L` and by `L` alone.
+void Names::enter_type(TypeDeclaration& type, const std::string& prefix) {
+    for (auto& field : type.fields) field->parent = &type;
+    for (auto& literal : type.literals) {
+        literal->parent = &type;
+        by_name_[qualified(full_names_[&type], literal->name)].push_back(literal.get());
+        by_name_[qualified(prefix, literal->name)].push_back(literal.get());
+        full_names_[literal.get()] = qualified(full_names_[&type], literal->name);
+    }
+}
+
+void Names::enter_component(Component& component, const std::string& full) {
+    for (auto& part : component.platforms) enter(*part, &component, full);
+    for (auto& part : component.controllers) enter(*part, &component, full);
+    for (auto& part : component.machines) enter(*part, &component, full);
+    for (auto& part : component.operations) enter(*part, &component, full);
+    for (auto& part : component.references) enter(*part, &component, full);
+    for (auto& connection : component.connections) connection->parent = &component;
+}
+
+/// Of several with one name, the file's own comes first.
+const Declaration* Names::at(const std::string& full, const Kinds& kinds, const File* file) const {
+    const Declaration* first = nullptr;
+    for (const Declaration* declaration : all(full)) {
+        if (!kinds.has(declaration->kind)) continue;
+        const auto owner = files_.find(declaration->kind == DeclKind::enum_literal ? declaration->parent : declaration);
+        if (owner != files_.end() && owner->second == file) return declaration;
+        if (first == nullptr) first = declaration;
+    }
+    return first;
+}
+
+const std::vector<const Declaration*>& Names::all(const std::string& full_name) const {
+    static const std::vector<const Declaration*> none;
+    const auto found = by_name_.find(full_name);
+    return found != by_name_.end() ? found->second : none;
+}
+
+const Declaration* Names::find(const Place& place, const QualifiedName& name, const Kinds& kinds) const {
+    if (name.empty()) return nullptr;
+    const std::string text = name.text();
+    for (const Declaration* around = place.inside; around != nullptr; around = around->parent)
+        if (const Declaration* found = at(qualified(full_name(around), text), kinds, place.file)) return found;
+    if (place.file != nullptr) {
+        if (const Declaration* found = at(qualified(place.file->package.text(), text), kinds, place.file)) return found;
+        for (const Import& import : place.file->imports) {
+            const bool names_it = !import.wildcard && import.name.parts.back() == name.parts.front();
+            const std::string prefix = import.name.text();
+            const std::string full = import.wildcard ? qualified(prefix, text)
+                                     : names_it      ? prefix + text.substr(name.parts.front().size())
+                                                     : std::string();
+            if (full.empty()) continue;
+            if (const Declaration* found = at(full, kinds, place.file)) return found;
+        }
+    }
+    return at(text, kinds, place.file);
+}
+
+std::vector<std::string> Names::candidates(const Kinds& kinds) const {
+    std::vector<std::string> result;
+    for (const auto& [simple, declarations] : by_simple_name_)
+        if (std::any_of(declarations.begin(), declarations.end(),
+                        [&](const Declaration* d) { return kinds.has(d->kind); }))
+            result.push_back(simple);
+    return result;
+}
+
+const Declaration* Names::anywhere(std::string_view simple_name, const Kinds& kinds) const {
+    const auto found = by_simple_name_.find(simple_name);
+    if (found == by_simple_name_.end()) return nullptr;
+    for (const Declaration* declaration : found->second)
+        if (kinds.has(declaration->kind)) return declaration;
+    return nullptr;
+}
+
+std::string Names::full_name(const Declaration* declaration) const {
+    const auto found = full_names_.find(declaration);
+    return found != full_names_.end() ? found->second : declaration->name;
+}
+
+bool Names::has_package(const std::string& name) const {
+    return std::binary_search(packages_.begin(), packages_.end(), name);
+}
+
+namespace {
+
+/// Edit distance with transpositions of neighbours (optimal string alignment).
+std::size_t distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1);
+    std::vector<std::size_t> last(b.size() + 1);
+    std::iota(last.begin(), last.end(), 0U);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::vector<std::size_t> row(b.size() + 1, i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + change});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+        before = std::move(last);
+        last = std::move(row);
+    }
+    return last.back();
+}
+
+}  // namespace
+
+std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
+    if (name.size() > 100) return {};
+    std::size_t best = std::max<std::size_t>(1, name.size() / 3) + 1;
+    std::string result;
+    for (const std::string& candidate : candidates) {
+        const std::size_t difference =
+            candidate.size() > name.size() ? candidate.size() - name.size() : name.size() - candidate.size();
+        if (candidate == name || difference >= best) continue;
+        const std::size_t d = distance(name, candidate);
+        if (d < best && d < name.size()) {
+            best = d;
+            result = candidate;
+        }
+    }
+    return result;
+}
+
+}  // namespace robochart::frontend

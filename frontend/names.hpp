@@ -1,0 +1,71 @@
+// The names of a project and how they are found (language reference 1.3): private to the front end.
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frontend/ast.hpp"
+
+namespace robochart::frontend {
+
+/// A set of declaration kinds.
+class Kinds {
+public:
+    Kinds(std::initializer_list<DeclKind> kinds) {
+        for (const DeclKind kind : kinds) bits_ |= 1U << static_cast<unsigned>(kind);
+    }
+    [[nodiscard]] bool has(DeclKind kind) const { return (bits_ >> static_cast<unsigned>(kind) & 1U) != 0; }
+
+private:
+    std::uint64_t bits_ = 0;
+};
+
+/// Where a name is written: its file and the declaration around it (may be null).
+struct Place {
+    const File* file = nullptr;
+    const Declaration* inside = nullptr;
+};
+
+/// All names declared at package level or inside components, by their full name `P::C::S`.
+class Names {
+public:
+    /// Enters every file and sets the `parent` of every declaration.
+    explicit Names(Model& model);
+
+    /// What a name stands for at a place: the enclosing declarations, the package, its imports, unnamed packages.
+    /// Null if there is nothing of these kinds.
+    [[nodiscard]] const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds) const;
+    /// All declarations entered under a full name.
+    [[nodiscard]] const std::vector<const Declaration*>& all(const std::string& full_name) const;
+    /// Simple names of everything of these kinds, for suggestions.
+    [[nodiscard]] std::vector<std::string> candidates(const Kinds& kinds) const;
+    /// Any declaration with this simple name and kind, wherever it is; the first by full name.
+    [[nodiscard]] const Declaration* anywhere(std::string_view simple_name, const Kinds& kinds) const;
+    /// `P::C::S` of an entered declaration.
+    [[nodiscard]] std::string full_name(const Declaration* declaration) const;
+    /// Is there a file of this package?
+    [[nodiscard]] bool has_package(const std::string& name) const;
+    [[nodiscard]] const std::map<std::string, std::vector<const Declaration*>>& entries() const { return by_name_; }
+
+private:
+    void enter_file(File& file);
+    void enter(Declaration& declaration, const Declaration* parent, const std::string& prefix);
+    void enter_type(TypeDeclaration& type, const std::string& prefix);
+    void enter_component(Component& component, const std::string& full);
+    [[nodiscard]] const Declaration* at(const std::string& full, const Kinds& kinds, const File* file) const;
+
+    std::map<std::string, std::vector<const Declaration*>> by_name_;
+    std::map<std::string, std::vector<const Declaration*>, std::less<>> by_simple_name_;
+    std::map<const Declaration*, std::string> full_names_;
+    std::map<const Declaration*, const File*> files_;
+    const File* entering_ = nullptr;
+    std::vector<std::string> packages_;
+};
+
+/// The candidate nearest to a misspelt name, if it is near enough to be meant; "" otherwise.
+[[nodiscard]] std::string nearest(std::string_view name, const std::vector<std::string>& candidates);
+
+}  // namespace robochart::frontend

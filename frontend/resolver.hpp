@@ -1,0 +1,45 @@
+// Filling the tree: what every name stands for and every type (private to the front end).
+#pragma once
+
+#include "frontend/typer.hpp"
+
+namespace robochart::frontend {
+
+class Resolver {
+public:
+    Resolver(Model& model, Finder& finder) : model_(model), finder_(finder), typer_(finder) {}
+    void run();
+
+private:
+    // Declarations (resolver.cpp)
+    void each(void (Resolver::*visit)(File&, Declaration&));
+    void each_part(File& file, Declaration& declaration, void (Resolver::*visit)(File&, Declaration&));
+    void header(File& file, Declaration& declaration);
+    void body(File& file, Declaration& declaration);
+    void type_header(File& file, TypeDeclaration& type);
+    void function_header(File& file, Function& function);
+    void context_header(File& file, Context& context);
+    void variable_type(Variable& variable, Surroundings& around);
+    void parameter_types(std::vector<VariablePtr>& parameters, Surroundings& around);
+    void references(File& file, Component& component);
+    void sizes(Context& context, Surroundings& around);
+
+    // Bodies (resolver_bodies.cpp)
+    void function_body(File& file, Function& function);
+    void context_body(File& file, Context& context);
+    void machine_body(Machine& machine, Surroundings& around);
+    void container(NodeContainer& container, const Machine& machine, Surroundings& around);
+    void transition(Transition& transition, NodeContainer& container, const Machine& machine, Surroundings& around);
+    const State* node(const QualifiedName& name, const Transition& transition, std::string_view role,
+                      const NodeContainer& container, const Machine& machine);
+    void connections(Component& component);
+    void connection_end(Connection::End& end, Component& component);
+    void connection_event(Connection::End& end);
+    void assertions(File& file);
+
+    Model& model_;
+    Finder& finder_;
+    Typer typer_;
+};
+
+}  // namespace robochart::frontend

@@ -1,0 +1,157 @@
+// Bodies: initial values, contracts, nodes, transitions, connections, parameters of assertions.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "frontend/print.hpp"
+#include "frontend/resolver.hpp"
+#include "frontend/rules.hpp"
+#include "frontend/walk.hpp"
+
+namespace robochart::frontend {
+
+void Resolver::function_body(File& file, Function& function) {
+    Surroundings around{{&file, &function}, nullptr, &function, nullptr, {}};
+    for (const VariablePtr& parameter : function.parameters) around.bound.push_back(parameter.get());
+    for (const ExprPtr& condition : function.preconditions) typer_.boolean(condition, around, "a precondition");
+    for (const ExprPtr& condition : function.postconditions) typer_.boolean(condition, around, "a postcondition");
+}
+
+void Resolver::context_body(File& file, Context& context) {
+    const Scope scope = scope_of(context);
+    auto* machine = dynamic_cast<Machine*>(&context);
+    Surroundings around{{&file, &context}, &scope, nullptr, machine, {}};
+    for (auto& variable : context.variables) {
+        if (!variable->initial) continue;
+        const TypePtr value = typer_.type(variable->initial, around);
+        if (value && variable->type && !compatible(value, variable->type))
+            finder_.out().report(rules::initial_type, variable->initial->span,
+                                 {variable->name, to_string(variable->type), to_string(value)});
+    }
+    if (machine != nullptr) machine_body(*machine, around);
+}
+
+void Resolver::machine_body(Machine& machine, Surroundings& around) {
+    for (const ExprPtr& condition : machine.preconditions) typer_.boolean(condition, around, "a precondition");
+    for (const ExprPtr& condition : machine.postconditions) typer_.boolean(condition, around, "a postcondition");
+    container(machine, machine, around);
+}
+
+void Resolver::container(NodeContainer& container, const Machine& machine, Surroundings& around) {
+    for (auto& state : container.nodes) {
+        for (Action& action : state->actions)
+            if (action.statement) typer_.statement(*action.statement, around);
+        this->container(*state, machine, around);
+    }
+    for (auto& transition : container.transitions) this->transition(*transition, container, machine, around);
+}
+
+void Resolver::transition(Transition& transition, NodeContainer& container, const Machine& machine,
+                          Surroundings& around) {
+    transition.source = node(transition.from, transition, "source", container, machine);
+    transition.target = node(transition.to, transition, "target", container, machine);
+    if (transition.trigger) typer_.communication(*transition.trigger, around, true);
+    if (transition.probability) typer_.type(transition.probability, around);
+    for (Transition::Reset& reset : transition.resets) reset.clock = typer_.clock(reset.name, around, rules::ts1);
+    if (transition.deadline) {
+        const TypePtr bound = simplify(typer_.type(transition.deadline, around));
+        if (bound && !compatible(bound, make_type(TypeForm::real)))
+            finder_.out().report(rules::deadline_type, transition.deadline->span, {to_string(bound)});
+    }
+    if (transition.condition) {
+        const TypePtr condition = typer_.type(transition.condition, around);
+        if (condition && !compatible(condition, make_type(TypeForm::boolean)))
+            finder_.out().report(rules::condition_type, transition.condition->span, {to_string(condition)});
+    }
+    if (transition.action) typer_.statement(*transition.action, around);
+}
+
+/// A node of the transition's own container (T1); elsewhere it is told where.
+const State* Resolver::node(const QualifiedName& name, const Transition& transition, std::string_view role,
+                            const NodeContainer& container, const Machine& machine) {
+    if (name.empty()) return nullptr;
+    const auto named = [&](const NodeContainer& in) -> const State* {
+        const auto found = std::find_if(in.nodes.begin(), in.nodes.end(),
+                                        [&](const auto& n) { return n->name == name.parts.front(); });
+        return found != in.nodes.end() ? found->get() : nullptr;
+    };
+    if (const State* found = named(container)) return found;
+    const State* elsewhere = nullptr;
+    std::vector<std::string> candidates;
+    walk(machine, [&](const NodeContainer& other) {
+        if (elsewhere == nullptr) elsewhere = named(other);
+    });
+    if (elsewhere != nullptr) {
+        finder_.out()
+            .report(rules::t1, name.span, {std::string(role), name.text(), transition.name})
+            .notes.push_back({elsewhere->name_span,
+                              fmt::format("`{}` is declared here, in `{}`", elsewhere->name, elsewhere->parent->name)});
+        return nullptr;
+    }
+    for (const auto& node : container.nodes) candidates.push_back(node->name);
+    finder_.unknown(name, "node", fmt::format("beside transition `{}`", transition.name), candidates);
+    return nullptr;
+}
+
+// ---------------------------------------------------------------- connections
+
+void Resolver::connections(Component& component) {
+    for (auto& connection : component.connections) {
+        connection_end(connection->from, component);
+        connection_end(connection->to, component);
+    }
+}
+
+void Resolver::connection_end(Connection::End& end, Component& component) {
+    const bool is_module = component.kind == DeclKind::module;
+    std::vector<std::string> candidates;
+    for (const Declaration* part : component.order) {
+        if (end.node_target == nullptr && end.node.text() == part->name) end.node_target = part;
+        candidates.push_back(part->name);
+    }
+    if (!is_module && end.node_target == nullptr && end.node.text() == component.name) end.node_target = &component;
+    const Declaration* behind = follow(end.node_target);
+    const bool known = end.node_target != nullptr && behind == nullptr;  // a broken reference, reported there
+    const bool fits =
+        behind != nullptr && (is_module ? behind->kind == DeclKind::platform || behind->kind == DeclKind::controller
+                                        : behind->kind == DeclKind::state_machine || behind == &component);
+    if (fits) return connection_event(end);
+    if (known) return;
+    const bool exists = end.node_target != nullptr || end.node.text() == component.name ||
+                        finder_.names().anywhere(end.node.parts.back(),
+                                                 {DeclKind::state_machine, DeclKind::controller, DeclKind::platform,
+                                                  DeclKind::reference, DeclKind::module}) != nullptr;
+    end.node_target = nullptr;
+    if (exists) {
+        finder_.out().report(is_module ? rules::cn1 : rules::cn3, end.node.span, {end.node.text(), component.name});
+        return;
+    }
+    finder_.unknown(end.node, "component", fmt::format("in {} `{}`", to_text(component.kind), component.name),
+                    candidates);
+}
+
+/// Cn10: an end's event is one of the component at that end.
+void Resolver::connection_event(Connection::End& end) {
+    const auto* behind = followed<Context>(end.node_target);
+    if (behind == nullptr) return;
+    const Scope scope = scope_of(*behind);
+    const auto found = scope.events.find(end.event.text());
+    if (found != scope.events.end()) {
+        end.event_target = found->second;
+        return;
+    }
+    auto& finding = finder_.out().report(rules::cn10, end.event.span, {end.node.text(), end.event.text()});
+    const std::string meant = nearest(end.event.text(), keys(scope.events));
+    if (!meant.empty()) finding.fixes.push_back({end.event.span, meant, "did you mean"});
+}
+
+/// Values may use literals and functions; what the parameters belong to is found along paths by the semantics.
+void Resolver::assertions(File& file) {
+    for (Assertion& assertion : file.assertions)
+        for (AssertionParameter& parameter : assertion.parameters) {
+            Surroundings around{{&file, nullptr}, nullptr, nullptr, nullptr, {}};
+            if (parameter.value) typer_.type(*parameter.value, around);
+        }
+}
+
+}  // namespace robochart::frontend

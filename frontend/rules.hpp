@@ -1,0 +1,41 @@
+// The rule table of the resolved model: names, well-formedness and types (language reference 2). Codes are the
+// published ones where there are such, ours (RC-...) otherwise. Two rows may share a code: the same rule, other
+// circumstances.
+#pragma once
+
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::frontend::rules {
+
+using diagnostics::Rule;
+
+// rules_names.cpp
+extern const Rule unknown_name, ambiguous_kind, not_unique;
+// rules_nodes.cpp
+extern const Rule s2, ij1, ij2, fs1, fs2, fs3, j1, j2, j3, t1, t2, pj1, pj2, pj3, pt1, pt2, pt2_unknown, stm3,
+    stm3_inner, stm4, parameter_assigned;
+// rules_components.cpp
+extern const Rule stm1, stm6, stm7, stm8, stm9, stm10, rp1, rp2, rp3, o1, i1, i2, i_mixed, c1, c2, c3, c4, c4_operation,
+    c7, c8, c9, c10, c11, m1, m_controller, m_machine, m2_variables, m2_operations, dt;
+// rules_connections.cpp
+extern const Rule cn1, cn2, cn3, cn4, cn_types, cn10, cn11, c6, m3, cn5, cn6, cn7, cn8, cn9;
+// rules_time.cpp
+extern const Rule tt1, te1, te2, te3, te4, te4_type, te5, ts1, untimed;
+// rules_types.cpp
+extern const Rule initial_type, assignment_type, if_type, condition_type, wait_type, call_count, call_type, tg2, tg3,
+    comm_input, comm_value, literal_count, literal_bare, literal_type, function_count, function_type, not_callable,
+    tuple_index, index_count, not_indexable, no_field, field_type, field_missing, cast_type, operand_type, unary_type,
+    compare_type, mixed_types, size_value, condition_boolean, deadline_type, not_assignable;
+
+[[nodiscard]] const std::vector<const Rule*>& of_names();
+[[nodiscard]] const std::vector<const Rule*>& of_nodes();
+[[nodiscard]] const std::vector<const Rule*>& of_components();
+[[nodiscard]] const std::vector<const Rule*>& of_connections();
+[[nodiscard]] const std::vector<const Rule*>& of_time();
+[[nodiscard]] const std::vector<const Rule*>& of_types();
+/// All of them.
+[[nodiscard]] std::vector<const Rule*> all();
+
+}  // namespace robochart::frontend::rules

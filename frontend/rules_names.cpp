@@ -1,0 +1,31 @@
+// Rules about names.
+#include "frontend/rules.hpp"
+
+namespace robochart::frontend::rules {
+
+using enum diagnostics::Severity;
+
+const Rule unknown_name{
+    "RC-N01", error, "there is no {} `{}` {}",
+    "Names are looked up in the machine's own declarations and the interfaces it uses or requires, then in the "
+    "package, its imports, and unnamed packages. A machine does not see what its controller declares."};
+const Rule ambiguous_kind{"RC-N02", error, "`{}` is a {}, but a {} is needed here",
+                          "The name exists but stands for something that cannot be used at this place."};
+const Rule not_unique{
+    "RC-N03", warning, "`{}` is declared more than once",
+    "Two declarations of the same kind share one name; a reference to it means the first. Published as RP3, I3, "
+    "C5, STM5 and O1."};
+
+const std::vector<const Rule*>& of_names() {
+    static const std::vector<const Rule*> rules = {&unknown_name, &ambiguous_kind, &not_unique};
+    return rules;
+}
+
+std::vector<const Rule*> all() {
+    std::vector<const Rule*> result;
+    for (const auto* group : {&of_names(), &of_nodes(), &of_components(), &of_connections(), &of_time(), &of_types()})
+        result.insert(result.end(), group->begin(), group->end());
+    return result;
+}
+
+}  // namespace robochart::frontend::rules
