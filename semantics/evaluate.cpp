@@ -35,6 +35,8 @@ private:
     std::optional<std::int64_t> exact(const Expr& expr, std::int64_t left, std::int64_t right);
     Value negate(const Expr& expr);
     Value cast(const Expr& expr);
+    Value converted(const Expr& expr, const Value& value, TypeId from, TypeId to);
+    Value converted_parts(const Expr& expr, const Value& value, const Type& source, const Type& target);
     Value constructed(const Expr& expr);
     Value access(const Expr& expr);
     Value quantified(const Expr& expr);
@@ -192,15 +194,37 @@ Value Evaluator::negate(const Expr& expr) {
     return {*result, {}};
 }
 
-Value Evaluator::cast(const Expr& expr) {
-    const Value value = operand(expr, 0);
-    const bool from_real = kind(argument(expr, 0).type) == TypeKind::real;
-    const bool to_real = kind(expr.type) == TypeKind::real;
+/// The value in the other type's unit, part by part: only numbers have one.
+Value Evaluator::converted(const Expr& expr, const Value& value, TypeId from, TypeId to) {
+    if (from == to || !from.valid() || !to.valid()) return value;
+    const Type& source = system_.type(from);
+    const Type& target = system_.type(to);
+    const bool from_real = source.kind == TypeKind::real;
+    const bool to_real = target.kind == TypeKind::real;
+    if (!value.parts.empty() && !target.args.empty()) return converted_parts(expr, value, source, target);
     if (from_real == to_real) return value;
     const auto result = to_real ? checked_multiply(value.number, instantiation_.scale)
                                 : floor_divide(value.number, instantiation_.scale);
     if (!result) fault(expr, "the number does not fit into 64 bits at this scale");
     return {*result, {}};
+}
+
+Value Evaluator::converted_parts(const Expr& expr, const Value& value, const Type& source, const Type& target) {
+    if (source.kind != target.kind || source.args.size() != target.args.size())
+        fault(expr, "no conversion from " + source.name + " to " + target.name);
+    const bool by_place = source.kind == TypeKind::product;
+    if (!by_place && source.args.size() != 1)
+        fault(expr, "no conversion between " + source.name + " and " + target.name);
+    Value result = value;
+    for (std::size_t i = 0; i < result.parts.size(); ++i) {
+        const std::size_t place = by_place ? i : 0;
+        result.parts[i] = converted(expr, value.parts[i], source.args.at(place), target.args.at(place));
+    }
+    return result;
+}
+
+Value Evaluator::cast(const Expr& expr) {
+    return converted(expr, operand(expr, 0), argument(expr, 0).type, expr.type);
 }
 
 Value Evaluator::constructed(const Expr& expr) {
@@ -360,7 +384,6 @@ Value Evaluator::value(const Expr& expr) {
         case ExprKind::call:
             return undefined_function(expr);
         case ExprKind::function_value:
-        case ExprKind::result:
             fault(expr, "the function has no definition to evaluate");
     }
     fault(expr, "the expression has no value");

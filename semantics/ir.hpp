@@ -94,7 +94,6 @@ enum class ExprKind {
     bound,          ///< variable bound by an enclosing quantifier/let/lambda/comprehension: text
     forall, exists, exists_unique, lambda, the, set_comprehension,  ///< bound_names, bound_types; args: predicate, body
     let,            ///< bound_names[i] is args[i]; the last of args is the body
-    result,         ///< of the function, in its postconditions
 };
 
 struct Expr;
@@ -326,14 +325,15 @@ struct Module {
     Origin origin;
 };
 
-/// A function of the model; specified by contract only. `parameters` are bound names in the conditions.
+/// A function that the model uses; specified by contract only. `parameter_names` are bound names in the preconditions;
+/// postconditions define no value and have no place here (rule RC-S18).
 struct Function {
     std::string name;
     std::string package;
     std::vector<std::string> parameter_names;
     std::vector<TypeId> parameters;
     TypeId result;
-    std::vector<ExprPtr> preconditions, postconditions;
+    std::vector<ExprPtr> preconditions;
     Origin origin;
 };
 
@@ -363,7 +363,9 @@ struct Property {
     ComponentRef subject;
     ComponentRef other;            ///< refines, equals
     std::string state;             ///< reachable: CSP path of the state below the subject ("S1", "C::Inner"); clock_initialised: the clock
-    std::vector<std::pair<std::string, ExprPtr>> constants;  ///< `with constant c of X set to e`: qualified CSP constant name
+    /// `with constant c of X set to e`: name of the constant as in query.hpp, where its value counts (the provider's for
+    /// a required one). `with parameter p of O`: the same with "param_" for "const_".
+    std::vector<std::pair<std::string, ExprPtr>> constants;
     std::string file;              ///< path of the .assertions file
     std::string wording;           ///< the assertion as written, on one line
     Origin origin;

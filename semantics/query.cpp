@@ -77,10 +77,16 @@ ConstantSource constant_source(const System&, const Module* module, const Contro
     const Constant* provided = own.required ? find_constant(controller->constants, own.name) : nullptr;
     if (provided == nullptr)
         return {constant_name(controller->package, controller->path + "::" + part, own.name), &own};
-    const Constant* platform =
-        module != nullptr && provided->required ? find_constant(module->platform.constants, own.name) : nullptr;
+    const auto place = static_cast<std::uint32_t>(provided - controller->constants.data());
+    return constant_source(module, *controller, ConstantId{place});
+}
+
+ConstantSource constant_source(const Module* module, const Controller& controller, ConstantId id) {
+    const Constant& own = controller.constants.at(id.index);
+    const bool outside = module != nullptr && own.required;
+    const Constant* platform = outside ? find_constant(module->platform.constants, own.name) : nullptr;
     if (platform != nullptr) return {constant_name(module->package, module->name, own.name), platform};
-    return {constant_name(controller->package, controller->path, own.name), provided};
+    return {constant_name(controller.package, controller.path, own.name), &own};
 }
 
 std::vector<NamedConstant> named_constants(const System& system) {

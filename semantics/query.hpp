@@ -34,6 +34,9 @@ struct ConstantSource {
 [[nodiscard]] ConstantSource constant_source(const System&, const Module* module, const Controller* controller,
                                              const std::string& part, const Machine&, ConstantId);
 
+/// The same for a constant of a controller: the platform's if the controller requires it and runs in a module.
+[[nodiscard]] ConstantSource constant_source(const Module* module, const Controller&, ConstantId);
+
 /// One constant that a user or an assertion may set: every distinct name in the system, in order of declaration.
 struct NamedConstant {
     std::string name;  ///< `const_P_C_ref_c`

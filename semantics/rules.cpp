@@ -71,9 +71,17 @@ const Rule literal_outside_range{
     "RC-S17", Severity::warning, "{} lies outside the range {}..{} chosen for {}",
     "Comparisons with the number still mean what they say, but no variable can hold it, and arithmetic that reaches it "
     "leaves its first operand as it is (RoboTool's rule for results outside the type)."};
+const Rule function_without_definition{
+    "RC-S18", Severity::warning,
+    "function {} has no definition: it counts as a constant (0, true or the first literal) unless a csp block defines "
+    "it",
+    "RoboChart functions are specified by pre- and postconditions, which do not say how to compute a result. RoboTool "
+    "takes such a function as a constant until somebody writes it in CSPM, and so does this tool; only its "
+    "precondition "
+    "counts."};
 
 namespace {
-const std::array<const Rule*, 16> table{&unsupported_construct,
+const std::array<const Rule*, 17> table{&unsupported_construct,
                                         &recursive_operation,
                                         &number_too_large,
                                         &too_deep,
@@ -88,7 +96,8 @@ const std::array<const Rule*, 16> table{&unsupported_construct,
                                         &ranges_not_nested,
                                         &range_too_large,
                                         &scale_too_large,
-                                        &literal_outside_range};
+                                        &literal_outside_range,
+                                        &function_without_definition};
 }  // namespace
 
 std::span<const Rule* const> all() {

@@ -1,0 +1,16 @@
+// Controllers and modules. Private to semantics/lower*.
+#pragma once
+
+#include "semantics/lower/lowering.hpp"
+
+namespace robochart::ir {
+
+/// Gives every machine, operation, controller and module its place in the System, in textual order of files by path;
+/// inline ones where they stand. Bodies follow.
+void register_components(Lowering&);
+void lower_controller(Lowering&, const frontend::Component&, ControllerId);
+void lower_module(Lowering&, const frontend::Component&, std::size_t index);
+/// Reports operations that call themselves through the definitions of a controller.
+void check_recursion(Lowering&);
+
+}  // namespace robochart::ir

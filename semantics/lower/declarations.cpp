@@ -1,0 +1,154 @@
+// Variables, constants, events, clocks and operations of a context, its own and those of its interfaces.
+#include <algorithm>
+
+#include "semantics/lower/machines.hpp"
+#include "semantics/lower/types.hpp"
+
+namespace robochart::ir {
+namespace {
+
+namespace ast = frontend;
+
+template <class T, class IdType>
+void remember(const std::vector<T>& items, ByDeclaration<IdType>& map, const ast::Declaration& declaration) {
+    map[&declaration] = IdType{static_cast<std::uint32_t>(items.size() - 1)};
+}
+
+/// Collects the declarations of one context; initial values follow when every name is known.
+class Collector {
+public:
+    Collector(Lowering& lowering, const ast::Context& context) : lowering_(lowering), context_(context) {}
+
+    Declarations collect(const std::string& path, const std::vector<ast::VariablePtr>* parameters);
+
+private:
+    void members(const ast::Context& owner, const std::string& element, const ast::InterfaceClause* clause);
+    void interface(const ast::InterfaceClause& clause);
+    void variable(const ast::Variable& source, const std::string& element, const ast::InterfaceClause* clause);
+    void parameter(const ast::Variable& source, const std::string& element);
+    void event(const ast::Event& source, const std::string& element, const std::string& interface);
+    void clock(const ast::Clock& source, const std::string& element, const ast::InterfaceClause* clause);
+    void operation(const ast::OperationSignature& source, const std::string& element, const std::string& interface);
+    void initial_values();
+    [[nodiscard]] VariableScope scope(const ast::InterfaceClause* clause) const;
+
+    Lowering& lowering_;
+    const ast::Context& context_;
+    Declarations result_;
+    std::vector<const ast::Variable*> variable_sources_;
+    std::vector<const ast::Variable*> constant_sources_;
+    std::vector<const ast::Declaration*> seen_;
+};
+
+std::string name_of(const ast::InterfaceClause* clause) {
+    return clause == nullptr || clause->target == nullptr ? "" : clause->target->name;
+}
+
+/// Machines and controllers share what they require; a platform shows what it provides (semantics 3.7).
+VariableScope Collector::scope(const ast::InterfaceClause* clause) const {
+    if (clause == nullptr) return VariableScope::local;
+    const bool platform = context_.kind == ast::DeclKind::platform;
+    const auto shared = platform ? ast::InterfaceUse::provides : ast::InterfaceUse::requires_;
+    return clause->use == shared ? VariableScope::required : VariableScope::local;
+}
+
+void Collector::variable(const ast::Variable& source, const std::string& element, const ast::InterfaceClause* clause) {
+    const Origin origin = origin_of(element + "::" + source.name, source.span);
+    const TypeId type = lower_type(lowering_, source.type, source.span);
+    if (source.kind == ast::DeclKind::constant) {
+        const bool required = clause != nullptr && clause->use == ast::InterfaceUse::requires_;
+        result_.constants.push_back({source.name, type, nullptr, required, name_of(clause), origin});
+        constant_sources_.push_back(&source);
+        remember(result_.constants, result_.names.constants, source);
+        return;
+    }
+    result_.variables.push_back({source.name, type, scope(clause), nullptr, name_of(clause), origin});
+    variable_sources_.push_back(&source);
+    remember(result_.variables, result_.names.variables, source);
+}
+
+void Collector::parameter(const ast::Variable& source, const std::string& element) {
+    const TypeId type = lower_type(lowering_, source.type, source.span);
+    result_.variables.push_back({source.name, type, VariableScope::parameter, nullptr, "",
+                                 origin_of(element + "::" + source.name, source.span)});
+    variable_sources_.push_back(&source);
+    remember(result_.variables, result_.names.variables, source);
+}
+
+void Collector::event(const ast::Event& source, const std::string& element, const std::string& interface) {
+    Event event;
+    event.name = source.name;
+    if (source.type_expr || source.type) event.type = lower_type(lowering_, source.type, source.span);
+    event.broadcast = source.broadcast;
+    event.interface = interface;
+    event.origin = origin_of(element + "::" + source.name, source.span);
+    result_.events.push_back(std::move(event));
+    remember(result_.events, result_.names.events, source);
+}
+
+void Collector::clock(const ast::Clock& source, const std::string& element, const ast::InterfaceClause* clause) {
+    const bool required = clause != nullptr && clause->use == ast::InterfaceUse::requires_;
+    result_.clocks.push_back(
+        {source.name, {}, required, name_of(clause), origin_of(element + "::" + source.name, source.span)});
+    remember(result_.clocks, result_.names.clocks, source);
+}
+
+void Collector::operation(const ast::OperationSignature& source, const std::string& element,
+                          const std::string& interface) {
+    OperationSignature signature;
+    signature.name = source.name;
+    for (const auto& item : source.parameters) {
+        signature.parameter_names.push_back(item->name);
+        signature.parameters.push_back(lower_type(lowering_, item->type, item->span));
+    }
+    signature.terminates = source.terminates;
+    signature.interface = interface;
+    signature.origin = origin_of(element + "::" + source.name, source.span);
+    result_.operations.push_back(std::move(signature));
+    remember(result_.operations, result_.names.operations, source);
+}
+
+void Collector::members(const ast::Context& owner, const std::string& element, const ast::InterfaceClause* clause) {
+    const std::string interface = name_of(clause);
+    for (const auto& item : owner.variables) variable(*item, element, clause);
+    for (const auto& item : owner.events) event(*item, element, interface);
+    for (const auto& item : owner.clocks) clock(*item, element, clause);
+    for (const auto& item : owner.signatures) operation(*item, element, interface);
+}
+
+void Collector::interface(const ast::InterfaceClause& clause) {
+    if (clause.target == nullptr || clause.target->kind != ast::DeclKind::interface)
+        return lowering_.unresolved("interface '" + clause.name.text() + "'", clause.name.span);
+    if (std::find(seen_.begin(), seen_.end(), clause.target) != seen_.end()) return;
+    seen_.push_back(clause.target);
+    result_.interfaces.push_back(clause.target->name);
+    members(static_cast<const ast::Context&>(*clause.target), clause.target->name, &clause);
+}
+
+void Collector::initial_values() {
+    for (std::size_t i = 0; i < constant_sources_.size(); ++i)
+        if (const auto& value = constant_sources_[i]->initial)
+            result_.constants[i].value = lower_expression(lowering_, result_.names, *value, result_.constants[i].type);
+    for (std::size_t i = 0; i < variable_sources_.size(); ++i)
+        if (const auto& value = variable_sources_[i]->initial)
+            result_.variables[i].initial =
+                lower_expression(lowering_, result_.names, *value, result_.variables[i].type);
+}
+
+Declarations Collector::collect(const std::string& path, const std::vector<ast::VariablePtr>* parameters) {
+    if (parameters != nullptr)
+        for (const auto& item : *parameters) parameter(*item, path);
+    members(context_, path, nullptr);
+    for (const auto& clause : context_.interfaces) interface(clause);
+    initial_values();
+    return std::move(result_);
+}
+
+}  // namespace
+
+Declarations lower_declarations(Lowering& lowering, const ast::Context& context, const std::string& path,
+                                const std::vector<ast::VariablePtr>* parameters) {
+    return Collector(lowering, context).collect(path, parameters);
+}
+
+}  // namespace robochart::ir

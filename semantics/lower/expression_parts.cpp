@@ -1,0 +1,130 @@
+// Small makers and the conversions between number types.
+#include <algorithm>
+
+#include "semantics/lower/expressions.hpp"
+#include "semantics/lower/types.hpp"
+#include "semantics/visit.hpp"
+
+namespace robochart::ir {
+namespace {
+
+ExprPtr share(Expr expr) {
+    return std::make_shared<const Expr>(std::move(expr));
+}
+
+bool mentions(const ExprPtr& expr, ExprKind a, ExprKind b) {
+    bool found = false;
+    if (expr) visit_operands(*expr, [&](const Expr& part) { found = found || part.kind == a || part.kind == b; });
+    return found;
+}
+
+bool builds_from_elements(ExprKind kind) {
+    return kind == ExprKind::sequence || kind == ExprKind::set || kind == ExprKind::matrix ||
+           kind == ExprKind::set_range;
+}
+
+/// Where a literal's parts get their types: the composed type's element types, one per part.
+ExprPtr coerce_parts(Lowering& lowering, const Expr& expr, TypeId expected) {
+    const auto args = lowering.system.type(expected).args;
+    Expr result = expr;
+    result.type = expected;
+    for (std::size_t i = 0; i < result.args.size(); ++i) {
+        const std::size_t place = expr.kind == ExprKind::tuple ? i : 0;
+        if (place < args.size()) result.args[i] = coerce(lowering, result.args[i], args[place]);
+    }
+    return share(std::move(result));
+}
+
+/// A relation or function written as a set of pairs, a set or sequence as what is expected of it.
+ExprPtr coerce_set_of_pairs(Lowering& lowering, const Expr& expr, TypeId expected) {
+    Type pair;
+    pair.kind = TypeKind::product;
+    pair.args = lowering.system.type(expected).args;
+    const TypeId pair_type = intern(lowering, pair);
+    Expr result = expr;
+    result.type = expected;
+    for (auto& arg : result.args) arg = coerce(lowering, arg, pair_type);
+    return share(std::move(result));
+}
+
+ExprPtr number_literal(const Expr& literal, TypeId type) {
+    Expr result = literal;
+    result.type = type;
+    if (type == real_type) {
+        result.kind = ExprKind::real;
+        result.decimal = {literal.number, 0};
+        result.number = 0;
+    }
+    return share(std::move(result));
+}
+
+ExprPtr cast_to(const ExprPtr& expr, TypeId type) {
+    Expr result;
+    result.kind = ExprKind::cast;
+    result.type = type;
+    result.span = expr->span;
+    result.args = {expr};
+    return share(std::move(result));
+}
+
+/// Whether values of the two types are written with different units: a whole number somewhere stands for a real.
+bool units_differ(const System& system, TypeId from, TypeId to) {
+    if (from == to || !from.valid() || !to.valid()) return false;
+    if (to == real_type) return is_number(from);
+    const auto& a = system.type(from).args;
+    const auto& b = system.type(to).args;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        if (units_differ(system, a[i], b[i])) return true;
+    return false;
+}
+
+}  // namespace
+
+ExprPtr coerce(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
+    if (!expected.valid() || expr->type == expected) return expr;
+    const TypeKind kind = lowering.system.type(expected).kind;
+    const bool pairs = kind == TypeKind::relation || kind == TypeKind::function;
+    if (expr->kind == ExprKind::integer && is_number(expected)) return number_literal(*expr, expected);
+    if (pairs && expr->kind == ExprKind::set) return coerce_set_of_pairs(lowering, *expr, expected);
+    if (builds_from_elements(expr->kind) || expr->kind == ExprKind::tuple)
+        return coerce_parts(lowering, *expr, expected);
+    return units_differ(lowering.system, expr->type, expected) ? cast_to(expr, expected) : expr;
+}
+
+ExprPtr make_boolean(bool value, diagnostics::Span span) {
+    Expr expr;
+    expr.kind = ExprKind::boolean;
+    expr.type = boolean_type;
+    expr.number = value ? 1 : 0;
+    expr.span = span;
+    return share(std::move(expr));
+}
+
+ExprPtr make_conjunction(const ExprPtr& left, const ExprPtr& right) {
+    if (!left || !right) return left ? left : right;
+    Expr expr;
+    expr.kind = ExprKind::conjunction;
+    expr.type = boolean_type;
+    expr.span = diagnostics::join(left->span, right->span);
+    expr.args = {left, right};
+    return share(std::move(expr));
+}
+
+ExprPtr make_negation(const ExprPtr& operand) {
+    Expr expr;
+    expr.kind = ExprKind::logical_not;
+    expr.type = boolean_type;
+    expr.span = operand->span;
+    expr.args = {operand};
+    return share(std::move(expr));
+}
+
+bool mentions_time(const ExprPtr& expr) {
+    return mentions(expr, ExprKind::since, ExprKind::since_entry);
+}
+
+bool mentions_trigger_value(const ExprPtr& expr) {
+    return mentions(expr, ExprKind::trigger_value, ExprKind::trigger_value);
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,55 @@
+// What the parts of lowering share: the growing System and how declarations of the syntax tree are found in it.
+// Private to semantics/lower*.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+#include "diagnostics/source.hpp"
+#include "frontend/ast.hpp"
+#include "frontend/types.hpp"
+#include "semantics/ir.hpp"
+
+namespace robochart::ir {
+
+/// Maps with declarations as keys are for look-up only; nothing iterates over them.
+template <class T>
+using ByDeclaration = std::map<const frontend::Declaration*, T>;
+
+/// The core types, interned first in every System.
+inline constexpr TypeId boolean_type{0};
+inline constexpr TypeId nat_type{1};
+inline constexpr TypeId integer_type{2};
+inline constexpr TypeId real_type{3};
+inline constexpr TypeId string_type{4};
+
+struct Lowering {
+    const frontend::Model& model;
+    const diagnostics::SourceManager& sources;
+    diagnostics::Diagnostics& diagnostics;
+    System system;
+    std::vector<const frontend::File*> files;   ///< sorted by path
+    ByDeclaration<const frontend::File*> home;  ///< the file of every declaration at package level
+    ByDeclaration<TypeId> declared_types;
+    std::map<std::string, TypeId> types;  ///< structural key -> id
+    ByDeclaration<FunctionId> functions;
+    ByDeclaration<MachineId> machines;                           ///< by frontend::Machine
+    ByDeclaration<ControllerId> controllers;                     ///< by frontend::Component
+    std::vector<const frontend::Machine*> machine_sources;       ///< by MachineId
+    std::vector<const frontend::Component*> controller_sources;  ///< by ControllerId
+    std::vector<const frontend::Component*> module_sources;      ///< by index of System::modules
+
+    /// Package of a declaration ("" if unnamed), by the file at the end of its parents.
+    [[nodiscard]] std::string package_of(const frontend::Declaration&) const;
+    /// RC-S01: "X is not supported yet".
+    void unsupported(const std::string& what, diagnostics::Span where) const;
+    /// RC-S05: "X does not lead to a declaration".
+    void unresolved(const std::string& what, diagnostics::Span where) const;
+};
+
+/// Element and place of a declaration.
+[[nodiscard]] Origin origin_of(const std::string& element, diagnostics::Span span);
+
+}  // namespace robochart::ir

@@ -1,0 +1,244 @@
+// State machines and operations: nodes, transitions, guards (semantics 3.3, 3.4, 3.11).
+#include "semantics/lower/machines.hpp"
+
+#include <algorithm>
+
+#include "semantics/lower/programs.hpp"
+#include "semantics/rules.hpp"
+#include "semantics/visit.hpp"
+
+namespace robochart::ir {
+namespace {
+
+namespace ast = frontend;
+
+constexpr std::size_t deepest_nesting = 64;
+
+class MachineLowering {
+public:
+    MachineLowering(Lowering& lowering, const ast::Machine& source, Machine& machine)
+        : lowering_(lowering), source_(source), machine_(machine) {}
+
+    void run();
+
+private:
+    struct Pending {
+        const ast::Transition* source;
+        std::string path;   ///< of the container, "" at the top
+        ExprPtr condition;  ///< as written, without siblings
+    };
+
+    void declare();
+    void contracts();
+    void nodes(const ast::NodeContainer& container, NodeId parent, std::size_t depth);
+    NodeId node(const ast::State& source, NodeId parent);
+    void collect(const ast::NodeContainer& container, const std::string& path);
+    void actions(const ast::State& source, Node& node);
+    void transition(Pending& pending);
+    void communication_and_guard(Pending& pending, Transition& transition);
+    ExprPtr otherwise(const Pending& pending, const Transition& transition);
+    void finish_guards();
+    void event_use(const Communication& communication, bool trigger);
+    void event_uses();
+    [[nodiscard]] std::string element(const std::string& path) const { return machine_.path + "::" + path; }
+
+    Lowering& lowering_;
+    const ast::Machine& source_;
+    Machine& machine_;
+    Names names_;
+    std::vector<Pending> pending_;
+    std::vector<std::pair<const ast::State*, NodeId>> states_;
+};
+
+NodeKind kind_of(ast::DeclKind kind) {
+    switch (kind) {
+        case ast::DeclKind::initial:
+            return NodeKind::initial;
+        case ast::DeclKind::junction:
+            return NodeKind::junction;
+        case ast::DeclKind::probabilistic:
+            return NodeKind::probabilistic;
+        case ast::DeclKind::final:
+            return NodeKind::final;
+        default:
+            return NodeKind::state;
+    }
+}
+
+void MachineLowering::declare() {
+    const bool operation = machine_.kind == MachineKind::operation;
+    Declarations declared =
+        lower_declarations(lowering_, source_, machine_.path, operation ? &source_.parameters : nullptr);
+    machine_.variables = std::move(declared.variables);
+    machine_.constants = std::move(declared.constants);
+    machine_.events = std::move(declared.events);
+    machine_.clocks = std::move(declared.clocks);
+    machine_.operations = std::move(declared.operations);
+    machine_.interfaces = std::move(declared.interfaces);
+    names_ = std::move(declared.names);
+    names_.machine = &machine_;
+}
+
+void MachineLowering::contracts() {
+    for (const auto& condition : source_.preconditions)
+        machine_.preconditions.push_back(lower_expression(lowering_, names_, *condition, boolean_type));
+    for (const auto& condition : source_.postconditions)
+        machine_.postconditions.push_back(lower_expression(lowering_, names_, *condition, boolean_type));
+}
+
+NodeId MachineLowering::node(const ast::State& source, NodeId parent) {
+    Node node;
+    node.kind = kind_of(source.kind);
+    node.name = source.name;
+    node.parent = parent;
+    node.path = parent.valid() ? machine_.nodes[parent.index].path + "::" + source.name : source.name;
+    node.origin = origin_of(element(node.path), source.span);
+    const NodeId id{static_cast<std::uint32_t>(machine_.nodes.size())};
+    machine_.nodes.push_back(std::move(node));
+    names_.nodes[&source] = id;
+    states_.emplace_back(&source, id);
+    NodeId& initial = parent.valid() ? machine_.nodes[parent.index].initial : machine_.initial;
+    if (source.kind == ast::DeclKind::initial) initial = id;
+    (parent.valid() ? machine_.nodes[parent.index].children : machine_.top).push_back(id);
+    return id;
+}
+
+/// Nodes in textual order, a composite state before what is inside it.
+void MachineLowering::nodes(const ast::NodeContainer& container, NodeId parent, std::size_t depth) {
+    if (depth > deepest_nesting) {
+        lowering_.diagnostics.report(rules::too_deep, source_.span, {"states", std::to_string(deepest_nesting)});
+        return;
+    }
+    for (const auto& state : container.nodes) {
+        const NodeId id = node(*state, parent);
+        nodes(*state, id, depth + 1);
+    }
+}
+
+/// Transitions of this level, then those of inner levels.
+void MachineLowering::collect(const ast::NodeContainer& container, const std::string& path) {
+    for (const auto& transition : container.transitions) pending_.push_back({transition.get(), path, nullptr});
+    for (const auto& state : container.nodes) {
+        const auto known = names_.nodes.find(state.get());
+        if (known != names_.nodes.end()) collect(*state, machine_.nodes[known->second.index].path + "::");
+    }
+}
+
+void MachineLowering::actions(const ast::State& source, Node& node) {
+    for (const auto& action : source.actions) {
+        StmtPtr& slot = action.kind == ast::ActionKind::entry    ? node.entry
+                        : action.kind == ast::ActionKind::during ? node.during
+                                                                 : node.exit;
+        if (action.statement) slot = lower_action(lowering_, names_, *action.statement, node.origin.element);
+    }
+}
+
+/// `since` of a guard and the trigger's own variable: a predicate on the communication belongs to the guard.
+void MachineLowering::communication_and_guard(Pending& pending, Transition& transition) {
+    const ast::Transition& source = *pending.source;
+    if (source.trigger) {
+        transition.trigger = lower_trigger(lowering_, names_, *source.trigger);
+        names_.trigger_variable = source.trigger->variable_target;
+        if (source.trigger->predicate)
+            transition.guard = lower_expression(lowering_, names_, *source.trigger->predicate, boolean_type);
+    }
+    if (source.condition) pending.condition = lower_expression(lowering_, names_, *source.condition, boolean_type);
+    names_.trigger_variable = nullptr;
+    if (pending.condition) transition.guard = make_conjunction(transition.guard, pending.condition);
+}
+
+void MachineLowering::transition(Pending& pending) {
+    const ast::Transition& source = *pending.source;
+    Transition transition;
+    transition.name = source.name;
+    transition.origin = origin_of(element(pending.path + source.name), source.span);
+    const auto from = names_.nodes.find(source.source);
+    const auto to = names_.nodes.find(source.target);
+    if (from == names_.nodes.end() || to == names_.nodes.end())
+        return lowering_.unresolved("an end of transition '" + source.name + "'", source.span);
+    transition.source = from->second;
+    transition.target = to->second;
+    communication_and_guard(pending, transition);
+    for (const auto& reset : source.resets) {
+        const auto clock = names_.clocks.find(reset.clock);
+        if (clock != names_.clocks.end())
+            transition.resets.push_back(clock->second);
+        else
+            lowering_.unresolved("clock '" + reset.name.text() + "'", reset.name.span);
+    }
+    if (source.deadline) transition.deadline = lower_duration(lowering_, names_, *source.deadline);
+    if (source.probability)
+        transition.probability = lower_expression(lowering_, names_, *source.probability, real_type);
+    if (source.action) transition.action = lower_action(lowering_, names_, *source.action, transition.origin.element);
+    const TransitionId id{static_cast<std::uint32_t>(machine_.transitions.size())};
+    machine_.nodes[transition.source.index].outgoing.push_back(id);
+    machine_.transitions.push_back(std::move(transition));
+}
+
+/// `condition else`: no sibling's condition holds. Siblings are the other transitions of the source, whatever their
+/// triggers; one without a condition always holds.
+ExprPtr MachineLowering::otherwise(const Pending& pending, const Transition& transition) {
+    ExprPtr none;
+    for (const auto& sibling : pending_) {
+        if (sibling.source->source != pending.source->source || sibling.source->otherwise) continue;
+        const ExprPtr condition = sibling.condition ? sibling.condition : make_boolean(true, sibling.source->span);
+        if (mentions_trigger_value(condition) &&
+            (!transition.trigger || pending.source->trigger->event_target != sibling.source->trigger->event_target))
+            lowering_.unsupported("`condition else` beside a condition on another trigger's value",
+                                  pending.source->span);
+        none = make_conjunction(none, make_negation(condition));
+    }
+    return none;
+}
+
+void MachineLowering::finish_guards() {
+    for (std::size_t i = 0; i < machine_.transitions.size(); ++i) {
+        Transition& transition = machine_.transitions[i];
+        if (pending_[i].source->otherwise)
+            transition.guard = make_conjunction(transition.guard, otherwise(pending_[i], transition));
+        transition.guard_timed = mentions_time(transition.guard);
+    }
+}
+
+void MachineLowering::event_use(const Communication& communication, bool trigger) {
+    if (!communication.event.valid()) return;
+    Event& event = machine_.events[communication.event.index];
+    const bool receives = trigger || communication.kind == CommKind::input;
+    (receives ? event.input : event.output) = true;
+}
+
+void MachineLowering::event_uses() {
+    for (const auto& transition : machine_.transitions)
+        if (transition.trigger) event_use(*transition.trigger, true);
+    visit_statements(machine_, [&](const Stmt& stmt) {
+        if (stmt.kind == StmtKind::communicate) event_use(stmt.communication, false);
+    });
+}
+
+void MachineLowering::run() {
+    declare();
+    contracts();
+    nodes(source_, {}, 0);
+    collect(source_, "");
+    for (const auto& [state, id] : states_) {
+        Node node = machine_.nodes[id.index];
+        actions(*state, node);
+        machine_.nodes[id.index] = std::move(node);
+    }
+    for (auto& pending : pending_) transition(pending);
+    // A transition left out after an error would shift the pairing with its source.
+    if (machine_.transitions.size() == pending_.size()) finish_guards();
+    event_uses();
+}
+
+}  // namespace
+
+void lower_machine(Lowering& lowering, const ast::Machine& source, MachineId id) {
+    Machine machine = std::move(lowering.system.machines[id.index]);
+    machine.terminates = source.terminates;
+    machine.origin = origin_of(machine.path, source.span);
+    MachineLowering(lowering, source, machine).run();
+    lowering.system.machines[id.index] = std::move(machine);
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,24 @@
+// State machines and operations, and the declarations every kind of context has. Private to semantics/lower*.
+#pragma once
+
+#include "semantics/lower/expressions.hpp"
+
+namespace robochart::ir {
+
+/// What a context declares itself and through its interfaces, in order: its own, then each interface's.
+struct Declarations {
+    std::vector<Variable> variables;
+    std::vector<Constant> constants;
+    std::vector<Event> events;
+    std::vector<Clock> clocks;
+    std::vector<OperationSignature> operations;
+    std::vector<std::string> interfaces;
+    Names names;
+};
+[[nodiscard]] Declarations lower_declarations(Lowering&, const frontend::Context&, const std::string& path,
+                                              const std::vector<frontend::VariablePtr>* parameters = nullptr);
+
+/// Fills the machine of an id that is already registered (name, package and path are set).
+void lower_machine(Lowering&, const frontend::Machine&, MachineId);
+
+}  // namespace robochart::ir

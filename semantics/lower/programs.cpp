@@ -1,0 +1,267 @@
+// Statements as small structured programs (semantics 3.5).
+#include "semantics/lower/programs.hpp"
+
+#include <algorithm>
+
+#include "semantics/lower/types.hpp"
+
+namespace robochart::ir {
+namespace {
+
+namespace ast = frontend;
+
+class Programs {
+public:
+    Programs(Lowering& lowering, const Names& names, const std::string& element)
+        : lowering_(lowering), names_(names), element_(element) {}
+
+    StmtPtr lower(const ast::Stmt& source);
+
+private:
+    Stmt start(const ast::Stmt& source, StmtKind kind);
+    void fill(const ast::Stmt& source, Stmt& stmt);
+    void sequence(const ast::Stmt& source, Stmt& stmt);
+    void conditional(const ast::Stmt& source, Stmt& stmt);
+    void assignment(const ast::Stmt& source, Stmt& stmt);
+    TypeId path(const ast::Expr& target, Stmt& stmt);
+    TypeId member_step(const ast::Expr& target, TypeId base, Stmt& stmt);
+    TypeId index_step(const ast::Expr& target, TypeId base, Stmt& stmt);
+    void communication(const ast::Stmt& source, Stmt& stmt);
+    void call(const ast::Stmt& source, Stmt& stmt);
+    void clock_reset(const ast::Stmt& source, Stmt& stmt);
+
+    static StmtPtr share(Stmt stmt) { return std::make_shared<const Stmt>(std::move(stmt)); }
+
+    Lowering& lowering_;
+    const Names& names_;
+    const std::string& element_;
+};
+
+StmtKind kind_of(ast::StmtKind kind) {
+    switch (kind) {
+        case ast::StmtKind::sequence:
+            return StmtKind::sequence;
+        case ast::StmtKind::if_then_else:
+            return StmtKind::if_then_else;
+        case ast::StmtKind::assignment:
+            return StmtKind::assign;
+        case ast::StmtKind::communication:
+            return StmtKind::communicate;
+        case ast::StmtKind::call:
+            return StmtKind::call;
+        case ast::StmtKind::wait:
+            return StmtKind::wait;
+        case ast::StmtKind::wait_interval:
+            return StmtKind::wait_interval;
+        case ast::StmtKind::clock_reset:
+            return StmtKind::clock_reset;
+        case ast::StmtKind::deadline:
+            return StmtKind::deadline;
+        case ast::StmtKind::skip:
+        case ast::StmtKind::parenthesised:
+        case ast::StmtKind::error:
+            break;
+    }
+    return StmtKind::skip;
+}
+
+CommKind kind_of(ast::CommKind kind) {
+    switch (kind) {
+        case ast::CommKind::input:
+            return CommKind::input;
+        case ast::CommKind::output:
+            return CommKind::output;
+        case ast::CommKind::sync:
+            return CommKind::sync;
+        case ast::CommKind::simple:
+            break;
+    }
+    return CommKind::simple;
+}
+
+template <class Id>
+Id look_up(const ByDeclaration<Id>& map, const ast::Declaration* declaration) {
+    const auto it = map.find(declaration);
+    return it == map.end() ? Id{} : it->second;
+}
+
+/// The part of a communication that triggers and statements share.
+Communication lower_communication(Lowering& lowering, const Names& names, const ast::Communication& source) {
+    Communication result;
+    result.kind = kind_of(source.kind);
+    result.event = look_up(names.events, source.event_target);
+    if (!result.event.valid()) {
+        lowering.unresolved("event '" + source.event.text() + "'", source.span);
+        return result;
+    }
+    const Event& event = names.machine->events[result.event.index];
+    if (event.broadcast) lowering.unsupported("broadcast event " + event.name, source.span);
+    if (!source.from_variable.empty()) lowering.unsupported("receiving the sender of a broadcast", source.span);
+    if (source.kind == ast::CommKind::input) {
+        result.variable = look_up(names.variables, source.variable_target);
+        if (!result.variable.valid()) lowering.unresolved("variable '" + source.variable.text() + "'", source.span);
+    }
+    if (source.value) result.value = lower_expression(lowering, names, *source.value, event.type.value_or(TypeId{}));
+    return result;
+}
+
+Stmt Programs::start(const ast::Stmt& source, StmtKind kind) {
+    Stmt stmt;
+    stmt.kind = kind;
+    stmt.point = names_.machine->points++;
+    stmt.origin = origin_of(element_, source.span);
+    return stmt;
+}
+
+/// `if` and statements in parentheses: parentheses leave no trace.
+StmtPtr Programs::lower(const ast::Stmt& source) {
+    const ast::Stmt* inner = &source;
+    while (inner->kind == ast::StmtKind::parenthesised && !inner->body.empty() && inner->body[0])
+        inner = inner->body[0].get();
+    Stmt stmt = start(*inner, kind_of(inner->kind));
+    fill(*inner, stmt);
+    return share(std::move(stmt));
+}
+
+void Programs::sequence(const ast::Stmt& source, Stmt& stmt) {
+    for (const auto& part : source.body)
+        if (part) stmt.body.push_back(lower(*part));
+}
+
+void Programs::conditional(const ast::Stmt& source, Stmt& stmt) {
+    stmt.condition = lower_expression(lowering_, names_, *source.condition, boolean_type);
+    if (mentions_time(stmt.condition)) lowering_.unsupported("a timed expression in an action", source.condition->span);
+    sequence(source, stmt);
+    if (stmt.body.size() < 2) stmt.body.push_back(share(start(source, StmtKind::skip)));
+}
+
+TypeId Programs::member_step(const ast::Expr& target, TypeId base, Stmt& stmt) {
+    const Type& type = lowering_.system.type(base);
+    const auto at = std::find(type.labels.begin(), type.labels.end(), target.text);
+    if (type.kind != TypeKind::record || at == type.labels.end()) {
+        lowering_.unresolved("field '" + target.text + "'", target.span);
+        return base;
+    }
+    Expr field;
+    field.kind = ExprKind::integer;
+    field.type = nat_type;
+    field.number = at - type.labels.begin();
+    field.text = target.text;
+    field.span = target.span;
+    const auto place = static_cast<std::size_t>(field.number);
+    stmt.path.push_back(std::make_shared<const Expr>(std::move(field)));
+    return type.args[place];
+}
+
+TypeId Programs::index_step(const ast::Expr& target, TypeId base, Stmt& stmt) {
+    for (std::size_t i = 1; i < target.args.size(); ++i)
+        if (target.args[i]) stmt.path.push_back(lower_expression(lowering_, names_, *target.args[i]));
+    const Type& type = lowering_.system.type(base);
+    const bool indexed =
+        type.kind == TypeKind::sequence || type.kind == TypeKind::vector || type.kind == TypeKind::matrix;
+    if (indexed) return type.args[0];
+    const bool fixed = !stmt.path.empty() && stmt.path.back()->kind == ExprKind::integer;
+    const auto place = fixed ? static_cast<std::size_t>(stmt.path.back()->number - 1) : type.args.size();
+    if (type.kind == TypeKind::product && place < type.args.size()) return type.args[place];
+    lowering_.unsupported("an assignment through an index of type " + type.name, target.span);
+    return base;
+}
+
+/// The variable and the steps below it; the type of what is assigned.
+TypeId Programs::path(const ast::Expr& target, Stmt& stmt) {
+    if (target.kind == ast::ExprKind::member || target.kind == ast::ExprKind::index) {
+        const TypeId base = path(*target.args[0], stmt);
+        return target.kind == ast::ExprKind::member ? member_step(target, base, stmt) : index_step(target, base, stmt);
+    }
+    stmt.variable = look_up(names_.variables, target.target);
+    if (stmt.variable.valid()) return names_.machine->variables[stmt.variable.index].type;
+    lowering_.unresolved("variable '" + target.name.text() + "'", target.span);
+    return nat_type;
+}
+
+void Programs::assignment(const ast::Stmt& source, Stmt& stmt) {
+    const TypeId type = path(*source.target, stmt);
+    stmt.value = lower_expression(lowering_, names_, *source.value, type);
+    if (mentions_time(stmt.value)) lowering_.unsupported("a timed expression in an action", source.value->span);
+}
+
+void Programs::communication(const ast::Stmt& source, Stmt& stmt) {
+    stmt.communication = lower_communication(lowering_, names_, *source.communication);
+    if (source.communication->predicate)
+        lowering_.unsupported("a condition on the value of a communication in an action", source.span);
+}
+
+void Programs::call(const ast::Stmt& source, Stmt& stmt) {
+    stmt.operation = look_up(names_.operations, source.declaration);
+    if (!stmt.operation.valid()) return lowering_.unresolved("operation '" + source.name.text() + "'", source.span);
+    const auto types = names_.machine->operations[stmt.operation.index].parameters;
+    for (std::size_t i = 0; i < source.args.size(); ++i)
+        stmt.args.push_back(
+            lower_expression(lowering_, names_, *source.args[i], i < types.size() ? types[i] : TypeId{}));
+    if (types.size() != source.args.size()) lowering_.unresolved("a call with these arguments", source.span);
+}
+
+void Programs::clock_reset(const ast::Stmt& source, Stmt& stmt) {
+    stmt.clock = look_up(names_.clocks, source.declaration);
+    if (!stmt.clock.valid()) lowering_.unresolved("clock '" + source.name.text() + "'", source.span);
+}
+
+void Programs::fill(const ast::Stmt& source, Stmt& stmt) {
+    switch (source.kind) {
+        case ast::StmtKind::sequence:
+            return sequence(source, stmt);
+        case ast::StmtKind::if_then_else:
+            return conditional(source, stmt);
+        case ast::StmtKind::assignment:
+            return assignment(source, stmt);
+        case ast::StmtKind::communication:
+            return communication(source, stmt);
+        case ast::StmtKind::call:
+            return call(source, stmt);
+        case ast::StmtKind::clock_reset:
+            return clock_reset(source, stmt);
+        case ast::StmtKind::deadline:
+            sequence(source, stmt);
+            [[fallthrough]];
+        case ast::StmtKind::wait:
+        case ast::StmtKind::wait_interval:
+            stmt.value = lower_duration(lowering_, names_, *source.value);
+            if (source.upper) stmt.upper = lower_duration(lowering_, names_, *source.upper);
+            return;
+        case ast::StmtKind::skip:
+            return;
+        case ast::StmtKind::parenthesised:
+        case ast::StmtKind::error:
+            return lowering_.unresolved("a statement", source.span);
+    }
+}
+
+}  // namespace
+
+StmtPtr lower_action(Lowering& lowering, const Names& names, const ast::Stmt& source, const std::string& element) {
+    return Programs(lowering, names, element).lower(source);
+}
+
+Communication lower_trigger(Lowering& lowering, const Names& names, const ast::Communication& source) {
+    Communication trigger = lower_communication(lowering, names, source);
+    if (trigger.kind == CommKind::output || trigger.kind == CommKind::sync)
+        lowering.unsupported("a trigger that sends a value", source.span);
+    return trigger;
+}
+
+ExprPtr lower_duration(Lowering& lowering, const Names& names, const ast::Expr& source) {
+    const ExprPtr duration = lower_expression(lowering, names, source);
+    const TypeKind kind = lowering.system.type(duration->type).kind;
+    if (kind == TypeKind::nat || kind == TypeKind::integer) return duration;
+    if (kind != TypeKind::real) return lowering.unsupported("a duration that is not a number", source.span), duration;
+    const bool whole = duration->kind != ExprKind::real || duration->decimal.decimals == 0;
+    if (!whole) lowering.unsupported("a duration that is not a whole number of time units", source.span);
+    Expr cast;
+    cast.kind = ExprKind::cast;
+    cast.type = integer_type;
+    cast.span = duration->span;
+    cast.args = {duration};
+    return std::make_shared<const Expr>(std::move(cast));
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,16 @@
+// Statements and communications. Private to semantics/lower*.
+#pragma once
+
+#include "semantics/lower/expressions.hpp"
+
+namespace robochart::ir {
+
+/// Lowers one action; statements are numbered on from Machine::points, a statement before those inside it.
+/// `element` is the node or transition that holds the action.
+[[nodiscard]] StmtPtr lower_action(Lowering&, const Names&, const frontend::Stmt&, const std::string& element);
+/// A trigger without its predicate (which belongs to the guard).
+[[nodiscard]] Communication lower_trigger(Lowering&, const Names&, const frontend::Communication&);
+/// A duration in whole time units: wait, deadline.
+[[nodiscard]] ExprPtr lower_duration(Lowering&, const Names&, const frontend::Expr&);
+
+}  // namespace robochart::ir

@@ -1,0 +1,158 @@
+// Types: structural interning.
+#include "semantics/lower/types.hpp"
+
+#include <algorithm>
+
+namespace robochart::ir {
+namespace {
+
+using frontend::TypeForm;
+
+constexpr std::int64_t largest_size = 64;  // rows, columns: more has no finite reading worth exploring
+
+std::string key_of(const Type& type) {
+    std::string key = std::to_string(static_cast<int>(type.kind));
+    const bool declared =
+        type.kind == TypeKind::enumeration || type.kind == TypeKind::given || type.kind == TypeKind::record;
+    if (declared) return key + "|" + type.package + "::" + type.name;
+    for (const auto arg : type.args) key += "," + std::to_string(arg.index);
+    for (const auto size : type.sizes) key += "#" + std::to_string(size);
+    return key;
+}
+
+TypeKind kind_of(TypeForm form) {
+    switch (form) {
+        case TypeForm::boolean:
+            return TypeKind::boolean;
+        case TypeForm::nat:
+            return TypeKind::nat;
+        case TypeForm::integer:
+            return TypeKind::integer;
+        case TypeForm::real:
+            return TypeKind::real;
+        case TypeForm::string:
+            return TypeKind::string;
+        case TypeForm::given:
+            return TypeKind::given;
+        case TypeForm::enumeration:
+            return TypeKind::enumeration;
+        case TypeForm::record:
+            return TypeKind::record;
+        case TypeForm::sequence:
+            return TypeKind::sequence;
+        case TypeForm::set:
+            return TypeKind::set;
+        case TypeForm::product:
+            return TypeKind::product;
+        case TypeForm::function:
+            return TypeKind::function;
+        case TypeForm::relation:
+            return TypeKind::relation;
+        case TypeForm::vector:
+            return TypeKind::vector;
+        case TypeForm::matrix:
+            return TypeKind::matrix;
+        case TypeForm::any:
+        case TypeForm::variable:
+            break;
+    }
+    return TypeKind::unit;
+}
+
+void add_literals(Lowering& lowering, const frontend::TypeDeclaration& declaration, Type& type) {
+    for (const auto& literal : declaration.literals) {
+        type.labels.push_back(literal->name);
+        auto& args = type.literal_args.emplace_back();
+        for (const auto& argument : literal->arguments)
+            args.push_back(lower_type(lowering, argument->type, argument->span));
+    }
+}
+
+void add_fields(Lowering& lowering, const frontend::TypeDeclaration& declaration, Type& type) {
+    for (const auto& field : declaration.fields) {
+        type.labels.push_back(field->name);
+        type.args.push_back(lower_type(lowering, field->type, field->span));
+    }
+}
+
+TypeKind kind_of(const frontend::TypeDeclaration& declaration) {
+    if (declaration.kind == frontend::DeclKind::enumeration) return TypeKind::enumeration;
+    return declaration.kind == frontend::DeclKind::record_type ? TypeKind::record : TypeKind::given;
+}
+
+TypeId add(Lowering& lowering, Type type) {
+    const TypeId id{static_cast<std::uint32_t>(lowering.system.types.size())};
+    lowering.types.emplace(key_of(type), id);
+    lowering.system.types.push_back(std::move(type));
+    return id;
+}
+
+}  // namespace
+
+void intern_core_types(Lowering& lowering) {
+    constexpr std::pair<TypeKind, const char*> core[] = {{TypeKind::boolean, "boolean"},
+                                                         {TypeKind::nat, "nat"},
+                                                         {TypeKind::integer, "int"},
+                                                         {TypeKind::real, "real"},
+                                                         {TypeKind::string, "string"}};
+    for (const auto& [kind, name] : core) {
+        Type type;
+        type.kind = kind;
+        type.name = name;
+        type.origin.element = name;
+        add(lowering, std::move(type));
+    }
+}
+
+TypeId intern(Lowering& lowering, Type type) {
+    const auto known = lowering.types.find(key_of(type));
+    return known != lowering.types.end() ? known->second : add(lowering, std::move(type));
+}
+
+TypeId lower_declared_type(Lowering& lowering, const frontend::TypeDeclaration& declaration, diagnostics::Span where) {
+    const auto known = lowering.declared_types.find(&declaration);
+    if (known != lowering.declared_types.end()) {
+        if (!known->second.valid()) lowering.unsupported("type " + declaration.name + ", which contains itself", where);
+        return known->second.valid() ? known->second : nat_type;
+    }
+    lowering.declared_types[&declaration] = TypeId{};  // under way
+    Type type;
+    type.kind = kind_of(declaration);
+    type.name = declaration.name;
+    type.package = lowering.package_of(declaration);
+    type.origin = origin_of(declaration.name, declaration.span);
+    add_literals(lowering, declaration, type);
+    add_fields(lowering, declaration, type);
+    return lowering.declared_types[&declaration] = intern(lowering, std::move(type));
+}
+
+TypeId lower_type(Lowering& lowering, const frontend::TypePtr& source, diagnostics::Span where) {
+    if (!source) return lowering.unresolved("a type", where), nat_type;
+    if (source->declaration != nullptr) return lower_declared_type(lowering, *source->declaration, where);
+    if (source->form == TypeForm::variable)
+        return lowering.unsupported("type variable ?" + source->name, where), nat_type;
+    // The argument of a one-parameter function is typed as a product of one.
+    if (source->form == TypeForm::product && source->args.size() == 1)
+        return lower_type(lowering, source->args[0], where);
+    Type type;
+    type.kind = kind_of(source->form);
+    type.name = source->form == TypeForm::any ? "" : frontend::to_string(source);
+    for (const auto& arg : source->args) type.args.push_back(lower_type(lowering, arg, where));
+    for (const auto size : source->sizes) type.sizes.push_back(size);
+    type.origin.element = type.name;
+    const bool sized = std::all_of(type.sizes.begin(), type.sizes.end(),
+                                   [](std::int64_t size) { return size >= 1 && size <= largest_size; });
+    if (!sized) return lowering.unsupported("type " + type.name + " of this size", where), nat_type;
+    return intern(lowering, std::move(type));
+}
+
+TypeId join(TypeId a, TypeId b) {
+    if (!is_number(a) || !is_number(b)) return a;
+    return std::max(a, b);  // nat < int < real by id
+}
+
+bool is_number(TypeId id) {
+    return id == nat_type || id == integer_type || id == real_type;
+}
+
+}  // namespace robochart::ir
