@@ -28,7 +28,7 @@ std::string project_name(const std::string& input) {
 bool lower_all(Project& project, const Options& options) {
     project.model = frontend::load_project(project.sources, options.inputs, project.diagnostics);
     if (!project.diagnostics.ok()) return false;
-    project.system = ir::lower(*project.model, project.diagnostics);
+    project.system = ir::lower(*project.model, project.sources, project.diagnostics);
     if (!project.diagnostics.ok()) return false;
     std::string error;
     const ir::InstantiationOptions wanted = instantiation_options(options, error);

@@ -197,12 +197,12 @@ void Dump::machine(const Machine& machine) {
 
 template <class Parts>
 void Dump::connection(const Connection& connection, const Parts& parts) {
-    const auto end = [&](const ConnectionEnd& end) {
+    const auto end_text = [&](const ConnectionEnd& end) {
         const bool part = end.kind == EndKind::part && end.part < parts.size();
         return (part ? parts[end.part].name : "self") + "." + end.event;
     };
-    line("  connection {} -> {}{}{}", end(connection.from), end(connection.to), connection.async ? " async" : "",
-         connection.multiple ? " mult" : "");
+    line("  connection {} -> {}{}{}", end_text(connection.from), end_text(connection.to),
+         connection.async ? " async" : "", connection.multiple ? " mult" : "");
 }
 
 void Dump::controller(const Controller& controller) {

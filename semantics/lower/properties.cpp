@@ -53,12 +53,6 @@ PropertyModel model_of(const std::optional<ast::AssertionModel>& model) {
     return PropertyModel::failures_divergences;
 }
 
-std::string joined(const Strings& names, std::size_t from = 0) {
-    std::string text;
-    for (std::size_t i = from; i < names.size(); ++i) text += (text.empty() ? "" : "::") + names[i];
-    return text;
-}
-
 /// Text on one line: every run of blanks is one blank.
 std::string on_one_line(std::string_view text) {
     std::string line;
