@@ -24,12 +24,12 @@ bool builds_from_elements(ExprKind kind) {
 }
 
 /// Where a literal's parts get their types: the composed type's element types, one per part.
-ExprPtr coerce_parts(Lowering& lowering, const Expr& expr, TypeId expected) {
+ExprPtr coerce_parts(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
     const auto args = lowering.system.type(expected).args;
-    Expr result = expr;
+    Expr result = *expr;
     result.type = expected;
     for (std::size_t i = 0; i < result.args.size(); ++i) {
-        const std::size_t place = expr.kind == ExprKind::tuple ? i : 0;
+        const std::size_t place = expr->kind == ExprKind::tuple ? i : 0;
         if (place < args.size()) result.args[i] = coerce(lowering, result.args[i], args[place]);
     }
     return share(std::move(result));
@@ -81,13 +81,13 @@ bool units_differ(const System& system, TypeId from, TypeId to) {
 }  // namespace
 
 ExprPtr coerce(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
-    if (!expected.valid() || expr->type == expected) return expr;
+    const bool composed = builds_from_elements(expr->kind) || expr->kind == ExprKind::tuple;
+    if (!expected.valid() || (expr->type == expected && !composed)) return expr;
     const TypeKind kind = lowering.system.type(expected).kind;
     const bool pairs = kind == TypeKind::relation || kind == TypeKind::function;
     if (expr->kind == ExprKind::integer && is_number(expected)) return number_literal(*expr, expected);
     if (pairs && expr->kind == ExprKind::set) return coerce_set_of_pairs(lowering, *expr, expected);
-    if (builds_from_elements(expr->kind) || expr->kind == ExprKind::tuple)
-        return coerce_parts(lowering, *expr, expected);
+    if (composed) return coerce_parts(lowering, expr, expected);
     return units_differ(lowering.system, expr->type, expected) ? cast_to(expr, expected) : expr;
 }
 

@@ -132,7 +132,8 @@ ExprPtr Expressions::operand(const ast::Expr& source, std::size_t place, TypeId 
 ExprPtr Expressions::with_operands(const ast::Expr& source, ExprKind kind) {
     Expr expr = start(source, kind);
     for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i));
-    return share(std::move(expr));
+    const TypeId type = expr.type;
+    return coerce(lowering_, share(std::move(expr)), type);
 }
 
 ExprPtr Expressions::number(const ast::Expr& source, const std::string& sign) {

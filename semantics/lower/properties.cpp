@@ -67,6 +67,14 @@ std::string on_one_line(std::string_view text) {
     return line;
 }
 
+/// The assertion as written; the span may start after the word that says in which time it is decided.
+std::string wording_of(const diagnostics::SourceManager& sources, const ast::Assertion& source) {
+    const auto text = sources.text(source.span.source);
+    const std::string line = on_one_line(text.substr(source.span.begin, source.span.end - source.span.begin));
+    if (line.compare(0, 9, "assertion") != 0 || source.time == ast::AssertionTime::both) return line;
+    return (source.time == ast::AssertionTime::timed ? "timed " : "untimed ") + line;
+}
+
 class Properties {
 public:
     Properties(Lowering& lowering, const ast::File& file) : lowering_(lowering), file_(file) {}
@@ -252,8 +260,7 @@ void Properties::assertion(const ast::Assertion& source) {
     property.untimed = source.time != ast::AssertionTime::timed;
     property.model = model_of(source.model);
     property.file = lowering_.sources.path(file_.source);
-    const auto text = lowering_.sources.text(source.span.source);
-    property.wording = on_one_line(text.substr(source.span.begin, source.span.end - source.span.begin));
+    property.wording = wording_of(lowering_.sources, source);
     property.origin = origin_of(source.name, source.span);
     if (property.kind == PropertyKind::clock_initialised) {
         clock(source, property);
