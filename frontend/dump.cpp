@@ -58,7 +58,7 @@ private:
 
 std::string Dumper::target(const Declaration* declaration) const {
     if (!resolved_) return {};
-    if (declaration == nullptr) return " -> ?";
+    if (declaration == nullptr) return " -> nothing";
     const std::string place = sources_.place(declaration->name_span);
     return fmt::format(" -> {} {}{}{}", to_text(declaration->kind), declaration->name, place.empty() ? "" : " ", place);
 }

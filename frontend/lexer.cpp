@@ -256,14 +256,19 @@ bool Lexer::symbol() {
     return false;
 }
 
-/// A run of bytes that begin no word is one mistake.
+/// A run of bytes that begin no word is one mistake, with the rest of the name that it stands in.
 void Lexer::unexpected() {
     const std::size_t begin = at_;
     const auto strange = [](char c) {
         return static_cast<unsigned char>(c) >= 0x80U || static_cast<unsigned char>(c) < 0x20U || c == 0x7F;
     };
+    const bool inside_name =
+        last_end_ == begin && !stream_.tokens.empty() && stream_.tokens.back().kind == TokenKind::identifier;
+    const auto goes_on = [&](char c) {
+        return (strange(c) && !is_space(c)) || (inside_name && (is_letter(c) || is_digit(c)));
+    };
     do ++at_;
-    while (at_ < text_.size() && strange(text_[at_]) && !is_space(text_[at_]));
+    while (at_ < text_.size() && goes_on(text_[at_]));
     out_.report(syntax::strange_character, span_from(begin), {shorten(text_.substr(begin, at_ - begin))});
 }
 

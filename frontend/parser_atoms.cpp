@@ -185,6 +185,7 @@ ExprPtr Parser::comprehension(Span begin) {
 ExprPtr Parser::matrix() {
     ExprPtr result = make(ExprKind::matrix);
     const Span begin = expect("[|");
+    bool ragged = false;
     do {
         const Span row = peek().span;
         const std::size_t before = result->args.size();
@@ -192,10 +193,12 @@ ExprPtr Parser::matrix() {
         while (accept(","));
         const std::size_t entries = result->args.size() - before;
         if (before == 0) result->columns = entries;
-        if (entries != result->columns)
-            report(syntax::ragged_matrix, since(row), {std::to_string(entries), std::to_string(result->columns)});
+        if (entries == result->columns) continue;
+        ragged = true;
+        report(syntax::ragged_matrix, since(row), {std::to_string(entries), std::to_string(result->columns)});
     } while (accept(";"));
     expect("|]");
+    if (ragged) result->columns = 0;  // it has no type
     return finish(std::move(result), begin);
 }
 

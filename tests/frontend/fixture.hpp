@@ -3,11 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 
 #include "diagnostics/diagnostic.hpp"
 #include "diagnostics/render.hpp"
+#include "frontend/library.hpp"
 #include "frontend/project.hpp"
 
 namespace robochart::frontend::testing {
@@ -39,6 +44,28 @@ inline std::unique_ptr<Reading> read(std::string text, bool is_assertions = fals
     const auto id = reading->sources.add(is_assertions ? "t.assertions" : "t.rct", std::move(text));
     reading->model.files.push_back(parse(reading->sources, id, is_assertions, reading->findings));
     return reading;
+}
+
+/// Parses and resolves, with the toolkits that are imported.
+inline std::unique_ptr<Reading> resolved(std::string text, bool is_assertions = false) {
+    auto reading = read(std::move(text), is_assertions);
+    add_toolkits(reading->sources, reading->model, reading->findings);
+    resolve(reading->model, reading->findings);
+    return reading;
+}
+
+/// A file's bytes.
+inline std::string slurp(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The read-only material beside the repository; empty if there is none.
+inline std::filesystem::path shared_folder() {
+    const char* named = std::getenv("ROBOCHART_SHARED");
+    const std::filesystem::path folder =
+        named != nullptr ? named : std::filesystem::path(ROBOCHART_SOURCE_DIR) / ".." / "shared";
+    return std::filesystem::is_directory(folder) ? folder : std::filesystem::path();
 }
 
 }  // namespace robochart::frontend::testing

@@ -1,0 +1,121 @@
+// Every rule has fixtures/CODE/bad*.rct, which it alone refuses where a comment says so (`// expect: CODE …` on the
+// line of the finding), and fixtures/CODE/good.rct, which just passes.
+#include "frontend/rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "fixture.hpp"
+#include "frontend/syntax_rules.hpp"
+
+namespace robochart::frontend {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path fixtures = fs::path(ROBOCHART_SOURCE_DIR) / "tests/frontend/fixtures";
+
+/// "line CODE" of every expectation, sorted.
+std::multiset<std::string> expectations(const std::string& text) {
+    std::multiset<std::string> result;
+    std::istringstream lines(text);
+    std::string line;
+    const std::string marker = "// expect: ";
+    for (int number = 1; std::getline(lines, line); ++number) {
+        const std::size_t at = line.find(marker);
+        if (at == std::string::npos) continue;
+        std::istringstream codes(line.substr(at + marker.size()));
+        for (std::string code; codes >> code;) result.insert(std::to_string(number) + " " + code);
+    }
+    return result;
+}
+
+std::multiset<std::string> findings(const testing::Reading& reading) {
+    std::multiset<std::string> result;
+    for (const auto& d : reading.findings.sorted())
+        result.insert(std::to_string(reading.sources.position(d.span.source, d.span.begin).line) + " " +
+                      std::string(d.rule->code));
+    return result;
+}
+
+std::vector<const diagnostics::Rule*> all_rules() {
+    std::vector<const diagnostics::Rule*> result = rules::all();
+    result.insert(result.end(), syntax::all().begin(), syntax::all().end());
+    return result;
+}
+
+/// Rules about input that no readable fixture holds: parser_test and project_test have them.
+const std::set<std::string_view> tested_elsewhere = {"RC-P02", "RC-P08", "RC-P14", "RC-F01",
+                                                     "RC-F02", "RC-F03", "RC-F04"};
+
+std::vector<fs::path> files_of(const fs::path& folder) {
+    std::vector<fs::path> result;
+    for (const auto& entry : fs::directory_iterator(folder)) result.push_back(entry.path());
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+class Fixture : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Fixture, IsJudgedAsItSays) {
+    const std::string& code = GetParam();
+    for (const fs::path& path : files_of(fixtures / code)) {
+        const std::string text = testing::slurp(path);
+        const auto reading = testing::resolved(text, path.extension() == ".assertions");
+        const auto expected = expectations(text);
+        EXPECT_EQ(findings(*reading), expected) << path << "\n" << reading->report();
+        const bool names_it = std::any_of(expected.begin(), expected.end(),
+                                          [&](const std::string& e) { return e.substr(e.find(' ') + 1) == code; });
+        EXPECT_EQ(names_it, path.filename().string().starts_with("bad")) << path;
+    }
+}
+
+std::vector<std::string> folders() {
+    std::vector<std::string> result;
+    for (const fs::path& path : files_of(fixtures)) result.push_back(path.filename().string());
+    return result;
+}
+
+std::string as_identifier(const ::testing::TestParamInfo<std::string>& folder) {
+    std::string name = folder.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, Fixture, ::testing::ValuesIn(folders()), as_identifier);
+
+TEST(Rules, EachHasFixtures) {
+    for (const auto* rule : all_rules()) {
+        if (tested_elsewhere.contains(rule->code)) continue;
+        const fs::path folder = fixtures / std::string(rule->code);
+        EXPECT_TRUE(fs::exists(folder / "bad.rct") || fs::exists(folder / "bad.assertions")) << rule->code;
+        EXPECT_TRUE(fs::exists(folder / "good.rct") || fs::exists(folder / "good.assertions")) << rule->code;
+    }
+}
+
+TEST(Rules, EachRowIsTriggeredBySomeFixture) {
+    std::set<const diagnostics::Rule*> triggered;
+    for (const std::string& code : folders())
+        for (const fs::path& path : files_of(fixtures / code))
+            for (const auto& d :
+                 testing::resolved(testing::slurp(path), path.extension() == ".assertions")->findings.sorted())
+                triggered.insert(d.rule);
+    for (const auto* rule : all_rules())
+        EXPECT_TRUE(triggered.contains(rule) || tested_elsewhere.contains(rule->code))
+            << rule->code << ": " << rule->message;
+}
+
+TEST(Rules, HaveMessagesAndExplanationsAndOneMeaningPerRow) {
+    std::set<std::pair<std::string_view, std::string_view>> seen;
+    for (const auto* rule : all_rules()) {
+        EXPECT_FALSE(rule->code.empty() || rule->message.empty() || rule->explanation.empty()) << rule->code;
+        EXPECT_TRUE(seen.emplace(rule->code, rule->message).second) << rule->code;
+    }
+}
+
+}  // namespace
+}  // namespace robochart::frontend

@@ -1,0 +1,118 @@
+// The public models beside the repository: those to be accepted load without an error, those to be refused are refused
+// for their reason. Skipped where the material is absent.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "fixture.hpp"
+
+namespace robochart::frontend {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> entries(const fs::path& folder) {
+    std::vector<fs::path> result;
+    for (const auto& entry : fs::directory_iterator(folder)) result.push_back(entry.path());
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+/// Loads a project and hands it to `judge`.
+template <class Judge>
+void load(const fs::path& path, Judge judge) {
+    testing::Reading reading;
+    const auto model = load_project(reading.sources, path.string(), reading.findings);
+    judge(reading, *model);
+}
+
+void expect_loads(const fs::path& path) {
+    load(path, [&](const testing::Reading& reading, const Model& model) {
+        EXPECT_TRUE(reading.findings.ok()) << path << "\n" << reading.report();
+        EXPECT_FALSE(model.files.empty());
+        const std::string once = dump(model, reading.sources, true);
+        EXPECT_EQ(once.find("-> nothing"), std::string::npos) << path << " leaves a name without a target\n" << once;
+        load(path, [&](const testing::Reading& again, const Model& same) {
+            EXPECT_EQ(dump(same, again.sources, true), once) << path;
+        });
+    });
+}
+
+#define NEED_SHARED(folder)                           \
+    const fs::path folder = testing::shared_folder(); \
+    if (folder.empty()) GTEST_SKIP() << "no shared/ beside the repository, ROBOCHART_SHARED not set"
+
+TEST(Suite, AcceptsWhatRoboToolAccepts) {
+    NEED_SHARED(shared);
+    for (const fs::path& folder : entries(shared / "suite/robotool/accept")) expect_loads(folder);
+}
+
+TEST(Suite, LoadsTheBenchmarkModels) {
+    NEED_SHARED(shared);
+    expect_loads(shared / "bench/hvc");
+    expect_loads(shared / "suite/robotool-csp-2026");
+    for (const fs::path& path : entries(shared / "suite/robotool-csp/models"))
+        if (path.extension() == ".rct" && fs::file_size(path) > 1) expect_loads(path);
+}
+
+/// The reasons of EXPECTED.tsv under our codes: an operation that is not required, an end of a connection against the
+/// machine's traffic (twice), transitions across the border of a state (two ends).
+TEST(Suite, RefusesWhatRoboToolRefuses) {
+    NEED_SHARED(shared);
+    const std::map<std::string, std::vector<std::string>> reasons = {{"opcall-scope-fail", {"RC-N01"}},
+                                                                     {"operationInput", {"Cn9"}},
+                                                                     {"operationOutputOpRef", {"Cn8"}},
+                                                                     {"transitionsOutsideNodeContainer", {"T1", "T1"}}};
+    for (const fs::path& folder : entries(shared / "suite/robotool/reject")) {
+        const auto reason = reasons.find(folder.filename().string());
+        ASSERT_NE(reason, reasons.end()) << folder;
+        load(folder, [&](const testing::Reading& reading, const Model&) {
+            std::vector<std::string> codes;
+            for (const auto& d : reading.findings.sorted()) codes.emplace_back(d.rule->code);
+            EXPECT_EQ(codes, reason->second) << reading.report();
+        });
+    }
+}
+
+TEST(Suite, LoadsTheCorpus) {
+    const fs::path corpus = fs::path(ROBOCHART_SOURCE_DIR) / "corpus";
+    if (!fs::is_directory(corpus)) GTEST_SKIP() << "no corpus in this tree";
+    for (const fs::path& folder : entries(corpus)) {
+        const auto files = fs::is_directory(folder) ? entries(folder) : std::vector<fs::path>();
+        if (std::any_of(files.begin(), files.end(), [](const fs::path& f) { return f.extension() == ".rct"; }))
+            expect_loads(folder);
+    }
+}
+
+/// Cutting a model anywhere gives diagnostics or a model, never a crash; whatever is left reads the same twice.
+TEST(Suite, SurvivesTruncationAnywhere) {
+    NEED_SHARED(shared);
+    std::size_t cuts = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(shared / "suite/robotool/accept")) {
+        const bool is_assertions = entry.path().extension() == ".assertions";
+        if (!is_assertions && entry.path().extension() != ".rct") continue;
+        const std::string text = testing::slurp(entry.path());
+        for (std::size_t length = 0; length < text.size(); length += 97, ++cuts) {
+            const auto reading = testing::resolved(text.substr(0, length), is_assertions);
+            EXPECT_LE(reading->findings.errors(), 200U) << entry.path() << " cut at " << length;
+            EXPECT_EQ(reading->dumped(true), testing::resolved(text.substr(0, length), is_assertions)->dumped(true));
+        }
+    }
+    EXPECT_GT(cuts, 100U);
+}
+
+/// So does leaving out a piece in the middle.
+TEST(Suite, SurvivesHoles) {
+    NEED_SHARED(shared);
+    for (const auto& entry : fs::recursive_directory_iterator(shared / "suite/robotool/accept")) {
+        const bool is_assertions = entry.path().extension() == ".assertions";
+        if (!is_assertions && entry.path().extension() != ".rct") continue;
+        const std::string text = testing::slurp(entry.path());
+        for (std::size_t hole = 0; hole < text.size(); hole += 131)
+            static_cast<void>(testing::resolved(std::string(text).erase(hole, 17), is_assertions));
+    }
+}
+
+}  // namespace
+}  // namespace robochart::frontend
