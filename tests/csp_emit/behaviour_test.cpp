@@ -1,0 +1,410 @@
+// What emitted processes do, against CSPM written by hand from the reference (semantics 3.3 to 3.8). Equality is
+// refinement both ways in the failures-divergences model.
+#include <gtest/gtest.h>
+
+#include "tests/csp_emit/fixture.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+using testing::equal;
+using testing::model;
+
+std::string untimed(const std::string& rct, const std::string& definitions) {
+    const auto m = model(rct);
+    if (!m->diagnostics.ok()) return m->messages();
+    return equal(*m, Time::untimed, "S::D__(0)", "Spec", definitions);
+}
+
+std::string timed(const std::string& rct, const std::string& definitions) {
+    const auto m = model(rct);
+    if (!m->diagnostics.ok()) return m->messages();
+    return equal(*m, Time::timed, "S::D__(0)", "Spec", definitions);
+}
+
+/// Events a to f without value, machine S.
+std::string machine(const std::string& body) {
+    return "stm S {\n event a event b event c event d event f event g event n:nat event m:nat\n" + body + "}\n";
+}
+
+TEST(States, CompositeEntersOutsideInAndExitsInsideOut) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        state C {
+            entry a
+            exit d
+            initial j
+            state L { entry b exit c }
+            transition u { from j to L }
+        }
+        state D { entry g }
+        transition t0 { from i to C }
+        transition t1 { from C to D trigger f action n ! 1 }
+    )"),
+                      "Spec = S::a.out -> S::b.out -> S::f.in -> S::c.out -> S::d.out -> S::n.out.1 -> S::g.out -> STOP"),
+              "holds");
+}
+
+TEST(States, SelfTransitionRunsExitAndEntry) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        state A { entry a exit b }
+        transition t0 { from i to A }
+        transition t1 { from A to A trigger c }
+    )"),
+                      "Spec = S::a.out -> S::c.in -> S::b.out -> Spec"),
+              "holds");
+}
+
+TEST(States, OuterTransitionsCompeteWithInnerOnes) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        state C {
+            initial j
+            state L { }
+            state M { }
+            transition u0 { from j to L }
+            transition u1 { from L to M trigger a action b }
+        }
+        state D { }
+        transition t0 { from i to C }
+        transition t1 { from C to D trigger a action c }
+    )"),
+                      // Inside, `a` may do either; while `b` is offered the composite cannot be left.
+                      "Spec = S::a.in -> (S::b.out -> S::a.in -> S::c.out -> STOP |~| S::c.out -> STOP)"),
+              "holds");
+}
+
+TEST(States, InnerFinalLeavesTheCompositeWaiting) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        state C {
+            initial j
+            final k
+            transition u0 { from j to k action a }
+        }
+        state D { }
+        transition t0 { from i to C }
+        transition t1 { from C to D trigger b action c }
+    )"),
+                      "Spec = S::a.out -> S::b.in -> S::c.out -> STOP"),
+              "holds");
+}
+
+TEST(States, TopLevelFinalTerminates) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        final k
+        transition t0 { from i to k action a }
+    )"),
+                      "Spec = S::a.out -> S::terminate -> SKIP"),
+              "holds");
+}
+
+TEST(Transitions, GuardOnTheIncomingValueRefusesTheOthers) {
+    EXPECT_EQ(untimed(machine(R"(
+        var x:nat
+        initial i
+        state A { }
+        state B { entry m ! x }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger n ? x condition x > 0 }
+    )"),
+                      "Spec = S::n.in?v:{1,2} -> S::m.out!v -> STOP"),
+              "holds");
+}
+
+TEST(Transitions, TheSameTriggerTwiceIsAnInternalChoice) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        state A { }
+        state B { }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger a action b }
+        transition t2 { from A to B trigger a action c }
+    )"),
+                      "Spec = S::a.in -> (S::b.out -> STOP |~| S::c.out -> STOP)"),
+              "holds");
+}
+
+TEST(Transitions, OneWithoutTriggerCompetesWithATrigger) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        state A { }
+        state B { }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger a action b }
+        transition t2 { from A to B action c }
+    )"),
+                      "Spec = (S::a.in -> S::b.out -> STOP) [> (S::c.out -> STOP)"),
+              "holds");
+}
+
+TEST(Transitions, JunctionWithTwoTrueGuardsChooses) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        junction j
+        state A { }
+        transition t0 { from i to j }
+        transition t1 { from j to A condition 1 > 0 action a }
+        transition t2 { from j to A condition 2 > 1 action b }
+        transition t3 { from j to A condition 2 > 3 action c }
+    )"),
+                      "Spec = S::a.out -> STOP |~| S::b.out -> STOP"),
+              "holds");
+}
+
+TEST(Transitions, JunctionWithoutTrueGuardBlocks) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        junction j
+        state A { }
+        transition t0 { from i to j action a }
+        transition t1 { from j to A condition 1 > 2 action b }
+    )"),
+                      "Spec = S::a.out -> STOP"),
+              "holds");
+}
+
+TEST(Actions, PrivateAssignmentsAndConditionals) {
+    EXPECT_EQ(untimed(machine(R"(
+        var x:nat = 1, y:nat
+        initial i
+        state A { entry x = x + 1 ; y = x ; if y == 2 then m ! y else m ! 0 end ; if x == 0 then a else skip end ; b }
+        transition t0 { from i to A }
+    )"),
+                      "Spec = S::m.out.2 -> S::b.out -> STOP"),
+              "holds");
+}
+
+TEST(Actions, ArithmeticIsClippedToTheType) {
+    EXPECT_EQ(untimed(machine(R"(
+        var x:nat = 2
+        initial i
+        state A { entry x = x + 1 ; m ! x }
+        transition t0 { from i to A }
+    )"),
+                      "Spec = S::m.out.2 -> STOP"),
+              "holds");
+}
+
+TEST(Actions, DuringActionsAreCutAtAnyPoint) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        state A { during a ; b }
+        state B { }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger c action d }
+    )"),
+                      R"(
+        Cut = S::c.in -> S::d.out -> STOP
+        Spec = S::a.out -> (S::b.out -> Cut [] Cut) [] Cut)"),
+              "holds");
+}
+
+TEST(Actions, AssignmentsOfDuringActionsMayComeTooLate) {
+    EXPECT_EQ(untimed(machine(R"(
+        var x:nat
+        initial i
+        state A { during a ; x = 1 }
+        state B { }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger c condition x == 0 action d }
+    )"),
+                      R"(
+        Cut = S::c.in -> S::d.out -> STOP
+        Spec = S::a.out -> (Cut [> STOP) [] Cut)"),
+              "holds");
+}
+
+TEST(Actions, DuringOfACompositeRunsBesideItsInside) {
+    EXPECT_EQ(untimed(machine(R"(
+        initial i
+        state C {
+            during a
+            initial j
+            state L { during b }
+            transition u0 { from j to L }
+        }
+        state D { }
+        transition t0 { from i to C }
+        transition t1 { from C to D trigger c }
+    )"),
+                      R"(
+        Spec = (S::a.out -> SKIP ||| S::b.out -> SKIP ; STOP) /\ S::c.in -> STOP)"),
+              "holds");
+}
+
+TEST(Memory, OthersMayWriteRequiredVariablesAtAnyTime) {
+    // Reading is one hidden moment; what was read stays although others write meanwhile.
+    EXPECT_EQ(untimed(R"(
+        interface I { var x:nat }
+        stm S {
+            requires I
+            initial i
+            state A { entry x = x + 1 }
+            transition t0 { from i to A }
+        })",
+                      R"(
+        Before(x) = (S::set_EXT_x?y -> Before(y)) [> Pending(Plus(x,1,core_nat))
+        Pending(v) = S::set_x!v -> After [] S::set_EXT_x?y -> Pending(v)
+        After = S::set_EXT_x?y -> After
+        Spec = Before(0))"),
+              "holds");
+}
+
+TEST(Memory, GuardsSeeExternalWrites) {
+    EXPECT_EQ(untimed(R"(
+        interface I { var x:nat }
+        stm S {
+            requires I
+            event a
+            initial i
+            state A { }
+            state B { }
+            transition t0 { from i to A }
+            transition t1 { from A to B trigger a condition x == 1 }
+        })",
+                      R"(
+        A(x) = S::set_EXT_x?y -> A(y) [] x == 1 & S::a.in -> B
+        B = S::set_EXT_x?y -> B
+        Spec = A(0))"),
+              "holds");
+}
+
+TEST(Operations, UndefinedOnesAreOneEvent) {
+    EXPECT_EQ(untimed(R"(
+        interface O { go(x:nat, y:boolean) stop() }
+        stm S {
+            requires O
+            var v:nat = 2
+            initial i
+            state A { entry go(v, false) ; stop() }
+            transition t0 { from i to A }
+        })",
+                      "Spec = S::goCall.2.false -> S::stopCall -> STOP"),
+              "holds");
+}
+
+TEST(Time, WaitsCountTocksAndOutputsAreNotUrgent) {
+    EXPECT_EQ(timed(machine(R"(
+        initial i
+        state A { entry a ; wait(2) ; b }
+        transition t0 { from i to A }
+    )"),
+                    R"(
+        A0 = S::a.out -> tock -> tock -> B0 [] tock -> A0
+        B0 = S::b.out -> Rest [] tock -> B0
+        Rest = tock -> Rest
+        Spec = A0)"),
+              "holds");
+}
+
+TEST(Time, PlatformCallsAreUrgent) {
+    EXPECT_EQ(timed(R"(
+        interface O { go() }
+        stm S { requires O initial i state A { entry go() } transition t0 { from i to A } })",
+                    R"(
+        Rest = tock -> Rest
+        Spec = S::goCall -> Rest)"),
+              "holds");
+}
+
+TEST(Time, ATransitionFiresAsSoonAsItsClockAllows) {
+    EXPECT_EQ(timed(machine(R"(
+        clock T
+        initial i
+        state A { }
+        state B { entry a }
+        transition t0 { from i to A # T }
+        transition t1 { from A to B trigger b condition since(T) < 2 }
+        transition t2 { from A to B condition since(T) >= 3 }
+    )"),
+                    R"(
+        In = S::b.in -> Out
+        Spec = In [] tock -> (In [] tock -> tock -> Out)
+        Out = S::a.out -> Rest [] tock -> Out
+        Rest = tock -> Rest)"),
+              "holds");
+}
+
+TEST(Time, AMissedDeadlineStopsTime) {
+    EXPECT_EQ(timed(machine(R"(
+        initial i
+        state A { entry a <{1} }
+        transition t0 { from i to A }
+    )"),
+                    R"(
+        Spec = S::a.out -> Rest [] tock -> S::a.out -> Rest
+        Rest = tock -> Rest)"),
+              "holds");
+}
+
+TEST(Time, WaitIntervalsChoose) {
+    EXPECT_EQ(timed(machine(R"(
+        initial i
+        state A { entry wait([1,2]) ; a }
+        transition t0 { from i to A }
+    )"),
+                    R"(
+        Spec = tock -> Out |~| tock -> tock -> Out
+        Out = S::a.out -> Rest [] tock -> Out
+        Rest = tock -> Rest)"),
+              "holds");
+}
+
+TEST(Time, TerminationIsNotUrgentInAMachine) {
+    EXPECT_EQ(timed(machine(R"(
+        initial i
+        final k
+        transition t0 { from i to k }
+    )"),
+                    "Spec = S::terminate -> SKIP [] tock -> Spec"),
+              "holds");
+}
+
+TEST(Time, SinceEntryCountsFromTheEndOfTheEntryAction) {
+    EXPECT_EQ(timed(machine(R"(
+        initial i
+        state A { entry wait(2) }
+        state B { }
+        transition t0 { from i to A }
+        transition t1 { from A to B condition sinceEntry(A) >= 1 action a }
+    )"),
+                    R"(
+        Spec = tock -> tock -> tock -> Out
+        Out = S::a.out -> Rest [] tock -> Out
+        Rest = tock -> Rest)"),
+              "holds");
+}
+
+TEST(Time, ATransitionsDeadlineIsWatchedWhileItsGuardHolds) {
+    EXPECT_EQ(timed(machine(R"(
+        initial i
+        state A { }
+        state B { }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger a <{1} }
+    )"),
+                    R"(
+        Spec = S::a.in -> Rest [] tock -> S::a.in -> Rest
+        Rest = tock -> Rest)"),
+              "holds");
+}
+
+TEST(Time, UntimedTreatmentDropsIt) {
+    EXPECT_EQ(untimed(machine(R"(
+        clock T
+        var x:nat
+        initial i
+        state A { entry wait(2) ; #T ; a <{1} }
+        state B { }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger b condition since(T) < 2 /\ x == 1 }
+    )"),
+                      "Spec = S::a.out -> S::b.in -> STOP"),
+              "holds");
+}
+
+}  // namespace
+}  // namespace robochart::csp_emit

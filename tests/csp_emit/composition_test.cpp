@@ -1,0 +1,211 @@
+// Controllers and modules against CSPM written by hand (semantics 3.7 to 3.10).
+#include <gtest/gtest.h>
+
+#include "tests/csp_emit/fixture.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+using testing::equal;
+using testing::model;
+using testing::verdicts;
+
+std::string same(const std::string& rct, Time time, const std::string& process, const std::string& definitions) {
+    const auto m = model(rct);
+    if (!m->diagnostics.ok()) return m->messages();
+    return equal(*m, time, process, "Spec", definitions);
+}
+
+/// Two machines: P sends `out`, Q receives it.
+const char* const pair = R"(
+controller C {
+    event r
+    stm P {
+        event o : nat
+        event lost
+        initial i
+        state A { entry o ! 2 ; lost }
+        final f
+        transition t0 { from i to A }
+        transition t1 { from A to f }
+    }
+    stm Q {
+        event e : nat
+        event r
+        var x : nat
+        initial i
+        state A { }
+        final f
+        transition t0 { from i to A }
+        transition t1 { from A to f trigger e ? x condition x > 1 action r }
+    }
+    connection P on o to Q on e
+    connection Q on r to C on r
+}
+)";
+
+TEST(Controllers, MachinesMeetAndTerminateTogether) {
+    // The connected events and the unconnected `lost` are hidden; one terminate for both.
+    EXPECT_EQ(same(pair, Time::untimed, "C::D__(0)", "Spec = C::r.out -> C::terminate -> SKIP"), "holds");
+}
+
+TEST(Controllers, ConnectedEventsAreUrgent) {
+    EXPECT_EQ(same(pair, Time::timed, "C::D__(0)", R"(
+        Spec = C::r.out -> End [] tock -> Spec
+        End = C::terminate -> SKIP [] tock -> End)"),
+              "holds");
+}
+
+const char* const operations = R"(
+interface V { var x : nat }
+interface O { count(by : nat) ask() }
+operation count(by : nat) {
+    requires V
+    event tick
+    precondition by > 0
+    initial i
+    state A { entry x = x + by }
+    final f
+    transition t0 { from i to A }
+    transition t1 { from A to f trigger tick }
+}
+controller C {
+    event tick
+    requires O
+    uses V
+    opref count_ref = count
+    stm S {
+        requires O
+        requires V
+        event tick
+        initial i
+        state A { entry count(1) ; ask() }
+        state B { entry count(0) }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger tick }
+    }
+    connection C on tick to S on tick
+}
+)";
+
+TEST(Operations, DefinedOnesRunInTheirCallersPlaceAndBlockOnAFalsePrecondition) {
+    EXPECT_EQ(same(operations, Time::untimed, "C::D__(0)",
+                   "Spec = C::tick.in -> C::askCall -> C::tick.in -> STOP"),
+              "holds");
+}
+
+/// W writes x twice, R outputs what it sees.
+const char* const shared = R"(
+interface V { var x : nat }
+interface E { event e : nat }
+controller C {
+    var x : nat
+    event o : nat
+    event go
+    stm W {
+        requires V
+        event go
+        initial i
+        state A { entry x = 1 }
+        transition t0 { from i to A }
+        transition t1 { from A to A trigger go }
+    }
+    stm R {
+        requires V
+        event o : nat
+        event go
+        initial i
+        state A { }
+        transition t0 { from i to A }
+        transition t1 { from A to A trigger go action o ! x }
+    }
+    connection R on o to C on o
+    connection C on go to R on go
+}
+)";
+
+TEST(Memory, ReadersMaySeeStaleValuesUntilTheRelayIsDone) {
+    EXPECT_EQ(same(shared, Time::untimed, "C::D__(0)", R"(
+        Old = (C::go.in -> (Say(0,Old) |~| Say(1,New))) [> New
+        Say(v,P) = C::o.out!v -> P
+        Spec = Old2
+        -- a write at the start that takes effect at any time: between go and the reading too
+        Old2 = (C::go.in -> Mid) [> New
+        Mid = (SayOld) |~| (C::o.out.1 -> New)
+        SayOld = (C::o.out.0 -> Old2) [> (C::o.out.0 -> New)
+        New = C::go.in -> C::o.out.1 -> New)"),
+              "less than specified or holds");
+}
+
+TEST(Memory, RelaysAreDoneBeforeTimePasses) {
+    const auto m = model(shared);
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    // After one time unit only the new value is seen.
+    EXPECT_EQ(verdicts(*m, Time::timed, R"(
+        Later = C::go.in -> Say [] tock -> Later
+        Say = C::o.out.1 -> Later [] tock -> Say
+        assert Later [FD= (C::D__(0) [| Events |] tock -> RUN(Events))
+        Now = C::go.in -> C::o.out.0 -> STOP
+        assert C::D__(0) :[has trace [T]]: <C::go.in, C::o.out.0>
+        assert not C::D__(0) :[has trace [T]]: <tock, C::go.in, C::o.out.0>
+    )")
+                  .size(),
+              3U);
+}
+
+const char* const asynchronous = R"(
+interface E { event p event q : nat }
+module M {
+    robotic platform RP { uses E }
+    controller A {
+        uses E
+        event b : nat
+        stm S {
+            uses E
+            event b : nat
+            initial i
+            state X { }
+            transition t0 { from i to X }
+            transition t1 { from X to X trigger p action b ! 1 ; b ! 2 }
+        }
+        connection A on p to S on p
+        connection S on b to A on b
+    }
+    controller B {
+        uses E
+        event b : nat
+        event go
+        stm S {
+            uses E
+            event b : nat
+            var x : nat
+            initial i
+            state X { }
+            transition t0 { from i to X }
+            transition t1 { from X to X trigger b ? x action q ! x }
+        }
+        connection B on b to S on b
+        connection S on q to B on q
+    }
+    connection RP on p to A on p ( _async )
+    connection A on b to B on b ( _async )
+    connection B on q to RP on q ( _async )
+}
+)";
+
+TEST(Modules, AsynchronousBuffersAreOverwrittenByTheNewest) {
+    const auto m = model(asynchronous);
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    const auto results = verdicts(*m, Time::untimed, R"(
+        assert M::D__(0) :[has trace [T]]: <M::p.in, M::q.out.1, M::q.out.2>
+        assert M::D__(0) :[has trace [T]]: <M::p.in, M::q.out.2, M::p.in, M::q.out.1>
+        assert not M::D__(0) :[has trace [T]]: <M::p.in, M::q.out.2, M::q.out.1>
+        assert not M::D__(0) :[has trace [T]]: <M::p.in, M::q.out.1, M::q.out.1>
+        assert M::D__(0) :[divergence free]
+        assert M::D__(0) :[deadlock free]
+    )");
+    EXPECT_EQ(results, std::vector<std::string>(6, "holds"));
+}
+
+}  // namespace
+}  // namespace robochart::csp_emit

@@ -1,0 +1,36 @@
+// RoboChart text to an emitted script, and verdicts of assertions against hand-written CSPM.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "csp_emit/emit.hpp"
+#include "diagnostics/diagnostic.hpp"
+#include "semantics/ir.hpp"
+
+namespace robochart::csp_emit::testing {
+
+struct Model {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    ir::System system;
+    ir::Instantiation instantiation;
+
+    [[nodiscard]] std::string messages() const;
+    [[nodiscard]] std::vector<std::string> codes() const;
+    [[nodiscard]] Emission emit(Time time, bool core = false);
+};
+
+/// One .rct text and, if not empty, one .assertions text.
+[[nodiscard]] std::unique_ptr<Model> model(const std::string& rct, const std::string& assertions = "");
+/// A file or folder.
+[[nodiscard]] std::unique_ptr<Model> project(const std::string& path);
+
+/// Reads CSPM text behind the model's script and decides every assertion in it: "holds", "fails" or the reason why not.
+[[nodiscard]] std::vector<std::string> verdicts(Model&, Time, const std::string& cspm);
+/// `holds` for both refinements in the failures-divergences model; else what went wrong, with the counterexample's trace.
+[[nodiscard]] std::string equal(Model&, Time, const std::string& process, const std::string& specification,
+                                const std::string& definitions);
+
+}  // namespace robochart::csp_emit::testing
