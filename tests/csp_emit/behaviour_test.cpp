@@ -28,7 +28,8 @@ std::string machine(const std::string& body) {
 }
 
 TEST(States, CompositeEntersOutsideInAndExitsInsideOut) {
-    EXPECT_EQ(untimed(machine(R"(
+    EXPECT_EQ(
+        untimed(machine(R"(
         initial i
         state C {
             entry a
@@ -41,8 +42,8 @@ TEST(States, CompositeEntersOutsideInAndExitsInsideOut) {
         transition t0 { from i to C }
         transition t1 { from C to D trigger f action n ! 1 }
     )"),
-                      "Spec = S::a.out -> S::b.out -> S::f.in -> S::c.out -> S::d.out -> S::n.out.1 -> S::g.out -> STOP"),
-              "holds");
+                "Spec = S::a.out -> S::b.out -> S::f.in -> S::c.out -> S::d.out -> S::n.out.1 -> S::g.out -> STOP"),
+        "holds");
 }
 
 TEST(States, SelfTransitionRunsExitAndEntry) {

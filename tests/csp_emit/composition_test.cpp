@@ -89,8 +89,7 @@ controller C {
 )";
 
 TEST(Operations, DefinedOnesRunInTheirCallersPlaceAndBlockOnAFalsePrecondition) {
-    EXPECT_EQ(same(operations, Time::untimed, "C::D__(0)",
-                   "Spec = C::tick.in -> C::askCall -> C::tick.in -> STOP"),
+    EXPECT_EQ(same(operations, Time::untimed, "C::D__(0)", "Spec = C::tick.in -> C::askCall -> C::tick.in -> STOP"),
               "holds");
 }
 

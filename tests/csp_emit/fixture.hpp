@@ -27,9 +27,13 @@ struct Model {
 /// A file or folder.
 [[nodiscard]] std::unique_ptr<Model> project(const std::string& path);
 
+/// Where the shared reference material is (ROBOCHART_SHARED, or beside the source folder); may not exist.
+[[nodiscard]] std::string shared_folder();
+
 /// Reads CSPM text behind the model's script and decides every assertion in it: "holds", "fails" or the reason why not.
 [[nodiscard]] std::vector<std::string> verdicts(Model&, Time, const std::string& cspm);
-/// `holds` for both refinements in the failures-divergences model; else what went wrong, with the counterexample's trace.
+/// `holds` for both refinements in the failures-divergences model; else what went wrong, with the counterexample's
+/// trace.
 [[nodiscard]] std::string equal(Model&, Time, const std::string& process, const std::string& specification,
                                 const std::string& definitions);
 

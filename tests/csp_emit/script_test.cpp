@@ -1,32 +1,223 @@
-// Structure of emitted scripts.
+// Structure of emitted scripts: they read back equal, name what RoboTool names, and refuse by name.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <iostream>
 
 #include "checker/cspm/reader.hpp"
-#include "csp_emit/emit.hpp"
-#include "diagnostics/render.hpp"
+#include "csp_emit/rules.hpp"
+#include "tests/csp_emit/fixture.hpp"
 #include "tests/semantics/sample_systems.hpp"
 
 namespace robochart::csp_emit {
 namespace {
 
-TEST(Script, ReadsBackEqual) {
-    const ir::System system = ir::samples::aggregation();
-    for (const Time time : {Time::untimed, Time::timed}) {
-        diagnostics::SourceManager sources;
-        diagnostics::Diagnostics diagnostics;
-        const auto instantiation = ir::instantiate(system, {}, diagnostics);
-        const Emission emission = emit(system, instantiation, time, {true}, sources, diagnostics);
-        EXPECT_TRUE(diagnostics.empty()) << render_text(sources, diagnostics);
-        const std::string text = cspm::print(emission.script);
-        if (std::getenv("SHOW") != nullptr) std::cout << text;
-        const auto source = sources.add("printed.csp", text);
-        const cspm::Script again = cspm::read(sources, source, diagnostics);
-        EXPECT_TRUE(diagnostics.empty()) << render_text(sources, diagnostics);
-        EXPECT_TRUE(equal(emission.script, again));
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::model;
+using ::testing::Not;
+using testing::project;
+
+/// The script's text, after checking that it reads back as the same tree.
+std::string printed(testing::Model& model, Time time) {
+    const Emission emission = model.emit(time, true);
+    EXPECT_TRUE(model.diagnostics.ok()) << model.messages();
+    const std::string text = cspm::print(emission.script);
+    const auto source = model.sources.add("printed.csp", text);
+    const cspm::Script again = cspm::read(model.sources, source, model.diagnostics);
+    EXPECT_TRUE(model.diagnostics.ok()) << model.messages();
+    EXPECT_TRUE(equal(emission.script, again));
+    if (std::getenv("ROBOCHART_SHOW") != nullptr) std::cout << text;
+    return text;
+}
+
+TEST(Script, HandBuiltAggregationReadsBackEqual) {
+    testing::Model m;
+    m.system = ir::samples::aggregation();
+    m.instantiation = ir::instantiate(m.system, {}, m.diagnostics);
+    printed(m, Time::untimed);
+    printed(m, Time::timed);
+}
+
+TEST(Script, CorpusReadsBackEqual) {
+    for (const char* name : {"aggregation", "swarm_taxis"}) {
+        const auto m = project(std::string(ROBOCHART_SOURCE_DIR) + "/corpus/" + name);
+        ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+        printed(*m, Time::untimed);
+        printed(*m, Time::timed);
     }
+}
+
+TEST(Script, SharedRoboToolModelsReadBackEqual) {
+    const std::string shared = testing::shared_folder() + "/suite/robotool-csp-2026";
+    const auto m = project(shared);
+    if (m->system.machines.empty()) GTEST_SKIP() << "no shared models at " << shared;
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    printed(*m, Time::timed);
+}
+
+TEST(Script, UsesRoboToolsNames) {
+    const auto m = project(std::string(ROBOCHART_SOURCE_DIR) + "/corpus/aggregation");
+    const std::string text = printed(*m, Time::timed);
+    for (const char* part :
+         {"module aggregation", "module OP_MoveClockwise", "module AggregationFSM", "module stm_ref", "module ctrl_ref",
+          "channel seeWall : InOut", "MoveClockwiseCall : core_real.core_real", "set_linearSpeed, set_EXT_linearSpeed",
+          "sem__events", "D__(id__)", "VS_O__(id__)", "real_scale = 100"})
+        EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(Script, ParametersAvoidNamesOfEvents) {
+    // A parameter called like a channel would be a pattern that matches the channel only (checkers.md 3).
+    const auto m = model(R"(
+        stm S {
+            event v_x
+            var x : nat
+            initial i
+            state A { entry x = x + 1 ; v_x ; if x == 1 then v_x else skip end }
+            transition t0 { from i to A }
+        })");
+    const std::string text = printed(*m, Time::untimed);
+    EXPECT_THAT(text, HasSubstr("(v_x_2)"));
+    EXPECT_THAT(text, Not(HasSubstr("(v_x)")));
+}
+
+TEST(Script, VariablesThatNothingReadsAreNotKept) {
+    const auto m = model("stm S { var x : nat initial i state A { entry x = 2 } transition t0 { from i to A } }");
+    EXPECT_THAT(printed(*m, Time::untimed), Not(HasSubstr("v_x")));
+}
+
+TEST(Files, DefinitionsAndAssertionsThatIncludeThem) {
+    const auto m = model("stm S { initial i state A { } transition t0 { from i to A } }");
+    const Emission emission = m->emit(Time::timed, true);
+    const auto written = files(emission, Time::timed, "model");
+    ASSERT_EQ(written.size(), 2U);
+    EXPECT_EQ(written[0].path, "csp-gen/timed/model.csp");
+    EXPECT_EQ(written[1].path, "csp-gen/timed/model_assertions.csp");
+    EXPECT_THAT(written[0].text, HasSubstr("module S"));
+    EXPECT_THAT(written[0].text, Not(HasSubstr("assert")));
+    EXPECT_THAT(written[1].text, HasSubstr("include \"model.csp\""));
+    EXPECT_THAT(written[1].text, HasSubstr("assert S::D__(0) :[divergence free]"));
+}
+
+TEST(Provenance, TellsEventsAndPlacesInTheModelsWords) {
+    const auto m = model(R"(
+        stm S {
+            event a : nat
+            var x : nat
+            initial i
+            state A { entry x = x + 1 ; a ! x }
+            transition t0 { from i to A }
+            transition t1 { from A to A trigger a ? x condition x > 0 }
+        })");
+    const Provenance provenance = m->emit(Time::untimed).provenance;
+    EXPECT_EQ(provenance.events.at("S::a.in").kind, MeaningKind::trigger);
+    EXPECT_EQ(provenance.events.at("S::a.in").types.size(), 1U);
+    EXPECT_EQ(provenance.events.at("S::internal__.TID_t0").text, "t0: i -> A");
+    EXPECT_EQ(provenance.events.at("S::A::entered").kind, MeaningKind::entered);
+    EXPECT_EQ(provenance.definitions.at("S::A__").text, "in A");
+    EXPECT_THAT(provenance.definitions.at("S::A__").parameters, ElementsAre("x"));
+}
+
+TEST(Rules, WhatHasNoSemanticsIsRefusedByName) {
+    const auto m = model(R"(
+        stm S {
+            event a : nat
+            var x : nat
+            initial i
+            state C {
+                initial j
+                state L { exit a ! x }
+                transition u0 { from j to L }
+            }
+            state D { }
+            transition t0 { from i to C }
+            transition t1 { from C to D trigger a ? x }
+        })");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    (void)m->emit(Time::untimed);
+    EXPECT_THAT(m->codes(), ElementsAre("RC-C05"));
+}
+
+TEST(Rules, NamesOfCspmAreRefused) {
+    const auto m = model("stm S { event union initial i state A { } transition t0 { from i to A } }");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    (void)m->emit(Time::untimed);
+    EXPECT_THAT(m->codes(), ElementsAre("RC-C04"));
+}
+
+TEST(Rules, TableIsInOrderAndExplained) {
+    std::string last;
+    for (const diagnostics::Rule* rule : rules::all()) {
+        EXPECT_LT(last, rule->code);
+        EXPECT_GE(rule->explanation.size(), 80U) << rule->code;
+        last = rule->code;
+    }
+}
+
+TEST(Assertions, EachPropertyHasItsForm) {
+    const auto m =
+        model("stm S { initial i state A { } final f transition t0 { from i to A } transition t1 { from A to f } }",
+              R"(
+        untimed assertion A1 : S is deadlock-free
+        timed assertion A2 : S is deadlock-free
+        timed assertion A3 : S is timelock-free
+        untimed assertion A4 : S terminates
+        untimed assertion A5 : S does not terminate
+        untimed assertion A6 : S::A is reachable in S
+        untimed assertion A7 : S::A is not reachable in S
+        untimed assertion A8 : S refines S in the traces model
+        untimed assertion A9 : S equals S in the tick-tock model
+        untimed assertion B1 : S is not deterministic
+    )");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    std::string text;
+    for (const Time time : {Time::untimed, Time::timed}) {
+        for (const Obligation& obligation : m->emit(time).obligations) {
+            text += obligation.title + "\n";
+            cspm::Script script;
+            script.decls = obligation.assertions;
+            text += obligation.assertions.empty() ? obligation.reason + "\n" : cspm::print(script);
+        }
+    }
+    for (const char* part :
+         {"assert S::D__(0) :[deadlock free]\n", "assert not S::D__(0) :[deadlock free]\n",
+          "assert S::D__(0) ; RUN({r__}) :[deadlock free]\n", "assert STOP [T= (S::D__(0) ; r__ -> STOP) |\\ {r__}\n",
+          "assert not STOP [T= S::VS_O__(0) |\\ {| S::A::entered |}\n",
+          "assert STOP [T= S::VS_O__(0) |\\ {| S::A::entered |}\n", "assert S::D__(0) [T= S::D__(0)\n",
+          "tick-tock model is not supported", "assert not S::D__(0) :[deterministic]\n",
+          "S::D__(0)[[ tock <- tock, tock <- tock' ]]",
+          "assert RUN({tock}) ||| CHAOS(diff(Events, {| tock |})) [F= S::D__(0)\n", "A2 [timed] S is deadlock-free"})
+        EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(CspBlocks, AreSplicedAndInstantiationsReplaceTheGeneratedOnes) {
+    const auto m =
+        model("stm S { const c : nat event n : nat initial i state A { entry n ! c } transition t0 { from i to A } }",
+              R"(
+        csp Instantiations csp-begin
+            nametype core_nat = {0..5}
+            const_S_c = 4
+        csp-end
+        csp Spec csp-begin
+            Spec = S::n.out.4 -> STOP
+        csp-end
+        untimed assertion A : S equals Spec
+    )");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    const std::string text = printed(*m, Time::untimed);
+    EXPECT_THAT(text, HasSubstr("const_S_c = 4"));
+    EXPECT_THAT(text, Not(HasSubstr("const_S_c = 0")));
+    EXPECT_THAT(text, HasSubstr("Spec = S::n.out.4 -> STOP"));
+    EXPECT_THAT(text, HasSubstr("assert Spec [FD= S::D__(0, const_S_c)"));
+}
+
+TEST(CspBlocks, SyntaxErrorsPointIntoTheAssertionsFile) {
+    const auto m = model("stm S { initial i state A { } transition t0 { from i to A } }",
+                         "csp Spec csp-begin\nSpec = = STOP\ncsp-end\n");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    (void)m->emit(Time::untimed);
+    EXPECT_THAT(m->messages(), HasSubstr("model.assertions:2"));
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+#include "checker/cspm/reader.hpp"
+#include "checker/cspm/session.hpp"
+#include "tests/csp_emit/fixture.hpp"
+
+namespace robochart::csp_emit::testing {
+namespace {
+
+std::string trace(const refine::Verdict& verdict, cspm::Session& session) {
+    if (!verdict.counterexample) return verdict.reason;
+    std::string result;
+    for (const refine::Step& step : verdict.counterexample->steps) {
+        const bool tau = step.event == process::tau;
+        const process::Event shown = tau ? step.revealed : step.event;
+        const std::string name = session.event_table().name(shown);
+        result += result.empty() ? "" : ", ";
+        result += tau ? "(" + name + ")" : name;
+    }
+    result += " | offers";
+    for (const process::Event event : verdict.counterexample->offered)
+        result += " " + session.event_table().name(event);
+    return result + " | kind " + std::to_string(static_cast<int>(verdict.counterexample->kind));
+}
+
+std::string word(const cspm::AssertionResult& result, cspm::Session& session) {
+    switch (result.verdict.outcome) {
+        case refine::Outcome::holds:
+            return "holds";
+        case refine::Outcome::fails:
+            return "fails: " + trace(result.verdict, session);
+        default:
+            return "inconclusive: " + result.verdict.reason;
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> verdicts(Model& model, Time time, const std::string& text) {
+    Emission emission = model.emit(time);
+    const auto source = model.sources.add("specification.csp", text);
+    const cspm::Script more = cspm::read(model.sources, source, model.diagnostics);
+    if (!model.diagnostics.ok()) return {model.messages()};
+    emission.script.decls.insert(emission.script.decls.end(), more.decls.begin(), more.decls.end());
+    cspm::Session session(emission.script);
+    std::vector<std::string> result;
+    for (const auto& assertion : session.assertions()) {
+        try {
+            result.push_back(word(session.check(*assertion, {}), session));
+        } catch (const cspm::EvaluationError& error) {
+            result.push_back(std::string("error: ") + error.what());
+        }
+    }
+    return result;
+}
+
+std::string equal(Model& model, Time time, const std::string& process, const std::string& specification,
+                  const std::string& definitions) {
+    const auto results = verdicts(model, time,
+                                  definitions + "\nassert " + specification + " [FD= " + process + "\nassert " +
+                                      process + " [FD= " + specification + "\n");
+    if (results.size() != 2) return results.empty() ? "no verdict" : results[0];
+    if (results[0] != "holds") return "more than specified: " + results[0];
+    if (results[1] != "holds") return "less than specified: " + results[1];
+    return "holds";
+}
+
+}  // namespace robochart::csp_emit::testing
