@@ -213,6 +213,7 @@ private:
         EventPort port;
         port.model_name = event.name;
         port.type = event.type;
+        port.interface = event.interface;
         port.outside = outside_name(event.name);
         return events.emplace_back(std::move(port));
     }

@@ -15,7 +15,8 @@ namespace robochart::cpp_emit {
 
 /// An event of the machine (and of its operations, which use the caller's events by name).
 struct EventPort {
-    std::string model_name;              ///< in the machine
+    std::string model_name;  ///< in the machine
+    std::string interface;
     std::optional<std::string> outside;  ///< at the component's boundary; none: connected to nothing
     std::optional<ir::TypeId> type;
     bool received = false;

@@ -225,7 +225,8 @@ void file_comment(const Generation& generation, CodeWriter& out, const std::stri
 Core make_core(const Generation& generation) {
     Core core;
     const Component& component = generation.component;
-    core.name_space = package_namespace(component.package) + "::" + component.cpp_name + "_core";
+    core.relative = component.cpp_name + "_core";
+    core.name_space = package_namespace(component.package) + "::" + core.relative;
     core.header = component.cpp_name + "_core.hpp";
     NameScope type_names(std::set<std::string>{"State", "Inputs", "Step", "Real", "Nat", "Int", "Types", "Platform",
                                                "step", "advance_clock", "advance_wait", "duration", "divide",

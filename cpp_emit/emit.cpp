@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+
+#include "cpp_emit/face.hpp"
 #include "cpp_emit/files.hpp"
 #include "cpp_emit/support.hpp"
 
@@ -25,11 +28,23 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     const Generation generation{system, inst, options, *component, mutation};
     const Core core = make_core(generation);
     emission.shim = component->cpp_name + "_explore.cpp";
-    emission.files = {
-        {core.header, core_header(generation, core)}, {emission.shim, shim_source(generation, core)},
-        {"robochart/runtime.hpp", runtime_header()},  {"robochart/finite.hpp", finite_header()},
-        {"robochart/explore.hpp", explore_helpers()}, {"robochart/explore_abi.h", explore_header()},
+    const Face face = make_face(generation);
+    for (const FaceClass& base : face.bases)
+        emission.files.push_back({base.cpp_name + ".hpp", interface_header(generation, core, face, base)});
+    const OutputFile rest[] = {
+        {face.cpp_name + ".hpp", machine_header(generation, core, face)},
+        {face.cpp_name + ".cpp", machine_source(generation, core, face)},
+        {core.header, core_header(generation, core)},
+        {emission.shim, shim_source(generation, core)},
+        {"main.cpp", console_source(generation, core, face)},
+        {"CMakeLists.txt", build_file(face)},
+        {"robochart/runtime.hpp", runtime_header()},
+        {"robochart/timer.hpp", timer_header()},
+        {"robochart/finite.hpp", finite_header()},
+        {"robochart/explore.hpp", explore_helpers()},
+        {"robochart/explore_abi.h", explore_header()},
     };
+    emission.files.insert(emission.files.end(), std::begin(rest), std::end(rest));
     emission.fault_sites = mutation.sites();
     return emission;
 }

@@ -11,6 +11,7 @@ namespace robochart::cpp_emit {
 /// What the core's text consists of, shared by the files that use it.
 struct Core {
     std::string name_space;              ///< "aggregation::AggregationFSM_core"
+    std::string relative;                ///< the same as seen from the package's namespace
     std::string header;                  ///< file name
     std::vector<MachineCode> machines;   ///< as Component::units
     std::vector<const EventPort*> kept;  ///< Fault::event_kept: inputs that outlive the cycle
@@ -26,6 +27,7 @@ struct Core {
 /// Texts of the headers in cpp_emit/runtime, built into the program.
 [[nodiscard]] std::string runtime_header();
 [[nodiscard]] std::string finite_header();
+[[nodiscard]] std::string timer_header();
 [[nodiscard]] std::string explore_helpers();
 [[nodiscard]] std::string explore_header();
 

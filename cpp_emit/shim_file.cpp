@@ -90,7 +90,7 @@ private:
         if (!range)
             out_.line(fmt::format("constexpr std::int64_t {}_values[] = {{{}}};", name, fmt::join(values, ", ")));
         out_.open(fmt::format("struct {}Carrier {{", name));
-        out_.line(fmt::format("static constexpr std::int64_t scale = {};", scale));
+        out_.line(fmt::format("[[maybe_unused]] static constexpr std::int64_t scale = {};", scale));
         out_.open("static constexpr bool contains(std::int64_t value) noexcept {");
         out_.line(range ? fmt::format("return value >= {} && value <= {};", values.front(), values.back())
                         : fmt::format("return robochart::listed({}_values, value);", name));
@@ -286,8 +286,7 @@ private:
         out_.gap();
         out_.line("}  // namespace");
         out_.gap();
-        out_.open(
-            "extern \"C\" const rc_interface* robochart_explore(void) {");
+        out_.open("extern \"C\" const rc_interface* robochart_explore(void) {");
         out_.line("return &interface;");
         out_.close();
     }

@@ -1,0 +1,184 @@
+// A console driver and the build file of the generated library.
+#include <fmt/format.h>
+
+#include "cpp_emit/face.hpp"
+#include "cpp_emit/types.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+class ConsoleWriter {
+public:
+    ConsoleWriter(const Generation& generation, const Core& core, const Face& face)
+        : generation_(generation), core_(core), face_(face) {}
+
+    std::string write() {
+        file_comment(generation_, out_, "Console driver");
+        out_.comment("Each line of input is one control cycle: the events raised in it, `seeRobot` or `heading=0.5`.");
+        for (const char* header : {"<cstdint>", "<cstdlib>", "<iostream>", "<sstream>", "<string>"})
+            out_.line(fmt::format("#include {}", header));
+        out_.gap();
+        out_.line(fmt::format("#include \"{}.hpp\"", face_.cpp_name));
+        out_.gap();
+        out_.line("namespace {");
+        out_.gap();
+        show_functions();
+        console_class();
+        out_.gap();
+        out_.line("}  // namespace");
+        out_.gap();
+        main_function();
+        return out_.text();
+    }
+
+private:
+    template <class Visit>
+    void each(const Visit& visit) {
+        for (const FaceClass& base : face_.bases) visit(base);
+        visit(face_.own);
+    }
+
+    void show_functions() {
+        out_.doc("A value as text; declared types by number.");
+        out_.line("template <class T>");
+        out_.open("std::string show_value(T value) {");
+        out_.line("std::ostringstream text;");
+        out_.open("if constexpr (std::is_enum_v<T>) {");
+        out_.line("text << static_cast<int>(value);");
+        out_.reopen("} else {");
+        out_.line("text << std::boolalpha << value;");
+        out_.close();
+        out_.line("return text.str();");
+        out_.close();
+        out_.gap();
+        out_.doc("Reads a value; false if the text is none.");
+        out_.line("template <class T>");
+        out_.open("[[maybe_unused]] bool read_value(const std::string& text, T& value) {");
+        out_.line("std::istringstream input(text);");
+        out_.open("if constexpr (std::is_enum_v<T>) {");
+        out_.line("int number = 0;");
+        out_.line("if (!(input >> number)) return false;");
+        out_.line("value = static_cast<T>(number);");
+        out_.line("return true;");
+        out_.reopen("} else {");
+        out_.line("return static_cast<bool>(input >> std::boolalpha >> value);");
+        out_.close();
+        out_.close();
+    }
+
+    void console_class() {
+        out_.gap();
+        out_.open(fmt::format("class Console final : public {}::{} {{", face_.name_space, face_.cpp_name));
+        out_.label("public:");
+        each([&](const FaceClass& part) {
+            for (const FaceOperation& operation : part.operations)
+                if (!operation.modelled) print_call(operation);
+        });
+        raise_function();
+        print_function();
+        out_.close("};");
+    }
+
+    void print_call(const FaceOperation& operation) {
+        std::string parameters, shown;
+        for (std::size_t i = 0; i < operation.signature->parameters.size(); ++i) {
+            parameters +=
+                fmt::format("{}{} a{}", i == 0 ? "" : ", ",
+                            deployed_type(generation_, core_.name_space, operation.signature->parameters[i]), i);
+            shown += fmt::format("{} << show_value(a{})", i == 0 ? "" : " << \", \"", i);
+        }
+        out_.open(fmt::format("void {}({}) override {{", operation.method, parameters));
+        out_.line(fmt::format("std::cout << \"  {}(\"{} << \")\\n\";", operation.signature->name, shown));
+        out_.close();
+        out_.gap();
+    }
+
+    void raise_function() {
+        out_.doc("Raises an event; false if there is none of that name, or the value is wrong.");
+        out_.open("bool raise(const std::string& event, [[maybe_unused]] const std::string& value) {");
+        each([&](const FaceClass& part) {
+            for (const FaceEvent& event : part.events) {
+                if (event.sent) continue;
+                out_.open(fmt::format("if (event == \"{}\") {{", event.port->model_name));
+                out_.line(fmt::format("{} = true;", event.flag));
+                out_.line(event.port->type ? fmt::format("return read_value(value, {});", event.value)
+                                           : "return value.empty();");
+                out_.close();
+            }
+        });
+        out_.line("return false;");
+        out_.close();
+        out_.gap();
+    }
+
+    void print_function() {
+        out_.doc("What can be seen from outside after a cycle.");
+        out_.open("void print() const {");
+        out_.line("std::cout << \"  state \" << name(state());");
+        each([&](const FaceClass& part) {
+            for (const FaceVariable& variable : part.variables)
+                out_.line(fmt::format("std::cout << \" {} = \" << show_value({});", variable.stored->variable->name,
+                                      variable.member));
+            for (const FaceEvent& event : part.events)
+                if (event.sent)
+                    out_.line(fmt::format("if ({}) std::cout << \" {}\"{};", event.flag, event.port->model_name,
+                                          event.port->type ? " << '!' << show_value(" + event.value + ")" : ""));
+        });
+        for (const FaceTimer& timer : face_.timers)
+            out_.line(fmt::format("std::cout << \" since({}) = \" << {}.counter;", timer.clock->name, timer.member));
+        out_.line("std::cout << '\\n';");
+        out_.close();
+    }
+
+    void main_function() {
+        out_.open("int main() {");
+        out_.line("Console controller;");
+        out_.line("std::string line;");
+        out_.open("for (int cycle = 1; std::getline(std::cin, line); ++cycle) {");
+        out_.line("std::istringstream words(line);");
+        out_.line("std::string word;");
+        out_.open("while (words >> word) {");
+        out_.line("const std::size_t equals = word.find('=');");
+        out_.line("const std::string value = equals == std::string::npos ? \"\" : word.substr(equals + 1);");
+        out_.line(
+            "if (!controller.raise(word.substr(0, equals), value)) std::cerr << \"not an input: \" << word << '\\n';");
+        out_.close();
+        out_.line("std::cout << \"cycle \" << cycle << '\\n';");
+        out_.line("const robochart::StepResult result = controller.step();");
+        out_.line("controller.print();");
+        out_.line("if (result == robochart::StepResult::terminated) return EXIT_SUCCESS;");
+        out_.line("if (result != robochart::StepResult::quiescent) return EXIT_FAILURE;");
+        out_.close();
+        out_.line("return EXIT_SUCCESS;");
+        out_.close();
+    }
+
+    const Generation& generation_;
+    const Core& core_;
+    const Face& face_;
+    CodeWriter out_;
+};
+
+}  // namespace
+
+std::string console_source(const Generation& generation, const Core& core, const Face& face) {
+    return ConsoleWriter(generation, core, face).write();
+}
+
+std::string build_file(const Face& face) {
+    CodeWriter out;
+    out.line("# Generated by robochart-verify: the controller as a library, and a console program to try it.");
+    out.line("cmake_minimum_required(VERSION 3.16)");
+    out.line(fmt::format("project({} LANGUAGES CXX)", face.cpp_name));
+    out.gap();
+    out.line(fmt::format("add_library({0} STATIC {0}.cpp)", face.cpp_name));
+    out.line(fmt::format("target_include_directories({} PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}})", face.cpp_name));
+    out.line(fmt::format("target_compile_features({} PUBLIC cxx_std_20)", face.cpp_name));
+    out.gap();
+    out.line(fmt::format("add_executable({}_console main.cpp)", face.cpp_name));
+    out.line(fmt::format("target_link_libraries({0}_console PRIVATE {0})", face.cpp_name));
+    return out.text();
+}
+
+}  // namespace robochart::cpp_emit

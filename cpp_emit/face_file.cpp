@@ -1,0 +1,290 @@
+// The text of interface and machine classes.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_emit/face.hpp"
+#include "cpp_emit/types.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+/// The start value of a member, as deployed: `-0.75`, `3`, `true`, `core::Light::Red`.
+std::string deployed_value(const Generation& generation, const Core& core, ir::TypeId id, const ir::Value& value) {
+    const std::string text = cpp_value(generation.system, generation.inst, id, value);
+    const ir::TypeKind kind = generation.system.type(id).kind;
+    if (kind == ir::TypeKind::boolean) return text;
+    if (!numeric(kind)) return core.relative + "::" + text;
+    return text.substr(text.find('(') + 1, text.rfind(')') - text.find('(') - 1);
+}
+
+std::string parameters(const Generation& generation, const Core& core, const ir::OperationSignature& signature,
+                       bool unused) {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < signature.parameters.size(); ++i)
+        texts.push_back(fmt::format("{}{} {}", unused ? "[[maybe_unused]] " : "",
+                                    deployed_type(generation, core.relative, signature.parameters[i]),
+                                    NameScope().unique(signature.parameter_names[i])));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+void write_operation(const Generation& generation, const Core& core, CodeWriter& out, const FaceOperation& operation) {
+    out.gap();
+    const std::string place = generation.place(operation.signature->origin);
+    const std::string list = parameters(generation, core, *operation.signature, true);
+    if (operation.modelled) {
+        out.doc(place + ", as the model defines it. Override it and return true to do it differently.");
+        out.line(fmt::format("virtual bool {}({}) {{ return false; }}", operation.method, list));
+    } else {
+        out.doc(place + ", done by the platform.");
+        out.line(fmt::format("virtual void {}({}) {{}}", operation.method, list));
+    }
+}
+
+void write_members(const Generation& generation, const Core& core, CodeWriter& out, const FaceClass& face) {
+    for (const FaceVariable& variable : face.variables) {
+        const ir::Variable& declared = *variable.stored->variable;
+        out.line(fmt::format("{} {} = {};  ///< {}", deployed_type(generation, core.relative, declared.type),
+                             variable.member, deployed_value(generation, core, declared.type, variable.stored->initial),
+                             generation.place(declared.origin)));
+    }
+    for (const FaceEvent& event : face.events) {
+        const char* use = event.sent ? "sent in the last cycle" : "raise it before a cycle, which lowers it again";
+        out.line(fmt::format("bool {} = false;  ///< event {}: {}", event.flag, event.port->model_name, use));
+        if (event.port->type)
+            out.line(
+                fmt::format("{} {}{{}};", deployed_type(generation, core.relative, *event.port->type), event.value));
+    }
+    for (const FaceOperation& operation : face.operations) write_operation(generation, core, out, operation);
+}
+
+template <class Visit>
+void each_class(const Face& face, const Visit& visit) {
+    for (const FaceClass& base : face.bases) visit(base);
+    visit(face.own);
+}
+
+std::string base_list(const Face& face) {
+    std::vector<std::string> bases;
+    for (const FaceClass& base : face.bases) bases.push_back("public " + base.cpp_name);
+    return bases.empty() ? "" : fmt::format(" : {}", fmt::join(bases, ", "));
+}
+
+void write_states(const Face& face, CodeWriter& out) {
+    out.doc("The states; none before the first cycle and at the end.");
+    std::vector<std::string> names = {"none"};
+    for (const std::string& state : face.states)
+        if (!state.empty()) names.push_back(state);
+    out.line(fmt::format("enum class States : {} {{ {} }};", names.size() <= 256 ? "std::uint8_t" : "std::uint16_t",
+                         fmt::join(names, ", ")));
+}
+
+void write_platform(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
+    out.doc("What the core asks of its platform, done by the object's methods and members.");
+    out.open(fmt::format("struct {}::Platform {{", face.cpp_name));
+    out.line(fmt::format("{}& machine;", face.cpp_name));
+    each_class(face, [&](const FaceClass& part) {
+        for (const FaceOperation& operation : part.operations) {
+            const auto& signature = *operation.signature;
+            std::vector<std::string> arguments;
+            for (const auto& name : signature.parameter_names) arguments.push_back(NameScope().unique(name));
+            out.gap();
+            out.open(fmt::format("{} {}({}) const noexcept {{", operation.modelled ? "bool" : "void",
+                                 operation.core_method, parameters(generation, core, signature, false)));
+            out.line(fmt::format("{}machine.{}({});", operation.modelled ? "return " : "", operation.method,
+                                 fmt::join(arguments, ", ")));
+            out.close();
+        }
+        for (const FaceEvent& event : part.events) {
+            if (!event.sent) continue;
+            out.gap();
+            const bool valued = event.port->type.has_value();
+            const std::string list =
+                valued ? deployed_type(generation, core.relative, *event.port->type) + " value" : "";
+            out.open(fmt::format("void {}({}) const noexcept {{", event.port->output, list));
+            out.line(fmt::format("machine.{} = true;", event.flag));
+            if (valued) out.line(fmt::format("machine.{} = value;", event.value));
+            out.close();
+        }
+        for (const FaceVariable& variable : part.variables) {
+            if (!variable.stored->visible) continue;
+            out.gap();
+            const std::string type = deployed_type(generation, core.relative, variable.stored->variable->type);
+            out.line(fmt::format("void {}({} value) const noexcept {{ machine.{} = value; }}", variable.stored->output,
+                                 type, variable.member));
+        }
+    });
+    out.close("};");
+}
+
+void write_cycle(const Core& core, const Face& face, CodeWriter& out) {
+    out.open(fmt::format("robochart::StepResult {}::MakeTransition() noexcept {{", face.cpp_name));
+    out.line("CheckInEvent();");
+    out.line(fmt::format("{}::Inputs<robochart::Deployment> inputs;", core.relative));
+    std::vector<std::string> before, after;
+    each_class(face, [&](const FaceClass& part) {
+        for (const FaceEvent& event : part.events) {
+            const std::string lower = event.flag + " = false;";
+            if (event.sent) {
+                before.push_back(lower);
+                continue;
+            }
+            before.push_back(fmt::format("inputs.{}.present = {};", event.port->input, event.flag));
+            if (event.port->type)
+                before.push_back(fmt::format("inputs.{}.value = {};", event.port->input, event.value));
+            after.push_back(lower);
+        }
+        for (const FaceVariable& variable : part.variables) {
+            if (!variable.stored->stored()) continue;
+            before.push_back(fmt::format("core_.{} = {};", variable.stored->field, variable.member));
+            after.push_back(fmt::format("{} = core_.{};", variable.member, variable.stored->field));
+        }
+    });
+    for (const FaceTimer& timer : face.timers) {
+        before.push_back(fmt::format("core_.{} = {}.counter;", timer.field, timer.member));
+        after.push_back(fmt::format("{}.counter = core_.{};", timer.member, timer.field));
+    }
+    for (const std::string& line : before) out.line(line);
+    out.line("Platform platform{*this};");
+    out.line(fmt::format("const robochart::StepResult result = {}::step(core_, inputs, platform);", core.relative));
+    out.line("terminated_ = result == robochart::StepResult::terminated;");
+    for (const std::string& line : after) out.line(line);
+    out.line("return result;");
+    out.close();
+}
+
+void write_reset(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
+    out.open(fmt::format("void {}::reset() noexcept {{", face.cpp_name));
+    out.line("core_ = {};");
+    out.line("terminated_ = false;");
+    each_class(face, [&](const FaceClass& part) {
+        for (const FaceVariable& variable : part.variables)
+            out.line(fmt::format(
+                "{} = {};", variable.member,
+                deployed_value(generation, core, variable.stored->variable->type, variable.stored->initial)));
+        for (const FaceEvent& event : part.events) out.line(event.flag + " = false;");
+    });
+    for (const FaceTimer& timer : face.timers) out.line(timer.member + ".ResetTimer();");
+    out.close();
+}
+
+void write_state(const Core& core, const Face& face, CodeWriter& out) {
+    const Enumeration& places = core.machines.back().enumerations.front();
+    out.open(fmt::format("{0}::States {0}::state() const noexcept {{", face.cpp_name));
+    out.open("switch (core_.at) {");
+    for (const Enumerator& place : places.values) {
+        const std::string state = place.state.valid() ? face.states[place.state.index] : "none";
+        out.line(fmt::format("case {}::{}::{}: return States::{};", core.relative, places.name, place.name, state));
+    }
+    out.close();
+    out.line("return States::none;");
+    out.close();
+    out.gap();
+    out.open(fmt::format("const char* {}::name(States state) noexcept {{", face.cpp_name));
+    out.open("switch (state) {");
+    out.line("case States::none: return \"none\";");
+    for (const std::string& state : face.states)
+        if (!state.empty()) out.line(fmt::format("case States::{0}: return \"{0}\";", state));
+    out.close();
+    out.line("return \"none\";");
+    out.close();
+}
+
+}  // namespace
+
+std::string interface_header(const Generation& generation, const Core& core, const Face& face, const FaceClass& base) {
+    CodeWriter out;
+    out.comment(fmt::format("Interface {} as {} uses it.", base.interface, generation.component.root().machine->name));
+    out.comment("Generated by robochart-verify; change the model, not this file.");
+    out.line("#pragma once");
+    out.gap();
+    out.line("#include <cstdint>");
+    out.gap();
+    if (!generation.component.enumerations.empty()) out.line(fmt::format("#include \"{}\"", core.header));
+    out.gap();
+    out.line(fmt::format("namespace {} {{", face.name_space));
+    out.gap();
+    out.open(fmt::format("class {} {{", base.cpp_name));
+    out.label("public:");
+    out.line(fmt::format("virtual ~{}() = default;", base.cpp_name));
+    out.gap();
+    write_members(generation, core, out, base);
+    out.close("};");
+    out.gap();
+    out.line(fmt::format("}}  // namespace {}", face.name_space));
+    return out.text();
+}
+
+std::string machine_header(const Generation& generation, const Core& core, const Face& face) {
+    CodeWriter out;
+    file_comment(generation, out, "Controller");
+    out.line("#pragma once");
+    out.gap();
+    out.line("#include <cstdint>");
+    out.gap();
+    for (const FaceClass& base : face.bases) out.line(fmt::format("#include \"{}.hpp\"", base.cpp_name));
+    out.line(fmt::format("#include \"{}\"", core.header));
+    if (!face.timers.empty()) out.line("#include \"robochart/timer.hpp\"");
+    out.gap();
+    out.line(fmt::format("namespace {} {{", face.name_space));
+    out.gap();
+    out.doc("State machine " + generation.place(generation.component.root().machine->origin));
+    out.open(fmt::format("class {}{} {{", face.cpp_name, base_list(face)));
+    out.label("public:");
+    write_states(face, out);
+    out.gap();
+    if (face.bases.empty()) out.line(fmt::format("virtual ~{}() = default;", face.cpp_name));
+    out.gap();
+    out.doc(
+        "One control cycle: reads the events raised, makes every transition that they and time enable, lowers the "
+        "events.");
+    out.line("robochart::StepResult MakeTransition() noexcept;");
+    out.line("robochart::StepResult step() noexcept { return MakeTransition(); }");
+    out.doc("Called first in each cycle: override it to raise events from sensors.");
+    out.line("virtual void CheckInEvent() {}");
+    out.doc("Back to the beginning.");
+    out.line("void reset() noexcept;");
+    out.doc("The innermost active state, or the one whose action is running.");
+    out.line("[[nodiscard]] States state() const noexcept;");
+    out.line("[[nodiscard]] static const char* name(States state) noexcept;");
+    out.line("[[nodiscard]] bool isFinal() const noexcept { return terminated_; }");
+    out.gap();
+    for (const FaceTimer& timer : face.timers)
+        out.line(
+            fmt::format("robochart::Timer {};  ///< clock {}", timer.member, generation.place(timer.clock->origin)));
+    out.gap();
+    write_members(generation, core, out, face.own);
+    out.gap();
+    out.label("private:");
+    out.line("struct Platform;");
+    out.gap();
+    out.line(fmt::format("{}::State<robochart::Deployment> core_{{}};", core.relative));
+    out.line("bool terminated_ = false;");
+    out.close("};");
+    out.gap();
+    out.line(fmt::format("}}  // namespace {}", face.name_space));
+    return out.text();
+}
+
+std::string machine_source(const Generation& generation, const Core& core, const Face& face) {
+    CodeWriter out;
+    file_comment(generation, out, "Controller");
+    out.line(fmt::format("#include \"{}.hpp\"", face.cpp_name));
+    out.gap();
+    out.line(fmt::format("namespace {} {{", face.name_space));
+    out.gap();
+    write_platform(generation, core, face, out);
+    out.gap();
+    write_cycle(core, face, out);
+    out.gap();
+    write_reset(generation, core, face, out);
+    out.gap();
+    write_state(core, face, out);
+    out.gap();
+    out.line(fmt::format("}}  // namespace {}", face.name_space));
+    return out.text();
+}
+
+}  // namespace robochart::cpp_emit
