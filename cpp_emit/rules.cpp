@@ -29,7 +29,7 @@ const Rule unsupported_node{"RC-G07", Severity::error, "no C++ for {} '{}'",
                             "A probabilistic junction needs a random source, which the generated core does not have; "
                             "states, initial nodes, junctions and final nodes are generated."};
 const Rule unsupported_trigger{"RC-G08", Severity::error, "no C++ for the trigger of '{}': {}",
-                               "A trigger receives: `e`, `e?x` or `e.v`. Transitions out of initial nodes and "
+                               "A trigger receives: `e` or `e?x`. Transitions out of initial nodes and "
                                "junctions have none."};
 const Rule deadline{"RC-G09", Severity::error, "no C++ for the deadline of '{}'",
                     "A deadline that can be missed stops time in the model, which no code can do. Check the model "

@@ -149,8 +149,9 @@ private:
         if (!transition.trigger) return;
         const bool settled = source.kind == NodeKind::state;
         if (!settled) diagnostics_.report(rules::unsupported_trigger, span, {name, "its source is not a state"});
-        if (transition.trigger->kind == ir::CommKind::output)
-            diagnostics_.report(rules::unsupported_trigger, span, {name, "it sends"});
+        const ir::CommKind kind = transition.trigger->kind;
+        if (kind == ir::CommKind::output || kind == ir::CommKind::sync)
+            diagnostics_.report(rules::unsupported_trigger, span, {name, "it does not only receive"});
     }
 
     void check_statement(const ir::Machine& machine, const ir::Stmt& stmt) {

@@ -43,8 +43,6 @@ std::string receivable(const Generation& generation, const Unit& unit, const ir:
     ExpressionWriter expressions(generation, unit, "f");
     expressions.set_incoming(input + ".value");
     std::string condition = input + ".present";
-    if (communication.kind == CommKind::sync || communication.kind == CommKind::output)
-        condition += fmt::format(" && {}.value == {}", input, expressions.write_as(*communication.value, *event.type));
     if (communication.predicate) condition += fmt::format(" && ({})", expressions.write(*communication.predicate));
     return condition;
 }

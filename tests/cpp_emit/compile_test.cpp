@@ -13,11 +13,13 @@ using testing::Folder;
 struct Case {
     const char* model;
     const char* component;
-    const char* machine;   ///< name of the class
-    const char* script;    ///< lines for the console driver
+    const char* machine;  ///< name of the class
+    const char* script;   ///< lines for the console driver
 };
 
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.component; }
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+    return out << c.component;
+}
 
 class Compiles : public ::testing::TestWithParam<Case> {
 protected:
@@ -37,8 +39,12 @@ protected:
     Folder folder_;
 };
 
-TEST_P(Compiles, WithGcc) { expect_clean("g++"); }
-TEST_P(Compiles, WithClang) { expect_clean("clang++"); }
+TEST_P(Compiles, WithGcc) {
+    expect_clean("g++");
+}
+TEST_P(Compiles, WithClang) {
+    expect_clean("clang++");
+}
 
 TEST_P(Compiles, AndRunsCleanUnderSanitizers) {
     folder_.run(std::string("c++ -std=c++20 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -I. main.cpp ") +
@@ -49,11 +55,17 @@ TEST_P(Compiles, AndRunsCleanUnderSanitizers) {
 }
 
 const char* const aggregation_script = "\\nseeRobot\\nseeRobot seeWall\\n\\nseeWall\\n";
+const char* const taxis_script =
+    "\\nillumination=true\\nrobotDetected\\nheading=0.2\\n\\nturned\\nillumination=false\\n";
+// The machine alone does not use `turned`: Turn is the platform's.
+const char* const machine_script = "\\nillumination=true\\nrobotDetected\\nheading=0.2\\n\\n";
 
 INSTANTIATE_TEST_SUITE_P(Corpus, Compiles,
                          ::testing::Values(Case{"aggregation", "AggregationFSM", "AggregationFSM", aggregation_script},
-                                           Case{"aggregation", "Aggregation", "AggregationFSM", aggregation_script}),
-                         [](const auto& info) { return info.param.component; });
+                                           Case{"aggregation", "Aggregation", "AggregationFSM", aggregation_script},
+                                           Case{"swarm_taxis", "SwarmTaxisFSM", "SwarmTaxisFSM", machine_script},
+                                           Case{"swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", taxis_script}),
+                         [](const auto& test) { return test.param.component; });
 
 }  // namespace
 }  // namespace robochart::cpp_emit

@@ -18,7 +18,7 @@ ir::System lowered(const diagnostics::SourceManager& sources, const frontend::Mo
         ADD_FAILURE() << diagnostics::render_text(sources, diagnostics);
         return {};
     }
-    ir::System system = ir::lower(model, diagnostics);
+    ir::System system = ir::lower(model, sources, diagnostics);
     EXPECT_TRUE(diagnostics.ok()) << diagnostics::render_text(sources, diagnostics);
     return system;
 }
@@ -28,7 +28,8 @@ ir::System lowered(const diagnostics::SourceManager& sources, const frontend::Mo
 ir::System corpus(const std::string& name) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
-    const auto model = frontend::load_project(sources, std::string(ROBOCHART_SOURCE_DIR) + "/corpus/" + name, diagnostics);
+    const auto model =
+        frontend::load_project(sources, std::string(ROBOCHART_SOURCE_DIR) + "/corpus/" + name, diagnostics);
     return lowered(sources, *model, diagnostics);
 }
 
