@@ -1,0 +1,255 @@
+// A block's states agree on their signature: what they can do, and into which blocks; through taus that stay inside the
+// block (inert ones) as well, if the equivalence is branching. Where targets have moved to another block the signatures
+// are computed again and the block is split; its largest part keeps its number, so a state moves at most log n times.
+#include "checker/lts/bisimulation.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "checker/lts/tau_components.hpp"
+
+namespace robochart::lts {
+namespace {
+
+using Block = std::uint32_t;
+using Signature = std::vector<Edge>;  // targets are blocks; ascending
+
+/// In a signature: the state can do taus for ever.
+constexpr StateIndex endless = no_state;
+
+class Refinement {
+public:
+    Refinement(const Graph& graph, Equivalence equivalence)
+        : graph_(graph), branching_(equivalence == Equivalence::branching_with_divergence), block_(graph.size(), 0) {}
+
+    void run();
+    [[nodiscard]] Block block(StateIndex state) const { return block_[state]; }
+    [[nodiscard]] const Signature& signature(Block block) const { return signatures_[block]; }
+
+private:
+    using States = std::vector<StateIndex>;
+
+    void reverse_edges();
+    void mark(StateIndex state);
+    void refine(Block block);
+    Signature signature_of(StateIndex state, const std::map<StateIndex, const Signature*>& fresh) const;
+    void split(Block block, std::map<Signature, States>& groups, bool clean_states);
+    void move(const States& states, Block to);
+    void leave(StateIndex state);
+    States take_dirty(Block block);
+
+    const Graph& graph_;
+    bool branching_;
+    std::vector<Block> block_;
+    std::vector<States> members_;
+    std::vector<std::size_t> place_;  // in its block's members
+    std::vector<Signature> signatures_;
+    std::vector<States> dirty_;  // per block
+    std::vector<bool> is_dirty_;
+    std::deque<Block> work_;
+    std::vector<std::uint64_t> first_source_;
+    std::vector<std::pair<StateIndex, Event>> sources_;
+};
+
+void Refinement::reverse_edges() {
+    first_source_.assign(graph_.size() + 1, 0);
+    for (StateIndex state = 0; state < graph_.size(); ++state)
+        for (const Edge& edge : graph_.edges(state)) ++first_source_[edge.target + 1U];
+    for (std::size_t i = 1; i < first_source_.size(); ++i) first_source_[i] += first_source_[i - 1];
+    sources_.resize(graph_.edge_count());
+    std::vector<std::uint64_t> next(first_source_.begin(), first_source_.end() - 1);
+    for (StateIndex state = 0; state < graph_.size(); ++state)
+        for (const Edge& edge : graph_.edges(state)) sources_[next[edge.target]++] = {state, edge.event};
+}
+
+void Refinement::run() {
+    reverse_edges();
+    members_.resize(1);
+    dirty_.resize(1);
+    signatures_.resize(1);
+    is_dirty_.assign(graph_.size(), true);
+    for (StateIndex state = 0; state < graph_.size(); ++state) {
+        place_.push_back(state);
+        members_[0].push_back(state);
+        dirty_[0].push_back(state);
+    }
+    work_.push_back(0);
+    while (!work_.empty()) {
+        const Block block = work_.front();
+        work_.pop_front();
+        refine(block);
+    }
+}
+
+/// The state's signature may have changed; so may those of the states that lead to it inertly.
+void Refinement::mark(StateIndex state) {
+    States pending{state};
+    while (!pending.empty()) {
+        const StateIndex next = pending.back();
+        pending.pop_back();
+        if (is_dirty_[next]) continue;
+        is_dirty_[next] = true;
+        States& list = dirty_[block_[next]];
+        if (list.empty()) work_.push_back(block_[next]);
+        list.push_back(next);
+        if (!branching_) continue;
+        for (std::uint64_t i = first_source_[next]; i < first_source_[next + 1U]; ++i)
+            if (sources_[i].second == process::tau && block_[sources_[i].first] == block_[next])
+                pending.push_back(sources_[i].first);
+    }
+}
+
+/// The block's marked states that are still in it, those that inert taus lead to first: in a graph whose tau
+/// components are single states numbered so (see minimise), that is the order of their numbers.
+Refinement::States Refinement::take_dirty(Block block) {
+    States states = std::exchange(dirty_[block], {});
+    std::erase_if(states, [&](StateIndex state) { return block_[state] != block || !is_dirty_[state]; });
+    std::sort(states.begin(), states.end());
+    for (StateIndex state : states) is_dirty_[state] = false;
+    return states;
+}
+
+void Refinement::refine(Block block) {
+    const States dirty = take_dirty(block);
+    if (dirty.empty()) return;
+    std::map<Signature, States> groups;
+    std::map<StateIndex, const Signature*> fresh;
+    for (StateIndex state : dirty) {
+        const auto group = groups.try_emplace(signature_of(state, fresh)).first;
+        group->second.push_back(state);
+        if (branching_) fresh[state] = &group->first;
+    }
+    split(block, groups, dirty.size() < members_[block].size());
+}
+
+Signature Refinement::signature_of(StateIndex state, const std::map<StateIndex, const Signature*>& fresh) const {
+    Signature result;
+    const Block own = block_[state];
+    for (const Edge& edge : graph_.edges(state)) {
+        const bool inert = branching_ && edge.event == process::tau && block_[edge.target] == own;
+        if (!inert) {
+            result.push_back({edge.event, block_[edge.target]});
+        } else if (edge.target == state) {
+            result.push_back({process::tau, endless});
+        } else {
+            const auto known = fresh.find(edge.target);
+            const Signature& through = known != fresh.end() ? *known->second : signatures_[own];
+            result.insert(result.end(), through.begin(), through.end());
+        }
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+void Refinement::split(Block block, std::map<Signature, States>& groups, bool clean_states) {
+    // The states that were not marked all have the block's signature still; they join the group that has it too.
+    States* with_clean = nullptr;
+    std::size_t clean = members_[block].size();
+    for (const auto& [signature, states] : groups) clean -= states.size();
+    if (clean_states) with_clean = &groups[signatures_[block]];
+    const auto weight = [&](const States& states) { return states.size() + (&states == with_clean ? clean : 0); };
+    auto largest = groups.begin();
+    for (auto group = groups.begin(); group != groups.end(); ++group)
+        if (weight(group->second) > weight(largest->second)) largest = group;
+    if (with_clean != nullptr && &largest->second != with_clean) {
+        std::vector<bool> computed(members_[block].size(), false);
+        for (const auto& [signature, states] : groups)
+            for (StateIndex state : states) computed[place_[state]] = true;
+        const States all = members_[block];
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (!computed[i]) with_clean->push_back(all[i]);
+        std::sort(with_clean->begin(), with_clean->end());
+    }
+    signatures_[block] = largest->first;
+    std::vector<const States*> moved;
+    for (auto group = groups.begin(); group != groups.end(); ++group) {
+        if (group == largest) continue;
+        const auto to = static_cast<Block>(members_.size());
+        members_.emplace_back();
+        dirty_.emplace_back();
+        signatures_.push_back(group->first);
+        move(group->second, to);
+        moved.push_back(&group->second);
+    }
+    for (const States* states : moved)
+        for (StateIndex state : *states) {
+            if (branching_) mark(state);
+            for (std::uint64_t i = first_source_[state]; i < first_source_[state + 1U]; ++i) mark(sources_[i].first);
+        }
+}
+
+void Refinement::leave(StateIndex state) {
+    States& from = members_[block_[state]];
+    const StateIndex last = from.back();
+    from[place_[state]] = last;
+    place_[last] = place_[state];
+    from.pop_back();
+}
+
+void Refinement::move(const States& states, Block to) {
+    for (StateIndex state : states) {
+        leave(state);
+        block_[state] = to;
+        place_[state] = members_[to].size();
+        members_[to].push_back(state);
+    }
+}
+
+/// Numbers the blocks breadth first from the initial state's, and keeps those that are reached.
+class QuotientBuilder {
+public:
+    QuotientBuilder(const Refinement& refinement, StateIndex initial) : refinement_(refinement) {
+        number(refinement.block(initial));
+        for (std::size_t next = 0; next < order_.size(); ++next) add_edges(order_[next]);
+    }
+    Graph graph;
+    [[nodiscard]] StateIndex number_of(Block block) const {
+        const auto known = numbers_.find(block);
+        return known == numbers_.end() ? no_state : known->second;
+    }
+    [[nodiscard]] std::size_t size() const { return order_.size(); }
+
+private:
+    StateIndex number(Block block) {
+        const auto [entry, fresh] = numbers_.emplace(block, static_cast<StateIndex>(order_.size()));
+        if (fresh) order_.push_back(block);
+        return entry->second;
+    }
+    void add_edges(Block block) {
+        std::vector<Edge> edges;
+        for (const Edge& edge : refinement_.signature(block))
+            edges.push_back({edge.event, number(edge.target == endless ? block : edge.target)});
+        std::sort(edges.begin(), edges.end());
+        for (const Edge& edge : edges) graph.add_edge(edge);
+        graph.finish_state();
+    }
+    const Refinement& refinement_;
+    std::map<Block, StateIndex> numbers_;
+    std::vector<Block> order_;
+};
+
+}  // namespace
+
+Quotient minimise(const Graph& graph, Equivalence equivalence) {
+    // States on a tau cycle are equivalent under the branching equivalence: they become one state with a tau to itself.
+    // The others keep their taus, numbered so that a tau leads to a lower number.
+    const bool branching = equivalence == Equivalence::branching_with_divergence;
+    const TauComponents components = branching ? tau_components(graph) : every_state_alone(graph);
+    const Graph contracted = branching ? contract(graph, components) : graph;
+    Refinement refinement(contracted, equivalence);
+    refinement.run();
+    const QuotientBuilder builder(refinement, components.component[0]);
+    Quotient result{builder.graph, std::vector<StateIndex>(builder.size(), no_state), {}};
+    for (StateIndex state = 0; state < graph.size(); ++state) {
+        const StateIndex number = builder.number_of(refinement.block(components.component[state]));
+        result.state_of.push_back(number);
+        if (number != no_state && result.representative[number] == no_state) result.representative[number] = state;
+    }
+    return result;
+}
+
+}  // namespace robochart::lts

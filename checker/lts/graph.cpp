@@ -1,0 +1,42 @@
+// Exploration of any transition system into a graph.
+#include "checker/lts/graph.hpp"
+
+namespace robochart::lts {
+namespace {
+
+class EdgeCollector final : public SuccessorSink {
+public:
+    explicit EdgeCollector(Exploration& exploration) : exploration_(exploration) {}
+    void add(Event event, StateView target, Event /*revealed*/) override {
+        exploration_.graph.add_edge({event, exploration_.states.insert(target).index});
+    }
+
+private:
+    Exploration& exploration_;
+};
+
+}  // namespace
+
+Exploration explore(TransitionSystem& system, const std::function<void(std::size_t)>& poll) {
+    Exploration result{{}, StateStore(system.width())};
+    std::vector<Word> initial(system.width());
+    system.initial(initial);
+    result.states.insert(initial);
+    EdgeCollector collector(result);
+    for (StateIndex state = 0; state < result.states.size(); ++state) {
+        poll(result.states.size());
+        system.successors(result.states[state], collector);
+        result.graph.finish_state();
+    }
+    return result;
+}
+
+void GraphSystem::successors(StateView state, SuccessorSink& sink) {
+    for (const Edge& edge : graph_.edges(state[0])) sink.add(edge.event, StateView(&edge.target, 1), edge.event);
+}
+
+std::string GraphSystem::describe(StateView state) const {
+    return "state " + std::to_string(state[0]);
+}
+
+}  // namespace robochart::lts

@@ -1,0 +1,68 @@
+// Explicit transition systems: compressed rows of edges. State 0 is the initial one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <span>
+#include <vector>
+
+#include "checker/lts/state_store.hpp"
+#include "checker/lts/transition_system.hpp"
+
+namespace robochart::lts {
+
+struct Edge {
+    Event event;
+    StateIndex target;
+    friend auto operator<=>(const Edge&, const Edge&) = default;
+};
+
+class Graph {
+public:
+    [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
+    [[nodiscard]] std::size_t edge_count() const { return edges_.size(); }
+    [[nodiscard]] std::span<const Edge> edges(StateIndex state) const {
+        return std::span(edges_).subspan(first_[state], first_[state + 1U] - first_[state]);
+    }
+    /// States are added in order, each with all its edges; targets may be states that come later.
+    void add_edge(Edge edge) { edges_.push_back(edge); }
+    void finish_state() { first_.push_back(edges_.size()); }
+
+    friend bool operator==(const Graph&, const Graph&) = default;
+
+private:
+    std::vector<std::uint64_t> first_{0};
+    std::vector<Edge> edges_;
+};
+
+/// A graph together with what exploring it has found.
+struct Exploration {
+    Graph graph;
+    StateStore states;  ///< the packed state behind every index
+};
+
+/// Breadth first from the initial state. `poll` is called once a state and may throw to stop.
+[[nodiscard]] Exploration explore(TransitionSystem& system, const std::function<void(std::size_t states)>& poll);
+
+/// A graph behind the narrow waist.
+class GraphSystem final : public TransitionSystem {
+public:
+    GraphSystem(const Graph& graph, const process::EventTable& events) : graph_(graph), events_(events) {}
+    [[nodiscard]] std::size_t width() const override { return 1; }
+    void initial(std::span<Word> state) override { state[0] = 0; }
+    void successors(StateView state, SuccessorSink& sink) override;
+    [[nodiscard]] const process::EventTable& events() const override { return events_; }
+    [[nodiscard]] std::string describe(StateView state) const override;
+
+private:
+    const Graph& graph_;
+    const process::EventTable& events_;
+};
+
+/// Aldebaran format as CADP and mCRL2 read it; tau is written "tau", termination "tick".
+void write_aut(const Graph& graph, const process::EventTable& events, std::ostream& out);
+/// Graphviz.
+void write_dot(const Graph& graph, const process::EventTable& events, std::ostream& out);
+
+}  // namespace robochart::lts
