@@ -56,7 +56,7 @@ System lower(const ast::Model& model, const diagnostics::SourceManager& sources,
     lower_declared_types(lowering);
     register_components(lowering);
     lower_components(lowering);
-    check_recursion(lowering);
+    check_calls(lowering);
     lower_properties(lowering);
     return std::move(lowering.system);
 }

@@ -33,11 +33,13 @@ public:
     void add_all(const std::string& package, const std::string& path, const std::vector<Constant>& constants) {
         for (const auto& constant : constants) add(package, path, constant);
     }
-    /// The constants of a part that its controller does not provide.
-    void add_part(const Controller& controller, const std::string& part, const Machine& machine) {
-        for (const auto& constant : machine.constants)
-            if (!constant.required || find_constant(controller.constants, constant.name) == nullptr)
-                add(controller.package, controller.path + "::" + part, constant);
+    /// The constants of a part that nobody provides.
+    void add_part(const System& system, const Controller& controller, const std::string& part, const Machine& machine) {
+        for (std::uint32_t i = 0; i < machine.constants.size(); ++i) {
+            const auto source = constant_source(system, nullptr, &controller, part, machine, ConstantId{i});
+            if (source.constant == &machine.constants[i])
+                add(controller.package, controller.path + "::" + part, machine.constants[i]);
+        }
     }
     std::vector<NamedConstant> take() { return std::move(constants_); }
 
@@ -70,15 +72,86 @@ std::string constant_name(const std::string& package, const std::string& path, c
     return "const_" + name + "_" + constant;
 }
 
-ConstantSource constant_source(const System&, const Module* module, const Controller* controller,
+namespace {
+
+/// One machine or operation definition of a controller.
+struct Part {
+    const std::string* name;
+    const Machine* machine;
+};
+
+std::vector<Part> parts_of(const System& system, const Controller& controller) {
+    std::vector<Part> parts;
+    for (const auto& part : controller.machines) parts.push_back({&part.name, &system.machine(part.machine)});
+    for (std::size_t i = 0; i < controller.definitions.size(); ++i)
+        parts.push_back({&controller.definition_names.at(i), &system.machine(controller.definitions[i])});
+    return parts;
+}
+
+bool calls(const System& system, const Controller& controller, const Machine& caller, const Machine& operation) {
+    const auto called = called_operations(caller);
+    return std::any_of(called.begin(), called.end(), [&](OperationId id) {
+        const MachineId definition = definition_in(system, controller, caller.operations[id.index]);
+        return definition.valid() && &system.machine(definition) == &operation;
+    });
+}
+
+/// Follows a required constant to those who provide it. `calls_left` ends the search where operations call themselves,
+/// which lowering refuses.
+class ConstantSearch {
+public:
+    ConstantSearch(const System& system, const Module* module, const Controller& controller)
+        : system_(system), module_(module), controller_(controller) {}
+
+    void search(const std::string& part, const Machine& machine, const Constant& constant, std::size_t calls_left) {
+        if (constant.required && machine.kind == MachineKind::operation && calls_left > 0 &&
+            search_callers(machine, constant, calls_left - 1))
+            return;
+        if (constant.required)
+            if (const Constant* provided = find_constant(controller_.constants, constant.name)) {
+                const auto place = static_cast<std::uint32_t>(provided - controller_.constants.data());
+                return add(constant_source(module_, controller_, ConstantId{place}));
+            }
+        add({constant_name(controller_.package, controller_.path + "::" + part, constant.name), &constant});
+    }
+    std::vector<ConstantSource> take() { return std::move(found_); }
+
+private:
+    bool search_callers(const Machine& operation, const Constant& constant, std::size_t calls_left) {
+        bool provided = false;
+        for (const auto& part : parts_of(system_, controller_)) {
+            const Constant* same = find_constant(part.machine->constants, constant.name);
+            if (same == nullptr || !calls(system_, controller_, *part.machine, operation)) continue;
+            provided = true;
+            search(*part.name, *part.machine, *same, calls_left);
+        }
+        return provided;
+    }
+    void add(const ConstantSource& source) {
+        const auto same = [&](const ConstantSource& known) { return known.name == source.name; };
+        if (std::none_of(found_.begin(), found_.end(), same)) found_.push_back(source);
+    }
+
+    const System& system_;
+    const Module* module_;
+    const Controller& controller_;
+    std::vector<ConstantSource> found_;
+};
+
+}  // namespace
+
+std::vector<ConstantSource> constant_sources(const System& system, const Module* module, const Controller& controller,
+                                             const std::string& part, const Machine& machine, ConstantId id) {
+    ConstantSearch search(system, module, controller);
+    search.search(part, machine, machine.constants.at(id.index), controller.definitions.size());
+    return search.take();
+}
+
+ConstantSource constant_source(const System& system, const Module* module, const Controller* controller,
                                const std::string& part, const Machine& machine, ConstantId id) {
     const Constant& own = machine.constants.at(id.index);
     if (controller == nullptr) return {constant_name(machine.package, machine.path, own.name), &own};
-    const Constant* provided = own.required ? find_constant(controller->constants, own.name) : nullptr;
-    if (provided == nullptr)
-        return {constant_name(controller->package, controller->path + "::" + part, own.name), &own};
-    const auto place = static_cast<std::uint32_t>(provided - controller->constants.data());
-    return constant_source(module, *controller, ConstantId{place});
+    return constant_sources(system, module, *controller, part, machine, id).front();
 }
 
 ConstantSource constant_source(const Module* module, const Controller& controller, ConstantId id) {
@@ -94,9 +167,11 @@ std::vector<NamedConstant> named_constants(const System& system) {
     for (const auto& machine : system.machines) list.add_all(machine.package, machine.path, machine.constants);
     for (const auto& controller : system.controllers) {
         list.add_all(controller.package, controller.path, controller.constants);
-        for (const auto& part : controller.machines) list.add_part(controller, part.name, system.machine(part.machine));
+        for (const auto& part : controller.machines)
+            list.add_part(system, controller, part.name, system.machine(part.machine));
         for (std::size_t i = 0; i < controller.definitions.size(); ++i)
-            list.add_part(controller, controller.definition_names.at(i), system.machine(controller.definitions[i]));
+            list.add_part(system, controller, controller.definition_names.at(i),
+                          system.machine(controller.definitions[i]));
     }
     for (const auto& module : system.modules) list.add_all(module.package, module.name, module.platform.constants);
     return list.take();

@@ -23,8 +23,10 @@ namespace robochart::ir {
 
 /// Where the value of a machine's constant comes from when the machine runs as `part` of a controller (the name of its
 /// MachineInstance, or of its entry in Controller::definition_names):
-/// * required constants (semantics 3.7: process parameters, not memory) are the controller's constant of that name,
-///   and if the controller requires it too and runs in a module, the platform's;
+/// * a required constant (semantics 3.7: process parameters, not memory) of an operation is the constant of that name of
+///   the machine or operation that calls it;
+/// * any other required constant is the controller's of that name, and if the controller requires it too and runs in a
+///   module, the platform's;
 /// * all others, and required ones that nobody provides, are the part's own: `const_P_C_part_c`.
 /// `controller` null: the machine stands alone, `const_P_S_c`. `module` null: the controller stands alone.
 struct ConstantSource {
@@ -34,6 +36,9 @@ struct ConstantSource {
 [[nodiscard]] ConstantSource constant_source(const System&, const Module* module, const Controller* controller,
                                              const std::string& part, const Machine&, ConstantId);
 
+/// All of them where callers of an operation provide different ones; lowering refuses such models (RC-S19).
+[[nodiscard]] std::vector<ConstantSource> constant_sources(const System&, const Module* module, const Controller&,
+                                                           const std::string& part, const Machine&, ConstantId);
 /// The same for a constant of a controller: the platform's if the controller requires it and runs in a module.
 [[nodiscard]] ConstantSource constant_source(const Module* module, const Controller&, ConstantId);
 

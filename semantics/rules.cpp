@@ -79,9 +79,14 @@ const Rule function_without_definition{
     "takes such a function as a constant until somebody writes it in CSPM, and so does this tool; only its "
     "precondition "
     "counts."};
+const Rule ambiguous_constant{
+    "RC-S19", Severity::error,
+    "operation {} requires constant {}, which its callers in {} provide with different values: {}",
+    "A constant that an operation requires is its caller's constant of that name. Where callers have constants of "
+    "their own, the operation would need one process for each; give it a parameter instead."};
 
 namespace {
-const std::array<const Rule*, 17> table{&unsupported_construct,
+const std::array<const Rule*, 18> table{&unsupported_construct,
                                         &recursive_operation,
                                         &number_too_large,
                                         &too_deep,
@@ -97,7 +102,8 @@ const std::array<const Rule*, 17> table{&unsupported_construct,
                                         &range_too_large,
                                         &scale_too_large,
                                         &literal_outside_range,
-                                        &function_without_definition};
+                                        &function_without_definition,
+                                        &ambiguous_constant};
 }  // namespace
 
 std::span<const Rule* const> all() {

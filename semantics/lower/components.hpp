@@ -10,7 +10,8 @@ namespace robochart::ir {
 void register_components(Lowering&);
 void lower_controller(Lowering&, const frontend::Component&, ControllerId);
 void lower_module(Lowering&, const frontend::Component&, std::size_t index);
-/// Reports operations that call themselves through the definitions of a controller.
-void check_recursion(Lowering&);
+/// Reports operations that call themselves through the definitions of a controller, and required constants that
+/// callers provide differently.
+void check_calls(Lowering&);
 
 }  // namespace robochart::ir

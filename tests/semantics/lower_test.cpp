@@ -1,7 +1,10 @@
 // Lowering construct by construct, on small models.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "semantics/lower/expressions.hpp"
+#include "semantics/query.hpp"
 #include "tests/semantics/lowering_fixture.hpp"
 
 namespace robochart::ir {
@@ -292,6 +295,60 @@ controller C { requires I opref w = walk opref t = turn sref s = S }
 )"}});
     EXPECT_EQ(lowered->codes(), Codes{"RC-S02"}) << lowered->messages();
     EXPECT_NE(lowered->messages().find("walk calls turn calls walk"), std::string::npos);
+}
+
+/// walk requires `limit`; each caller has one of its own.
+std::string limit_model(const std::string& second_caller) {
+    return R"(
+interface L { const limit : nat }
+interface I { walk() }
+operation walk() { requires L initial i final f transition t { from i to f } }
+stm A { requires I const limit : nat initial i state s { entry walk() } transition t { from i to s } }
+stm B { requires I const limit : nat initial i state s { )" +
+           second_caller + R"( } transition t { from i to s } }
+controller C { requires I opref w = walk sref a = A sref b = B }
+)";
+}
+
+TEST(LowerComponents, ARequiredConstantOfAnOperationIsItsCallers) {
+    const auto lowered = lower_text(limit_model(""));
+    const auto& controller = lowered->controller("C");
+    const auto source =
+        constant_source(lowered->system, nullptr, &controller, "w", lowered->machine("walk"), ConstantId{0});
+    EXPECT_EQ(source.name, "const_C_a_limit");
+    std::vector<std::string> names;
+    for (const auto& constant : named_constants(lowered->system)) names.push_back(constant.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"const_walk_limit", "const_A_limit", "const_B_limit", "const_C_a_limit",
+                                               "const_C_b_limit"}));
+}
+
+TEST(LowerComponents, CallersThatProvideAConstantDifferentlyAreRefused) {
+    const auto lowered = lower_files({{"t.rct", limit_model("entry walk()")}});
+    EXPECT_EQ(lowered->codes(), Codes{"RC-S19"}) << lowered->messages();
+    EXPECT_NE(lowered->messages().find("const_C_a_limit, const_C_b_limit"), std::string::npos);
+}
+
+TEST(LowerMachines, StatesNestedTooDeepAreReported) {
+    std::string text = "stm S {\n initial i\n transition t { from i to s }\n";
+    const int depth = 70;
+    for (int i = 0; i < depth; ++i) text += "state s {\n";
+    for (int i = 0; i < depth; ++i) text += i == 0 ? "}\n" : "initial i\n transition t { from i to s }\n}\n";
+    const auto lowered = lower_files({{"t.rct", text + "}\n"}});
+    const auto codes = lowered->codes();
+    EXPECT_NE(std::find(codes.begin(), codes.end(), "RC-S04"), codes.end()) << lowered->messages();
+}
+
+TEST(LowerExpressions, NamesLeftOpenAreReported) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    const frontend::Model model;
+    Lowering lowering{model, sources, diagnostics, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    frontend::Expr name;
+    name.kind = frontend::ExprKind::name;
+    name.name.parts = {"nobody"};
+    EXPECT_NE(lower_expression(lowering, {}, name), nullptr);
+    ASSERT_EQ(diagnostics.sorted().size(), 1U);
+    EXPECT_EQ(diagnostics.sorted()[0].rule->code, "RC-S05");
 }
 
 TEST(LowerComponents, FilesAreOrderedByPath) {

@@ -1,0 +1,62 @@
+// RoboTool's regression models: everything in accept/ lowers, but for constructs that are refused by name.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include "semantics/instantiation.hpp"
+#include "tests/semantics/lowering_fixture.hpp"
+
+namespace robochart::ir {
+namespace {
+
+using namespace samples;
+namespace fs = std::filesystem;
+
+fs::path shared() {
+    const char* chosen = std::getenv("ROBOCHART_SHARED");
+    return chosen != nullptr ? fs::path(chosen) : fs::path(ROBOCHART_SOURCE_DIR).parent_path() / "shared";
+}
+
+std::unique_ptr<Lowered> read(const fs::path& folder) {
+    auto result = std::make_unique<Lowered>();
+    const auto model = frontend::load_project(result->sources, folder.string(), result->diagnostics);
+    if (result->diagnostics.ok()) result->system = lower(*model, result->sources, result->diagnostics);
+    return result;
+}
+
+std::vector<fs::path> models() {
+    std::vector<fs::path> folders;
+    const fs::path accept = shared() / "suite/robotool/accept";
+    if (!fs::exists(accept)) return folders;
+    for (const auto& entry : fs::directory_iterator(accept))
+        if (entry.is_directory()) folders.push_back(entry.path());
+    std::sort(folders.begin(), folders.end());
+    return folders;
+}
+
+/// Models that use a construct without semantics here, and what it is called.
+const std::map<std::string, std::string> refused{{"AlphaAlgorithm", "union of set_toolkit"},
+                                                 {"FunctionToolkitCallTest", "override of relation_toolkit"}};
+
+TEST(Suite, AcceptedModelsLower) {
+    const auto folders = models();
+    if (folders.empty()) GTEST_SKIP() << "RoboTool's models are not at " << shared() << " (set ROBOCHART_SHARED)";
+    for (const auto& folder : folders) {
+        const auto lowered = read(folder);
+        if (const auto known = refused.find(folder.filename().string()); known != refused.end()) {
+            EXPECT_NE(lowered->messages().find(known->second), std::string::npos) << lowered->messages();
+            continue;
+        }
+        EXPECT_TRUE(lowered->diagnostics.ok()) << folder << "\n" << lowered->messages();
+        if (!lowered->diagnostics.ok()) continue;
+        const auto inst = instantiate(lowered->system, {}, lowered->diagnostics);
+        EXPECT_TRUE(lowered->diagnostics.ok()) << folder << "\n" << lowered->messages();
+        EXPECT_EQ(inst.scale, 1) << folder;
+    }
+}
+
+}  // namespace
+}  // namespace robochart::ir
