@@ -15,7 +15,8 @@ const Rule several_machines{"RC-G02", Severity::error, "no C++ for '{}': it has 
                             "module with several controllers, needs a composition whose order of steps is not defined "
                             "yet. Generate the machines one by one."};
 const Rule no_body{"RC-G03", Severity::error, "no C++ for '{}': the state machine has no initial node",
-                   "A state machine starts at its initial node; without one it does nothing."};
+                   "A state machine starts at its initial node; without one it does nothing, which is hardly "
+                   "worth generating. Give it an initial node with a transition."};
 const Rule unsupported_type{
     "RC-G04", Severity::error, "no C++ for '{}': its type {} is not generated",
     "Generated types: boolean, nat, int, real, enumerations without arguments and given types."};
@@ -41,7 +42,8 @@ const Rule unconnected{"RC-G11", Severity::error, "no C++ for '{}': its event '{
                        "The semantics lets an unconnected trigger happen on its own at any time. That is hardly meant, "
                        "and code can't do it in bounded time. Connect the event or take the trigger out."};
 const Rule crossing{"RC-G12", Severity::error, "no C++ for transition '{}': it leaves its composite state",
-                    "Source and target of a transition lie in the same state."};
+                    "Source and target of a transition lie in the same composite state, or both at the machine's "
+                    "top: the order of exits and entries is defined for these only."};
 const Rule too_large{"RC-G13", Severity::error, "no C++ for '{}': {}",
                      "A limit of the generated code or of its exploration interface (runtime/explore_abi.h)."};
 

@@ -1,0 +1,150 @@
+// Every seeded fault changes what the controller does, at a place of its own, and nothing in production.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/cpp_emit/harness.hpp"
+#include "tests/cpp_emit/models.hpp"
+
+namespace robochart::cpp_emit {
+namespace {
+
+using testing::component;
+using testing::Controller;
+using testing::Registers;
+
+struct Case {
+    Fault fault;
+    const char* name;
+    const char* body;               ///< of machine M
+    std::vector<Registers> script;  ///< shows the difference
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& each) {
+    return out << each.name;
+}
+
+const char* const guarded = R"(
+event a : nat event x : nat var v : nat = 0 var w : nat = 0
+initial i transition t0 { from i to A } state A {} state B { entry x!9 }
+transition t1 { from A to B trigger a?v condition v > 1 }
+transition t2 { from A to A trigger a?w condition w < 2 action x!5 }
+)";
+
+const char* const nested = R"(
+event a event b event c event x : nat
+initial i transition t0 { from i to O }
+state O { initial j state P {} state Q { exit x!1 } transition u0 { from j to P } transition u1 { from P to Q trigger c }
+          transition u2 { from Q to P trigger c action x!7 } }
+state R {}
+transition t1 { from O to R trigger a }
+transition t2 { from R to O trigger b }
+)";
+
+const char* const actions = R"(
+event a event x : nat clock T var v : nat = 0
+initial i transition t0 { from i to A }
+state A { entry x!1 exit x!2 }
+state B { entry v = 2 ; wait(1) ; x!v }
+state C {}
+transition t1 { from A to B trigger a # T action x!3 }
+transition t2 { from B to C condition since(T) >= 2 action x!4 }
+)";
+
+const char* const awaiting = R"(
+event a : nat event x : nat var v : nat = 0
+initial i transition t0 { from i to A } state A { entry a?v ; x!v }
+)";
+
+const char* const chain = R"(
+event x : nat initial i transition t0 { from i to A }
+state A {} state B {} transition t1 { from A to B action x!1 } state C {} transition t2 { from B to C action x!2 }
+)";
+
+const char* const calling = R"(
+requires I initial i transition t0 { from i to A } state A { entry op(1, 2) }
+)";
+
+const char* const two_inputs = R"(
+event a event b event x initial i transition t0 { from i to A } state A {} state B {}
+transition t1 { from A to B trigger a action x } transition t2 { from B to A trigger b }
+)";
+
+const std::vector<Registers> three = {{}, {{"a.in", ""}}, {}, {}, {}, {}};
+
+class Faults : public ::testing::TestWithParam<Case> {
+protected:
+    ir::System system_ =
+        testing::model(std::string("package p interface I { op(a : nat, b : nat) }\nstm M {") + GetParam().body + "}");
+};
+
+std::vector<std::string> run(Controller& controller, const std::vector<Registers>& script) {
+    std::vector<std::string> told;
+    for (const Registers& inputs : script) {
+        for (const auto& text : controller.cycle(inputs)) told.push_back(text);
+        told.push_back("result " + std::to_string(controller.result()));
+    }
+    return told;
+}
+
+TEST_P(Faults, ChangeBehaviour) {
+    Options options;
+    options.fault = GetParam().fault;
+    Controller good(system_, component(system_, "M"));
+    Controller bad(system_, component(system_, "M"), options);
+    EXPECT_GE(bad.fault_sites(), 1U);
+    EXPECT_NE(run(good, GetParam().script), run(bad, GetParam().script));
+}
+
+TEST_P(Faults, HaveOneTextForEachSite) {
+    const ir::ComponentRef ref = component(system_, "M");
+    const std::string production = testing::emit_ok(system_, ref).files.front().text;
+    Options options;
+    options.fault = GetParam().fault;
+    options.fault_site = 0xffffffffU;
+    const Emission beyond = testing::emit_ok(system_, ref, options);
+    const auto core = [](const Emission& emission) {
+        return std::find_if(emission.files.begin(), emission.files.end(),
+                            [](const OutputFile& file) { return file.path == "M_core.hpp"; })
+            ->text;
+    };
+    EXPECT_EQ(core(beyond), core(testing::emit_ok(system_, ref)));
+    std::vector<std::string> texts = {core(beyond)};
+    for (options.fault_site = 0; options.fault_site < beyond.fault_sites; ++options.fault_site) {
+        texts.push_back(core(testing::emit_ok(system_, ref, options)));
+        EXPECT_EQ(std::count(texts.begin(), texts.end(), texts.back()), 1) << options.fault_site;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Faults,
+    ::testing::Values(
+        // A false guard eats a = 1, which t2 would take.
+        Case{Fault::guard_after_consume, "guard_after_consume", guarded, {{}, {{"a.in", "1"}}}},
+        Case{Fault::children_not_exited, "children_not_exited", nested, {{}, {{"c.in", ""}}, {{"a.in", ""}}}},
+        // After coming back the inner state must be P again, where c leads to Q silently.
+        Case{Fault::composite_resumed,
+             "composite_resumed",
+             nested,
+             {{}, {{"c.in", ""}}, {{"a.in", ""}}, {{"b.in", ""}}, {{"c.in", ""}}}},
+        Case{Fault::input_not_awaited, "input_not_awaited", awaiting, {{}}},
+        Case{Fault::single_transition_step, "single_transition_step", chain, {{}}},
+        Case{Fault::guard_negated, "guard_negated", guarded, {{}, {{"a.in", "2"}}}},
+        Case{Fault::guard_dropped, "guard_dropped", guarded, {{}, {{"a.in", "1"}}}},
+        // Without the reset since(T) is 2 when B is settled in cycle 3.
+        Case{Fault::clock_not_reset, "clock_not_reset", actions, three},
+        Case{Fault::clock_off_by_one, "clock_off_by_one", actions, three},
+        Case{Fault::wrong_target, "wrong_target", actions, three},
+        Case{Fault::action_dropped, "action_dropped", actions, three},
+        Case{Fault::entry_dropped, "entry_dropped", actions, three},
+        Case{Fault::exit_dropped, "exit_dropped", actions, three},
+        Case{Fault::argument_swapped, "argument_swapped", calling, {{}}},
+        Case{Fault::assignment_dropped, "assignment_dropped", actions, three},
+        // The second a comes too early and must be lost.
+        Case{Fault::event_kept, "event_kept", two_inputs, {{{"a.in", ""}}, {{"a.in", ""}}, {{"b.in", ""}}}},
+        Case{Fault::wait_dropped, "wait_dropped", actions, three},
+        Case{Fault::trigger_value_old, "trigger_value_old", guarded, {{}, {{"a.in", "2"}}}}),
+    [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,152 @@
+// What can't be generated is refused by name: each rule of cpp_emit/rules.hpp by a model that breaks it alone.
+#include "cpp_emit/rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/cpp_emit/harness.hpp"
+#include "tests/cpp_emit/models.hpp"
+#include "tests/semantics/sample_systems.hpp"
+
+namespace robochart::cpp_emit {
+namespace {
+
+using testing::component;
+
+/// Codes reported for a component.
+std::vector<std::string> codes(const ir::System& system, const ir::ComponentRef& ref) {
+    diagnostics::Diagnostics diagnostics;
+    const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
+    const Emission emission = emit(system, inst, ref, {}, diagnostics);
+    EXPECT_TRUE(emission.files.empty());
+    std::vector<std::string> result;
+    for (const auto& each : diagnostics.sorted()) result.emplace_back(each.rule->code);
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+std::vector<std::string> machine_codes(const std::string& body, const std::string& around = "") {
+    const ir::System system =
+        testing::model("package p\n" + around + "stm M { initial i transition t0 { from i to A }\n" + body + "\n}\n");
+    return codes(system, component(system, "M"));
+}
+
+using Codes = std::vector<std::string>;
+
+TEST(Refusals, NoSuchComponent) {
+    const ir::System system = ir::samples::aggregation();
+    ir::ComponentRef ref;
+    ref.kind = ir::ComponentKind::machine;
+    ref.path = "Nowhere";
+    EXPECT_EQ(codes(system, ref), Codes{"RC-G01"});
+    ref.kind = ir::ComponentKind::process;
+    EXPECT_EQ(codes(system, ref), Codes{"RC-G01"});
+}
+
+TEST(Refusals, SeveralMachines) {
+    ir::System system = ir::samples::aggregation();
+    system.controllers[0].machines.push_back(system.controllers[0].machines[0]);
+    EXPECT_EQ(codes(system, component(system, "Aggregation")), Codes{"RC-G02"});
+}
+
+TEST(Refusals, SeveralControllers) {
+    ir::System system = ir::samples::aggregation();
+    system.modules[0].controllers.push_back(system.modules[0].controllers[0]);
+    EXPECT_EQ(codes(system, component(system, "Aggregation")), Codes{"RC-G02"});
+}
+
+TEST(Refusals, NoBody) {
+    ir::System system = ir::samples::aggregation();
+    system.machines[2].initial = {};
+    EXPECT_EQ(codes(system, component(system, "AggregationFSM")), Codes{"RC-G03"});
+}
+
+TEST(Refusals, Types) {
+    EXPECT_EQ(machine_codes("var s : Seq(nat) state A {}"), Codes{"RC-G04"});
+    EXPECT_EQ(machine_codes("event e : Seq(nat) state A { entry e?s } var s : Seq(nat)"), Codes{"RC-G04"});
+}
+
+TEST(Refusals, Expressions) {
+    EXPECT_EQ(machine_codes("event x : nat state A { entry x!(f(1)) }", "function f(a : nat) : nat {}\n"),
+              Codes{"RC-G05"});
+}
+
+TEST(Refusals, PartsOfVariables) {
+    const auto got = machine_codes("var r : R state A { entry r.a = 1 }", "datatype R { a : nat }\n");
+    EXPECT_TRUE(std::count(got.begin(), got.end(), "RC-G06") == 1);
+}
+
+TEST(Refusals, ProbabilisticJunctions) {
+    EXPECT_EQ(
+        machine_codes("event a state A {} probabilistic q state B {} state C {} transition t1 { from A to q trigger a }"
+                      "transition t2 { from q to B probability 0.5 } transition t3 { from q to C probability 0.5 }"),
+        Codes{"RC-G07"});
+}
+
+TEST(Refusals, TriggersThatDoNotOnlyReceive) {
+    ir::System system = ir::samples::aggregation();
+    system.machines[2].transitions[1].trigger->kind = ir::CommKind::output;
+    EXPECT_EQ(codes(system, component(system, "AggregationFSM")), Codes{"RC-G08"});
+}
+
+TEST(Refusals, TriggersOutOfJunctions) {
+    ir::System system = ir::samples::aggregation();
+    system.machines[2].transitions[0].trigger = system.machines[2].transitions[1].trigger;
+    EXPECT_EQ(codes(system, component(system, "AggregationFSM")), Codes{"RC-G08"});
+}
+
+TEST(Refusals, Deadlines) {
+    EXPECT_EQ(machine_codes("event a state A {} state B {} transition t1 { from A to B trigger a <{ 2 } }"),
+              Codes{"RC-G09"});
+    EXPECT_EQ(machine_codes("event a state A { entry a <{ 2 } }"), Codes{"RC-G09"});
+}
+
+TEST(Refusals, Recursion) {
+    ir::System system = ir::samples::aggregation();
+    // MoveClockwise calls itself instead of writing angularSpeed.
+    auto& entry = system.machines[0].nodes[1].entry;
+    ir::Stmt call = *system.machines[2].nodes[1].entry;
+    ir::Stmt sequence = *entry;
+    sequence.body[0] = std::make_shared<const ir::Stmt>(call);
+    entry = std::make_shared<const ir::Stmt>(sequence);
+    EXPECT_EQ(codes(system, component(system, "Aggregation")), Codes{"RC-G10"});
+    EXPECT_TRUE(testing::emit_ok(system, component(system, "AggregationFSM")).files.size() >
+                1);  // there it is the platform's
+}
+
+TEST(Refusals, UnconnectedTriggers) {
+    ir::System system = ir::samples::aggregation();
+    system.controllers[0].connections.pop_back();
+    EXPECT_EQ(codes(system, component(system, "Aggregation")), Codes{"RC-G11"});
+}
+
+TEST(Refusals, TransitionsAcrossStates) {
+    ir::System system = ir::samples::aggregation();
+    system.machines[2].nodes[2].parent = ir::NodeId{1};
+    const auto got = codes(system, component(system, "AggregationFSM"));
+    EXPECT_EQ(std::count(got.begin(), got.end(), "RC-G12"), 1);
+}
+
+TEST(Refusals, TooManyArguments) {
+    std::string parameters, arguments;
+    for (int i = 0; i < 9; ++i) {
+        parameters += (i == 0 ? "p" : ", p") + std::to_string(i) + " : nat";
+        arguments += i == 0 ? "0" : ", 0";
+    }
+    EXPECT_EQ(
+        machine_codes("requires I state A { entry op(" + arguments + ") }", "interface I { op(" + parameters + ") }\n"),
+        Codes{"RC-G13"});
+}
+
+TEST(Rules, AreAllDistinctAndExplained) {
+    std::vector<std::string_view> seen;
+    for (const auto* rule : rules::all()) {
+        EXPECT_GE(rule->explanation.size(), 80U) << rule->code;
+        EXPECT_EQ(std::count(seen.begin(), seen.end(), rule->code), 0) << rule->code;
+        seen.push_back(rule->code);
+    }
+}
+
+}  // namespace
+}  // namespace robochart::cpp_emit
