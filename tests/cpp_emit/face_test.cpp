@@ -1,0 +1,144 @@
+// The classes of the paper's mapping, used as a robot's author would: derive, override, raise events, step.
+// Each program tells by its exit code the first expectation that fails.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/cpp_emit/harness.hpp"
+#include "tests/cpp_emit/models.hpp"
+
+namespace robochart::cpp_emit {
+namespace {
+
+using testing::Folder;
+
+class Face : public ::testing::Test {
+protected:
+    /// Compiles and runs a user's program with a component's classes.
+    void run(const char* model, const char* name, const char* machine, const std::string& program,
+             const char* flags = "") {
+        const ir::System system = testing::corpus(model);
+        folder_.write(testing::emit_ok(system, testing::component(system, name)));
+        std::ofstream(folder_.path() + "/user.cpp")
+            << "#include \"" << machine << ".hpp\"\n#define EXPECT(x) if (!(x)) return __LINE__\n"
+            << program;
+        folder_.run(std::string("c++ -std=c++20 -Wall -Wextra -Werror -I. ") + flags + " user.cpp " + machine +
+                    ".cpp -o user");
+        folder_.run("./user; code=$?; test $code = 0 || { sed -n ${code}p user.cpp; exit 1; }");
+    }
+
+    Folder folder_;
+};
+
+TEST_F(Face, OperationsOfAMachineAloneAreOverridden) {
+    run("aggregation", "AggregationFSM", "AggregationFSM", R"(
+struct Robot : aggregation::AggregationFSM {
+    void MoveClockwise(double angular, double linear) override { angularSpeed = angular; linearSpeed = linear; }
+    void RotateClockwise(double angular) override { angularSpeed = angular; linearSpeed = 0; }
+};
+int main() {
+    Robot robot;
+    EXPECT(robot.state() == Robot::States::none);
+    robot.MakeTransition();
+    EXPECT(robot.state() == Robot::States::S1 && robot.angularSpeed == -0.75 && robot.linearSpeed == -10.88);
+    robot.seeRobot = true;
+    EXPECT(robot.step() == robochart::StepResult::quiescent);
+    EXPECT(robot.state() == Robot::States::S2 && robot.angularSpeed == -5.02);
+    EXPECT(!robot.seeRobot);
+    robot.reset();
+    EXPECT(robot.state() == Robot::States::none && robot.angularSpeed == 0);
+    return 0;
+})");
+}
+
+TEST_F(Face, OperationsOfTheModelRunUnlessReplaced) {
+    run("aggregation", "Aggregation", "AggregationFSM", R"(
+struct Robot : aggregation::AggregationFSM {
+    bool RotateClockwise(double) override { ++rotations; return true; }
+    int rotations = 0;
+};
+int main() {
+    Robot robot;
+    robot.step();
+    EXPECT(robot.angularSpeed == -0.75 && robot.linearSpeed == -10.88);
+    robot.seeRobot = true;
+    robot.step();
+    EXPECT(robot.rotations == 1 && robot.angularSpeed == -0.75);
+    // Replaced, the operation takes no time: seeWall is taken in the same cycle.
+    robot.seeWall = robot.seeRobot = true;
+    robot.step();
+    EXPECT(robot.rotations == 1 && robot.state() == Robot::States::S1);
+    return 0;
+})");
+}
+
+TEST_F(Face, SensorsAreReadInCheckInEvent) {
+    run("aggregation", "Aggregation", "AggregationFSM", R"(
+struct Robot : aggregation::AggregationFSM {
+    void CheckInEvent() override { (sees ? seeRobot : seeWall) = true; }
+    bool sees = true;
+};
+int main() {
+    Robot robot;
+    robot.step();
+    robot.step();
+    EXPECT(robot.state() == Robot::States::S2);
+    robot.sees = false;
+    robot.step();
+    EXPECT(robot.state() == Robot::States::S1);
+    return 0;
+})");
+}
+
+TEST_F(Face, TimersShowAndResetTheClock) {
+    run("swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", R"(
+int main() {
+    swarm_taxis::SwarmTaxisFSM robot;
+    robot.step();
+    EXPECT(robot.T.counter == 1);
+    for (int i = 0; i < 20; ++i) robot.step();
+    EXPECT(robot.T.counter == 21);
+    robot.T.ResetTimer();
+    for (int i = 0; i < 25; ++i) robot.step();
+    EXPECT(robot.state() == swarm_taxis::SwarmTaxisFSM::States::Forward);
+    robot.step();
+    EXPECT(robot.state() == swarm_taxis::SwarmTaxisFSM::States::Coherence);
+    return 0;
+})");
+}
+
+TEST_F(Face, ValuesComeWithTheirEvents) {
+    run("swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", R"(
+int main() {
+    swarm_taxis::SwarmTaxisFSM robot;
+    robot.step();
+    robot.illumination = true;
+    robot.illumination_value = true;
+    robot.step();
+    EXPECT(robot.illuminated && robot.avoidanceRadius == 0.2);
+    robot.illumination = true;
+    robot.illumination_value = false;
+    robot.step();
+    EXPECT(!robot.illuminated && robot.avoidanceRadius == 0.1);
+    return 0;
+})");
+}
+
+TEST_F(Face, PreconditionsGoToTheHook) {
+    const ir::System system = testing::model(R"(package p
+interface I { op(a : int) }
+operation op(a : int) { precondition a < 0 }
+stm M { requires I initial i transition t0 { from i to A } state A { entry op(1) } }
+controller C { sref m = M opref o = op })");
+    folder_.write(testing::emit_ok(system, testing::component(system, "C")));
+    std::ofstream(folder_.path() + "/user.cpp") << R"(#include "M.hpp"
+int main() { p::M m; return m.step() == robochart::StepResult::precondition ? 0 : 1; })";
+    folder_.run("c++ -std=c++20 -I. user.cpp M.cpp -o asserting");
+    std::string output;
+    EXPECT_NE(folder_.status("./asserting", output), 0);  // assert is the default
+    EXPECT_NE(output.find("a < Int(0)"), std::string::npos) << output;
+    folder_.run("c++ -std=c++20 -I. '-DRC_REQUIRE(c)=static_cast<void>(c)' user.cpp M.cpp -o hooked && ./hooked");
+}
+
+}  // namespace
+}  // namespace robochart::cpp_emit
