@@ -46,18 +46,37 @@ std::vector<const Variable*> platform_variables(const Context& platform) {
     return result;
 }
 
-std::set<std::string_view> controller_operations(const Component& controller) {
-    std::set<std::string_view> names;
-    for (const Machine* defined : defined_operations(controller)) names.insert(defined->name);
-    for (const OperationSignature* required : required_operations(controller)) names.insert(required->name);
-    for (const auto& signature : controller.signatures) names.insert(signature->name);
-    return names;
+/// Parameters that fit each other, one by one. Their names may differ.
+bool same_parameters(const std::vector<VariablePtr>& a, const std::vector<VariablePtr>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const VariablePtr& x, const VariablePtr& y) {
+        return compatible(x->type, y->type) || compatible(y->type, x->type);
+    });
 }
 
-std::vector<std::string> missing_operations(const Context& part, const std::set<std::string_view>& provided) {
+/// Operations on offer: definitions and signatures.
+struct Offer {
+    std::vector<const Machine*> definitions;
+    std::vector<const OperationSignature*> signatures;
+
+    [[nodiscard]] bool has(const OperationSignature& wanted) const {
+        const auto fits = [&](const auto* offered) {
+            return offered->name == wanted.name && same_parameters(offered->parameters, wanted.parameters);
+        };
+        return std::any_of(definitions.begin(), definitions.end(), fits) ||
+               std::any_of(signatures.begin(), signatures.end(), fits);
+    }
+};
+
+Offer offer_of(const Component& controller) {
+    Offer offer{defined_operations(controller), required_operations(controller)};
+    for (const auto& signature : controller.signatures) offer.signatures.push_back(signature.get());
+    return offer;
+}
+
+std::vector<std::string> missing_operations(const Context& part, const Offer& offer) {
     std::vector<std::string> missing;
     for (const OperationSignature* wanted : required_operations(part))
-        if (!provided.contains(wanted->name)) missing.push_back("`" + wanted->name + "`");
+        if (!offer.has(*wanted)) missing.push_back("`" + wanted->name + "`");
     return missing;
 }
 
@@ -109,18 +128,19 @@ void check_part(const Component& controller, const Declaration& part, const Mach
     const auto variables = missing_variables(required_variables(machine), visible_variables(controller));
     if (!variables.empty())
         out.report(rules::c3, part.name_span, {controller.name, s(variables), machine.name, list(variables)});
-    const auto operations = missing_operations(machine, controller_operations(controller));
+    const auto operations = missing_operations(machine, offer_of(controller));
     if (!operations.empty())
         out.report(rules::c4, part.name_span, {controller.name, s(operations), machine.name, list(operations)});
     check_calls(controller, machine, out);
 }
 
 void check_operation(const Component& controller, const Declaration& part, const Machine& operation, Diagnostics& out) {
-    const auto provided = controller_operations(controller);
+    const Offer offer = offer_of(controller);
     for (const OperationSignature* wanted : required_operations(operation))
-        if (!provided.contains(wanted->name))
+        if (!offer.has(*wanted))
             out.report(rules::c4_operation, part.name_span, {operation.name, wanted->name, controller.name})
                 .notes.push_back({wanted->name_span, "it is required through this signature"});
+    check_calls(controller, operation, out);
 }
 
 void check_controller(const Component& controller, Diagnostics& out) {
@@ -138,8 +158,7 @@ void check_module(const Component& module, Diagnostics& out) {
         if (const auto* found = followed<Context>(part); found != nullptr && found->kind == DeclKind::platform)
             platform = found;
     if (platform == nullptr) return;
-    std::set<std::string_view> provided;
-    for (const OperationSignature* operation : provided_operations(*platform)) provided.insert(operation->name);
+    const Offer offer{{}, provided_operations(*platform)};
     for (const Declaration* part : module.order) {
         const auto* controller = followed<Component>(part);
         if (controller == nullptr || controller->kind != DeclKind::controller) continue;
@@ -147,7 +166,7 @@ void check_module(const Component& module, Diagnostics& out) {
         if (!variables.empty())
             out.report(rules::m2_variables, part->name_span,
                        {module.name, s(variables), controller->name, list(variables)});
-        const auto operations = missing_operations(*controller, provided);
+        const auto operations = missing_operations(*controller, offer);
         if (!operations.empty())
             out.report(rules::m2_operations, part->name_span,
                        {module.name, s(operations), controller->name, list(operations)});

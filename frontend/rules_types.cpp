@@ -21,9 +21,9 @@ const Rule call_count{"RC-T06", error, "operation `{}` takes {} argument{}, this
                       "The arguments of a call match the parameters of the operation one by one."};
 const Rule call_type{"RC-T07", error, "argument {} of operation `{}` must be {}, this is {}",
                      "The arguments of a call fit the types of the operation's parameters."};
-const Rule tg2{"Tg2", error, "event `{}` carries no value, so nothing can be {} on it",
+const Rule tg5{"Tg5", error, "event `{}` carries no value, so nothing can be {} on it",
                "Declare the event with a type to let it carry values."};
-const Rule tg3{"Tg3", error, "event `{}` carries a value of type {}, which is ignored here",
+const Rule tg2{"Tg2", error, "event `{}` carries a value of type {}, which is ignored here",
                "Write `e?x` to receive the value or `e!v` to send one."};
 const Rule comm_input{"RC-T08", error, "event `{}` carries {}, which does not fit variable `{}` of type {}",
                       "The variable must be able to hold every value that may come."};
@@ -73,8 +73,8 @@ const Rule not_assignable{"RC-T30", error, "`{}` is a {} and cannot be assigned"
 
 const std::vector<const Rule*>& of_types() {
     static const std::vector<const Rule*> rules = {&initial_type, &assignment_type,   &if_type,        &condition_type,
-                                                   &wait_type,    &call_count,        &call_type,      &tg2,
-                                                   &tg3,          &comm_input,        &comm_value,     &literal_count,
+                                                   &wait_type,    &call_count,        &call_type,      &tg5,
+                                                   &tg2,          &comm_input,        &comm_value,     &literal_count,
                                                    &literal_bare, &literal_type,      &function_count, &function_type,
                                                    &not_callable, &tuple_index,       &index_count,    &not_indexable,
                                                    &no_field,     &field_type,        &field_missing,  &cast_type,

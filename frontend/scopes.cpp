@@ -71,8 +71,7 @@ std::vector<const Variable*> required_variables(const Context& context) {
     std::vector<const Variable*> result;
     for_interfaces(context, [&](const Context& i, InterfaceUse use) {
         if (use != InterfaceUse::requires_) return;
-        for (const auto& variable : i.variables)
-            if (variable->kind == DeclKind::variable) result.push_back(variable.get());
+        for (const auto& variable : i.variables) result.push_back(variable.get());
     });
     return result;
 }

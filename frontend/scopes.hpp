@@ -35,7 +35,7 @@ template <class Kind>
 
 /// Own variables and those of used and required interfaces, in textual order.
 [[nodiscard]] std::vector<const Variable*> visible_variables(const Context& context);
-/// Variables (not constants) of required interfaces.
+/// Variables and constants of required interfaces.
 [[nodiscard]] std::vector<const Variable*> required_variables(const Context& context);
 /// Operations of required interfaces.
 [[nodiscard]] std::vector<const OperationSignature*> required_operations(const Context& context);

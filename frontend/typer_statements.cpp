@@ -167,18 +167,18 @@ void Typer::communication(Communication& communication, Surroundings& around, bo
     if (event != nullptr) communicated(communication, *event, around);
 }
 
-/// Rules Tg2, Tg3 and the types of what is communicated.
+/// Rules Tg2, Tg5 and the types of what is communicated.
 void Typer::communicated(Communication& communication, const Event& event, Surroundings&) {
     const bool simple = communication.kind == CommKind::simple;
     const bool input = communication.kind == CommKind::input;
     const bool typed = event.type_expr != nullptr;
     if (simple && typed && event.type)
         finder_.out()
-            .report(rules::tg3, communication.span, {event.name, to_string(event.type)})
+            .report(rules::tg2, communication.span, {event.name, to_string(event.type)})
             .notes.push_back({event.name_span, "the event is declared here"});
     if (!simple && !typed)
         finder_.out()
-            .report(rules::tg2, communication.span, {event.name, input ? "received" : "sent"})
+            .report(rules::tg5, communication.span, {event.name, input ? "received" : "sent"})
             .notes.push_back({event.name_span, "the event is declared here"});
     if (simple || !typed || !event.type) return;
     if (input) {
