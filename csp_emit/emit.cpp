@@ -33,7 +33,8 @@ public:
 
     void all() {
         for (const ir::Type& type : project_.system.types) types(type);
-        for (const ir::Function& function : project_.system.functions) names_.reserve(function_name(function));
+        for (const ir::Function& function : project_.system.functions)
+            element(function_name(function), function.origin.span);
         for (const ir::NamedConstant& constant : ir::named_constants(project_.system)) names_.reserve(constant.name);
         for (const ir::Machine& machine : project_.system.machines) component(machine, machine.name);
         for (const ir::Machine& machine : project_.system.machines) nodes(machine);
@@ -54,7 +55,7 @@ private:
     }
     void types(const ir::Type& type) {
         if (type.kind != ir::TypeKind::enumeration && type.kind != ir::TypeKind::given) return;
-        names_.reserve(type_name(type));
+        element(type_name(type), type.origin.span);
         for (std::size_t i = 0; i < type.labels.size(); ++i) names_.reserve(literal_name(type, i));
     }
     template <class Component>

@@ -8,6 +8,7 @@
 #include "checker/cspm/build.hpp"
 #include "csp_emit/rules.hpp"
 #include "csp_emit/types.hpp"
+#include "semantics/query.hpp"
 
 namespace robochart::csp_emit {
 
@@ -67,8 +68,12 @@ ComponentEmission MachineEmitter::emit() {
     definitions.insert(definitions.begin(), clock_limits_.begin(), clock_limits_.end());
     result.module = module(std::move(definitions), initial);
     result.constants = constants_;
-    for (const CellId cell : frames_[0].variables)
-        if (cells_[cell].parameter) result.arguments.push_back({cells_[cell].meaning, cells_[cell].type});
+    for (const ir::Variable& variable : machine().variables) {
+        if (variable.scope != ir::VariableScope::parameter) continue;
+        // Assertions name it like a constant, with another prefix (ir::Property::constants).
+        const std::string name = ir::constant_name(machine().package, machine().path, variable.name);
+        result.arguments.push_back({"param_" + name.substr(std::string("const_").size()), variable.type});
+    }
     result.visible = visible_;
     emitted_.components[context_.path] = result;
     return result;

@@ -163,7 +163,9 @@ std::string module_name(const ir::Machine& machine) {
 }
 
 bool is_reserved(const std::string& name) {
-    return std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
+    // Names of our own parameters and processes end in two underscores.
+    const bool ours = name.size() > 2 && name.compare(name.size() - 2, 2, "__") == 0;
+    return ours || std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
 }
 
 void reserve_all(NameManager& names) {

@@ -93,21 +93,18 @@ TEST(Operations, DefinedOnesRunInTheirCallersPlaceAndBlockOnAFalsePrecondition) 
               "holds");
 }
 
-/// W writes x twice, R outputs what it sees.
+/// W writes x once, R outputs what it sees.
 const char* const shared = R"(
 interface V { var x : nat }
-interface E { event e : nat }
 controller C {
     var x : nat
     event o : nat
     event go
     stm W {
         requires V
-        event go
         initial i
         state A { entry x = 1 }
         transition t0 { from i to A }
-        transition t1 { from A to A trigger go }
     }
     stm R {
         requires V
@@ -123,33 +120,91 @@ controller C {
 }
 )";
 
+// R's copy is 0 until the relay reaches it, which is hidden; reading is one moment, saying what was read another.
 TEST(Memory, ReadersMaySeeStaleValuesUntilTheRelayIsDone) {
     EXPECT_EQ(same(shared, Time::untimed, "C::D__(0)", R"(
-        Old = (C::go.in -> (Say(0,Old) |~| Say(1,New))) [> New
-        Say(v,P) = C::o.out!v -> P
-        Spec = Old2
-        -- a write at the start that takes effect at any time: between go and the reading too
-        Old2 = (C::go.in -> Mid) [> New
-        Mid = (SayOld) |~| (C::o.out.1 -> New)
-        SayOld = (C::o.out.0 -> Old2) [> (C::o.out.0 -> New)
+        Spec = (C::go.in -> Reading) [> New
+        Reading = Saying |~| C::o.out.1 -> New
+        Saying = (C::o.out.0 -> Spec) [> (C::o.out.0 -> New)
         New = C::go.in -> C::o.out.1 -> New)"),
-              "less than specified or holds");
+              "holds");
 }
 
 TEST(Memory, RelaysAreDoneBeforeTimePasses) {
-    const auto m = model(shared);
-    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    // After one time unit only the new value is seen.
-    EXPECT_EQ(verdicts(*m, Time::timed, R"(
-        Later = C::go.in -> Say [] tock -> Later
-        Say = C::o.out.1 -> Later [] tock -> Say
-        assert Later [FD= (C::D__(0) [| Events |] tock -> RUN(Events))
-        Now = C::go.in -> C::o.out.0 -> STOP
-        assert C::D__(0) :[has trace [T]]: <C::go.in, C::o.out.0>
-        assert not C::D__(0) :[has trace [T]]: <tock, C::go.in, C::o.out.0>
-    )")
-                  .size(),
-              3U);
+    EXPECT_EQ(same(shared, Time::timed, "C::D__(0)", R"(
+        Spec = (C::go.in -> Reading) [> New
+        Reading = Saying |~| One
+        Saying = (C::o.out.0 -> Spec) [> Zero
+        Zero = C::o.out.0 -> New [] tock -> Zero
+        One = C::o.out.1 -> New [] tock -> One
+        New = C::go.in -> One [] tock -> New)"),
+              "holds");
+}
+
+/// A platform variable with an initial value, read on every `go`, and written at the start.
+const char* const platform = R"(
+interface V { var y : nat = 1 }
+interface E { event go event o : nat }
+module M {
+    robotic platform RP { provides V uses E }
+    controller C {
+        requires V
+        uses E
+        stm S {
+            requires V
+            uses E
+            initial i
+            state A { }
+            transition t0 { from i to A }
+            transition t1 { from A to A trigger go action o ! y }
+        }
+        connection C on go to S on go
+        connection S on o to C on o
+    }
+    connection RP on go to C on go ( _async )
+    connection C on o to RP on o ( _async )
+}
+)";
+
+TEST(Memory, ThePlatformsInitialValuesAreToldLikeWrites) {
+    EXPECT_EQ(same(platform, Time::timed, "M::D__(0)", R"(
+        Spec = (M::go.in -> Reading) [> New
+        Reading = Saying |~| One
+        Saying = (M::o.out.0 -> Spec) [> Zero
+        Zero = M::o.out.0 -> New [] tock -> Zero
+        One = M::o.out.1 -> New [] tock -> One
+        New = M::go.in -> One [] tock -> New)"),
+              "holds");
+}
+
+/// A write of a variable that the platform provides is seen by the platform, at once.
+const char* const provided = R"(
+interface V { var y : nat }
+interface E { event go }
+module M {
+    robotic platform RP { provides V uses E }
+    controller C {
+        requires V
+        uses E
+        stm S {
+            requires V
+            uses E
+            initial i
+            state A { }
+            final f
+            transition t0 { from i to A }
+            transition t1 { from A to f trigger go action y = 2 }
+        }
+        connection C on go to S on go
+    }
+    connection RP on go to C on go ( _async )
+}
+)";
+
+TEST(Modules, WritesOfProvidedVariablesAreVisibleAndUrgentAndTerminationIsHidden) {
+    EXPECT_EQ(same(provided, Time::timed, "M::D__(0)", R"(
+        Spec = M::go.in -> M::set_y.2 -> SKIP [] tock -> Spec)"),
+              "holds");
 }
 
 const char* const asynchronous = R"(

@@ -1,6 +1,8 @@
 #include "tests/csp_emit/fixture.hpp"
 
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 
 #include "diagnostics/render.hpp"
 #include "frontend/project.hpp"
@@ -46,6 +48,13 @@ std::unique_ptr<Model> model(const std::string& rct, const std::string& assertio
     frontend::resolve(parsed, result->diagnostics);
     finish(*result, parsed);
     return result;
+}
+
+std::unique_ptr<Model> model_file(const std::string& path) {
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return model(text.str());
 }
 
 std::unique_ptr<Model> project(const std::string& path) {

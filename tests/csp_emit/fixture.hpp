@@ -24,6 +24,8 @@ struct Model {
 
 /// One .rct text and, if not empty, one .assertions text.
 [[nodiscard]] std::unique_ptr<Model> model(const std::string& rct, const std::string& assertions = "");
+/// One .rct file on its own.
+[[nodiscard]] std::unique_ptr<Model> model_file(const std::string& path);
 /// A file or folder.
 [[nodiscard]] std::unique_ptr<Model> project(const std::string& path);
 
@@ -32,6 +34,8 @@ struct Model {
 
 /// Reads CSPM text behind the model's script and decides every assertion in it: "holds", "fails" or the reason why not.
 [[nodiscard]] std::vector<std::string> verdicts(Model&, Time, const std::string& cspm);
+/// Decides every assertion of a script.
+[[nodiscard]] std::vector<std::string> decide(const cspm::Script&);
 /// `holds` for both refinements in the failures-divergences model; else what went wrong, with the counterexample's
 /// trace.
 [[nodiscard]] std::string equal(Model&, Time, const std::string& process, const std::string& specification,

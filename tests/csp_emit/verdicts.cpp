@@ -40,7 +40,11 @@ std::vector<std::string> verdicts(Model& model, Time time, const std::string& te
     const cspm::Script more = cspm::read(model.sources, source, model.diagnostics);
     if (!model.diagnostics.ok()) return {model.messages()};
     emission.script.decls.insert(emission.script.decls.end(), more.decls.begin(), more.decls.end());
-    cspm::Session session(emission.script);
+    return decide(emission.script);
+}
+
+std::vector<std::string> decide(const cspm::Script& script) {
+    cspm::Session session(script);
     std::vector<std::string> result;
     for (const auto& assertion : session.assertions()) {
         try {

@@ -1,0 +1,150 @@
+// Our processes against RoboTool's own scripts for the same models: each refines the other in the failures-divergences
+// model under RoboTool's instantiations. The scripts are shared reference material.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "checker/cspm/build.hpp"
+#include "checker/cspm/reader.hpp"
+#include "checker/cspm/session.hpp"
+#include "tests/csp_emit/fixture.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+namespace b = cspm::build;
+using cspm::DeclKind;
+using cspm::DeclPtr;
+using cspm::ExprPtr;
+
+std::set<std::string> names_of(const std::vector<DeclPtr>& decls) {
+    std::set<std::string> result;
+    for (const DeclPtr& decl : decls) {
+        result.insert(decl->names.begin(), decl->names.end());
+        if (decl->kind == DeclKind::value && !decl->patterns.empty())
+            for (const auto& pattern : decl->patterns.front()) result.insert(pattern->text);
+        const auto inner = names_of(decl->kind == DeclKind::timed ? decl->decls : std::vector<DeclPtr>{});
+        result.insert(inner.begin(), inner.end());
+    }
+    return result;
+}
+
+bool defines_nothing_new(const DeclPtr& decl, const std::set<std::string>& known) {
+    const auto names = names_of({decl});
+    return std::any_of(names.begin(), names.end(), [&](const std::string& n) { return known.count(n) != 0; });
+}
+
+/// RoboTool's script and behind it our components, inside a module of their own, with what they need.
+cspm::Script joined(const cspm::Script& theirs, const Emission& ours) {
+    const auto known = names_of(theirs.decls);
+    cspm::Script result = theirs;
+    std::erase_if(result.decls, [](const DeclPtr& decl) { return decl->kind == DeclKind::assertion; });
+    std::vector<DeclPtr> components;
+    for (const DeclPtr& decl : ours.definitions.decls) {
+        if (decl->kind == DeclKind::module)
+            components.push_back(decl);
+        else if (decl->kind != DeclKind::timed && !defines_nothing_new(decl, known))
+            result.decls.push_back(decl);
+    }
+    result.decls.push_back(b::module_("ours__", {}, {}, components));
+    return result;
+}
+
+struct Component {
+    std::string name;  ///< "C::stm0"
+    ExprPtr process;   ///< C::stm0::D__(0, constants...)
+};
+
+/// All components, from the generated assertions on them.
+std::vector<Component> components_of(const Emission& ours) {
+    std::vector<Component> result;
+    for (const Obligation& obligation : ours.obligations)
+        for (const DeclPtr& assertion : obligation.assertions) {
+            const ExprPtr& process = assertion->assertion.specification;
+            if (assertion->assertion.kind != cspm::AssertionKind::deterministic) continue;
+            const std::string& name = process->args[0]->text;
+            result.push_back({name.substr(0, name.size() - std::string("::D__").size()), process});
+        }
+    return result;
+}
+
+/// The channels of the component's sem__events.
+std::vector<std::string> alphabet(const std::vector<DeclPtr>& decls, const std::string& path) {
+    const std::size_t cut = path.find("::");
+    for (const DeclPtr& decl : decls) {
+        if (decl->kind != DeclKind::module || decl->names.front() != path.substr(0, cut)) continue;
+        if (cut != std::string::npos) return alphabet(decl->exports, path.substr(cut + 2));
+        for (const DeclPtr& inner : decl->exports) {
+            if (inner->kind != DeclKind::value || inner->patterns.front().front()->text != "sem__events") continue;
+            std::vector<std::string> result;
+            for (const ExprPtr& channel : inner->body->args) result.push_back(channel->text);
+            return result;
+        }
+    }
+    return {};
+}
+
+ExprPtr called(const ExprPtr& process, const std::string& name) {
+    auto result = std::make_shared<cspm::Expr>(*process);
+    result->args[0] = b::name(name);
+    return result;
+}
+
+using Case = std::tuple<std::string, Time>;
+
+class RoboTool : public ::testing::TestWithParam<Case> {};
+
+TEST_P(RoboTool, AgreesBothWays) {
+    const auto& [model, time] = GetParam();
+    const std::string root = testing::shared_folder() + "/suite/robotool-csp/";
+    if (!std::filesystem::exists(root)) GTEST_SKIP() << "no shared scripts at " << root;
+    const auto m = testing::model_file(root + "models/" + model + ".rct");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    const Emission ours = m->emit(time, true);
+    const std::string folder = time == Time::timed ? "timed/file_" : "untimed/file_";
+    const auto theirs = cspm::read_file(m->sources, root + folder + model + ".csp", m->diagnostics);
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    for (const Component& component : components_of(ours)) {
+        std::vector<cspm::Link> links;
+        for (const std::string& event : alphabet(ours.definitions.decls, component.name))
+            links.push_back(
+                {b::name("ours__::" + component.name + "::" + event), b::name(component.name + "::" + event)});
+        const ExprPtr own = b::rename(called(component.process, "ours__::" + component.name + "::D__"), links);
+        const ExprPtr other = called(component.process, component.name + "::O__");
+        cspm::Script script = joined(theirs, ours);
+        script.decls.push_back(b::assert_refines(own, cspm::Model::failures_divergences, other));
+        script.decls.push_back(b::assert_refines(other, cspm::Model::failures_divergences, own));
+        EXPECT_EQ(testing::decide(script), std::vector<std::string>(2, "holds")) << component.name;
+    }
+}
+
+const std::string models[] = {"example1_ddl",
+                              "example1_ddlf_no_final",
+                              "example1_ddlfree",
+                              "example3",
+                              "example4",
+                              "example5",
+                              "example6",
+                              "example7",
+                              "example8",
+                              "example9",
+                              "example_interlock_evt_ddlk",
+                              "example_interlock_evt_ddlk_to_fix",
+                              "example_interlock_evt_within_stm_ddlk",
+                              "example_interlock_var_ddlk",
+                              "example_robot",
+                              "example_robot2",
+                              "example_robot_DDLK"};
+
+INSTANTIATE_TEST_SUITE_P(SharedScripts, RoboTool,
+                         ::testing::Combine(::testing::ValuesIn(std::begin(models), std::end(models)),
+                                            ::testing::Values(Time::untimed, Time::timed)),
+                         [](const auto& instance) {
+                             return std::get<0>(instance.param) +
+                                    (std::get<1>(instance.param) == Time::timed ? "_timed" : "_untimed");
+                         });
+
+}  // namespace
+}  // namespace robochart::csp_emit
