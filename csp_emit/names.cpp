@@ -139,9 +139,12 @@ constexpr std::array reserved_names{"and",
 }  // namespace
 
 std::string NameManager::unique(const std::string& wanted) {
-    std::string result = wanted;
-    for (int suffix = 2; !taken_.insert(result).second; ++suffix) result = wanted + "_" + std::to_string(suffix);
-    return result;
+    if (taken_.insert(wanted).second) return wanted;
+    int& suffix = last_suffix_.try_emplace(wanted, 1).first->second;
+    for (;;) {
+        const std::string result = wanted + "_" + std::to_string(++suffix);
+        if (taken_.insert(result).second) return result;
+    }
 }
 
 std::string flatten(std::string_view name) {

@@ -3,6 +3,7 @@
 // because a CSPM parameter of such a name would be a constructor pattern (checkers.md 3).
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ public:
 
 private:
     std::set<std::string> taken_;
+    std::map<std::string, int> last_suffix_;  ///< tried so far for each name, so that long series stay linear
 };
 
 /// `A::B` as `A_B`; letters, digits and underscores only.

@@ -139,6 +139,74 @@ TEST(Rules, WhatHasNoSemanticsIsRefusedByName) {
     EXPECT_THAT(m->codes(), ElementsAre("RC-C05"));
 }
 
+TEST(Rules, ProbabilitiesAreRefused) {
+    const auto m = model(R"(
+        stm S {
+            initial i
+            probabilistic p
+            state A { }
+            transition t0 { from i to p }
+            transition t1 { from p to A probability 1 }
+        })");
+    if (!m->diagnostics.ok()) GTEST_SKIP() << "refused before: " << m->messages();
+    (void)m->emit(Time::untimed);
+    EXPECT_THAT(m->codes(), ::testing::Contains("RC-C01"));
+}
+
+/// An operation that works on the event and the variable of its caller.
+ir::System calling_system() {
+    ir::System system = ir::samples::aggregation();
+    ir::Event tick;
+    tick.name = "tick";
+    system.machines[0].events.push_back(tick);
+    ir::Variable height;
+    height.name = "height";
+    height.type = ir::samples::CoreTypes{}.nat;
+    height.scope = ir::VariableScope::required;
+    system.machines[0].variables.push_back(height);
+    return system;
+}
+
+TEST(Rules, WhatAnOperationNeedsItsCallerMustHave) {
+    testing::Model m;
+    m.system = calling_system();
+    m.instantiation = ir::instantiate(m.system, {}, m.diagnostics);
+    (void)m.emit(Time::untimed);
+    EXPECT_THAT(m.codes(), ::testing::Contains("RC-C03"));
+    EXPECT_THAT(m.messages(), HasSubstr("operation MoveClockwise needs the event tick"));
+    EXPECT_THAT(m.messages(), HasSubstr("operation MoveClockwise needs the variable height"));
+}
+
+TEST(Rules, RecursiveCallsAreRefused) {
+    testing::Model m;
+    m.system = ir::samples::aggregation();
+    // MoveClockwise's action becomes a call of itself.
+    ir::Stmt call;
+    call.kind = ir::StmtKind::call;
+    call.operation = ir::OperationId{0};
+    call.args = m.system.machines[2].nodes[1].entry->args;
+    m.system.machines[0].nodes[1].entry = std::make_shared<const ir::Stmt>(call);
+    m.instantiation = ir::instantiate(m.system, {}, m.diagnostics);
+    (void)m.emit(Time::untimed);
+    EXPECT_THAT(m.codes(), ::testing::Contains("RC-C02"));
+}
+
+TEST(Rules, TooManyCombinationsOfDuringActionsAreRefused) {
+    std::string actions = "a";
+    for (int i = 0; i < 14; ++i) actions += " ; a";
+    std::string inner = "state L { during " + actions + " }";
+    std::string name = "L";
+    for (const char* outer : {"C1", "C2", "C3"}) {
+        inner = "state " + std::string(outer) + " { during " + actions + " initial i " + inner +
+                " transition t { from i to " + name + " } }";
+        name = outer;
+    }
+    const auto m = model("stm S { event a initial i " + inner + " transition t { from i to C3 } }");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    (void)m->emit(Time::untimed);
+    EXPECT_THAT(m->codes(), ElementsAre("RC-C06"));
+}
+
 TEST(Rules, NamesOfCspmAreRefused) {
     const auto m = model("stm S { event union initial i state A { } transition t0 { from i to A } }");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
