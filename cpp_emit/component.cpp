@@ -266,8 +266,8 @@ private:
         component_.variables.push_back(std::move(entry));
     }
 
-    /// Which level declares a shared variable decides who sees it (semantics 3.7). Returns the initial value to start
-    /// with.
+    /// Which level declares a shared variable decides who sees it (semantics 3.7). Returns the initial value that is
+    /// told at the start with.
     ir::ExprPtr declaring_level(StoredVariable& entry) const {
         const std::string& name = entry.variable->name;
         if (context_.controller == nullptr) {
@@ -275,7 +275,8 @@ private:
             return nullptr;
         }
         const ir::Variable* at_controller = find_named(context_.controller->variables, name);
-        if (at_controller != nullptr && at_controller->scope == ir::VariableScope::local) return at_controller->initial;
+        // The controller's memory does not tell its initial value: copies start at the type's default.
+        if (at_controller != nullptr && at_controller->scope == ir::VariableScope::local) return nullptr;
         if (context_.module == nullptr) {
             entry.visible = entry.external = true;
             return nullptr;

@@ -1,6 +1,8 @@
 // The core header: one translation of the machine, used by the deployed controller and by the explorer alike.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cpp_emit/files.hpp"
 #include "cpp_emit/types.hpp"
 
@@ -260,7 +262,8 @@ std::string core_header(const Generation& generation, const Core& core) {
     out.line(fmt::format("namespace {} {{", core.name_space));
     out.gap();
     out.doc("Time units that pass between two cycles.");
-    out.line(fmt::format("inline constexpr std::uint32_t cycle_length = {};", generation.options.cycle_length));
+    out.line(fmt::format("inline constexpr std::uint32_t cycle_length = {};",
+                         std::max(1U, generation.options.cycle_length)));
     out.doc("Steps that one cycle may take before the model is taken to diverge.");
     out.line(fmt::format("inline constexpr std::uint32_t step_bound = {};", bound_text(core)));
     out.gap();

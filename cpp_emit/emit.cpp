@@ -7,9 +7,16 @@
 
 #include "cpp_emit/face.hpp"
 #include "cpp_emit/files.hpp"
+#include "cpp_emit/rules.hpp"
 #include "cpp_emit/support.hpp"
 
 namespace robochart::cpp_emit {
+
+namespace {
+
+constexpr std::size_t max_state_bytes = 64U << 10U;
+
+}  // namespace
 
 std::string Generation::place(std::string_view element, diagnostics::Span span) const {
     if (options.sources == nullptr || !span.known()) return std::string(element);
@@ -27,6 +34,11 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     Mutation mutation(options.fault, options.fault_site);
     const Generation generation{system, inst, options, *component, mutation};
     const Core core = make_core(generation);
+    if (core.machines.back().layout.size > max_state_bytes) {
+        diagnostics.report(rules::too_large, component->origin.span,
+                           {component->name, "its state takes more than 64 KiB (operations that call operations)"});
+        return emission;
+    }
     emission.shim = component->cpp_name + "_explore.cpp";
     const Face face = make_face(generation);
     for (const FaceClass& base : face.bases)

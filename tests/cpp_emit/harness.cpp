@@ -77,7 +77,8 @@ Controller::Controller(const ir::System& system, const ir::ComponentRef& ref, co
     : emission_(emit_ok(system, ref, options, instantiation)) {
     folder_.write(emission_);
     folder_.run(
-        "c++ -std=c++20 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -fno-exceptions -fno-rtti -fPIC -shared -I. "
+        "${CXX:-c++} -std=c++20 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -fno-exceptions -fno-rtti -fPIC "
+        "-shared -I. "
         "-o c.so " +
         emission_.shim);
     library_ = dlopen((folder_.path() + "/c.so").c_str(), RTLD_NOW | RTLD_LOCAL);

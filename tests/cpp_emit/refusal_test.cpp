@@ -139,6 +139,28 @@ TEST(Refusals, TooManyArguments) {
         Codes{"RC-G13"});
 }
 
+TEST(Refusals, StatesThatGrowWithNestedOperations) {
+    // Each operation calls the one before it from two threads: 2^k frames of at least one byte.
+    std::string text = "package p interface I { op0()";
+    for (int k = 1; k <= 17; ++k) text += " op" + std::to_string(k) + "()";
+    text +=
+        " }\noperation op0() { initial i state S {} final F transition t0 { from i to S } transition t1 { from S to F "
+        "} }\n";
+    std::string references = " opref r0 = op0";
+    for (int k = 1; k <= 17; ++k) {
+        const std::string inner = "op" + std::to_string(k - 1) + "()";
+        text += "operation op" + std::to_string(k) + "() { requires I initial i state S { entry " + inner + " during " +
+                inner + " } final F transition t0 { from i to S } transition t1 { from S to F } }\n";
+        references += " opref r" + std::to_string(k) + " = op" + std::to_string(k);
+    }
+    text +=
+        "stm M { requires I initial i state A { entry op17() } transition t0 { from i to A } }\ncontroller C { sref m "
+        "= M" +
+        references + " }";
+    const ir::System system = testing::model(text);
+    EXPECT_EQ(codes(system, component(system, "C")), Codes{"RC-G13"});
+}
+
 TEST(Rules, AreAllDistinctAndExplained) {
     std::vector<std::string_view> seen;
     for (const auto* rule : rules::all()) {

@@ -1,0 +1,42 @@
+// The layout of generated text, once, on a small machine (golden/door.rct): what a reader of the code gets to see.
+// After a wanted change of layout, read the new text and store it in golden/.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "diagnostics/render.hpp"
+#include "frontend/project.hpp"
+#include "semantics/lower.hpp"
+#include "tests/cpp_emit/harness.hpp"
+
+namespace robochart::cpp_emit {
+namespace {
+
+const std::string folder = std::string(ROBOCHART_SOURCE_DIR) + "/tests/cpp_emit/golden/";
+
+std::string read(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(folder + name).rdbuf();
+    return text.str();
+}
+
+TEST(Golden, TheDoorsCodeIsLaidOutAsStored) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    const auto model = frontend::load_project(sources, folder + "door.rct", diagnostics);
+    const ir::System system = ir::lower(*model, sources, diagnostics);
+    ASSERT_TRUE(diagnostics.ok()) << diagnostics::render_text(sources, diagnostics);
+    Options options;
+    options.sources = &sources;
+    const Emission emission = testing::emit_ok(system, testing::component(system, "Door"), options);
+    for (const OutputFile& file : emission.files) {
+        if (file.path != "Door_core.hpp" && file.path != "Door.hpp") continue;
+        EXPECT_EQ(file.text, read(file.path)) << file.path;
+        if (const char* target = std::getenv("ROBOCHART_STORE_GOLDEN"))
+            std::ofstream(std::string(target) + "/" + file.path) << file.text;
+    }
+}
+
+}  // namespace
+}  // namespace robochart::cpp_emit
