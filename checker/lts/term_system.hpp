@@ -16,6 +16,7 @@ public:
     void initial(std::span<Word> state) override;
     void successors(StateView state, SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override;
+    void watch(const std::function<void()>& poll) override { semantics_.watch(poll); }
     [[nodiscard]] std::string describe(StateView state) const override;
 
 private:

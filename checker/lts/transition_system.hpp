@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -33,6 +34,8 @@ public:
     virtual void successors(StateView state, SuccessorSink& sink) = 0;
     /// Names of events; systems that are compared share one table.
     [[nodiscard]] virtual const process::EventTable& events() const = 0;
+    /// `poll` is called now and then during long work inside the system, and may throw to stop it. Empty: none.
+    virtual void watch(const std::function<void()>& /*poll*/) {}
     /// The state as people read it: for processes the definitions each component is in, with arguments.
     [[nodiscard]] virtual std::string describe(StateView state) const = 0;
 };

@@ -53,6 +53,7 @@ public:
             case Op::rename:
             case Op::prioritise:
             case Op::chase:
+            case Op::machine:
             case Op::compress:
                 return describe(term.children.front(), depth + 1);
         }

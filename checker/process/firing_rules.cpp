@@ -49,6 +49,11 @@ void put_in_order(std::vector<Transition>& list) {
 
 }  // namespace
 
+void refuse_unsupported(const Term& compressed) {
+    if (Compression{compressed.payload} == Compression::deter)
+        throw SemanticsError("deter(P) is not supported: it changes the meaning of P");
+}
+
 FiringRules::FiringRules(TermStore& terms, const KnownTransitions& known)
     : terms_(terms),
       known_(known),
@@ -64,6 +69,7 @@ std::optional<TermId> FiringRules::missing_operand(TermId id) {
         case Op::call:
             return unless_known(terms_.unfold(term.payload));
         case Op::internal_choice:
+        case Op::machine:
         case Op::prefix:
             return std::nullopt;
         case Op::sequential:
@@ -115,6 +121,7 @@ void FiringRules::fire(const Term& term, List& list) {
         case Op::rename:
         case Op::prioritise:
         case Op::chase:
+        case Op::machine:
         case Op::compress:
             return unary_family(term, list);
     }
@@ -208,11 +215,12 @@ void FiringRules::unary_family(const Term& term, List& list) {
         case Op::chase:
             chase(term, list);
             break;
+        case Op::machine:
+            throw std::logic_error("a state of a machine that another semantics has made");
         default:
             // FDR manual, "Compression": a compression keeps the value of its operand in the models it supports. The
-            // identity keeps all. `deter` is no compression in this sense: it may remove behaviour.
-            if (Compression{term.payload} == Compression::deter)
-                throw SemanticsError("deter(P) is not supported: it changes the meaning of P");
+            // identity keeps all.
+            refuse_unsupported(term);
             copy(term.children.front());
     }
 }

@@ -17,6 +17,9 @@ public:
     [[nodiscard]] virtual std::span<const Transition> of(TermId) const = 0;
 };
 
+/// Throws SemanticsError for `deter`, which is no compression in this sense: it may remove behaviour.
+void refuse_unsupported(const Term& compressed);
+
 /// Derives a term's transitions from those of its operands.
 class FiringRules {
 public:

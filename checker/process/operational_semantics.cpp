@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <deque>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "checker/process/firing_rules.hpp"
@@ -23,10 +24,14 @@ enum class Progress : std::uint8_t { unknown, pending, known };
 }  // namespace
 
 struct OperationalSemantics::Impl final : KnownTransitions {
-    explicit Impl(TermStore& store) : terms(store), rules(store, *this) {}
+    Impl(TermStore& store, Compressor* with) : terms(store), rules(store, *this), compressor(with) {}
 
     TermStore& terms;
     FiringRules rules;
+    Compressor* compressor;
+    std::function<void()> poll;
+    std::uint32_t machine_states = 0;
+    int compressions_under_way = 0;
     std::vector<Progress> progress;
     std::deque<std::vector<Transition>> transitions;
 
@@ -45,6 +50,10 @@ struct OperationalSemantics::Impl final : KnownTransitions {
     void finish(TermId term);
     void compute(TermId root);
     void compute_on(std::vector<TermId>& stack);
+    bool compresses(TermId term) const { return compressor != nullptr && terms[term].op == Op::compress; }
+    std::vector<Transition> compressed(TermId term);
+    Machine explored(TermId operand);
+    void set(TermId term, std::vector<Transition> result);
 };
 
 void OperationalSemantics::Impl::begin(TermId term, std::vector<TermId>& stack) {
@@ -52,7 +61,7 @@ void OperationalSemantics::Impl::begin(TermId term, std::vector<TermId>& stack) 
     Progress& state = progress[static_cast<std::uint32_t>(term)];
     if (state == Progress::pending)
         throw SemanticsError(
-            fmt::format("the process {} is defined by itself before any event", describe(terms, term)));
+            fmt::format("the process {} is defined by itself before any event, or inside a compression of itself", describe(terms, term)));
     if (stack.size() >= deepest_nesting)
         throw SemanticsError(fmt::format("more than {} processes inside each other before any event", deepest_nesting));
     state = Progress::pending;
@@ -60,7 +69,10 @@ void OperationalSemantics::Impl::begin(TermId term, std::vector<TermId>& stack) 
 }
 
 void OperationalSemantics::Impl::finish(TermId term) {
-    std::vector<Transition> result = rules.transitions(term);
+    set(term, compresses(term) ? compressed(term) : rules.transitions(term));
+}
+
+void OperationalSemantics::Impl::set(TermId term, std::vector<Transition> result) {
     reserve();
     const auto index = static_cast<std::uint32_t>(term);
     transitions[index] = std::move(result);
@@ -70,7 +82,8 @@ void OperationalSemantics::Impl::finish(TermId term) {
 void OperationalSemantics::Impl::compute_on(std::vector<TermId>& stack) {
     while (!stack.empty()) {
         const TermId top = stack.back();
-        if (const std::optional<TermId> missing = rules.missing_operand(top)) {
+        const std::optional<TermId> missing = compresses(top) ? std::nullopt : rules.missing_operand(top);
+        if (missing) {
             begin(*missing, stack);
         } else {
             finish(top);
@@ -90,7 +103,57 @@ void OperationalSemantics::Impl::compute(TermId root) {
     }
 }
 
-OperationalSemantics::OperationalSemantics(TermStore& terms) : impl_(std::make_unique<Impl>(terms)) {}
+/// All states that the operand reaches, breadth first.
+Machine OperationalSemantics::Impl::explored(TermId operand) {
+    Machine machine;
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+    const auto number = [&](TermId state) {
+        const auto next = static_cast<std::uint32_t>(machine.meaning.size());
+        const auto [entry, fresh] = numbers.emplace(static_cast<std::uint32_t>(state), next);
+        if (fresh) machine.meaning.push_back(state);
+        return entry->second;
+    };
+    number(operand);
+    for (std::size_t state = 0; state < machine.meaning.size(); ++state) {
+        if (poll) poll();
+        const TermId term = machine.meaning[state];
+        if (!knows(term)) compute(term);
+        std::vector<Machine::Edge>& edges = machine.edges.emplace_back();
+        for (const Transition& step : of(term)) edges.push_back({step.event, number(step.target)});
+    }
+    return machine;
+}
+
+/// The transitions of the compressed machine's initial state; its other states become terms that are known at once.
+std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
+    constexpr int deepest = 200;
+    refuse_unsupported(terms[term]);
+    if (compressions_under_way >= deepest)
+        throw SemanticsError(fmt::format("more than {} compressions inside each other", deepest));
+    ++compressions_under_way;
+    Machine machine;
+    try {
+        machine = compressor->compress(explored(terms[term].children.front()), Compression{terms[term].payload});
+    } catch (...) {
+        --compressions_under_way;
+        throw;
+    }
+    --compressions_under_way;
+    std::vector<TermId> states;
+    for (TermId meaning : machine.meaning)
+        states.push_back(terms.make(Term{Op::machine, machine_states++, {meaning}, {}}));
+    const auto transitions_of = [&](std::size_t state) {
+        std::vector<Transition> result;
+        for (const Machine::Edge& edge : machine.edges[state])
+            result.push_back({edge.event, edge.event, states[edge.target]});
+        return result;
+    };
+    for (std::size_t state = 0; state < states.size(); ++state) set(states[state], transitions_of(state));
+    return transitions_of(0);
+}
+
+OperationalSemantics::OperationalSemantics(TermStore& terms, Compressor* compressor)
+    : impl_(std::make_unique<Impl>(terms, compressor)) {}
 OperationalSemantics::~OperationalSemantics() = default;
 
 std::span<const Transition> OperationalSemantics::successors(TermId term) {
@@ -100,6 +163,10 @@ std::span<const Transition> OperationalSemantics::successors(TermId term) {
 
 TermStore& OperationalSemantics::terms() const {
     return impl_->terms;
+}
+
+void OperationalSemantics::watch(std::function<void()> poll) {
+    impl_->poll = std::move(poll);
 }
 
 }  // namespace robochart::process

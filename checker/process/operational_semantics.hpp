@@ -4,11 +4,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
 
+#include "checker/process/compressor.hpp"
 #include "checker/process/term.hpp"
 
 namespace robochart::process {
@@ -27,10 +29,19 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// Thrown by a poll that wants long work to stop.
+class Interrupted : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 /// Computes and keeps the transitions of the terms of one store.
 class OperationalSemantics {
 public:
-    explicit OperationalSemantics(TermStore& terms);
+    /// With a compressor, a compressed term is explored as a whole when it is first stepped, and behaves as the machine
+    /// that the compressor makes of it; without one it behaves as its operand. Use one object for one store: states of
+    /// machines are terms that only the object knows that made them.
+    explicit OperationalSemantics(TermStore& terms, Compressor* compressor = nullptr);
     ~OperationalSemantics();
     OperationalSemantics(const OperationalSemantics&) = delete;
     OperationalSemantics& operator=(const OperationalSemantics&) = delete;
@@ -39,6 +50,8 @@ public:
     /// Valid until this object ends. Throws SemanticsError, and what the definitions throw.
     std::span<const Transition> successors(TermId term);
     [[nodiscard]] TermStore& terms() const;
+    /// Called now and then while a compressed operand is explored; may throw to stop it. Empty: none.
+    void watch(std::function<void()> poll);
 
 private:
     struct Impl;

@@ -62,6 +62,7 @@ enum class Op : std::uint8_t {
     prioritise,   ///< one child; order
     chase,        ///< one child: every tau is followed at once, the first of several
     compress,     ///< one child; payload: Compression. Meaning: the child's, up to the models the compression keeps
+    machine,      ///< a state of a compressed machine; one child: a term it stands for; made by the semantics only
     chaos_offer,  ///< set: the state of chaos(set) that offers the whole set; made by the firing rules only
 };
 

@@ -2,17 +2,18 @@
 #pragma once
 
 #include <chrono>
-#include <stdexcept>
+
 #include <string>
 
+#include "checker/process/operational_semantics.hpp"
 #include "checker/refine/check.hpp"
 
 namespace robochart::refine {
 
 /// A bound was reached; the message says which.
-class LimitReached : public std::runtime_error {
+class LimitReached : public process::Interrupted {
 public:
-    using std::runtime_error::runtime_error;
+    using Interrupted::Interrupted;
 };
 
 class Budget {

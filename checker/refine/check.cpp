@@ -13,9 +13,31 @@ namespace robochart::refine {
 using lts::StateIndex;
 using process::Event;
 
-Verdict decide(const Limits& limits, const std::function<void(Budget&, Verdict&)>& question) {
+namespace {
+
+/// The systems poll the budget while this lives.
+class Watch {
+public:
+    Watch(const std::vector<lts::TransitionSystem*>& systems, Budget& budget) : systems_(systems) {
+        for (lts::TransitionSystem* system : systems_) system->watch([&budget] { budget.charge(); });
+    }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+    ~Watch() {
+        for (lts::TransitionSystem* system : systems_) system->watch({});
+    }
+
+private:
+    const std::vector<lts::TransitionSystem*>& systems_;
+};
+
+}  // namespace
+
+Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
+               const std::function<void(Budget&, Verdict&)>& question) {
     Verdict verdict;
     Budget budget(limits);
+    const Watch watch(systems, budget);
     const auto leave_open = [&](const char* reason) {
         verdict.outcome = Outcome::inconclusive;
         verdict.counterexample.reset();
@@ -23,7 +45,7 @@ Verdict decide(const Limits& limits, const std::function<void(Budget&, Verdict&)
     };
     try {
         question(budget, verdict);
-    } catch (const LimitReached& limit) {
+    } catch (const process::Interrupted& limit) {
         leave_open(limit.what());
     } catch (const std::bad_alloc&) {
         leave_open("there is no more memory");
@@ -157,25 +179,26 @@ std::optional<Violation> first_divergence(Search& search) {
 
 Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
                 const Limits& limits) {
-    return decide(limits, [&](Budget& budget, Verdict& verdict) {
+    return decide({&specification, &implementation}, limits, [&](Budget& budget, Verdict& verdict) {
         decide_refinement(specification, implementation, model, budget, verdict);
     });
 }
 
 Verdict deadlock_free(lts::TransitionSystem& system, Model model, const Limits& limits) {
-    return decide(limits, [&](Budget& budget, Verdict& verdict) {
+    return decide({&system}, limits, [&](Budget& budget, Verdict& verdict) {
         decide_states(system, true, model == Model::failures_divergences, budget, verdict);
     });
 }
 
 Verdict divergence_free(lts::TransitionSystem& system, const Limits& limits) {
-    return decide(limits,
+    return decide({&system}, limits,
                   [&](Budget& budget, Verdict& verdict) { decide_states(system, false, true, budget, verdict); });
 }
 
 Verdict has_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model /*model*/,
                   const Limits& limits) {
-    return decide(limits, [&](Budget& budget, Verdict& verdict) { decide_trace(system, trace, budget, verdict); });
+    return decide({&system}, limits,
+                  [&](Budget& budget, Verdict& verdict) { decide_trace(system, trace, budget, verdict); });
 }
 
 }  // namespace robochart::refine

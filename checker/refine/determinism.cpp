@@ -87,7 +87,7 @@ void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budg
 }  // namespace
 
 Verdict deterministic(lts::TransitionSystem& system, Model model, const Limits& limits) {
-    return decide(limits,
+    return decide({&system}, limits,
                   [&](Budget& budget, Verdict& verdict) { decide_determinism(system, model, budget, verdict); });
 }
 

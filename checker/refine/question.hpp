@@ -10,7 +10,9 @@
 namespace robochart::refine {
 
 /// Runs the question; a limit reached or memory that is not there gives inconclusive. Other exceptions pass.
-[[nodiscard]] Verdict decide(const Limits& limits, const std::function<void(Budget&, Verdict&)>& question);
+/// Long work inside the systems counts against the limits too.
+[[nodiscard]] Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
+                             const std::function<void(Budget&, Verdict&)>& question);
 
 /// Adds up what a search has seen, also when it is left by an exception.
 class Tally {

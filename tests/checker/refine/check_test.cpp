@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "checker/lts/compressor.hpp"
 #include "checker/lts/term_system.hpp"
 #include "tests/checker/process/scripted.hpp"
 
@@ -193,6 +194,58 @@ TEST_F(Checks, LimitsLeaveTheQuestionOpen) {
     tight.memory_bytes = 4096;
     EXPECT_THAT(divergence_free(wide, tight).reason, HasSubstr("memory"));
     EXPECT_EQ(deadlock_free(wide, F, limits).outcome, Outcome::holds);
+}
+
+class CompressedChecks : public Checks {
+protected:
+    lts::BisimulationCompressor compressor;
+    process::OperationalSemantics compressing{s.store, &compressor};
+    TermId compressed(TermId term, Compression kind) {
+        return s.op(Op::compress, {term}, static_cast<std::uint32_t>(kind));
+    }
+    /// Twelve independent cycles of two events, all hidden but the first one's.
+    TermId wide() {
+        std::vector<TermId> parts;
+        std::vector<std::string> hidden;
+        for (int i = 0; i < 12; ++i) {
+            const TermId self = s.name("C" + std::to_string(i));
+            const std::string p = "p" + std::to_string(i);
+            s.bind(self, i == 0 ? s.prefix(p, s.prefix(p, self)) : s.prefix(p, stop));
+            if (i > 0) hidden.push_back(p);
+            parts.push_back(self);
+        }
+        return s.over(Op::hide, {s.over(Op::parallel, parts, {})}, hidden);
+    }
+};
+
+TEST_F(CompressedChecks, ACompressedProcessIsSmallAndKeepsItsNames) {
+    lts::TermSystem whole(compressing, wide());
+    lts::TermSystem small(compressing, compressed(wide(), Compression::dbisim));
+    EXPECT_EQ(divergence_free(whole, limits).statistics.states, 4096U);
+    const Verdict verdict = divergence_free(small, limits);
+    EXPECT_EQ(verdict.outcome, Outcome::holds);
+    EXPECT_LE(verdict.statistics.states, 2U);  // it only does p0 for ever
+    lts::TermSystem nothing(compressing, stop);
+    const Verdict wrong = refines(nothing, small, T, limits);
+    ASSERT_EQ(wrong.outcome, Outcome::fails);
+    EXPECT_THAT(wrong.counterexample->initial, HasSubstr("C0"));
+    EXPECT_THAT(wrong.counterexample->steps.at(0).state, HasSubstr("C1"));
+}
+
+TEST_F(CompressedChecks, LimitsHoldInsideACompression) {
+    lts::TermSystem small(compressing, compressed(wide(), Compression::sbisim));
+    Limits stopped;
+    int polls = 0;
+    stopped.interrupted = [&] { return ++polls > 2; };  // when about two thousand states are explored
+    EXPECT_THAT(deadlock_free(small, F, stopped).reason, HasSubstr("interrupted"));
+    EXPECT_EQ(deadlock_free(small, F, limits).outcome, Outcome::holds) << "and the work can be taken up again";
+}
+
+TEST_F(CompressedChecks, ACompressionOfItselfIsReported) {
+    const TermId p = s.name("P");
+    s.bind(p, compressed(s.prefix("a", p), Compression::sbisim));
+    lts::TermSystem endless(compressing, p);
+    EXPECT_THROW((void)deadlock_free(endless, F, limits), process::SemanticsError);
 }
 
 TEST_F(Checks, FaultsOfEvaluationPass) {

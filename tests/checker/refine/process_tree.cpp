@@ -92,7 +92,7 @@ std::string show(const Process& process) {
         case Kind::chase:
             return "chase" + joined(process, "");
         case Kind::compress:
-            return "sbisim" + joined(process, "");
+            return fmt::format("compress{}{}", process->name, joined(process, ""));
     }
     return "?";
 }

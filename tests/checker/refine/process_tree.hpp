@@ -48,7 +48,7 @@ struct Tree {
     std::set<Letter> set;
     std::vector<std::set<Letter>> sets;  ///< alphabets or priority levels
     std::vector<std::pair<Letter, Letter>> renaming;
-    int name = 0;  ///< call
+    int name = 0;  ///< call: the definition; compress: which compression
 };
 
 /// Named processes; main may call them.

@@ -115,7 +115,7 @@ Process Decoder::composite(int depth) {
         return std::make_shared<const Tree>(call);
     }
     const auto part = [&] { return composite(depth - 1); };
-    switch (take(20)) {
+    switch (take(23)) {
         case 0:
         case 1:
             return composite(0);
@@ -157,8 +157,11 @@ Process Decoder::composite(int depth) {
             return make(Kind::internal, {part(), part()});
         case 18:
             return make(Kind::sliding, {part(), part()});
-        default:
-            return make(Kind::compress, {part()});
+        default: {
+            Tree tree{Kind::compress, {part()}, {}, {}, {}, {}, 0};
+            tree.name = static_cast<int>(take(8));  // any but deter and lazyenumerate
+            return std::make_shared<const Tree>(std::move(tree));
+        }
     }
 }
 

@@ -7,7 +7,8 @@ using naive::Letter;
 using process::Op;
 using process::TermId;
 
-Translation::Translation(const naive::Script& script) {
+Translation::Translation(const naive::Script& script, bool compressing)
+    : semantics_(scripted_.store, compressing ? &compressor_ : nullptr) {
     for (Letter l = 0; l < 6; ++l) event(l);
     for (std::size_t i = 0; i < script.definitions.size(); ++i)
         names_.push_back(scripted_.name("P" + std::to_string(i)));
@@ -88,7 +89,7 @@ TermId Translation::composite(const naive::Tree& tree, std::vector<TermId> opera
         case Kind::chase:
             return make(Op::chase, 0);
         case Kind::compress:
-            return make(Op::compress, static_cast<std::uint32_t>(process::Compression::sbisim));
+            return make(Op::compress, static_cast<std::uint32_t>(tree.name));
         case Kind::alphabetised: {
             std::vector<process::SetId> sets;
             for (const auto& alphabet : tree.sets) sets.push_back(process::SetId{set_of(alphabet)});

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "checker/lts/compressor.hpp"
 #include "checker/lts/term_system.hpp"
 #include "process_tree.hpp"
 #include "tests/checker/process/scripted.hpp"
@@ -12,7 +13,8 @@ namespace robochart::refine {
 /// A script in a term store of its own.
 class Translation {
 public:
-    explicit Translation(const naive::Script& script);
+    /// Compressions are carried out, or stand for their operands.
+    explicit Translation(const naive::Script& script, bool compressing = false);
     lts::TermSystem system(const naive::Process& process) { return {semantics_, term(process)}; }
     process::TermId term(const naive::Process& process);
     process::Event event(naive::Letter letter);
@@ -25,7 +27,8 @@ private:
     process::EventSet events_of(const std::set<naive::Letter>& letters);
 
     process::Scripted scripted_;
-    process::OperationalSemantics semantics_{scripted_.store};
+    lts::BisimulationCompressor compressor_;
+    process::OperationalSemantics semantics_;
     std::vector<process::TermId> names_;
 };
 

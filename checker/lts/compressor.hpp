@@ -1,0 +1,16 @@
+// Compressions by bisimulation.
+#pragma once
+
+#include "checker/process/compressor.hpp"
+
+namespace robochart::lts {
+
+/// sbisim, explicate and lazyenumerate give the quotient by strong bisimilarity; normal, dbisim, wbisim, diamond,
+/// tau_loop_factor and model_compress that by divergence-respecting branching bisimilarity. The latter is finer than
+/// what FDR computes for these names and so keeps every model that they keep; it may be larger.
+class BisimulationCompressor final : public process::Compressor {
+public:
+    process::Machine compress(const process::Machine& explored, process::Compression kind) override;
+};
+
+}  // namespace robochart::lts

@@ -1,0 +1,28 @@
+// How the operational semantics has a compression done: it explores the operand, something else makes it smaller.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "checker/process/term.hpp"
+
+namespace robochart::process {
+
+/// An explicit machine; state 0 is the initial one.
+struct Machine {
+    struct Edge {
+        Event event;
+        std::uint32_t target;
+    };
+    std::vector<std::vector<Edge>> edges;
+    std::vector<TermId> meaning;  ///< of each state, a term that it stands for
+};
+
+class Compressor {
+public:
+    virtual ~Compressor() = default;
+    /// A machine equal to the given one in every model that the compression claims to keep.
+    virtual Machine compress(const Machine& explored, Compression kind) = 0;
+};
+
+}  // namespace robochart::process
