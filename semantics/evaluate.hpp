@@ -14,7 +14,8 @@
 //   product is formed; then clipped as above. With scale 1 this is RoboTool's reading of reals as integers, which is
 //   why rounding goes down and not towards zero.
 // * Dividing by zero has no value: RoboTool's Div stops FDR with an error, so it is a fault here.
-// * A call of a function that the model specifies by contract only is the default of its result type (RoboTool's default).
+// * A call of a function that the model specifies by contract only is the default of its result type (RoboTool's
+// default).
 // * Comparisons, equality and since() never clip.
 //
 // Composed values: tuples, records, sequences and vectors have one part per component, matrices one part per row (a

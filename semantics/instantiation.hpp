@@ -1,10 +1,11 @@
 // Making a model finite: carriers of the basic types, values of constants, the scale of reals.
 // Defaults follow RoboTool's generated instantiations.csp (semantics 3.13):
-// * nat {0..2}, int {-2..2}, real {-2..2}, each widened to the least and greatest literal used with the type, and to hold
-//   the type before it (nat in int in real). Choice of ours, where RoboTool counts every literal for every type: a literal
-//   counts for the type its place asks for (`x < 5` with x:real widens real only), a negated literal is one literal (-5),
-//   and literals that are only a wait duration, a deadline or compared with since() do not widen anything, because they
-//   are times and no variable's values.
+// * nat {0..2}, int {-2..2}, real {-2..2}, each widened to the least and greatest literal used with the type, and to
+// hold
+//   the type before it (nat in int in real). Choice of ours, where RoboTool counts every literal for every type: a
+//   literal counts for the type its place asks for (`x < 5` with x:real widens real only), a negated literal is one
+//   literal (-5), and literals that are only a wait duration, a deadline or compared with since() do not widen
+//   anything, because they are times and no variable's values.
 // * Literals in the values that assertions and options give to constants count; function contracts do not.
 // * scale: the smallest power of ten that makes every decimal literal whole; 1 without decimal literals.
 // * Constants without a value: 0, true, the first literal; undefined functions likewise.
@@ -34,21 +35,23 @@ struct Value {
 
 /// What the user asked for on the command line or in a scenario.
 struct InstantiationOptions {
-    std::map<std::string, std::string> constants;  ///< "NAME" or "P::S::NAME" (or its end, "S::NAME") -> RoboChart literal
+    std::map<std::string, std::string>
+        constants;  ///< "NAME" or "P::S::NAME" (or its end, "S::NAME") -> RoboChart literal
     std::map<std::string, std::pair<std::int64_t, std::int64_t>> ranges;  ///< "nat" -> {0,4}
 };
 
 /// A finite reading of a System. All sets ascending, without duplicates.
 struct Instantiation {
-    /// Reals are integers in units of 1/scale; a power of ten; 1 if the model has no decimal literal (RoboTool's reading).
+    /// Reals are integers in units of 1/scale; a power of ten; 1 if the model has no decimal literal (RoboTool's
+    /// reading).
     std::int64_t scale = 1;
     std::vector<std::int64_t> nat, integer;
     /// In units of 1/scale: whole numbers of the range and every decimal literal of the model.
     std::vector<std::int64_t> real;
-    std::int64_t given_size = 2;      ///< elements of each given type
-    std::int64_t sequence_bound = 2;  ///< longest sequence
-    std::int64_t clock_bound = 10;    ///< core_clock_type = {0..clock_bound}
-    std::int64_t recursion_bound = 2; ///< nested calls of one operation
+    std::int64_t given_size = 2;       ///< elements of each given type
+    std::int64_t sequence_bound = 2;   ///< longest sequence
+    std::int64_t clock_bound = 10;     ///< core_clock_type = {0..clock_bound}
+    std::int64_t recursion_bound = 2;  ///< nested calls of one operation
     /// Constants without a value in the model, and those an option sets: qualified name as in CSP (`const_P_S_c`, see
     /// query.hpp) -> value. An entry here goes before the value in the model.
     std::map<std::string, Value> constants;
@@ -58,9 +61,11 @@ struct Instantiation {
 /// Bad options (unknown constant, empty range) are reported.
 [[nodiscard]] Instantiation instantiate(const System&, const InstantiationOptions&, diagnostics::Diagnostics&);
 
-/// All values of a type in ascending order; the first is not necessarily the default. Throws std::length_error above `limit`.
+/// All values of a type in ascending order; the first is not necessarily the default. Throws std::length_error above
+/// `limit`.
 [[nodiscard]] std::vector<Value> carrier(const System&, const Instantiation&, TypeId, std::size_t limit = 1U << 20U);
-/// The initial value of a variable without one (semantics 3.6): 0, true for booleans, first literal, empty sequence or set.
+/// The initial value of a variable without one (semantics 3.6): 0, true for booleans, first literal, empty sequence or
+/// set.
 [[nodiscard]] Value default_value(const System&, const Instantiation&, TypeId);
 /// Evaluates an expression without variables (literals, constants, arithmetic); reals in units of 1/scale.
 /// The machine's constants are those of the machine on its own (`const_P_S_c`).
@@ -72,8 +77,8 @@ struct Instantiation {
 [[nodiscard]] std::vector<Value> constant_values(const System&, const Instantiation&, const Module*, const Controller*,
                                                  const std::string& part, const Machine&);
 /// Largest whole number a clock is compared with in the machine, or in an operation it may call that shares the clock,
-/// plus 1: where it may saturate without changing any comparison. What is compared with and not constant counts with the
-/// greatest value of its type.
+/// plus 1: where it may saturate without changing any comparison. What is compared with and not constant counts with
+/// the greatest value of its type.
 [[nodiscard]] std::int64_t clock_saturation(const System&, const Instantiation&, const Machine&, ClockId);
 
 }  // namespace robochart::ir

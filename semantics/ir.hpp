@@ -25,36 +25,53 @@ struct Id {
     [[nodiscard]] bool valid() const { return index != no_id; }
     friend auto operator<=>(const Id&, const Id&) = default;
 };
-using TypeId = Id<struct TypeTag>;            ///< System::types
-using FunctionId = Id<struct FunctionTag>;    ///< System::functions
-using MachineId = Id<struct MachineTag>;      ///< System::machines
-using ControllerId = Id<struct ControllerTag>;///< System::controllers
-using VariableId = Id<struct VariableTag>;    ///< Machine::variables (parameters included)
-using ConstantId = Id<struct ConstantTag>;    ///< Machine::constants
-using EventId = Id<struct EventTag>;          ///< Machine::events
-using ClockId = Id<struct ClockTag>;          ///< Machine::clocks
-using OperationId = Id<struct OperationTag>;  ///< Machine::operations
-using NodeId = Id<struct NodeTag>;            ///< Machine::nodes
-using TransitionId = Id<struct TransitionTag>;///< Machine::transitions
+using TypeId = Id<struct TypeTag>;              ///< System::types
+using FunctionId = Id<struct FunctionTag>;      ///< System::functions
+using MachineId = Id<struct MachineTag>;        ///< System::machines
+using ControllerId = Id<struct ControllerTag>;  ///< System::controllers
+using VariableId = Id<struct VariableTag>;      ///< Machine::variables (parameters included)
+using ConstantId = Id<struct ConstantTag>;      ///< Machine::constants
+using EventId = Id<struct EventTag>;            ///< Machine::events
+using ClockId = Id<struct ClockTag>;            ///< Machine::clocks
+using OperationId = Id<struct OperationTag>;    ///< Machine::operations
+using NodeId = Id<struct NodeTag>;              ///< Machine::nodes
+using TransitionId = Id<struct TransitionTag>;  ///< Machine::transitions
 
 /// The element of the model something came from: qualified RoboChart name and place.
 struct Origin {
-    std::string element;      ///< e.g. "AggregationFSM::S1", "AggregationFSM::t2"
+    std::string element;  ///< e.g. "AggregationFSM::S1", "AggregationFSM::t2"
     diagnostics::Span span;
 };
 
 // ---------------------------------------------------------------- types and values
 
-enum class TypeKind { boolean, nat, integer, real, string, enumeration, given, sequence, set, product, record, function, relation, vector, matrix, unit };
+enum class TypeKind {
+    boolean,
+    nat,
+    integer,
+    real,
+    string,
+    enumeration,
+    given,
+    sequence,
+    set,
+    product,
+    record,
+    function,
+    relation,
+    vector,
+    matrix,
+    unit
+};
 
 struct Type {
     TypeKind kind = TypeKind::unit;
-    std::string name;                     ///< RoboChart name ("nat", "Light"); composed types: as written
-    std::string package;                  ///< declared types: package, "" if unnamed
-    std::vector<TypeId> args;             ///< operand types; record: field types
-    std::vector<std::string> labels;      ///< enumeration: literals; record: field names
+    std::string name;                               ///< RoboChart name ("nat", "Light"); composed types: as written
+    std::string package;                            ///< declared types: package, "" if unnamed
+    std::vector<TypeId> args;                       ///< operand types; record: field types
+    std::vector<std::string> labels;                ///< enumeration: literals; record: field names
     std::vector<std::vector<TypeId>> literal_args;  ///< enumeration: argument types of each literal
-    std::vector<std::int64_t> sizes;      ///< vector {n}, matrix {rows, columns}
+    std::vector<std::int64_t> sizes;                ///< vector {n}, matrix {rows, columns}
     Origin origin;
 };
 
@@ -73,27 +90,51 @@ enum class ExprKind {
     string,         ///< text
     enum_literal,   ///< type, number: literal index, args: its arguments
     variable,       ///< variable
-    trigger_value,  ///< the value just received by the transition's trigger (replaces the trigger's variable in its guard)
+    trigger_value,  ///< the value just received by the transition's trigger (replaces the trigger's variable in its
+                    ///< guard)
     constant,       ///< constant
     since,          ///< clock: time since its reset
     since_entry,    ///< node: time since it was entered (Machine::clocks has a clock for it)
-    negate, logical_not,
-    iff, implies, disjunction, conjunction,
-    equal, not_equal, greater, greater_equal, less, less_equal,
-    plus, minus, times, divide, modulus,
+    negate,
+    logical_not,
+    iff,
+    implies,
+    disjunction,
+    conjunction,
+    equal,
+    not_equal,
+    greater,
+    greater_equal,
+    less,
+    less_equal,
+    plus,
+    minus,
+    times,
+    divide,
+    modulus,
     if_then_else,
-    call,           ///< function(args)
-    function_value, ///< function: a function of the model used as a value
-    apply,          ///< args[0] applied to args[1..]: a value of function type
-    tuple, record, sequence, set,  ///< args (record: one per field, in the order of the type)
-    matrix,         ///< args row by row, number: columns (one column: a vector)
-    member,         ///< args[0], number: field index (records) or 1-based place (tuples)
-    index,          ///< args[0][args[1]..], 1-based
-    concat, is_in, set_range,
-    cast,           ///< args[0] as `type`: nat or int to real multiplies by the scale, real to nat or int rounds down
-    bound,          ///< variable bound by an enclosing quantifier/let/lambda/comprehension: text
-    forall, exists, exists_unique, lambda, the, set_comprehension,  ///< bound_names, bound_types; args: predicate, body
-    let,            ///< bound_names[i] is args[i]; the last of args is the body
+    call,            ///< function(args)
+    function_value,  ///< function: a function of the model used as a value
+    apply,           ///< args[0] applied to args[1..]: a value of function type
+    tuple,
+    record,
+    sequence,
+    set,     ///< args (record: one per field, in the order of the type)
+    matrix,  ///< args row by row, number: columns (one column: a vector)
+    member,  ///< args[0], number: field index (records) or 1-based place (tuples)
+    index,   ///< args[0][args[1]..], 1-based
+    concat,
+    is_in,
+    set_range,
+    cast,   ///< args[0] as `type`: nat or int to real multiplies by the scale, real to nat or int rounds down
+    bound,  ///< variable bound by an enclosing quantifier/let/lambda/comprehension: text
+    forall,
+    exists,
+    exists_unique,
+    lambda,
+    the,
+    set_comprehension,  ///< bound_names, bound_types; args: predicate, body
+    let,                ///< bound_names[i] is args[i]; the last of args is the body
 };
 
 struct Expr;
@@ -120,16 +161,28 @@ struct Expr {
 
 enum class CommKind { simple, input, output, sync };  ///< e, e?x, e!v, e.v
 
-/// In a trigger, `e` and `e?x` receive (CSP direction `.in`); in a statement `e`, `e!v`, `e.v` send (`.out`), `e?x` receives.
+/// In a trigger, `e` and `e?x` receive (CSP direction `.in`); in a statement `e`, `e!v`, `e.v` send (`.out`), `e?x`
+/// receives.
 struct Communication {
     CommKind kind = CommKind::simple;
     EventId event;
-    VariableId variable;   ///< input: where the value is stored
-    ExprPtr value;         ///< output, sync
-    ExprPtr predicate;     ///< optional condition on the value
+    VariableId variable;  ///< input: where the value is stored
+    ExprPtr value;        ///< output, sync
+    ExprPtr predicate;    ///< optional condition on the value
 };
 
-enum class StmtKind { skip, sequence, if_then_else, assign, communicate, call, wait, wait_interval, clock_reset, deadline };
+enum class StmtKind {
+    skip,
+    sequence,
+    if_then_else,
+    assign,
+    communicate,
+    call,
+    wait,
+    wait_interval,
+    clock_reset,
+    deadline
+};
 
 struct Stmt;
 using StmtPtr = std::shared_ptr<const Stmt>;
@@ -138,16 +191,16 @@ using StmtPtr = std::shared_ptr<const Stmt>;
 struct Stmt {
     StmtKind kind = StmtKind::skip;
     std::uint32_t point = 0;
-    std::vector<StmtPtr> body;     ///< sequence: all; if: then, else (else may be skip); deadline: one
-    ExprPtr condition;             ///< if
-    VariableId variable;           ///< assign: the variable
-    std::vector<ExprPtr> path;     ///< assign: member/index steps below it (literal field index, or index expression)
-    ExprPtr value;                 ///< assign right side; wait duration; deadline bound; interval lower bound
-    ExprPtr upper;                 ///< wait_interval upper bound
+    std::vector<StmtPtr> body;  ///< sequence: all; if: then, else (else may be skip); deadline: one
+    ExprPtr condition;          ///< if
+    VariableId variable;        ///< assign: the variable
+    std::vector<ExprPtr> path;  ///< assign: member/index steps below it (literal field index, or index expression)
+    ExprPtr value;              ///< assign right side; wait duration; deadline bound; interval lower bound
+    ExprPtr upper;              ///< wait_interval upper bound
     Communication communication;
-    OperationId operation;         ///< call
-    std::vector<ExprPtr> args;     ///< call
-    ClockId clock;                 ///< clock_reset
+    OperationId operation;      ///< call
+    std::vector<ExprPtr> args;  ///< call
+    ClockId clock;              ///< clock_reset
     Origin origin;
 };
 
@@ -163,34 +216,35 @@ struct Variable {
     std::string name;
     TypeId type;
     VariableScope scope = VariableScope::local;
-    ExprPtr initial;               ///< null: the type's default (booleans default to true)
-    std::string interface;         ///< name of the interface that declares it, "" if the machine does
+    ExprPtr initial;        ///< null: the type's default (booleans default to true)
+    std::string interface;  ///< name of the interface that declares it, "" if the machine does
     Origin origin;
 };
 
 struct Constant {
     std::string name;
     TypeId type;
-    ExprPtr value;                 ///< null: taken from the instantiation
-    bool required = false;         ///< of a required interface: in a context, its provider's value (semantics/query.hpp)
+    ExprPtr value;          ///< null: taken from the instantiation
+    bool required = false;  ///< of a required interface: in a context, its provider's value (semantics/query.hpp)
     std::string interface;
     Origin origin;
 };
 
 struct Event {
     std::string name;
-    std::optional<TypeId> type;    ///< absent: carries no value
-    bool input = false;            ///< used in a trigger or an input statement; controllers, platforms: connected into the software
-    bool output = false;           ///< used in an output statement; controllers, platforms: connected out of the software
+    std::optional<TypeId> type;  ///< absent: carries no value
+    bool input =
+        false;  ///< used in a trigger or an input statement; controllers, platforms: connected into the software
+    bool output = false;  ///< used in an output statement; controllers, platforms: connected out of the software
     bool broadcast = false;
     std::string interface;
     Origin origin;
 };
 
 struct Clock {
-    std::string name;              ///< for sinceEntry(S) clocks: the state's path joined by '_'
-    NodeId entry_of;               ///< valid: the clock of sinceEntry(node)
-    bool required = false;         ///< operations: of a required interface, the caller's clock of this name
+    std::string name;       ///< for sinceEntry(S) clocks: the state's path joined by '_'
+    NodeId entry_of;        ///< valid: the clock of sinceEntry(node)
+    bool required = false;  ///< operations: of a required interface, the caller's clock of this name
     std::string interface;
     Origin origin;
 };
@@ -211,11 +265,11 @@ enum class NodeKind { state, initial, junction, probabilistic, final };
 struct Node {
     NodeKind kind = NodeKind::state;
     std::string name;
-    std::string path;              ///< names from the machine's top, joined by "::"
-    NodeId parent;                 ///< composite state around it; invalid at top level
-    std::vector<NodeId> children;  ///< composite: all inner nodes in textual order
-    NodeId initial;                ///< composite: its initial node
-    StmtPtr entry, during, exit;   ///< null if absent
+    std::string path;                    ///< names from the machine's top, joined by "::"
+    NodeId parent;                       ///< composite state around it; invalid at top level
+    std::vector<NodeId> children;        ///< composite: all inner nodes in textual order
+    NodeId initial;                      ///< composite: its initial node
+    StmtPtr entry, during, exit;         ///< null if absent
     std::vector<TransitionId> outgoing;  ///< in textual order
     Origin origin;
 
@@ -227,11 +281,11 @@ struct Transition {
     NodeId source, target;
     std::optional<Communication> trigger;
     std::vector<ClockId> resets;
-    ExprPtr guard;                 ///< null: true. `condition else` is already the negation of its siblings
-    bool guard_timed = false;      ///< mentions since/sinceEntry: `true` as a whole in the untimed semantics
+    ExprPtr guard;             ///< null: true. `condition else` is already the negation of its siblings
+    bool guard_timed = false;  ///< mentions since/sinceEntry: `true` as a whole in the untimed semantics
     ExprPtr deadline;
     ExprPtr probability;
-    StmtPtr action;                ///< null if none
+    StmtPtr action;  ///< null if none
     Origin origin;
 };
 
@@ -240,21 +294,21 @@ enum class MachineKind { state_machine, operation };
 struct Machine {
     MachineKind kind = MachineKind::state_machine;
     std::string name;
-    std::string package;           ///< "" if unnamed
-    std::string path;              ///< names down to it: "S", inline ones "C::S", "M::C::S"
-    std::vector<Variable> variables;      ///< operations: parameters first
+    std::string package;              ///< "" if unnamed
+    std::string path;                 ///< names down to it: "S", inline ones "C::S", "M::C::S"
+    std::vector<Variable> variables;  ///< operations: parameters first
     std::vector<Constant> constants;
     std::vector<Event> events;
     std::vector<Clock> clocks;
     std::vector<OperationSignature> operations;  ///< those it may call: required ones, in textual order
     std::vector<Node> nodes;
-    std::vector<NodeId> top;       ///< top-level nodes in textual order
-    NodeId initial;                ///< invalid: no body
+    std::vector<NodeId> top;  ///< top-level nodes in textual order
+    NodeId initial;           ///< invalid: no body
     std::vector<Transition> transitions;
     std::vector<ExprPtr> preconditions, postconditions;  ///< operations
-    bool terminates = false;       ///< operation declared `terminates`
-    std::vector<std::string> interfaces;  ///< interfaces used and required, in textual order
-    std::uint32_t points = 0;      ///< number of Stmt::point values
+    bool terminates = false;                             ///< operation declared `terminates`
+    std::vector<std::string> interfaces;                 ///< interfaces used and required, in textual order
+    std::uint32_t points = 0;                            ///< number of Stmt::point values
     Origin origin;
 };
 
@@ -262,7 +316,7 @@ struct Machine {
 
 /// A machine in the place where it runs.
 struct MachineInstance {
-    std::string name;              ///< of the reference (`sref stm0 = S`) or of the inline machine
+    std::string name;  ///< of the reference (`sref stm0 = S`) or of the inline machine
     MachineId machine;
     /// For each Machine::operations entry: the definition in this context, or invalid (a platform call).
     std::vector<MachineId> definitions;
@@ -273,7 +327,7 @@ enum class EndKind { self, part };  ///< `self`: the controller, or the module's
 
 struct ConnectionEnd {
     EndKind kind = EndKind::self;
-    std::uint32_t part = no_id;    ///< controller: index of machines; module: index of controllers
+    std::uint32_t part = no_id;  ///< controller: index of machines; module: index of controllers
     std::string event;
 };
 
@@ -287,13 +341,14 @@ struct Connection {
 struct Controller {
     std::string name;
     std::string package;
-    std::string path;              ///< names down to it: "C", inside a module "M::C"
-    std::vector<Variable> variables;      ///< its own (scope local) and the required ones
+    std::string path;                 ///< names down to it: "C", inside a module "M::C"
+    std::vector<Variable> variables;  ///< its own (scope local) and the required ones
     std::vector<Constant> constants;
     std::vector<Event> events;
-    std::vector<OperationSignature> operations;   ///< required and not defined here: calls that leave the controller
-    std::vector<MachineId> definitions;   ///< operations defined here (inline or by opref)
-    std::vector<std::string> definition_names;  ///< of each: the reference's name (`opref move_ref = Move`), inline: its own
+    std::vector<OperationSignature> operations;  ///< required and not defined here: calls that leave the controller
+    std::vector<MachineId> definitions;          ///< operations defined here (inline or by opref)
+    std::vector<std::string>
+        definition_names;  ///< of each: the reference's name (`opref move_ref = Move`), inline: its own
     std::vector<MachineInstance> machines;
     std::vector<Connection> connections;
     std::vector<std::string> interfaces;
@@ -308,7 +363,8 @@ struct ControllerInstance {
 
 struct Platform {
     std::string name;
-    std::vector<Variable> variables;      ///< provided, local and used; scope `required` = provided (visible), `local` otherwise
+    std::vector<Variable>
+        variables;  ///< provided, local and used; scope `required` = provided (visible), `local` otherwise
     std::vector<Constant> constants;
     std::vector<Event> events;
     std::vector<OperationSignature> operations;
@@ -346,28 +402,39 @@ struct ComponentRef {
     ComponentKind kind = ComponentKind::process;
     /// CSP module path without the package ("M::ctrl_ref0::stm_ref0", "S", "OP_move"); process: the name as written.
     std::string path;
-    std::string package;           ///< "" if unnamed
+    std::string package;               ///< "" if unnamed
     std::uint32_t definition = no_id;  ///< index into System::modules, controllers or machines; none for processes
 };
 
-enum class PropertyKind { deadlock_free, divergence_free, deterministic, timelock_free, terminates, refines, equals, reachable, clock_initialised };
+enum class PropertyKind {
+    deadlock_free,
+    divergence_free,
+    deterministic,
+    timelock_free,
+    terminates,
+    refines,
+    equals,
+    reachable,
+    clock_initialised
+};
 enum class PropertyModel { failures_divergences, traces, failures, tick_tock };
 
 struct Property {
     std::string name;
     PropertyKind kind = PropertyKind::deadlock_free;
     bool negated = false;
-    bool timed = true;             ///< decided in the timed semantics
-    bool untimed = true;           ///< decided in the untimed semantics
+    bool timed = true;    ///< decided in the timed semantics
+    bool untimed = true;  ///< decided in the untimed semantics
     PropertyModel model = PropertyModel::failures_divergences;
     ComponentRef subject;
-    ComponentRef other;            ///< refines, equals
-    std::string state;             ///< reachable: CSP path of the state below the subject ("S1", "C::Inner"); clock_initialised: the clock
-    /// `with constant c of X set to e`: name of the constant as in query.hpp, where its value counts (the provider's for
-    /// a required one). `with parameter p of O`: the same with "param_" for "const_".
+    ComponentRef other;  ///< refines, equals
+    std::string
+        state;  ///< reachable: CSP path of the state below the subject ("S1", "C::Inner"); clock_initialised: the clock
+    /// `with constant c of X set to e`: name of the constant as in query.hpp, where its value counts (the provider's
+    /// for a required one). `with parameter p of O`: the same with "param_" for "const_".
     std::vector<std::pair<std::string, ExprPtr>> constants;
-    std::string file;              ///< path of the .assertions file
-    std::string wording;           ///< the assertion as written, on one line
+    std::string file;     ///< path of the .assertions file
+    std::string wording;  ///< the assertion as written, on one line
     Origin origin;
 };
 
@@ -377,7 +444,7 @@ struct CspBlock {
     bool timed = true, untimed = true;
     std::vector<ComponentRef> associated;
     std::string text;
-    diagnostics::Span text_span;   ///< where `text` stands, so that CSPM diagnostics point into the .assertions file
+    diagnostics::Span text_span;  ///< where `text` stands, so that CSPM diagnostics point into the .assertions file
     std::string file;
 };
 
@@ -385,10 +452,10 @@ struct CspBlock {
 struct System {
     std::vector<Type> types;
     std::vector<Function> functions;
-    std::vector<Machine> machines;        ///< state machines and operations, in textual order of files sorted by path
+    std::vector<Machine> machines;  ///< state machines and operations, in textual order of files sorted by path
     std::vector<Controller> controllers;
     std::vector<Module> modules;
-    std::vector<Property> properties;     ///< in order of files sorted by path, then textual
+    std::vector<Property> properties;  ///< in order of files sorted by path, then textual
     std::vector<CspBlock> csp_blocks;
 
     [[nodiscard]] const Type& type(TypeId id) const { return types[id.index]; }

@@ -23,7 +23,8 @@ namespace robochart::ir {
 
 /// Where the value of a machine's constant comes from when the machine runs as `part` of a controller (the name of its
 /// MachineInstance, or of its entry in Controller::definition_names):
-/// * a required constant (semantics 3.7: process parameters, not memory) of an operation is the constant of that name of
+/// * a required constant (semantics 3.7: process parameters, not memory) of an operation is the constant of that name
+/// of
 ///   the machine or operation that calls it;
 /// * any other required constant is the controller's of that name, and if the controller requires it too and runs in a
 ///   module, the platform's;

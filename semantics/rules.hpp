@@ -7,22 +7,22 @@
 
 namespace robochart::ir::rules {
 
-extern const diagnostics::Rule unsupported_construct;    // RC-S01
-extern const diagnostics::Rule recursive_operation;      // RC-S02
-extern const diagnostics::Rule number_too_large;         // RC-S03
-extern const diagnostics::Rule too_deep;                 // RC-S04
-extern const diagnostics::Rule unresolved;               // RC-S05
-extern const diagnostics::Rule unknown_component;        // RC-S06
-extern const diagnostics::Rule not_a_state;              // RC-S07
-extern const diagnostics::Rule not_a_constant;           // RC-S08
-extern const diagnostics::Rule unknown_constant_option;  // RC-S10
-extern const diagnostics::Rule bad_constant_value;       // RC-S11
-extern const diagnostics::Rule unknown_range_option;     // RC-S12
-extern const diagnostics::Rule bad_range;                // RC-S13
-extern const diagnostics::Rule ranges_not_nested;        // RC-S14
-extern const diagnostics::Rule range_too_large;          // RC-S15
-extern const diagnostics::Rule scale_too_large;          // RC-S16
-extern const diagnostics::Rule literal_outside_range;    // RC-S17
+extern const diagnostics::Rule unsupported_construct;        // RC-S01
+extern const diagnostics::Rule recursive_operation;          // RC-S02
+extern const diagnostics::Rule number_too_large;             // RC-S03
+extern const diagnostics::Rule too_deep;                     // RC-S04
+extern const diagnostics::Rule unresolved;                   // RC-S05
+extern const diagnostics::Rule unknown_component;            // RC-S06
+extern const diagnostics::Rule not_a_state;                  // RC-S07
+extern const diagnostics::Rule not_a_constant;               // RC-S08
+extern const diagnostics::Rule unknown_constant_option;      // RC-S10
+extern const diagnostics::Rule bad_constant_value;           // RC-S11
+extern const diagnostics::Rule unknown_range_option;         // RC-S12
+extern const diagnostics::Rule bad_range;                    // RC-S13
+extern const diagnostics::Rule ranges_not_nested;            // RC-S14
+extern const diagnostics::Rule range_too_large;              // RC-S15
+extern const diagnostics::Rule scale_too_large;              // RC-S16
+extern const diagnostics::Rule literal_outside_range;        // RC-S17
 extern const diagnostics::Rule function_without_definition;  // RC-S18
 extern const diagnostics::Rule ambiguous_constant;           // RC-S19
 

@@ -1,0 +1,169 @@
+// Operators, conditionals and binders.
+#include "semantics/lower/expression_lowering.hpp"
+#include "semantics/lower/types.hpp"
+
+namespace robochart::ir {
+namespace {
+
+const ast::Expr& strip(const ast::Expr& expr) {
+    const ast::Expr* inner = &expr;
+    while (inner->kind == ast::ExprKind::parenthesised && inner->args[0]) inner = inner->args[0].get();
+    return *inner;
+}
+
+bool is_number_literal(const ast::Expr& expr) {
+    return expr.kind == ast::ExprKind::integer || expr.kind == ast::ExprKind::real;
+}
+
+ExprKind kind_of(ast::BinaryOp op) {
+    switch (op) {
+        case ast::BinaryOp::iff:
+            return ExprKind::iff;
+        case ast::BinaryOp::implies:
+            return ExprKind::implies;
+        case ast::BinaryOp::disjunction:
+            return ExprKind::disjunction;
+        case ast::BinaryOp::conjunction:
+            return ExprKind::conjunction;
+        case ast::BinaryOp::equal:
+            return ExprKind::equal;
+        case ast::BinaryOp::not_equal:
+            return ExprKind::not_equal;
+        case ast::BinaryOp::greater:
+            return ExprKind::greater;
+        case ast::BinaryOp::greater_equal:
+            return ExprKind::greater_equal;
+        case ast::BinaryOp::less:
+            return ExprKind::less;
+        case ast::BinaryOp::less_equal:
+            return ExprKind::less_equal;
+        case ast::BinaryOp::in:
+            return ExprKind::is_in;
+        case ast::BinaryOp::plus:
+            return ExprKind::plus;
+        case ast::BinaryOp::minus:
+            return ExprKind::minus;
+        case ast::BinaryOp::times:
+            return ExprKind::times;
+        case ast::BinaryOp::divide:
+            return ExprKind::divide;
+        case ast::BinaryOp::modulus:
+            return ExprKind::modulus;
+        case ast::BinaryOp::concat:
+            return ExprKind::concat;
+    }
+    return ExprKind::equal;
+}
+ExprKind binder_kind(ast::ExprKind kind) {
+    switch (kind) {
+        case ast::ExprKind::forall:
+            return ExprKind::forall;
+        case ast::ExprKind::exists:
+            return ExprKind::exists;
+        case ast::ExprKind::exists_unique:
+            return ExprKind::exists_unique;
+        case ast::ExprKind::lambda:
+            return ExprKind::lambda;
+        case ast::ExprKind::the:
+            return ExprKind::the;
+        default:
+            return ExprKind::set_comprehension;
+    }
+}
+
+}  // namespace
+
+/// A negated literal is one literal: RoboTool's Neg(5, core_int) would be clipped to 5 where -5 is meant.
+ExprPtr Expressions::unary(const ast::Expr& source) {
+    const bool negates = source.unary == ast::UnaryOp::negate;
+    if (negates && is_number_literal(strip(*source.args[0]))) {
+        Expr literal = *number(strip(*source.args[0]), "-");
+        literal.span = source.span;
+        return share(std::move(literal));
+    }
+    Expr expr = start(source, negates ? ExprKind::negate : ExprKind::logical_not);
+    expr.args = {operand(source, 0)};
+    if (negates && is_number(expr.args[0]->type)) expr.type = join(expr.args[0]->type, integer_type);
+    return share(std::move(expr));
+}
+
+ExprPtr Expressions::binary(const ast::Expr& source, TypeId expected) {
+    Expr expr = start(source, kind_of(*source.binary));
+    const bool concat = expr.kind == ExprKind::concat;
+    expr.args = {operand(source, 0, concat ? expected : TypeId{}), operand(source, 1, concat ? expected : TypeId{})};
+    if (concat && expected.valid()) expr.type = expected;
+    if (expr.kind >= ExprKind::equal && expr.kind <= ExprKind::less_equal) return compared(std::move(expr));
+    if (expr.kind >= ExprKind::plus && expr.kind <= ExprKind::modulus) return computed(std::move(expr), source);
+    if (expr.kind == ExprKind::is_in) {
+        const auto args = lowering_.system.type(expr.args[1]->type).args;
+        if (args.size() == 1) expr.args[0] = coerce(lowering_, expr.args[0], args[0]);
+    }
+    return share(std::move(expr));
+}
+
+/// Both sides in the wider type; an empty collection takes the other side's type.
+ExprPtr Expressions::compared(Expr expr) {
+    expr.type = boolean_type;
+    TypeId left = expr.args[0]->type;
+    TypeId right = expr.args[1]->type;
+    if (is_number(left) && is_number(right)) left = right = join(left, right);
+    const bool left_is_literal = expr.args[0]->kind == ExprKind::sequence || expr.args[0]->kind == ExprKind::set ||
+                                 expr.args[0]->kind == ExprKind::tuple || expr.args[0]->kind == ExprKind::matrix;
+    const TypeId common = left_is_literal ? right : left;
+    for (auto& arg : expr.args) arg = coerce(lowering_, arg, common);
+    return share(std::move(expr));
+}
+
+/// RoboChart's types of arithmetic: minus is int at least, modulus int, divide real.
+ExprPtr Expressions::computed(Expr expr, const ast::Expr& source) {
+    const TypeId left = expr.args[0]->type;
+    const TypeId right = expr.args[1]->type;
+    if (!is_number(left) || !is_number(right)) {
+        if (!source.type) lowering_.unresolved("the type of an expression", source.span);
+        return share(std::move(expr));
+    }
+    expr.type = join(left, right);
+    if (expr.kind == ExprKind::minus || expr.kind == ExprKind::modulus) expr.type = join(expr.type, integer_type);
+    if (expr.kind == ExprKind::divide) expr.type = real_type;
+    for (auto& arg : expr.args) arg = coerce(lowering_, arg, expr.type);
+    return share(std::move(expr));
+}
+
+ExprPtr Expressions::conditional(const ast::Expr& source, TypeId expected) {
+    Expr expr = start(source, ExprKind::if_then_else);
+    expr.args = {operand(source, 0, boolean_type), operand(source, 1, expected), operand(source, 2, expected)};
+    TypeId type = expected.valid() ? expected : expr.args[1]->type;
+    if (!expected.valid() && is_number(type)) type = join(type, expr.args[2]->type);
+    expr.type = type;
+    for (std::size_t i = 1; i < expr.args.size(); ++i) expr.args[i] = coerce(lowering_, expr.args[i], type);
+    return share(std::move(expr));
+}
+
+ExprPtr Expressions::let(const ast::Expr& source, TypeId expected) {
+    Expr expr = start(source, ExprKind::let);
+    for (const auto& binding : source.bindings) {
+        if (!binding.variable || !binding.value) return refuse(source, "a let without a value");
+        expr.bound_names.push_back(binding.variable->name);
+        expr.args.push_back(lower(*binding.value));
+        expr.bound_types.push_back(expr.args.back()->type);
+    }
+    expr.args.push_back(operand(source, 0, expected));
+    expr.type = expr.args.back()->type;
+    return share(std::move(expr));
+}
+
+/// args: the predicate (true if absent), then the body if there is one.
+ExprPtr Expressions::binder(const ast::Expr& source) {
+    Expr expr = start(source, binder_kind(source.kind));
+    for (const auto& binding : source.bindings) {
+        if (!binding.variable) return refuse(source, "a binding without a name");
+        expr.bound_names.push_back(binding.variable->name);
+        expr.bound_types.push_back(lower_type(lowering_, binding.variable->type, binding.variable->span));
+    }
+    const bool restricted = !source.args.empty() && source.args[0] != nullptr;
+    expr.args.push_back(restricted ? lower(*source.args[0]) : make_boolean(true, source.span));
+    if (source.args.size() > 1 && source.args[1]) expr.args.push_back(lower(*source.args[1]));
+    return share(std::move(expr));
+}
+
+}  // namespace robochart::ir
