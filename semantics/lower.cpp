@@ -50,7 +50,7 @@ void lower_components(Lowering& lowering) {
 
 System lower(const ast::Model& model, const diagnostics::SourceManager& sources,
              diagnostics::Diagnostics& diagnostics) {
-    Lowering lowering{model, sources, diagnostics, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    Lowering lowering{model, sources, diagnostics};
     sort_files(lowering);
     intern_core_types(lowering);
     lower_declared_types(lowering);

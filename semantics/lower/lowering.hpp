@@ -29,17 +29,17 @@ struct Lowering {
     const frontend::Model& model;
     const diagnostics::SourceManager& sources;
     diagnostics::Diagnostics& diagnostics;
-    System system;
-    std::vector<const frontend::File*> files;   ///< sorted by path
-    ByDeclaration<const frontend::File*> home;  ///< the file of every declaration at package level
-    ByDeclaration<TypeId> declared_types;
-    std::map<std::string, TypeId> types;  ///< structural key -> id
-    ByDeclaration<FunctionId> functions;
-    ByDeclaration<MachineId> machines;                           ///< by frontend::Machine
-    ByDeclaration<ControllerId> controllers;                     ///< by frontend::Component
-    std::vector<const frontend::Machine*> machine_sources;       ///< by MachineId
-    std::vector<const frontend::Component*> controller_sources;  ///< by ControllerId
-    std::vector<const frontend::Component*> module_sources;      ///< by index of System::modules
+    System system{};
+    std::vector<const frontend::File*> files{};   ///< sorted by path
+    ByDeclaration<const frontend::File*> home{};  ///< the file of every declaration at package level
+    ByDeclaration<TypeId> declared_types{};
+    std::map<std::string, TypeId> types{};  ///< structural key -> id
+    ByDeclaration<FunctionId> functions{};
+    ByDeclaration<MachineId> machines{};                           ///< by frontend::Machine
+    ByDeclaration<ControllerId> controllers{};                     ///< by frontend::Component
+    std::vector<const frontend::Machine*> machine_sources{};       ///< by MachineId
+    std::vector<const frontend::Component*> controller_sources{};  ///< by ControllerId
+    std::vector<const frontend::Component*> module_sources{};      ///< by index of System::modules
 
     /// Package of a declaration ("" if unnamed), by the file at the end of its parents.
     [[nodiscard]] std::string package_of(const frontend::Declaration&) const;

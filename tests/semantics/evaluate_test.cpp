@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "tests/semantics/expressions.hpp"
@@ -94,6 +95,33 @@ TEST_F(Evaluate, RealResultsRoundDownToAUnit) {
     EXPECT_EQ(number(ExprKind::times, types.real, decimal(-7, 1), decimal(1, 1)), -7);
     inst_.real.insert(inst_.real.begin() + 3, -1);
     EXPECT_EQ(number(ExprKind::times, types.real, decimal(-7, 1), decimal(1, 1)), -1);
+}
+
+/// The greatest q with q * divisor <= dividend (divisor > 0), found by search: an oracle that shares nothing with the
+/// code.
+std::int64_t greatest_below(std::int64_t dividend, std::int64_t divisor) {
+    std::int64_t q = 0;
+    while (q * divisor > dividend) --q;
+    while ((q + 1) * divisor <= dividend) ++q;
+    return q;
+}
+
+TEST_F(Evaluate, EveryProductAndQuotientOfTheCarrierIsRoundedDownThenClipped) {
+    const auto clipped = [&](std::int64_t result, std::int64_t first) {
+        return std::count(inst_.real.begin(), inst_.real.end(), result) > 0 ? result : first;
+    };
+    for (const auto a : inst_.real)
+        for (const auto b : inst_.real) {
+            const auto left = decimal(a, 1);
+            const auto right = decimal(b, 1);
+            EXPECT_EQ(number(ExprKind::times, types.real, left, right), clipped(greatest_below(a * b, 10), a))
+                << a << b;
+            if (b == 0) continue;
+            const std::int64_t sign = b < 0 ? -1 : 1;
+            EXPECT_EQ(number(ExprKind::divide, types.real, left, right),
+                      clipped(greatest_below(a * 10 * sign, b * sign), a))
+                << a << " " << b;
+        }
 }
 
 TEST_F(Evaluate, WithScaleOneRealsDivideAsRoboToolsIntegers) {

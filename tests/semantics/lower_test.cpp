@@ -116,7 +116,7 @@ TEST(LowerExpressions, NumbersBeyond64BitsAreReported) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const frontend::Model model;
-    Lowering lowering{model, sources, diagnostics, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    Lowering lowering{model, sources, diagnostics};
     frontend::Expr huge;
     huge.kind = frontend::ExprKind::integer;
     huge.text = "9223372036854775808";
@@ -342,7 +342,7 @@ TEST(LowerExpressions, NamesLeftOpenAreReported) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const frontend::Model model;
-    Lowering lowering{model, sources, diagnostics, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    Lowering lowering{model, sources, diagnostics};
     frontend::Expr name;
     name.kind = frontend::ExprKind::name;
     name.name.parts = {"nobody"};
