@@ -279,11 +279,8 @@ void Printer::process_chain(const Expr& expr, std::string_view op) {
     out_.close();
 }
 
-// A set between brackets: there `>` is itself again.
 void Printer::enclosed(const ExprPtr& set) {
-    const bool outside = std::exchange(inside_sequence_, false);
     expression(set, dot_level_expr);
-    inside_sequence_ = outside;
 }
 
 void Printer::process_infix(const Expr& expr) {
@@ -452,7 +449,6 @@ void Printer::field(const Field& field) {
 }
 
 void Printer::links(const std::vector<Link>& links, std::string_view arrow, const std::vector<Clause>& given_clauses) {
-    const bool outside = std::exchange(inside_sequence_, false);
     for (std::size_t i = 0; i < links.size(); ++i) {
         if (i > 0) {
             out_.text(",");
@@ -467,7 +463,6 @@ void Printer::links(const std::vector<Link>& links, std::string_view arrow, cons
         out_.space_or_line();
         clauses(given_clauses, " <- ");
     }
-    inside_sequence_ = outside;
 }
 
 void Printer::rename(const Expr& expr) {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "checker/cspm/evaluation_error.hpp"
 #include "checker/cspm/syntax.hpp"
 #include "checker/lts/transition_system.hpp"
 #include "checker/process/term.hpp"
@@ -14,20 +14,11 @@
 
 namespace robochart::cspm {
 
-/// A fault found while evaluating: `error(…)`, no matching clause, division by zero, infinite set, runaway recursion…
-/// Carries the place and the CSPM call stack, innermost first.
-class EvaluationError : public std::runtime_error {
-public:
-    EvaluationError(std::string message, Span span, std::vector<std::string> stack);
-    Span span;
-    std::vector<std::string> stack;
-};
-
 struct AssertionResult {
-    std::string text;           ///< the assertion as printed
+    std::string text;  ///< the assertion as printed
     Span span;
     bool negated = false;
-    refine::Verdict verdict;    ///< already turned round for `not`: holds means the assertion as worded holds
+    refine::Verdict verdict;  ///< already turned round for `not`: holds means the assertion as worded holds
 };
 
 /// One loaded script with its events, terms and definitions. Not thread-safe.

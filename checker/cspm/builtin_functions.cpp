@@ -1,0 +1,327 @@
+// What the predefined names do (FDR manual, chapter CSPM, Built-In Definitions).
+#include <algorithm>
+
+#include "checker/cspm/evaluator_internal.hpp"
+
+namespace robochart::cspm {
+
+const Values& Evaluator::sequence(Value value, Span span) {
+    if (value->kind == Kind::sequence_from) fail("the sequence " + text(value) + " is infinite", span);
+    if (value->kind != Kind::sequence) fail("expected a sequence, found " + text(value), span);
+    return value->items;
+}
+
+const Values& Evaluator::map_items(Value value, Span span) {
+    if (value->kind != Kind::map) fail("expected a map, found " + text(value), span);
+    return value->items;
+}
+
+Value Evaluator::builtin_value(Builtin which, const TimedSection* timed) {
+    const auto process = [this](process::TermId term) {
+        return store_.make(Kind::process, static_cast<std::int64_t>(term), {});
+    };
+    switch (which) {
+        case Builtin::true_:
+            return store_.boolean(true);
+        case Builtin::false_:
+            return store_.boolean(false);
+        case Builtin::bool_:
+            return store_.set({store_.boolean(false), store_.boolean(true)});
+        case Builtin::int_:
+            return store_.make(Kind::integers, 0, {});
+        case Builtin::proc:
+            return store_.make(Kind::processes, 0, {});
+        case Builtin::char_: {
+            Values items;
+            for (std::int64_t code = 0; code < 256; ++code) items.push_back(store_.character(code));
+            return store_.set(std::move(items));
+        }
+        case Builtin::events:
+            return all_events();
+        case Builtin::empty_map:
+            return store_.make(Kind::map, 0, {});
+        case Builtin::stop:
+            return process(stop(timed));
+        case Builtin::skip:
+            return process(skip(timed));
+        case Builtin::div:
+            return process(make(process::Op::div));
+        default:
+            break;
+    }
+    // In a timed section WAIT and timed_priority know the section's tock.
+    Values items;
+    if (timed != nullptr && (which == Builtin::wait || which == Builtin::timed_priority)) {
+        items.push_back(head_value(timed->tock));
+    }
+    return store_.make(Kind::builtin, static_cast<std::int64_t>(which), std::move(items));
+}
+
+Value Evaluator::call_builtin(Value builtin, Values arguments, Span span) {
+    const auto which = static_cast<Builtin>(builtin->number);
+    const BuiltinName& name = builtin_name(which);
+    for (Value& argument : arguments) argument = share(force(argument));
+    // relational_image(R)(x): the relation is kept in the built-in's items.
+    if ((which == Builtin::relational_image || which == Builtin::relational_inverse_image) && !builtin->items.empty()) {
+        arguments.insert(arguments.begin(), builtin->items[0]);
+        return relation_builtin(which, arguments, span);
+    }
+    if (static_cast<int>(arguments.size()) != name.arguments) {
+        fail("'" + std::string(name.name) + "' takes " + std::to_string(name.arguments) + " arguments, not " +
+                 std::to_string(arguments.size()),
+             span);
+    }
+    if (which >= Builtin::union_ && which <= Builtin::sequences) return set_builtin(which, arguments, span);
+    if (which >= Builtin::seq && which <= Builtin::elem) return sequence_builtin(which, arguments, span);
+    if (which >= Builtin::map_from_list && which <= Builtin::map_type) return map_builtin(which, arguments, span);
+    switch (which) {
+        case Builtin::extensions:
+            return extensions(arguments[0]);
+        case Builtin::productions:
+            return productions(arguments[0]);
+        case Builtin::error: {
+            std::string message;
+            for (const Value each : sequence(arguments[0], span)) message += static_cast<char>(each->number);
+            fail("error: " + message, span);
+        }
+        case Builtin::show:
+            return store_.text(text(arguments[0]));
+        case Builtin::mtransclose:
+            not_supported("'mtransclose'", span);
+        case Builtin::relational_image:
+        case Builtin::relational_inverse_image:
+            return store_.make(Kind::builtin, static_cast<std::int64_t>(which), {arguments[0]});
+        case Builtin::transpose:
+            return relation_builtin(which, arguments, span);
+        default:
+            return process_builtin(which, builtin, arguments, span);
+    }
+}
+
+Value Evaluator::set_builtin(Builtin which, const Values& arguments, Span span) {
+    switch (which) {
+        case Builtin::union_:
+            return set_union(arguments[0], arguments[1], span);
+        case Builtin::inter:
+            return set_inter(arguments[0], arguments[1], span);
+        case Builtin::diff:
+            return set_diff(arguments[0], arguments[1], span);
+        case Builtin::union_all: {
+            Value result = store_.set({});
+            for (const Value each : elements(arguments[0], span)) result = set_union(result, each, span);
+            return result;
+        }
+        case Builtin::inter_all: {
+            Value result = nullptr;
+            for (const Value each : elements(arguments[0], span)) {
+                result = result == nullptr ? each : set_inter(result, each, span);
+            }
+            return result == nullptr ? store_.set({}) : result;
+        }
+        case Builtin::member:
+            return store_.boolean(member_of(arguments[0], arguments[1], span));
+        case Builtin::card:
+            return store_.integer(static_cast<std::int64_t>(elements(arguments[0], span).size()));
+        case Builtin::empty: {
+            const Value set = arguments[0];
+            if (set->kind == Kind::integers || set->kind == Kind::integers_from || set->kind == Kind::processes ||
+                set->kind == Kind::sequences_over) {
+                return store_.boolean(false);
+            }
+            return store_.boolean(elements(set, span).empty());
+        }
+        case Builtin::set:
+            return store_.set(sequence(arguments[0], span));
+        case Builtin::powerset:
+            if (!is_set(arguments[0])) fail("expected a set, found " + text(arguments[0]), span);
+            return store_.make(Kind::subsets_of, 0, {arguments[0]});
+        default:
+            if (!is_set(arguments[0])) fail("expected a set, found " + text(arguments[0]), span);
+            return store_.make(Kind::sequences_over, 0, {arguments[0]});
+    }
+}
+
+Value Evaluator::sequence_builtin(Builtin which, const Values& arguments, Span span) {
+    const Value first = arguments[0];
+    if (first->kind == Kind::sequence_from) {
+        if (which == Builtin::head) return store_.integer(first->number);
+        if (which == Builtin::tail) return store_.make(Kind::sequence_from, first->number + 1, {});
+        if (which == Builtin::null) return store_.boolean(false);
+    }
+    switch (which) {
+        case Builtin::seq:
+            return store_.sequence(elements(first, span));
+        case Builtin::length:
+            return store_.integer(static_cast<std::int64_t>(sequence(first, span).size()));
+        case Builtin::null:
+            return store_.boolean(sequence(first, span).empty());
+        case Builtin::head:
+            if (sequence(first, span).empty()) fail("head of an empty sequence", span);
+            return first->items[0];
+        case Builtin::tail:
+            if (sequence(first, span).empty()) fail("tail of an empty sequence", span);
+            return store_.sequence({first->items.begin() + 1, first->items.end()});
+        case Builtin::concat: {
+            Values items;
+            for (const Value each : sequence(first, span)) {
+                const Values& more = sequence(each, span);
+                items.insert(items.end(), more.begin(), more.end());
+            }
+            return store_.sequence(std::move(items));
+        }
+        default: {  // elem
+            const Values& items = sequence(arguments[1], span);
+            return store_.boolean(std::ranges::find(items, first) != items.end());
+        }
+    }
+}
+
+namespace {
+
+// Where a key stands among k1, v1, k2, v2..., or where it would.
+std::size_t key_place(const Values& items, Value key) {
+    std::size_t at = 0;
+    while (at < items.size() && compare(items[at], key) < 0) at += 2;
+    return at;
+}
+
+void put(Values& items, Value key, Value value) {
+    const std::size_t at = key_place(items, key);
+    if (at < items.size() && items[at] == key)
+        items[at + 1] = value;
+    else
+        items.insert(items.begin() + static_cast<std::ptrdiff_t>(at), {key, value});
+}
+
+}  // namespace
+
+Value Evaluator::map_builtin(Builtin which, const Values& arguments, Span span) {
+    const auto put_all = [&](Values items, Value pairs) {
+        for (const Value pair : sequence(pairs, span)) {
+            if (pair->kind != Kind::tuple || pair->items.size() != 2) fail("expected pairs, found " + text(pair), span);
+            put(items, pair->items[0], pair->items[1]);
+        }
+        return store_.make(Kind::map, 0, std::move(items));
+    };
+    if (which == Builtin::map_from_list) return put_all({}, arguments[0]);
+    if (which == Builtin::map_type) return store_.make(Kind::maps_over, 0, {arguments[0], arguments[1]});
+    Values items = map_items(arguments[0], span);
+    if (which == Builtin::map_update_multiple) return put_all(std::move(items), arguments[1]);
+    if (which == Builtin::map_to_list) {
+        Values pairs;
+        for (std::size_t i = 0; i + 1 < items.size(); i += 2) pairs.push_back(store_.tuple({items[i], items[i + 1]}));
+        return store_.sequence(std::move(pairs));
+    }
+    const std::size_t at = key_place(items, arguments[1]);
+    const bool found = at < items.size() && items[at] == arguments[1];
+    switch (which) {
+        case Builtin::map_lookup:
+            if (!found) fail("the key " + text(arguments[1]) + " is not in the map", span);
+            return items[at + 1];
+        case Builtin::map_member:
+            return store_.boolean(found);
+        case Builtin::map_update:
+            put(items, arguments[1], arguments[2]);
+            break;
+        default:
+            if (found) {
+                items.erase(items.begin() + static_cast<std::ptrdiff_t>(at),
+                            items.begin() + static_cast<std::ptrdiff_t>(at) + 2);
+            }
+            break;
+    }
+    return store_.make(Kind::map, 0, std::move(items));
+}
+
+// transpose(R), relational_image(R)(x), relational_inverse_image(R)(x).
+Value Evaluator::relation_builtin(Builtin which, const Values& arguments, Span span) {
+    Values result;
+    const std::size_t from = which == Builtin::relational_inverse_image ? 1 : 0;
+    for (const Value pair : elements(arguments[0], span)) {
+        if (pair->kind != Kind::tuple || pair->items.size() != 2) fail("expected pairs, found " + text(pair), span);
+        if (which == Builtin::transpose)
+            result.push_back(store_.tuple({pair->items[1], pair->items[0]}));
+        else if (pair->items[from] == arguments.at(1))
+            result.push_back(pair->items[1 - from]);
+    }
+    return store_.set(std::move(result));
+}
+
+namespace {
+
+std::uint32_t compression(Builtin which) {
+    using process::Compression;
+    switch (which) {
+        case Builtin::normal:
+        case Builtin::lazynorm:
+            return static_cast<std::uint32_t>(Compression::normal);
+        case Builtin::sbisim:
+            return static_cast<std::uint32_t>(Compression::sbisim);
+        case Builtin::dbisim:
+            return static_cast<std::uint32_t>(Compression::dbisim);
+        case Builtin::wbisim:
+            return static_cast<std::uint32_t>(Compression::wbisim);
+        case Builtin::diamond:
+            return static_cast<std::uint32_t>(Compression::diamond);
+        case Builtin::tau_loop_factor:
+            return static_cast<std::uint32_t>(Compression::tau_loop_factor);
+        case Builtin::model_compress:
+            return static_cast<std::uint32_t>(Compression::model_compress);
+        case Builtin::deter:
+            return static_cast<std::uint32_t>(Compression::deter);
+        case Builtin::lazyenumerate:
+            return static_cast<std::uint32_t>(Compression::lazyenumerate);
+        default:
+            return static_cast<std::uint32_t>(Compression::explicate);
+    }
+}
+
+}  // namespace
+
+Value Evaluator::process_builtin(Builtin which, Value builtin, const Values& arguments, Span span) {
+    using process::Op;
+    const auto made = [this](process::TermId id) {
+        return store_.make(Kind::process, static_cast<std::int64_t>(id), {});
+    };
+    const auto id = [](auto strong) { return static_cast<std::uint32_t>(strong); };
+    switch (which) {
+        case Builtin::chaos:
+            return made(make(Op::chaos, {}, id(terms_.set(event_set(arguments[0], span)))));
+        case Builtin::run:
+            return made(make(Op::run, {}, id(terms_.set(event_set(arguments[0], span)))));
+        case Builtin::wait: {
+            if (arguments[0]->kind != Kind::integer) fail("WAIT takes a number, not " + text(arguments[0]), span);
+            if (arguments[0]->number < 0) fail("WAIT(" + text(arguments[0]) + ") waits for less than no time", span);
+            const process::Event tock = event(builtin->items.at(0), span);
+            const process::TermId stopped = prefix_term(PrefixKind::skipping, {store_.integer(tock)});
+            return made(waiting(tock, arguments[0]->number, make(Op::external_choice, {stopped, make(Op::skip)})));
+        }
+        case Builtin::timed_priority: {
+            const process::Event tock = event(builtin->items.at(0), span);
+            return made(make(Op::prioritise, {term(arguments[0], span)}, id(terms_.order({{}, {tock}}))));
+        }
+        case Builtin::prioritise:
+        case Builtin::prioritise_nocache: {
+            process::PriorityOrder order;
+            for (const Value each : sequence(arguments[1], span)) order.push_back(event_set(each, span));
+            if (order.empty()) fail("prioritise needs at least one set", span);
+            return made(make(Op::prioritise, {term(arguments[0], span)}, id(terms_.order(std::move(order)))));
+        }
+        case Builtin::chase:
+        case Builtin::chase_nocache:
+            return made(make(Op::chase, {term(arguments[0], span)}));
+        case Builtin::loop:
+            return made(call_term(builtin, arguments));
+        case Builtin::buffer:
+        case Builtin::weak_buffer:
+        case Builtin::signal_buffer:
+        case Builtin::failure_watchdog:
+        case Builtin::trace_watchdog:
+        case Builtin::prioritisepo:
+            not_supported("'" + std::string(builtin_name(which).name) + "'", span);
+        default:
+            return made(make(Op::compress, {term(arguments[0], span)}, compression(which)));
+    }
+}
+
+}  // namespace robochart::cspm

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "diagnostics/source.hpp"
+
+namespace robochart::cspm {
+
+/// A fault found while evaluating: `error(…)`, no matching clause, division by zero, infinite set, runaway recursion…
+/// Carries the place and the CSPM call stack, innermost first.
+class EvaluationError : public std::runtime_error {
+public:
+    EvaluationError(std::string message, diagnostics::Span place, std::vector<std::string> calls)
+        : std::runtime_error(std::move(message)), span(place), stack(std::move(calls)) {}
+    diagnostics::Span span;
+    std::vector<std::string> stack;
+};
+
+}  // namespace robochart::cspm

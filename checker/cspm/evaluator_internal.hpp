@@ -1,0 +1,24 @@
+// Shared by the evaluator's own files.
+#pragma once
+
+#include "checker/cspm/evaluator.hpp"
+
+namespace robochart::cspm {
+
+/// One entry of the CSPM call stack, while it lasts.
+class Evaluator::Calling {
+public:
+    Calling(Evaluator& evaluator, const Function& function, const Values& arguments, Span span)
+        : evaluator_(evaluator) {
+        evaluator_.activations_.push_back({&function, &arguments});
+        evaluator_.count_step(span);
+    }
+    ~Calling() { evaluator_.activations_.pop_back(); }
+    Calling(const Calling&) = delete;
+    Calling& operator=(const Calling&) = delete;
+
+private:
+    Evaluator& evaluator_;
+};
+
+}  // namespace robochart::cspm

@@ -1,0 +1,194 @@
+#include "checker/cspm/session.hpp"
+
+#include <functional>
+
+#include "checker/cspm/deep_stack.hpp"
+#include "checker/cspm/evaluator.hpp"
+#include "checker/cspm/reader.hpp"
+#include "checker/cspm/resolver.hpp"
+#include "checker/lts/term_system.hpp"
+#include "checker/process/operational_semantics.hpp"
+
+namespace robochart::cspm {
+
+namespace {
+
+// A process of a session; it keeps the session's events and terms, and names faults of recursion as errors of
+// evaluation.
+class SessionSystem final : public lts::TransitionSystem {
+public:
+    SessionSystem(process::OperationalSemantics& semantics, process::TermId term, Span span)
+        : system_(semantics, term), span_(span) {}
+
+    [[nodiscard]] std::size_t width() const override { return system_.width(); }
+    void initial(std::span<lts::Word> state) override { system_.initial(state); }
+    void successors(lts::StateView state, lts::SuccessorSink& sink) override {
+        try {
+            system_.successors(state, sink);
+        } catch (const process::SemanticsError& error) {
+            throw EvaluationError(error.what(), span_, {});
+        }
+    }
+    [[nodiscard]] const process::EventTable& events() const override { return system_.events(); }
+    [[nodiscard]] std::string describe(lts::StateView state) const override { return system_.describe(state); }
+
+private:
+    lts::TermSystem system_;
+    Span span_;
+};
+
+void collect_assertions(const std::vector<DeclPtr>& decls, std::vector<DeclPtr>& out) {
+    for (const DeclPtr& decl : decls) {
+        if (decl->kind == DeclKind::assertion) out.push_back(decl);
+        collect_assertions(decl->decls, out);
+        collect_assertions(decl->exports, out);
+    }
+}
+
+std::string written(const Decl& assertion) {
+    std::string text = print(Script{{std::make_shared<const Decl>(assertion)}});
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text;
+}
+
+void negate(refine::Verdict& verdict) {
+    if (verdict.outcome == refine::Outcome::holds)
+        verdict.outcome = refine::Outcome::fails;
+    else if (verdict.outcome == refine::Outcome::fails)
+        verdict.outcome = refine::Outcome::holds;
+}
+
+}  // namespace
+
+struct Session::Impl {
+    explicit Impl(Script given)
+        : script(std::move(given)),
+          terms(events),
+          semantics(terms),
+          resolver(program, store),
+          evaluator(program, store, events, terms) {
+        on_deep_stack([this] { resolver.script(script); });
+    }
+
+    struct Ready {
+        const Code* code = nullptr;
+        const Unit* unit = nullptr;
+    };
+    Ready ready(const ExprPtr& expr, const Decl* place = nullptr) {
+        Unit* unit = nullptr;
+        const Code* code = nullptr;
+        on_deep_stack([&] { code = resolver.expression(expr, place, unit); });
+        return {code, unit};
+    }
+
+    std::unique_ptr<lts::TransitionSystem> system(process::TermId term, Span span) {
+        return std::make_unique<SessionSystem>(semantics, term, span);
+    }
+
+    std::unique_ptr<lts::TransitionSystem> side(const ExprPtr& expr, const Decl& assertion) {
+        const Ready code = ready(expr, &assertion);
+        process::TermId term = evaluator.process(*code.code, *code.unit);
+        if (assertion.assertion.tau_priority) {
+            const Ready set = ready(assertion.assertion.tau_priority, &assertion);
+            term = evaluator.tau_priority(term, evaluator.event_set(*set.code, *set.unit));
+        }
+        return system(term, expr->span);
+    }
+
+    refine::Model model(const Decl& assertion) const {
+        switch (assertion.assertion.model) {
+            case Model::traces:
+                return refine::Model::traces;
+            case Model::failures:
+                return refine::Model::failures;
+            case Model::none:
+            case Model::failures_divergences:
+                return refine::Model::failures_divergences;
+            default:
+                throw EvaluationError("the models R, RD, V and VD are not supported yet", assertion.span, {});
+        }
+    }
+
+    refine::Verdict decide(const Decl& assertion, const refine::Limits& limits) {
+        const Assertion& asked = assertion.assertion;
+        const refine::Model in = model(assertion);
+        const auto first = side(asked.specification, assertion);
+        switch (asked.kind) {
+            case AssertionKind::refinement: {
+                const auto second = side(asked.implementation, assertion);
+                return refine::refines(*first, *second, in, limits);
+            }
+            case AssertionKind::deadlock_free:
+                return refine::deadlock_free(*first, in, limits);
+            case AssertionKind::divergence_free:
+                return refine::divergence_free(*first, limits);
+            case AssertionKind::deterministic:
+                return refine::deterministic(*first, in, limits);
+            case AssertionKind::has_trace: {
+                const Ready trace = ready(asked.implementation, &assertion);
+                return refine::has_trace(*first, evaluator.trace(*trace.code, *trace.unit), in, limits);
+            }
+        }
+        throw EvaluationError("an assertion of no kind", assertion.span, {});
+    }
+
+    Script script;
+    Program program;
+    ValueStore store;
+    process::EventTable events;
+    process::TermStore terms;
+    process::OperationalSemantics semantics;
+    Resolver resolver;
+    Evaluator evaluator;
+};
+
+Session::Session(Script script) : impl_(std::make_unique<Impl>(std::move(script))) {}
+Session::~Session() = default;
+
+const Script& Session::script() const {
+    return impl_->script;
+}
+
+std::vector<DeclPtr> Session::assertions() const {
+    std::vector<DeclPtr> result;
+    collect_assertions(impl_->script.decls, result);
+    return result;
+}
+
+AssertionResult Session::check(const Decl& assertion, const refine::Limits& limits) {
+    AssertionResult result;
+    result.text = written(assertion);
+    result.span = assertion.span;
+    result.negated = assertion.assertion.negated;
+    result.verdict = impl_->decide(assertion, limits);
+    if (result.negated) negate(result.verdict);
+    return result;
+}
+
+process::TermId Session::process(const ExprPtr& expr) {
+    const Impl::Ready ready = impl_->ready(expr);
+    return impl_->evaluator.process(*ready.code, *ready.unit);
+}
+
+std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr) {
+    return impl_->system(process(expr), expr->span);
+}
+
+process::EventSet Session::events(const ExprPtr& expr) {
+    const Impl::Ready ready = impl_->ready(expr);
+    return impl_->evaluator.event_set(*ready.code, *ready.unit);
+}
+
+std::string Session::evaluate(const ExprPtr& expr) {
+    const Impl::Ready ready = impl_->ready(expr);
+    return impl_->evaluator.print(*ready.code, *ready.unit);
+}
+
+process::EventTable& Session::event_table() {
+    return impl_->events;
+}
+process::TermStore& Session::terms() {
+    return impl_->terms;
+}
+
+}  // namespace robochart::cspm

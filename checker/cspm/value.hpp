@@ -1,0 +1,121 @@
+// Values of CSPM's evaluator. Data are hash-consed: equal values are one object, so equality is a pointer
+// comparison; order among them is structural and never depends on addresses. Functions are a definition
+// with the values it captured. What is not yet evaluated (a thunk), or captures such, is temporary.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+namespace robochart::cspm {
+
+struct Code;
+struct Function;
+struct Group;
+
+enum class Kind : std::uint8_t {
+    integer,
+    boolean,
+    character,
+    tuple,
+    sequence,
+    set,             ///< explicit: items ascending by `compare`
+    map,             ///< items: k1, v1, k2, v2... ascending by key
+    head,            ///< a channel or constructor, `number` its index; only as the first item of a dot
+    dot,             ///< a.b.c; a channel's or constructor's fields are complete values, dots themselves if need be
+    process,         ///< `number`: the term
+    function,        ///< `function` with its environment and the arguments it has so far
+    builtin,         ///< `number`: which
+    integers,        ///< Int
+    integers_from,   ///< {n..}
+    processes,       ///< Proc
+    datatype,        ///< all values of a datatype, `number` its global
+    sequences_over,  ///< Seq(items[0])
+    subsets_of,      ///< Set(items[0])
+    maps_over,       ///< Map(items[0], items[1])
+    sequence_from,   ///< <n..>
+    group,           ///< the environment of a let's declarations
+    thunk,
+};
+
+struct Object {
+    Kind kind = Kind::integer;
+    bool shared = false;  ///< hash-consed: built of shared objects only, lives as long as the store
+    std::uint32_t id = 0;
+    std::int64_t number = 0;
+    const Function* function = nullptr;
+    const Group* group = nullptr;
+    std::vector<const Object*> items;
+};
+
+using Value = const Object*;
+using Values = std::vector<Value>;
+
+/// The values of one let's declarations in one environment; `known` fills as they are asked for.
+struct GroupObject : Object {
+    mutable Values known;
+    mutable std::vector<bool> running;
+};
+
+/// An expression that waits, with a copy of the variables it may use.
+struct Thunk : Object {
+    const Code* code = nullptr;
+    mutable Values frame;
+    mutable Value result = nullptr;
+    mutable bool running = false;
+};
+
+/// Total structural order of shared values.
+[[nodiscard]] int compare(Value a, Value b);
+
+/// Makes and owns values.
+class ValueStore {
+public:
+    ValueStore();
+
+    [[nodiscard]] Value integer(std::int64_t number);
+    [[nodiscard]] Value boolean(bool truth) const { return truth ? true_ : false_; }
+    [[nodiscard]] Value character(std::int64_t code) { return make(Kind::character, code, {}); }
+    [[nodiscard]] Value tuple(Values items) { return make(Kind::tuple, 0, std::move(items)); }
+    [[nodiscard]] Value sequence(Values items) { return make(Kind::sequence, 0, std::move(items)); }
+    [[nodiscard]] Value text(const std::string& characters);
+    /// Sorts and drops repetitions.
+    [[nodiscard]] Value set(Values items);
+    /// For items known to be ascending.
+    [[nodiscard]] Value sorted_set(Values items) { return make(Kind::set, 0, std::move(items)); }
+    [[nodiscard]] Value dot(Values items) { return make(Kind::dot, 0, std::move(items)); }
+    [[nodiscard]] Value make(Kind kind, std::int64_t number, Values items, const Function* function = nullptr,
+                             const Group* group = nullptr);
+
+    // Temporary objects, until `release`.
+    [[nodiscard]] Value closure(const Function& function, Values items);
+    [[nodiscard]] const GroupObject* group(const Group& group, Values items, std::size_t members);
+    [[nodiscard]] Value thunk(const Code& code, Values frame);
+    /// The shared object of a group whose items are shared.
+    [[nodiscard]] const GroupObject* shared_group(const Group& group, Values items, std::size_t members);
+    /// Drops all temporary objects; none may be in use.
+    void release();
+
+private:
+    struct Hash {
+        std::size_t operator()(const Object* object) const;
+    };
+    struct Same {
+        bool operator()(const Object* a, const Object* b) const;
+    };
+
+    std::deque<Object> objects_;
+    std::deque<GroupObject> groups_;
+    std::unordered_set<const Object*, Hash, Same> index_;
+    std::deque<Object> temporary_closures_;
+    std::deque<GroupObject> temporary_groups_;
+    std::deque<Thunk> thunks_;
+    std::vector<Value> small_integers_;
+    Value true_ = nullptr;
+    Value false_ = nullptr;
+};
+
+}  // namespace robochart::cspm
