@@ -91,7 +91,7 @@ void Agreement::compare(const Pair& pair, bool compressing) {
     Translation translation(pair.script, compressing);
     lts::TermSystem sa = translation.system(pair.script.mains[0]);
     lts::TermSystem sb = translation.system(pair.script.mains[1]);
-    const Limits limits;
+    const Limits limits{};
     for (const auto& [semantics, model] : models) {
         const char* const name = semantics == Semantics::T ? "[T=" : semantics == Semantics::F ? "[F=" : "[FD=";
         const Verdict forth = refines(sa, sb, model, limits);

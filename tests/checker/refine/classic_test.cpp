@@ -12,7 +12,7 @@ class Classics : public testing::Test {
 protected:
     Scripted s;
     process::OperationalSemantics semantics{s.store};
-    const Limits limits;
+    const Limits limits{};
     lts::TermSystem system(TermId term) { return {semantics, term}; }
 };
 
