@@ -8,7 +8,7 @@
 namespace robochart::cspm {
 
 /// Bytes of stack that code run by `on_deep_stack` may use.
-inline constexpr std::size_t deep_stack_bytes = std::size_t{1} << 30U;
+inline constexpr std::size_t deep_stack_bytes = std::size_t{1} << 27U;
 
 void on_deep_stack(const std::function<void()>& work);
 

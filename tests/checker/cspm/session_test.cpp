@@ -1,0 +1,239 @@
+// Whole scripts with the verdicts of their assertions; the argument for each verdict stands beside it.
+#include "checker/cspm/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include "checker/cspm/build.hpp"
+#include "tests/checker/cspm/support.hpp"
+
+namespace robochart::cspm::test {
+namespace {
+
+std::vector<refine::Outcome> outcomes(const std::string& text) {
+    const Reading reading(text);
+    EXPECT_TRUE(reading.ok()) << reading.report();
+    std::vector<refine::Outcome> result;
+    try {
+        Session session(reading.script);
+        for (const DeclPtr& assertion : session.assertions()) {
+            result.push_back(session.check(*assertion, {}).verdict.outcome);
+        }
+    } catch (const EvaluationError& error) {
+        ADD_FAILURE() << reading.sources.place(error.span) << " " << error.what();
+    }
+    return result;
+}
+
+// Marks: h holds, f fails.
+void expect_outcomes(const std::string& text, const std::string& marks) {
+    std::string found;
+    for (const refine::Outcome each : outcomes(text)) {
+        found += each == refine::Outcome::holds ? 'h' : (each == refine::Outcome::fails ? 'f' : '?');
+    }
+    EXPECT_EQ(found, marks) << text;
+}
+
+struct Failure {
+    std::string message;
+    std::size_t stack = 0;
+};
+
+Failure failure(const std::string& text, const std::string& name) {
+    const Reading reading(text);
+    EXPECT_TRUE(reading.ok()) << reading.report();
+    try {
+        Session session(reading.script);
+        return {"no error: " + session.evaluate(build::name(name)), 0};
+    } catch (const EvaluationError& error) {
+        return {error.what(), error.stack.size()};
+    }
+}
+
+std::string value(const std::string& text) {
+    const Reading reading("x = " + text + "\n");
+    EXPECT_TRUE(reading.ok()) << reading.report();
+    try {
+        return Session(reading.script).evaluate(build::name("x"));
+    } catch (const EvaluationError& error) {
+        return std::string("error: ") + error.what();
+    }
+}
+
+TEST(SessionTest, RefinementInEachModel) {
+    expect_outcomes(R"(channel a, b
+P = a -> STOP [] b -> STOP
+Q = a -> STOP |~| b -> STOP
+-- Q's traces are P's; Q may refuse a, P may not; neither diverges.
+assert P [T= Q
+assert P [F= Q
+assert Q [F= P
+assert Q [FD= P
+assert not P [F= Q
+)",
+                    "hfhhh");
+}
+
+TEST(SessionTest, Properties) {
+    expect_outcomes(R"(channel a : {0..2}
+P(n) = a.n -> P((n+1)%3)
+L = a.0 -> L
+-- P(0) goes round for ever with one event at a time.
+assert P(0) :[deadlock free [F]]
+assert P(0) :[deterministic [FD]]
+-- Hiding all of L leaves a tau loop.
+assert L \ {a.0} :[divergence free]
+-- The trace 0,1 is P(0)'s, 0,2 is not.
+assert P(0) :[has trace [T]]: <a.0, a.1>
+assert P(0) :[has trace [T]]: <a.0, a.2>
+assert a.0 -> STOP :[deadlock free]
+)",
+                    "hhfhff");
+}
+
+TEST(SessionTest, LetAndModulesAndInstances) {
+    expect_outcomes(R"(module Cell(T)
+  start = 0
+exports
+  channel put, get : T
+  C = put?x -> get!x -> C
+  Zero = get!start -> STOP
+endmodule
+instance Small = Cell({0,1})
+-- A cell gives back what it was given.
+assert let P = Small::put.0 -> Small::get.0 -> P
+           R = Small::put.1 -> Small::get.1 -> R
+       within P [] Small::put.1 -> Small::get.1 -> STOP [T= let n = 0 within Small::put.n -> Small::get.n -> STOP
+assert Small::C :[has trace [T]]: <Small::put.1, Small::get.0>
+assert Small::Zero :[has trace [T]]: <Small::get.0>
+)",
+                    "hfh");
+}
+
+// In a timed section with zero durations tock is always possible beside an event that waits, and
+// timed_priority lets no time pass while a tau is possible (semantics 3.10).
+TEST(SessionTest, TimedSections) {
+    expect_outcomes(R"(channel a, b, tock
+OneStep(_) = 0
+USTOP = STOP
+Timed(OneStep) {
+  Wait = a -> SKIP
+  Two = WAIT(2); a -> STOP
+  Urgent = timed_priority((a -> b -> STOP) \ {a})
+  Dead = timed_priority(a -> SKIP [] (WAIT(1); USTOP))
+  Both = (a -> STOP) ||| (b -> STOP)
+}
+-- Time may pass before a.
+assert Wait :[has trace [T]]: <tock, tock, a>
+-- WAIT(2) lets a happen after two tocks only.
+assert Two :[has trace [T]]: <tock, tock, a>
+assert Two :[has trace [T]]: <tock, a>
+-- The hidden a happens before time passes, then b waits.
+assert Urgent :[has trace [T]]: <tock>
+assert Urgent :[has trace [T]]: <b>
+-- One unit passes, then WAIT's end, a tau, comes before time: nothing but a is left.
+assert Dead :[has trace [T]]: <tock, tock>
+assert Dead :[has trace [T]]: <tock, a>
+-- Interleaved processes agree on tock: it does not resolve the choice of who goes first.
+assert Both :[has trace [T]]: <tock, b, tock, a>
+-- STOP lets time pass for ever.
+assert Both :[deadlock free]
+)",
+                    "hhfhhfhhh");
+}
+
+TEST(SessionTest, LinkedParallelHidesTheLink) {
+    expect_outcomes(R"(channel l, r : {0,1}
+Copy = l?x -> r!x -> Copy
+Two = Copy [r <-> l] Copy
+Buffer(s) = (#s < 2 & l?x -> Buffer(s^<x>)) [] (#s > 0 & r!head(s) -> Buffer(tail(s)))
+-- Two one-place cells in a chain are a two-place buffer.
+assert Buffer(<>) [FD= Two
+assert Two [FD= Buffer(<>)
+)",
+                    "hh");
+}
+
+TEST(SessionTest, RenamingIsRelational) {
+    expect_outcomes(R"(channel a, b, c
+P = (a -> STOP)[[ a <- b, a <- c ]]
+assert P :[has trace [T]]: <b>
+assert P :[has trace [T]]: <c>
+assert P :[has trace [T]]: <a>
+)",
+                    "hhf");
+}
+
+// c$x is an internal choice of x, c?x leaves it to the environment.
+TEST(SessionTest, NondeterministicInput) {
+    expect_outcomes(R"(channel c : {0,1}
+assert c?x -> STOP [F= c$x -> STOP
+assert c$x -> STOP [F= c?x -> STOP
+)",
+                    "fh");
+}
+
+// A lambda that comes round again is the same value, so R's recursion is one state.
+TEST(SessionTest, FunctionsAsArgumentsHaveOneIdentity) {
+    expect_outcomes(R"(channel c : {0..3}
+Q(k) = c.k -> Q(k)
+R(f) = c.f(0) -> R(f)
+assert Q(1) [FD= R(\ x @ 1)
+assert R(\ x @ 1) :[deterministic [FD]]
+)",
+                    "hh");
+}
+
+TEST(SessionTest, UnusedValuesAreNotEvaluated) {
+    EXPECT_EQ(value("let y = error(\"y\")\n f(a, b) = b within f(y, 2)"), "2");
+    EXPECT_EQ(value("let y = 1/0 within 3"), "3");
+    EXPECT_EQ(value("card({x | x <- {1..9}, x > 5}) + (if false then head(<>) else 0)"), "4");
+    EXPECT_EQ(value("member(5, Int) and member(<1,2>, Seq({1..2})) and not member(0, {1..})"), "true");
+}
+
+TEST(SessionTest, ValuesPrintAsInFdr) {
+    EXPECT_EQ(value("<(x, y) | x <- <1..2>, y <- <true>>"), "<(1, true), (2, true)>");
+    EXPECT_EQ(value("Union({{1}, {3, 2}})"), "{1, 2, 3}");
+    EXPECT_EQ(value("(-7) / 2 + (-7) % 2"), "-3");  // floor division: -4, remainder 1
+    EXPECT_EQ(value("mapLookup(mapUpdate((| 1 => 2 |), 3, 4), 3)"), "4");
+    EXPECT_EQ(value("let f(0) = 1\n f(n) = n * f(n-1) within f(20)"), "2432902008176640000");
+}
+
+TEST(SessionTest, FaultsAreNamed) {
+    EXPECT_EQ(failure("x = 1/0\n", "x").message, "division by zero");
+    EXPECT_EQ(failure("f(0) = 1\nx = f(1)\n", "x").message, "no clause of 'f' matches (1)");
+    EXPECT_EQ(failure("g(n) = error(\"no \"^show(n))\nx = g(3)\n", "x").message, "error: no 3");
+    EXPECT_GE(failure("g(n) = error(\"no\")\nx = g(3)\n", "x").stack, 2U);
+    EXPECT_EQ(failure("x = y\n", "x").message, "'y' is not in scope");
+    EXPECT_EQ(failure("x = x\n", "x").message, "'x' is defined by itself");
+    EXPECT_EQ(failure("x = card(Int)\n", "x").message, "the set Int is infinite");
+    EXPECT_EQ(failure("x = 9223372036854775807 + 1\n", "x").message, "the number does not fit in 64 bits");
+    EXPECT_EQ(failure("external mtransclose\nx = mtransclose({}, {})\n", "x").message,
+              "'mtransclose' is not supported yet");
+    EXPECT_EQ(failure("x = diamond(STOP)\n", "x").message, "'diamond' must be declared transparent before use");
+    EXPECT_EQ(failure("f(n) = 1 + f(n+1)\nx = f(0)\n", "x").message, "evaluation nests too deeply: runaway recursion?");
+    EXPECT_EQ(failure("channel c : {0,1}\nx = c.2\n", "x").message,
+              "2 is not a value of its field in c.2 (the field's type is {0, 1})");
+}
+
+TEST(SessionTest, RoboToolTimedAssertions) {
+    const auto shared = shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
+    const auto file = shared / "suite" / "robotool-csp-2026" / "timed" / "RC_simplified_assertions.csp";
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics found;
+    Session session(read_file(sources, file.string(), found));
+    ASSERT_TRUE(found.ok());
+    // The script's authors state that model and specification are equal (A0, A2: both directions in FD);
+    // A1 and A3 say it again in tick-tock, through prioritisepo.
+    for (const DeclPtr& assertion : session.assertions()) {
+        if (assertion->assertion.model != Model::failures_divergences) continue;
+        EXPECT_EQ(session.check(*assertion, {}).verdict.outcome, refine::Outcome::holds);
+    }
+    // A specification that does nothing at all is not one of Spec's.
+    const ExprPtr nothing = build::call("RUN", {build::set({})});
+    const Decl wrong = *build::assert_refines(nothing, Model::failures_divergences, build::name("Spec"));
+    EXPECT_EQ(session.check(wrong, {}).verdict.outcome, refine::Outcome::fails);
+}
+
+}  // namespace
+}  // namespace robochart::cspm::test
