@@ -61,7 +61,8 @@ void OperationalSemantics::Impl::begin(TermId term, std::vector<TermId>& stack) 
     Progress& state = progress[static_cast<std::uint32_t>(term)];
     if (state == Progress::pending)
         throw SemanticsError(
-            fmt::format("the process {} is defined by itself before any event, or inside a compression of itself", describe(terms, term)));
+            fmt::format("the process {} is defined by itself before any event, or inside a compression of itself",
+                        describe(terms, term)));
     if (stack.size() >= deepest_nesting)
         throw SemanticsError(fmt::format("more than {} processes inside each other before any event", deepest_nesting));
     state = Progress::pending;

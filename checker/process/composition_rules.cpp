@@ -1,0 +1,175 @@
+// Firing rules of the operators that a system is composed by: parallel, hiding, renaming, priority, chase. Notation and
+// sources as in firing_rules.cpp.
+#include <algorithm>
+#include <limits>
+#include <unordered_set>
+
+#include "checker/process/firing_rules.hpp"
+
+namespace robochart::process {
+namespace {
+
+constexpr std::uint32_t no_level = std::numeric_limits<std::uint32_t>::max();
+
+}  // namespace
+
+// UCS 9.2:  P --x--> P'  (x ∉ A, x ≠ ✓)          P --a--> P', Q --a--> Q'  (a ∈ A)
+//           P [|A|] Q --x--> P' [|A|] Q          P [|A|] Q --a--> P' [|A|] Q'
+// FDR: P --✓-->, Q --✓-->  gives  P [|A|] Q --✓--> Ω (A behaves as A ∪ {✓}); no side terminates alone.
+void FiringRules::parallel(const Term& term, List& list) {
+    const SetId set{term.payload};
+    std::vector<std::size_t> everyone(term.children.size());
+    for (std::size_t i = 0; i < everyone.size(); ++i) {
+        everyone[i] = i;
+        for (const Transition& step : known_.of(term.children[i]))
+            if (step.event != tick && (step.event == tau || !terms_.contains(set, step.event)))
+                list.push_back({step.event, step.revealed, with_operand(term, i, step.target)});
+    }
+    tick_together(term, list);
+    synchronise_all(term, everyone, list);
+}
+
+// UCS 9.2, alphabetised parallel: an event happens if it is in some alphabet and every operand whose alphabet has it
+// performs it; taus are free; tick as in [|A|].
+void FiringRules::alphabetised(const Term& term, List& list) {
+    tick_together(term, list);
+    std::vector<std::size_t> participants;
+    for (std::size_t i = 0; i < term.children.size(); ++i) {
+        Event last = tau;
+        for (const Transition& step : known_.of(term.children[i])) {
+            if (step.event == tau) list.push_back({tau, step.revealed, with_operand(term, i, step.target)});
+            if (step.event == last || step.event == tick || !terms_.contains(term.sets[i], step.event)) continue;
+            last = step.event;
+            participants.clear();
+            for (std::size_t j = 0; j < term.children.size(); ++j)
+                if (terms_.contains(term.sets[j], last)) participants.push_back(j);
+            if (participants.front() == i) synchronise(term, participants, last, list);
+        }
+    }
+}
+
+void FiringRules::tick_together(const Term& term, List& list) {
+    const bool all =
+        std::all_of(term.children.begin(), term.children.end(), [this](TermId child) { return performs(child, tick); });
+    if (all) list.push_back({tick, tick, omega_});
+}
+
+/// Every event of the term's set, but tick, that all participants perform: it is one the first of them performs.
+void FiringRules::synchronise_all(const Term& term, const std::vector<std::size_t>& participants, List& list) {
+    if (participants.empty()) return;
+    Event last = tau;
+    for (const Transition& step : known_.of(term.children[participants.front()])) {
+        if (step.event == last || step.event == tick || !terms_.contains(SetId{term.payload}, step.event)) continue;
+        last = step.event;
+        synchronise(term, participants, step.event, list);
+    }
+}
+
+/// All combinations of the participants' steps by one event, the last participant varying fastest.
+void FiringRules::synchronise(const Term& term, const std::vector<std::size_t>& participants, Event event, List& list) {
+    std::vector<std::span<const Transition>> steps;
+    for (std::size_t participant : participants) {
+        steps.push_back(by_event(term.children[participant], event));
+        if (steps.back().empty()) return;
+    }
+    std::vector<std::size_t> choice(participants.size(), 0);
+    for (bool more = true; more;) {
+        scratch_ = term;
+        for (std::size_t i = 0; i < participants.size(); ++i)
+            scratch_.children[participants[i]] = steps[i][choice[i]].target;
+        list.push_back({event, event, terms_.make(scratch_)});
+        more = false;
+        for (std::size_t i = participants.size(); i-- > 0 && !more;) {
+            more = ++choice[i] < steps[i].size();
+            if (!more) choice[i] = 0;
+        }
+    }
+}
+
+// UCS 9.2:  P --x--> P'  (x ∉ A)          P --a--> P'  (a ∈ A)
+//           P \ A --x--> P' \ A           P \ A --τ--> P' \ A
+// Tick cannot be hidden.
+void FiringRules::hide(const Term& term, List& list) {
+    const SetId set{term.payload};
+    for (const Transition& step : known_.of(term.children[0])) {
+        if (step.event == tick)
+            list.push_back(step);
+        else {
+            const bool hidden = step.event != tau && terms_.contains(set, step.event);
+            list.push_back({hidden ? tau : step.event, step.revealed, with_operand(term, 0, step.target)});
+        }
+    }
+}
+
+// UCS 9.2:  P --a--> P', (a,b) ∈ R  gives  P[[R]] --b--> P'[[R]]; τ and ✓ keep their names. CSPM: an event that R does
+// not mention keeps its name; one mentioned several times is offered under each of its names.
+void FiringRules::rename(const Term& term, List& list) {
+    const Renaming& pairs = terms_[RenamingId{term.payload}];
+    for (const Transition& step : known_.of(term.children[0])) {
+        if (step.event == tick) {
+            list.push_back(step);
+            continue;
+        }
+        const TermId target = with_operand(term, 0, step.target);
+        auto pair = std::lower_bound(pairs.begin(), pairs.end(), EventPair{step.event, 0});
+        const bool named = step.event != tau && pair != pairs.end() && pair->first == step.event;
+        if (!named) list.push_back({step.event, step.revealed, target});
+        for (; named && pair != pairs.end() && pair->first == step.event; ++pair)
+            list.push_back({pair->second, pair->second, target});
+    }
+}
+
+// FDR manual, prioritise(P, <A0, ..., An>), and UCS 20.2: the sets stand in order of descending priority; an event of
+// A_i is prevented where P can also perform an event of A_j with j < i. τ and ✓ count as members of A0: they are never
+// prevented, prevent A_1 ... A_n, and do not prevent A0. An event in none of the sets neither prevents nor is
+// prevented.
+//   P --x--> P',  no y of higher level than x with P --y-->
+//   prioritise(P,O) --x--> prioritise(P',O)
+void FiringRules::prioritise(const Term& term, List& list) {
+    const std::vector<std::uint32_t>& level = levels(OrderId{term.payload});
+    const auto level_of = [&](Event event) { return event < level.size() ? level[event] : no_level; };
+    const std::span<const Transition> steps = known_.of(term.children[0]);
+    std::uint32_t best = no_level;
+    for (const Transition& step : steps) best = std::min(best, level_of(step.event));
+    for (const Transition& step : steps) {
+        const std::uint32_t own = level_of(step.event);
+        if (own != no_level && own > best) continue;
+        list.push_back({step.event, step.revealed, step.event == tick ? omega_ : with_operand(term, 0, step.target)});
+    }
+}
+
+const std::vector<std::uint32_t>& FiringRules::levels(OrderId id) {
+    const auto index = static_cast<std::uint32_t>(id);
+    if (index >= levels_.size()) levels_.resize(index + 1U);
+    std::vector<std::uint32_t>& level = levels_[index];
+    if (!level.empty()) return level;
+    level.assign(first_visible, 0);
+    const PriorityOrder& order = terms_[id];
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        for (Event event : order[i]) {
+            if (event >= level.size()) level.resize(event + 1U, no_level);
+            level[event] = std::min(level[event], i);
+        }
+    return level;
+}
+
+// FDR manual, chase(P): wherever P has taus, one of them is followed at once and the other actions of that state are
+// dropped, until no tau is left. Ours follows the first. Where the taus have no end the result diverges.
+void FiringRules::chase(const Term& term, List& list) {
+    const TermId end = end_of_chase(term.children[0]);
+    if (performs(end, tau)) {
+        list.push_back({tau, tau, with_operand(term, 0, end)});
+        return;
+    }
+    for (const Transition& step : known_.of(end))
+        list.push_back({step.event, step.revealed, step.event == tick ? omega_ : with_operand(term, 0, step.target)});
+}
+
+TermId FiringRules::end_of_chase(TermId operand) const {
+    std::unordered_set<std::uint32_t> passed;
+    while (known_.knows(operand) && performs(operand, tau) && passed.insert(static_cast<std::uint32_t>(operand)).second)
+        operand = known_.of(operand).front().target;
+    return operand;
+}
+
+}  // namespace robochart::process
