@@ -83,6 +83,10 @@ private:
     std::optional<ir::MachineId> machine_alone(const ir::ComponentRef& ref) {
         if (!within(system_.machines.size(), ref)) return std::nullopt;
         const ir::Machine& machine = system_.machines[ref.definition];
+        if (machine.kind == ir::MachineKind::operation) {
+            diagnostics_.report(rules::no_component, machine.origin.span, {machine.name, "it is an operation"});
+            return std::nullopt;
+        }
         describe(machine, "state machine");
         return ir::MachineId{ref.definition};
     }
@@ -266,8 +270,8 @@ private:
         component_.variables.push_back(std::move(entry));
     }
 
-    /// Which level declares a shared variable decides who sees it (semantics 3.7). Returns the initial value that is
-    /// told at the start with.
+    /// Which level declares a shared variable decides who sees it (semantics 3.7). Returns the initial value, if any,
+    /// that this level tells the machine at the start.
     ir::ExprPtr declaring_level(StoredVariable& entry) const {
         const std::string& name = entry.variable->name;
         if (context_.controller == nullptr) {
@@ -399,44 +403,6 @@ private:
 };
 
 }  // namespace
-
-const Unit& Component::unit(ir::MachineId id) const {
-    return *std::find_if(units.begin(), units.end(), [&](const Unit& candidate) { return candidate.id == id; });
-}
-
-const EventPort& Component::event(const Unit& of, ir::EventId id) const {
-    const std::string& wanted = of.machine->events[id.index].name;
-    return *std::find_if(events.begin(), events.end(),
-                         [&](const EventPort& port) { return port.model_name == wanted; });
-}
-
-const StoredVariable* Component::stored(const Unit& of, ir::VariableId id) const {
-    const ir::Variable& variable = of.machine->variables[id.index];
-    if (!of.root && variable.scope != ir::VariableScope::required) return nullptr;
-    const auto found = std::find_if(variables.begin(), variables.end(),
-                                    [&](const StoredVariable& entry) { return entry.variable->name == variable.name; });
-    return &*found;
-}
-
-const PlatformCall& Component::call(const Unit& of, ir::OperationId id) const {
-    const std::string& wanted = of.machine->operations[id.index].name;
-    return *std::find_if(calls.begin(), calls.end(),
-                         [&](const PlatformCall& candidate) { return candidate.signature->name == wanted; });
-}
-
-const ModelledCall& Component::modelled_call(ir::MachineId definition) const {
-    return *std::find_if(modelled.begin(), modelled.end(),
-                         [&](const ModelledCall& candidate) { return candidate.definition == definition; });
-}
-
-std::pair<const Unit*, ir::ClockId> Component::clock(const Unit& of, ir::ClockId id) const {
-    const ir::Clock& wanted = of.machine->clocks[id.index];
-    if (of.root || !wanted.required) return {&of, id};
-    const auto& clocks = root().machine->clocks;
-    for (std::uint32_t index = 0; index < clocks.size(); ++index)
-        if (clocks[index].name == wanted.name) return {&root(), ir::ClockId{index}};
-    return {&of, id};
-}
 
 std::optional<Component> resolve(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
                                  Diagnostics& diagnostics) {

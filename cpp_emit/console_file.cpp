@@ -96,7 +96,7 @@ private:
 
     void raise_function() {
         out_.doc("Raises an event; false if there is none of that name, or the value is wrong.");
-        out_.open("bool raise(const std::string& event, [[maybe_unused]] const std::string& value) {");
+        out_.open("bool raise([[maybe_unused]] const std::string& event, [[maybe_unused]] const std::string& value) {");
         each([&](const FaceClass& part) {
             for (const FaceEvent& event : part.events) {
                 if (event.sent) continue;

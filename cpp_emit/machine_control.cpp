@@ -46,7 +46,8 @@ void MachineWriter::choose_place(NodeId id) {
 }
 
 void MachineWriter::enter_place(NodeId id) {
-    ProgramWriter program(generation_, unit_, control_, id);
+    const bool state = plan_.node(id).kind == NodeKind::state;
+    ProgramWriter program(generation_, unit_, control_, state ? id : plan_.node(id).parent);
     const ir::Node& node = plan_.node(id);
     const std::string label = plan_.enter_label(id);
     program.begin(label, "enters " + generation_.place(node.origin));

@@ -2,6 +2,10 @@
 // exceptions and run-time types; a scripted run of it is clean under AddressSanitizer and UBSan.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 
@@ -66,6 +70,57 @@ INSTANTIATE_TEST_SUITE_P(Corpus, Compiles,
                                            Case{"swarm_taxis", "SwarmTaxisFSM", "SwarmTaxisFSM", machine_script},
                                            Case{"swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", taxis_script}),
                          [](const auto& test) { return test.param.component; });
+
+/// All constructs at once that leave something unused or empty: no inputs, an inner final node below a during action,
+/// operations without body, declared types, names of C++.
+const char* const odd = R"(package new::p
+type Token
+enumeration Light { Red default }
+interface I { var shown : Light op(class : Token) idle() }
+operation op(class : Token) { terminates }
+operation idle() { requires J initial i state S { during wait(1) } final F
+    transition t0 { from i to S } transition t1 { from S to F condition sinceEntry(S) > 1 } }
+interface J { var count : int }
+stm M { requires I requires J event out : Light var token : Token initial i
+    state O { initial i final f transition t0 { from i to f } during out!shown ; shown = Light::default exit count = count + 1 }
+    state P { entry op(token) ; idle() }
+    transition t0 { from i to O } transition t1 { from O to P condition sinceEntry(O) >= 1 } transition t2 { from P to O } }
+controller C { requires I requires J event out : Light sref m = M opref o = op opref d = idle connection m on out to C on out }
+)";
+
+TEST(Compile, OddMachines) {
+    const ir::System system = testing::model(odd);
+    for (const char* name : {"M", "C"}) {
+        Folder folder;
+        folder.write(testing::emit_ok(system, testing::component(system, name)));
+        for (const char* compiler : {"g++", "clang++"}) {
+            std::string ignored;
+            if (folder.status(std::string(compiler) + " --version", ignored) != 0) continue;
+            folder.run(
+                compiler +
+                std::string(
+                    " -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I. -fsyntax-only *.cpp"));
+        }
+    }
+}
+
+/// RoboTool's own models, where they are at hand.
+TEST(Compile, RoboToolsModels) {
+    namespace fs = std::filesystem;
+    const char* const given = std::getenv("ROBOCHART_SHARED");
+    const fs::path suite =
+        fs::path(given != nullptr ? given : std::string(ROBOCHART_SOURCE_DIR) + "/../shared") / "suite/robotool/accept";
+    if (!fs::is_directory(suite)) GTEST_SKIP() << "no models at " << suite;
+    std::set<fs::path> projects(fs::directory_iterator(suite), fs::directory_iterator{});
+    std::size_t generated = 0;
+    Folder folder;
+    for (const fs::path& project : projects) generated += testing::emit_all(project.string(), folder);
+    EXPECT_GE(generated, 45U);
+    folder.run(
+        "for d in */; do (cd $d && c++ -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Werror -fno-exceptions "
+        "-fno-rtti"
+        " -I.. -I. -fsyntax-only *_explore.cpp) || exit 1; done");
+}
 
 }  // namespace
 }  // namespace robochart::cpp_emit

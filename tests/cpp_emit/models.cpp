@@ -43,4 +43,33 @@ ir::System model(const std::string& text) {
     return lowered(sources, model, diagnostics);
 }
 
+std::size_t emit_all(const std::string& project, const Folder& folder) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    const auto model = frontend::load_project(sources, project, diagnostics);
+    if (!diagnostics.ok()) return 0;
+    const ir::System system = ir::lower(*model, sources, diagnostics);
+    const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
+    std::size_t generated = 0;
+    const auto emit_each = [&](const auto& items, ir::ComponentKind kind) {
+        for (std::uint32_t i = 0; i < items.size(); ++i) {
+            ir::ComponentRef ref;
+            ref.kind = kind;
+            ref.definition = i;
+            diagnostics::Diagnostics refusals;
+            Emission emission = emit(system, inst, ref, {}, refusals);
+            if (emission.files.empty()) continue;
+            const std::string name = std::to_string(std::hash<std::string>{}(project)) + "_" +
+                                     std::to_string(static_cast<int>(kind)) + "_" + std::to_string(i);
+            for (OutputFile& file : emission.files) file.path.insert(0, name + "/");
+            folder.write(emission);
+            ++generated;
+        }
+    };
+    emit_each(system.machines, ir::ComponentKind::machine);
+    emit_each(system.controllers, ir::ComponentKind::controller);
+    emit_each(system.modules, ir::ComponentKind::module);
+    return generated;
+}
+
 }  // namespace robochart::cpp_emit::testing

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "semantics/ir.hpp"
+#include "tests/cpp_emit/harness.hpp"
 
 namespace robochart::cpp_emit::testing {
 
@@ -11,5 +12,9 @@ namespace robochart::cpp_emit::testing {
 [[nodiscard]] ir::System corpus(const std::string& name);
 /// RoboChart text as IR; it must be free of errors.
 [[nodiscard]] ir::System model(const std::string& text);
+
+/// Writes the code of every component of a project that can be generated, one folder each; how many there are.
+/// Projects with errors count as none.
+[[nodiscard]] std::size_t emit_all(const std::string& project, const Folder&);
 
 }  // namespace robochart::cpp_emit::testing

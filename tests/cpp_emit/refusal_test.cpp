@@ -42,6 +42,7 @@ TEST(Refusals, NoSuchComponent) {
     EXPECT_EQ(codes(system, ref), Codes{"RC-G01"});
     ref.kind = ir::ComponentKind::process;
     EXPECT_EQ(codes(system, ref), Codes{"RC-G01"});
+    EXPECT_EQ(codes(system, component(system, "MoveClockwise")), Codes{"RC-G01"});
 }
 
 TEST(Refusals, SeveralMachines) {
