@@ -144,7 +144,8 @@ const Code* Resolver::let(const Expr& expr) {
     scope_ = &new_scope(outer);
     code.slot = unit_->size++;
     std::vector<std::function<void()>> jobs;
-    let_members(expr.decls, group, code.slot, jobs);
+    LetScope scope{group, code.slot, jobs};
+    let_members(expr.decls, scope);
     for (const auto& job : jobs) job();
     code.args = {compile(expr.args[0])};
     scope_ = outer;
@@ -152,95 +153,105 @@ const Code* Resolver::let(const Expr& expr) {
     return &code;
 }
 
-void Resolver::let_members(const std::vector<DeclPtr>& decls, Group& group, int slot,
-                           std::vector<std::function<void()>>& jobs) {
-    const auto bind_member = [&](const std::string& name, std::size_t index, Span span) {
-        const Binding binding{What::member, unit_, slot, &group, static_cast<int>(index), nullptr, span};
-        if (!scope_->names.emplace(name, binding).second) fail("'" + name + "' is declared twice in one let", span);
-    };
-    const auto new_member = [&](const std::string& name, Span span) {
-        Member& member = group.members.emplace_back();
-        member.function.number = functions_++;
-        member.function.name = name;
-        member.function.span = span;
-        member.function.environment = 1;
-        return group.members.size() - 1;
-    };
-    const auto compile_later = [&](std::size_t index, const Decl& decl) {
-        jobs.emplace_back([this, &group, index, &decl, timed = timed_] {
-            TimedSection* const outside = std::exchange(timed_, timed);
-            clause_of(group.members[index].function, decl, group.unit, &group);
-            timed_ = outside;
-        });
-    };
+std::size_t Resolver::let_member(LetScope& let, const std::string& name, Span span) {
+    Member& member = let.group.members.emplace_back();
+    member.function.number = functions_++;
+    member.function.name = name;
+    member.function.span = span;
+    member.function.environment = 1;
+    return let.group.members.size() - 1;
+}
+
+void Resolver::let_bind(LetScope& let, const std::string& name, std::size_t index, Span span) {
+    const Binding binding{What::member, unit_, let.slot, &let.group, static_cast<int>(index), nullptr, span};
+    if (!scope_->names.emplace(name, binding).second) fail("'" + name + "' is declared twice in one let", span);
+}
+
+void Resolver::let_clause(LetScope& let, std::size_t index, const Decl& decl) {
+    let.jobs.emplace_back([this, &group = let.group, index, &decl, timed = timed_] {
+        TimedSection* const outside = std::exchange(timed_, timed);
+        clause_of(group.members[index].function, decl, group.unit, &group);
+        timed_ = outside;
+    });
+}
+
+void Resolver::let_members(const std::vector<DeclPtr>& decls, LetScope& let) {
     const Decl* previous = nullptr;
-    std::vector<DeclPtr> given;
     for (const DeclPtr& each : decls) {
-        const std::vector<DeclPtr> parts = each->kind == DeclKind::value ? split_tuple(*each) : std::vector<DeclPtr>{};
-        given.insert(given.end(), parts.begin(), parts.end());
-        if (parts.empty()) given.push_back(each);
-    }
-    for (const DeclPtr& each : given) {
         const Decl& decl = *each;
         const bool more = previous != nullptr && previous->kind == DeclKind::function &&
                           decl.kind == DeclKind::function && previous->names == decl.names;
         previous = &decl;
         if (decl.kind == DeclKind::function) {
-            const std::size_t index = more ? group.members.size() - 1 : new_member(decl.names.at(0), decl.span);
-            if (!more) bind_member(decl.names.at(0), index, decl.span);
-            compile_later(index, decl);
+            const std::size_t last = let.group.members.size() - 1;
+            const std::size_t index = more ? last : let_member(let, decl.names.at(0), decl.span);
+            if (!more) let_bind(let, decl.names.at(0), index, decl.span);
+            let_clause(let, index, decl);
         } else if (decl.kind == DeclKind::value) {
-            const Pattern& pattern = *decl.patterns.at(0).at(0);
-            const bool plain = pattern.kind == PatternKind::name;
-            const std::size_t whole = new_member(plain ? pattern.text : "_", decl.span);
-            compile_later(whole, decl);
-            if (plain) {
-                bind_member(pattern.text, whole, decl.span);
-                continue;
-            }
-            std::vector<std::string> names;
-            const std::function<void(const Pattern&)> collect = [&](const Pattern& part) {
-                const Binding* known = part.kind == PatternKind::name ? find(part.text, scope_) : nullptr;
-                if (part.kind == PatternKind::name && (known == nullptr || known->what != What::head)) {
-                    names.push_back(part.text);
-                }
-                for (const PatternPtr& arg : part.args) collect(*arg);
-            };
-            collect(pattern);
-            for (const std::string& variable : names) {
-                const std::size_t component = new_member(variable, decl.span);
-                group.members[component].component_of = static_cast<int>(whole);
-                bind_member(variable, component, decl.span);
-                jobs.emplace_back([this, &group, whole, component, variable, &pattern] {
-                    std::vector<std::pair<std::string, int>> slots;
-                    variables(group.members[whole].function.clauses.at(0).patterns.at(0), pattern, slots);
-                    for (const auto& [found, at] : slots) {
-                        if (found == variable) group.members[component].component_slot = at;
-                    }
-                });
-            }
+            let_value(decl, let);
         } else if (decl.kind == DeclKind::transparent || decl.kind == DeclKind::external) {
             declare_builtins(decl, *scope_, nullptr);
         } else if (decl.kind == DeclKind::timed) {
-            TimedSection& section = program_.timed.emplace_back();
-            const Binding* tock = find("tock", scope_);
-            if (tock == nullptr || tock->what != What::head) {
-                fail("a timed section needs a channel 'tock' in scope", decl.span);
-            }
-            section.tock = tock->index;
-            if (decl.body) {
-                Unit* const outer = std::exchange(unit_, &new_unit(nullptr));
-                section.unit = unit_;
-                Scope* const inside = std::exchange(scope_, global_);
-                section.duration = compile(decl.body);
-                scope_ = inside;
-                unit_ = outer;
-            }
-            TimedSection* const outside = std::exchange(timed_, &section);
-            let_members(decl.decls, group, slot, jobs);
-            timed_ = outside;
+            let_timed(decl, let);
         }
     }
+}
+
+void Resolver::let_value(const Decl& decl, LetScope& let) {
+    if (const std::vector<DeclPtr> parts = split_tuple(decl); !parts.empty()) {
+        for (const DeclPtr& part : parts) let_value(*part, let);
+        return;
+    }
+    const Pattern& pattern = *decl.patterns.at(0).at(0);
+    const bool plain = pattern.kind == PatternKind::name;
+    const std::size_t whole = let_member(let, plain ? pattern.text : "_", decl.span);
+    let_clause(let, whole, decl);
+    if (plain) return let_bind(let, pattern.text, whole, decl.span);
+    for (const std::string& variable : pattern_variables(pattern)) {
+        const std::size_t component = let_member(let, variable, decl.span);
+        let.group.members[component].component_of = static_cast<int>(whole);
+        let_bind(let, variable, component, decl.span);
+        let.jobs.emplace_back([this, &group = let.group, whole, component, variable, &pattern] {
+            std::vector<std::pair<std::string, int>> slots;
+            variables(group.members[whole].function.clauses.at(0).patterns.at(0), pattern, slots);
+            for (const auto& [found, at] : slots) {
+                if (found == variable) group.members[component].component_slot = at;
+            }
+        });
+    }
+}
+
+// The names a pattern binds: those that are no constructors or channels.
+std::vector<std::string> Resolver::pattern_variables(const Pattern& pattern) {
+    std::vector<std::string> result;
+    if (pattern.kind == PatternKind::name) {
+        const Binding* known = find(pattern.text, scope_);
+        if (known == nullptr || known->what != What::head) result.push_back(pattern.text);
+    }
+    for (const PatternPtr& arg : pattern.args) {
+        const std::vector<std::string> more = pattern_variables(*arg);
+        result.insert(result.end(), more.begin(), more.end());
+    }
+    return result;
+}
+
+// A timed section in a let. Its duration function sees the script's names, not the let's.
+void Resolver::let_timed(const Decl& decl, LetScope& let) {
+    TimedSection& section = program_.timed.emplace_back();
+    const Binding* tock = find("tock", scope_);
+    if (tock == nullptr || tock->what != What::head) fail("a timed section needs a channel 'tock' in scope", decl.span);
+    section.tock = tock->index;
+    if (decl.body) {
+        Unit* const outer = std::exchange(unit_, &new_unit(nullptr));
+        section.unit = unit_;
+        Scope* const inside = std::exchange(scope_, global_);
+        section.duration = compile(decl.body);
+        scope_ = inside;
+        unit_ = outer;
+    }
+    TimedSection* const outside = std::exchange(timed_, &section);
+    let_members(decl.decls, let);
+    timed_ = outside;
 }
 
 const Code* Resolver::prefix(const Expr& expr) {

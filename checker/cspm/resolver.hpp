@@ -61,6 +61,13 @@ private:
         TimedSection* timed = nullptr;
     };
 
+    // A let being compiled: its members, the slot of their environment, and what waits until all are declared.
+    struct LetScope {
+        Group& group;
+        int slot;
+        std::vector<std::function<void()>>& jobs;
+    };
+
     // declarations
     void declare(const std::vector<DeclPtr>& decls, const Target& target);
     std::size_t declare_function(const std::vector<DeclPtr>& decls, std::size_t first, const Target& target);
@@ -98,8 +105,13 @@ private:
     const Code* literal(const Expr& expr);
     const Code* lambda(const Expr& expr);
     const Code* let(const Expr& expr);
-    void let_members(const std::vector<DeclPtr>& decls, Group& group, int slot,
-                     std::vector<std::function<void()>>& jobs);
+    void let_members(const std::vector<DeclPtr>& decls, LetScope& let);
+    std::size_t let_member(LetScope& let, const std::string& name, Span span);
+    void let_bind(LetScope& let, const std::string& name, std::size_t index, Span span);
+    void let_clause(LetScope& let, std::size_t index, const Decl& decl);
+    void let_value(const Decl& decl, LetScope& let);
+    void let_timed(const Decl& decl, LetScope& let);
+    std::vector<std::string> pattern_variables(const Pattern& pattern);
     const Code* prefix(const Expr& expr);
     FieldCode field(const Field& field);
     void field_parts(const Pattern& pattern, std::vector<MatchCode>& parts);
