@@ -202,6 +202,13 @@ private:
                 (receives ? port.received : port.sent) = true;
             });
         }
+        const auto& declared = component_.root().machine->events;
+        const auto place = [&](const EventPort& port) {
+            return std::find_if(declared.begin(), declared.end(),
+                                [&](const ir::Event& event) { return event.name == port.model_name; });
+        };
+        std::stable_sort(component_.events.begin(), component_.events.end(),
+                         [&](const EventPort& a, const EventPort& b) { return place(a) < place(b); });
         for (const EventPort& port : component_.events) {
             if (!port.received || port.outside) continue;
             diagnostics_.report(rules::unconnected, component_.origin.span,

@@ -77,7 +77,7 @@ struct Component {
     std::string package;
     ir::Origin origin;
     std::vector<Unit> units;        ///< callees before callers; the component's machine last
-    std::vector<EventPort> events;  ///< in textual order
+    std::vector<EventPort> events;  ///< as the machine declares them
     std::vector<StoredVariable> variables;
     std::vector<PlatformCall> calls;
     std::vector<ModelledCall> modelled;

@@ -26,8 +26,8 @@ TEST_F(Machine, ListsInputsAndOutputs) {
     EXPECT_STREQ(interface.component, "AggregationFSM");
     EXPECT_EQ(interface.scale, 100);
     ASSERT_EQ(interface.inputs, 2U);  // nothing reads the shared speeds, so they are no inputs
-    EXPECT_STREQ(interface.input[0].name, "seeRobot.in");
-    EXPECT_STREQ(interface.input[1].name, "seeWall.in");
+    EXPECT_STREQ(interface.input[0].name, "seeWall.in");
+    EXPECT_STREQ(interface.input[1].name, "seeRobot.in");
 }
 
 TEST_F(Machine, FirstCycleEntersS1) {
