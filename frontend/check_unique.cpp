@@ -58,6 +58,16 @@ bool clash(const Declaration& a, const Declaration& b) {
 
 }  // namespace
 
+void check_unique(const File& file, Diagnostics& out) {
+    std::map<std::string_view, const Assertion*> seen;
+    for (const Assertion& assertion : file.assertions) {
+        const auto [first, fresh] = seen.emplace(assertion.name, &assertion);
+        if (fresh) continue;
+        out.report(rules::not_unique, assertion.name_span, {assertion.name})
+            .notes.push_back({first->second->name_span, "first declared here"});
+    }
+}
+
 void check_unique(const Names& names, Diagnostics& out) {
     for (const auto& [full, declarations] : names.entries()) {
         for (std::size_t i = 1; i < declarations.size(); ++i) {

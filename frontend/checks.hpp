@@ -25,5 +25,7 @@ void check_directions(const Component& component, Diagnostics& out);
 void check_time(const Machine& machine, Diagnostics& out);
 /// Declarations of one name: RC-N03.
 void check_unique(const Names& names, Diagnostics& out);
+/// Assertions of one name in a file: RC-N03.
+void check_unique(const File& file, Diagnostics& out);
 
 }  // namespace robochart::frontend

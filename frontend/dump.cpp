@@ -71,7 +71,7 @@ std::string Dumper::parameters(const std::vector<VariablePtr>& list) const {
     std::string out;
     for (const VariablePtr& parameter : list)
         out += (out.empty() ? "" : ", ") + parameter->name + ":" +
-               (resolved_ ? to_string(parameter->type) : to_text(*parameter->type_expr));
+               (resolved_ || !parameter->type_expr ? to_string(parameter->type) : to_text(*parameter->type_expr));
     return out;
 }
 
@@ -80,7 +80,8 @@ void Dumper::expressions(std::string_view word, const std::vector<ExprPtr>& list
 }
 
 void Dumper::variable(const Variable& variable) {
-    const std::string type = resolved_ ? to_string(variable.type) : to_text(*variable.type_expr);
+    const bool semantic = resolved_ || !variable.type_expr;
+    const std::string type = semantic ? to_string(variable.type) : to_text(*variable.type_expr);
     line("{} {}:{}{}", to_text(variable.kind), variable.name, type,
          variable.initial ? " = " + typed(*variable.initial) : "");
 }
@@ -100,7 +101,7 @@ void Dumper::type_declaration(const TypeDeclaration& type) {
 
 void Dumper::function(const Function& function) {
     line("function {}({}):{}", function.name, parameters(function.parameters),
-         resolved_ ? to_string(function.result) : to_text(*function.result_expr));
+         resolved_ || !function.result_expr ? to_string(function.result) : to_text(*function.result_expr));
     inside([&] {
         expressions("precondition", function.preconditions);
         expressions("postcondition", function.postconditions);

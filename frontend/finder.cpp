@@ -36,8 +36,7 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
         finding.notes.push_back({other->name_span, "it is declared here"});
         return nullptr;
     }
-    diagnostics::Diagnostic& finding =
-        unknown(name, what, "in the project as seen from here", names_.candidates(kinds));
+    diagnostics::Diagnostic& finding = unknown(name, what, "in the project as seen from here", candidates(kinds));
     if (const Declaration* hidden = names_.anywhere(name.parts.back(), kinds)) {
         const std::string full = names_.full_name(hidden);
         const std::size_t cut = full.rfind("::");
@@ -50,10 +49,15 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
     return nullptr;
 }
 
+std::vector<std::string> Finder::candidates(const Kinds& kinds) const {
+    return out_.errors() < diagnostics::Diagnostics::max_kept ? names_.candidates(kinds) : std::vector<std::string>();
+}
+
 diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                          const std::vector<std::string>& candidates) {
     diagnostics::Diagnostic& finding =
         out_.report(rules::unknown_name, name.span, {std::string(what), shorten(name.text()), std::string(where)});
+    if (out_.errors() > diagnostics::Diagnostics::max_kept) return finding;
     const std::string meant = nearest(name.parts.back(), candidates);
     if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, "did you mean"});
     return finding;

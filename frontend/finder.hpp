@@ -19,6 +19,16 @@ public:
     /// Reports an unknown name with the nearest candidate as a mend. `where` completes "there is no X `x` …".
     diagnostics::Diagnostic& unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                      const std::vector<std::string>& candidates);
+    /// Simple names of these kinds for a suggestion; none once nobody will see it.
+    [[nodiscard]] std::vector<std::string> candidates(const Kinds& kinds) const;
+    /// The keys of a scope's table, likewise.
+    template <class Map>
+    [[nodiscard]] std::vector<std::string> keys(const Map& map) const {
+        std::vector<std::string> result;
+        if (out_.errors() >= diagnostics::Diagnostics::max_kept) return result;
+        for (const auto& entry : map) result.emplace_back(entry.first);
+        return result;
+    }
     [[nodiscard]] const Names& names() const { return names_; }
     [[nodiscard]] diagnostics::Diagnostics& out() { return out_; }
 
@@ -26,13 +36,5 @@ private:
     const Names& names_;
     diagnostics::Diagnostics& out_;
 };
-
-/// The keys of a scope's table, for suggestions.
-template <class Map>
-[[nodiscard]] std::vector<std::string> keys(const Map& map) {
-    std::vector<std::string> result;
-    for (const auto& [name, declaration] : map) result.emplace_back(name);
-    return result;
-}
 
 }  // namespace robochart::frontend

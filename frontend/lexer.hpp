@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <string_view>
 #include <vector>
 
@@ -37,7 +38,7 @@ struct Token {
 
 /// A text in words; the last token is `end`. Comments keep their places so that a formatter can put them back.
 struct TokenStream {
-    std::vector<Token> tokens;
+    std::deque<Token> tokens;  ///< a deque: a long text needs no second copy while it grows
     std::vector<diagnostics::Span> comments;
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "frontend/names.hpp"
 #include "frontend/project.hpp"
 #include "frontend/syntax_rules.hpp"
 
@@ -138,14 +139,14 @@ std::string Parser::found() const {
 
 // ---------------------------------------------------------------- mistakes and recovery
 
-void Parser::report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
-    if (at_ < quiet_until_) return;
+diagnostics::Diagnostic* Parser::report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
+    if (at_ < quiet_until_) return nullptr;
     quiet_until_ = at_ + 3;
     if (++mistakes_ > max_mistakes) {
         out_.report(syntax::too_many, span);
         throw GiveUp{};
     }
-    out_.report(rule, span, std::move(arguments));
+    return &out_.report(rule, span, std::move(arguments));
 }
 
 void Parser::fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
@@ -164,6 +165,37 @@ void Parser::expected(std::string_view what) {
     Span span = peek().span;
     if (at_ > 0 && (peek().first_on_line || at_end())) span = {source_, previous().span.end, previous().span.end};
     fail(syntax::unexpected, span, {std::string(what), found()});
+}
+
+/// The word of the grammar that a misspelt name is near to; "" if there is none.
+std::string_view Parser::meant_word() {
+    constexpr std::size_t most_checks = 1000;  // garbage of many lines is not worth more
+    if (peek().kind != TokenKind::identifier || peek().escaped || ++spelling_checks_ > most_checks) return {};
+    std::vector<std::string> words(member_words.begin(), member_words.end());
+    words.insert(words.end(), top_level_words.begin(), top_level_words.end());
+    const std::string meant = nearest(peek().text, words);
+    const auto& reserved = reserved_words();
+    const auto word = std::lower_bound(reserved.begin(), reserved.end(), meant);
+    return meant.empty() || word == reserved.end() || *word != meant ? std::string_view() : *word;
+}
+
+void Parser::wrong_word(std::string_view what) {
+    const Span span = peek().span;
+    const std::string_view meant = meant_word();
+    diagnostics::Diagnostic* finding = report(syntax::unexpected, span, {std::string(what), found()});
+    if (finding == nullptr || meant.empty()) throw SyntaxError{};
+    finding->fixes.push_back({span, std::string(meant), "did you mean"});
+    tokens_[at_].kind = TokenKind::keyword;
+    tokens_[at_].text = meant;
+    quiet_until_ = 0;
+    mended_ = true;
+    throw SyntaxError{};
+}
+
+bool Parser::mended() {
+    const bool result = mended_;
+    mended_ = false;
+    return result;
 }
 
 bool Parser::at_top_level_word() const {
@@ -191,6 +223,10 @@ void Parser::skip_balanced() {
 
 void Parser::skip_to_member() {
     while (!at_end() && !at("}") && !at_member_word() && !at_top_level_word()) {
+        if (peek().first_on_line && !meant_word().empty()) {
+            quiet_until_ = 0;  // a mistake of its own
+            return;
+        }
         if (at("{") || at("<{"))
             skip_balanced();
         else

@@ -5,6 +5,7 @@
 // member. Elements enter their owner before their body is read, so that what was read is kept.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -73,10 +74,15 @@ private:
     [[nodiscard]] std::string found() const;
 
     // Mistakes and recovery (parser.cpp)
-    void report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
+    /// Null if the mistake follows from one already reported.
+    diagnostics::Diagnostic* report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[noreturn]] void too_deep(std::size_t limit);
     [[noreturn]] void expected(std::string_view what);
+    /// Something else than a member: a misspelt word is mended in place, so that the member is read after all.
+    [[noreturn]] void wrong_word(std::string_view what);
+    [[nodiscard]] std::string_view meant_word();
+    [[nodiscard]] bool mended();
     template <class Body>
     bool guarded(Body body);
     void skip_balanced();
@@ -97,7 +103,7 @@ private:
     std::unique_ptr<Declaration> function();
     std::unique_ptr<Declaration> interface();
     std::unique_ptr<Context> platform();
-    VariablePtr variable(DeclKind kind);
+    void variable(std::vector<VariablePtr>& list, DeclKind kind);
     std::vector<VariablePtr> parameters();
     template <class Member>
     void braces(Member member, unsigned members);
@@ -149,6 +155,7 @@ private:
     StmtPtr assignment();
     [[nodiscard]] bool looks_like_assignment() const;
     std::unique_ptr<Communication> communication();
+    [[nodiscard]] bool repair_assignment();
     void communication_predicate(Communication& communication);
     ExprPtr communicated_value();
 
@@ -169,6 +176,7 @@ private:
     [[nodiscard]] std::optional<std::pair<BinaryOp, int>> operator_here() const;
     [[nodiscard]] bool at_quantifier() const;
     [[nodiscard]] bool at_member_step() const;
+    [[nodiscard]] bool repair_equality(int level);
     void check_weak_prefix(int level, int own_level);
     void bindings(Expr& expr);
     void such_that(Expr& expr);
@@ -210,13 +218,15 @@ private:
     diagnostics::SourceId source_;
     bool is_assertions_;
     diagnostics::Diagnostics& out_;
-    std::vector<Token> tokens_;
+    std::deque<Token> tokens_;
     std::vector<Span> comments_;
     std::size_t at_ = 0;
     std::size_t depth_ = 0;
     std::size_t mistakes_ = 0;
     std::size_t quiet_until_ = 0;  ///< mistakes before this word follow from one already reported
+    std::size_t spelling_checks_ = 0;
     bool lexical_errors_ = false;
+    bool mended_ = false;  ///< the word here was misspelt and is now right
 };
 
 /// Runs one member; a mistake in it ends it. True if it was read to its end.
@@ -241,7 +251,7 @@ void Parser::braces(Member member, unsigned members) {
             return;
         }
         const std::size_t start = at_;
-        if (guarded(member)) continue;
+        if (guarded(member) || mended()) continue;
         if (at_ == start && !at("{")) advance();
         skip_to_member();
     }

@@ -30,19 +30,20 @@ void Parser::interface_clause(Context& context) {
 void Parser::variable_list(Context& context) {
     const DeclKind kind = at("var") ? DeclKind::variable : DeclKind::constant;
     advance();
-    do context.variables.push_back(variable(kind));
+    do variable(context.variables, kind);
     while (accept(","));
 }
 
 void Parser::event(Context& context) {
-    auto event = std::make_unique<Event>();
-    event->span = peek().span;
-    event->broadcast = accept("_broadcast");
+    auto owned = std::make_unique<Event>();
+    Event& event = *owned;
+    event.span = peek().span;
+    event.broadcast = accept("_broadcast");
     expect("event");
-    name(*event);
-    if (accept(":")) event->type_expr = type();
-    event->span = since(event->span);
-    context.events.push_back(std::move(event));
+    name(event);
+    context.events.push_back(std::move(owned));
+    if (accept(":")) event.type_expr = type();
+    event.span = since(event.span);
 }
 
 void Parser::clock(Context& context) {
@@ -100,7 +101,7 @@ void Parser::controller_member(Component& component) {
         component.order.push_back(component.operations.back().get());
         return;
     }
-    if (wrong_reference || !machine_part(component)) expected("a member of a controller");
+    if (wrong_reference || !machine_part(component)) wrong_word("a member of a controller");
 }
 
 std::unique_ptr<Component> Parser::module() {
@@ -125,7 +126,7 @@ void Parser::module_member(Component& component) {
         return;
     }
     if (at("opref") || !machine_part(component))
-        expected("a platform, controller, reference or connection of the module");
+        wrong_word("a platform, controller, reference or connection of the module");
 }
 
 std::unique_ptr<Reference> Parser::reference() {

@@ -42,7 +42,7 @@ void Parser::top_level(File& file) {
         }
         if (auto declared = declaration()) file.declarations.push_back(std::move(declared));
     });
-    if (read) return;
+    if (read || mended()) return;
     if (at_ == start && !at("{")) advance();
     while (!at_end() && !at_member_word() && !at_top_level_word()) {
         if (at("{"))
@@ -67,7 +67,7 @@ std::unique_ptr<Declaration> Parser::declaration() {
 std::unique_ptr<Declaration> Parser::type_declaration() {
     if (at("datatype") || at("record")) return record_type();
     if (at("enumeration")) return enumeration();
-    if (!at("type")) expected("a declaration");
+    if (!at("type")) wrong_word("a declaration");
     auto type = std::make_unique<TypeDeclaration>(DeclKind::primitive_type);
     type->span = expect("type");
     name(*type);
@@ -80,7 +80,7 @@ std::unique_ptr<Declaration> Parser::record_type() {
     type->record_keyword = at("record");
     type->span = advance().span;
     name(*type);
-    guarded([&] { braces([&] { type->fields.push_back(variable(DeclKind::field)); }, 0); });
+    guarded([&] { braces([&] { variable(type->fields, DeclKind::field); }, 0); });
     type->span = since(type->span);
     return type;
 }
@@ -111,24 +111,25 @@ std::vector<VariablePtr> Parser::parameters() {
     std::vector<VariablePtr> list;
     expect("(");
     if (!at(")")) {
-        do list.push_back(variable(DeclKind::parameter));
+        do variable(list, DeclKind::parameter);
         while (accept(","));
     }
     expect(")");
     return list;
 }
 
-/// `v:T`, and `= e` where variables and constants allow it.
-VariablePtr Parser::variable(DeclKind kind) {
-    auto variable = std::make_unique<Variable>(kind);
-    variable->span = peek().span;
-    name(*variable);
+/// `v:T`, and `= e` where variables and constants allow it. It is known by its name even if its type is not readable.
+void Parser::variable(std::vector<VariablePtr>& list, DeclKind kind) {
+    auto owned = std::make_unique<Variable>(kind);
+    Variable& variable = *owned;
+    variable.span = peek().span;
+    name(variable);
+    list.push_back(std::move(owned));
     expect(":");
-    variable->type_expr = type();
+    variable.type_expr = type();
     const bool may_have_value = kind == DeclKind::variable || kind == DeclKind::constant;
-    if (may_have_value && accept("=")) variable->initial = expression();
-    variable->span = since(variable->span);
-    return variable;
+    if (may_have_value && accept("=")) variable.initial = expression();
+    variable.span = since(variable.span);
 }
 
 std::unique_ptr<Declaration> Parser::function() {
@@ -156,7 +157,7 @@ std::unique_ptr<Declaration> Parser::interface() {
     name(*interface);
     const auto member = [&] {
         const bool clause = at("uses") || at("requires") || at("provides");
-        if (clause || !context_member(*interface)) expected("an operation, event, variable, constant or clock");
+        if (clause || !context_member(*interface)) wrong_word("an operation, event, variable, constant or clock");
     };
     guarded([&] { braces(member, context_members); });
     interface->span = since(interface->span);
@@ -169,7 +170,7 @@ std::unique_ptr<Context> Parser::platform() {
     expect("platform");
     name(*platform);
     const auto member = [&] {
-        if (!context_member(*platform)) expected("a member of a robotic platform");
+        if (!context_member(*platform)) wrong_word("a member of a robotic platform");
     };
     guarded([&] { braces(member, context_members); });
     platform->span = since(platform->span);

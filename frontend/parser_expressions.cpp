@@ -104,9 +104,9 @@ ExprPtr Parser::quantified() {
 
 void Parser::bindings(Expr& expr) {
     do {
-        Binding binding;
-        binding.variable = variable(DeclKind::bound_variable);
-        expr.bindings.push_back(std::move(binding));
+        std::vector<VariablePtr> read;
+        variable(read, DeclKind::bound_variable);
+        expr.bindings.push_back({std::move(read.front()), nullptr});
     } while (accept(","));
 }
 
@@ -122,10 +122,22 @@ ExprPtr Parser::operand(int level) {
             left = cast(std::move(left));
             continue;
         }
+        if (repair_equality(level)) continue;
         const auto next = operator_here();
         if (!next || next->second < level) return left;
         left = infix(std::move(left), next->first, next->second);
     }
+}
+
+/// `=` between expressions is meant as `==`.
+bool Parser::repair_equality(int level) {
+    if (!at("=") || level > compare_level) return false;
+    const Span span = peek().span;
+    if (diagnostics::Diagnostic* finding = report(syntax::single_equal, span))
+        finding->fixes.push_back({span, "==", "write"});
+    tokens_[at_].text = "==";
+    quiet_until_ = 0;
+    return true;
 }
 
 ExprPtr Parser::infix(ExprPtr left, BinaryOp op, int level) {

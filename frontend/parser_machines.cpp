@@ -13,7 +13,7 @@ std::unique_ptr<Machine> Parser::machine() {
     machine->span = expect("stm");
     name(*machine);
     const auto member = [&] {
-        if (!context_member(*machine) && !node_member(*machine)) expected("a member of a state machine");
+        if (!context_member(*machine) && !node_member(*machine)) wrong_word("a member of a state machine");
     };
     guarded([&] { braces(member, context_members | node_members); });
     machine->span = since(machine->span);
@@ -26,7 +26,7 @@ std::unique_ptr<Machine> Parser::operation() {
     name(*operation);
     const auto member = [&] {
         if (!context_member(*operation) && !node_member(*operation) && !contract_member(*operation))
-            expected("a member of an operation");
+            wrong_word("a member of an operation");
     };
     guarded([&] {
         operation->parameters = parameters();
@@ -76,7 +76,7 @@ void Parser::node(NodeContainer& container, DeclKind kind) {
 void Parser::state_body(State& state) {
     const auto member = [&] {
         if (at("entry") || at("during") || at("exit")) return action(state);
-        if (!node_member(state)) expected("a node, transition or action of the state");
+        if (!node_member(state)) wrong_word("a node, transition or action of the state");
     };
     braces(member, node_members | action_members);
 }

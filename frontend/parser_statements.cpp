@@ -120,13 +120,25 @@ bool Parser::looks_like_assignment() const {
             if (token.is(";") || token.is("}") || token.kind == TokenKind::end) return false;
         } while (open > 0);
     }
-    return peek(ahead).is("=");
+    return peek(ahead).is("=") || (peek(ahead).is(":") && peek(ahead + 1).is("="));
+}
+
+/// `:=` is meant as `=`.
+bool Parser::repair_assignment() {
+    if (!at(":")) return false;
+    const Span span = diagnostics::join(peek().span, peek(1).span);
+    if (diagnostics::Diagnostic* finding = report(syntax::colon_equal, span))
+        finding->fixes.push_back({span, "=", "write"});
+    advance();
+    advance();
+    quiet_until_ = 0;
+    return true;
 }
 
 StmtPtr Parser::assignment() {
     StmtPtr result = make_statement(StmtKind::assignment, peek().span);
     result->target = postfix();
-    expect("=");
+    if (!repair_assignment()) expect("=");
     result->value = expression();
     result->span = since(result->span);
     return result;

@@ -34,6 +34,7 @@ void resolve(Model& model, diagnostics::Diagnostics& out) {
     Resolver(model, finder).run();
     check_unique(names, out);
     for (const auto& file : model.files) {
+        check_unique(*file, out);
         if (file->has_syntax_errors) continue;
         for (const auto& declaration : file->declarations) check(*declaration, out);
     }

@@ -141,7 +141,7 @@ void Resolver::connection_event(Connection::End& end) {
         return;
     }
     auto& finding = finder_.out().report(rules::cn10, end.event.span, {end.node.text(), end.event.text()});
-    const std::string meant = nearest(end.event.text(), keys(scope.events));
+    const std::string meant = nearest(end.event.text(), finder_.keys(scope.events));
     if (!meant.empty()) finding.fixes.push_back({end.event.span, meant, "did you mean"});
 }
 

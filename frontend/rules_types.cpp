@@ -70,6 +70,9 @@ const Rule condition_boolean{"RC-T28", error, "{} must be boolean, this is {}", 
 const Rule deadline_type{"RC-T29", error, "a deadline is a number of time units, this is {}",
                          "Deadlines are integers."};
 const Rule not_assignable{"RC-T30", error, "`{}` is a {} and cannot be assigned", "Only variables can be assigned."};
+const Rule comm_narrow{
+    "RC-T31", warning, "event `{}` carries {}, and variable `{}` of type {} cannot hold every such value",
+    "The reading is accepted as RoboTool accepts it; a value that does not fit is outside the variable's type."};
 
 const std::vector<const Rule*>& of_types() {
     static const std::vector<const Rule*> rules = {&initial_type, &assignment_type,   &if_type,        &condition_type,
@@ -79,7 +82,8 @@ const std::vector<const Rule*>& of_types() {
                                                    &not_callable, &tuple_index,       &index_count,    &not_indexable,
                                                    &no_field,     &field_type,        &field_missing,  &cast_type,
                                                    &operand_type, &unary_type,        &compare_type,   &mixed_types,
-                                                   &size_value,   &condition_boolean, &deadline_type,  &not_assignable};
+                                                   &size_value,   &condition_boolean, &deadline_type,  &not_assignable,
+                                                   &comm_narrow};
     return rules;
 }
 

@@ -60,6 +60,10 @@ const Rule stray_bracket{"RC-P19", error, "this `}}` closes nothing",
                          "There are more closing braces than opening ones."};
 const Rule ragged_matrix{"RC-P20", error, "this row has {} entries, the first row has {}",
                          "All rows of a matrix have the same number of entries."};
+const Rule single_equal{"RC-P21", error, "`=` assigns; values are compared with `==`",
+                        "In expressions equality is `==`; `=` stands in assignments and initial values only."};
+const Rule colon_equal{"RC-P22", error, "an assignment is written with `=`, not `:=`",
+                       "RoboChart assigns with `=` and compares with `==`."};
 const Rule unreadable{"RC-F01", error, "cannot read `{}`: {}", "The path given cannot be opened for reading."};
 const Rule empty_input{"RC-F02", error, "`{}` declares nothing",
                        "There is no interface, machine, controller, module, type or function to look at."};
@@ -72,7 +76,8 @@ const std::vector<const Rule*>& all() {
         &unexpected,     &too_deep,      &open_comment,    &open_string,  &strange_character, &huge_integer,
         &long_real,      &not_text,      &legacy_trigger,  &blank_in_set, &reserved_name,     &bare_value,
         &open_csp_block, &too_many,      &bare_quantifier, &late_package, &parameter_list,    &clause_order,
-        &stray_bracket,  &ragged_matrix, &unreadable,      &empty_input,  &no_files,          &empty_file};
+        &stray_bracket,  &ragged_matrix, &single_equal,    &colon_equal,  &unreadable,        &empty_input,
+        &no_files,       &empty_file};
     return rules;
 }
 

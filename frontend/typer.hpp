@@ -86,6 +86,7 @@ private:
     const Event* event(Communication& communication, Surroundings& around);
     void unknown_event(const Communication& communication, Surroundings& around);
     void communicated(Communication& communication, const Event& event, Surroundings& around);
+    void received(const Communication& communication, const Event& event);
     const Variable* stored_into(const QualifiedName& name, Surroundings& around);
 
     Finder& finder_;

@@ -62,9 +62,9 @@ const Declaration* Typer::value_named(const QualifiedName& name, Surroundings& a
 }
 
 void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
-    std::vector<std::string> candidates = finder_.names().candidates({DeclKind::enum_literal, DeclKind::function});
+    std::vector<std::string> candidates = finder_.candidates({DeclKind::enum_literal, DeclKind::function});
     if (around.scope != nullptr)
-        for (std::string& key : keys(around.scope->variables)) candidates.push_back(std::move(key));
+        for (std::string& key : finder_.keys(around.scope->variables)) candidates.push_back(std::move(key));
     for (const Variable* bound : around.bound) candidates.push_back(bound->name);
     const Declaration* component = component_around(around.place.inside);
     auto& finding =
@@ -106,7 +106,7 @@ const Clock* Typer::clock(const QualifiedName& name, Surroundings& around, const
     auto& finding =
         finder_.out().report(rule, name.span, {name.text(), kind, component != nullptr ? component->name : ""});
     if (around.scope != nullptr) {
-        const std::string meant = nearest(name.parts.front(), keys(around.scope->clocks));
+        const std::string meant = nearest(name.parts.front(), finder_.keys(around.scope->clocks));
         if (!meant.empty()) finding.fixes.push_back({name.span, meant, "did you mean"});
     }
     return nullptr;

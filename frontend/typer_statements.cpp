@@ -94,7 +94,8 @@ void Typer::call(Stmt& statement, Surroundings& around) {
 void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("required by `{}`", component->name) : "here";
-    auto& finding = finder_.unknown(statement.name, "operation", where, keys(around.scope->operations));
+    auto& finding = finder_.unknown(statement.name, "operation", where, finder_.keys(around.scope->operations));
+    if (finder_.out().errors() > diagnostics::Diagnostics::max_kept) return;
     const std::string& name = statement.name.parts.back();
     for (const auto& [full, declarations] : finder_.names().entries())
         for (const Declaration* declaration : declarations) {
@@ -126,7 +127,7 @@ const Event* Typer::event(Communication& communication, Surroundings& around) {
 void Typer::unknown_event(const Communication& communication, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("of `{}`", component->name) : "here";
-    auto& finding = finder_.unknown(communication.event, "event", where, keys(around.scope->events));
+    auto& finding = finder_.unknown(communication.event, "event", where, finder_.keys(around.scope->events));
     const auto* outer = component != nullptr ? dynamic_cast<const Context*>(component->parent) : nullptr;
     if (outer == nullptr) return;
     for (const Event* event : visible_events(*outer))
@@ -152,7 +153,7 @@ const Variable* Typer::stored_into(const QualifiedName& name, Surroundings& arou
     }
     const Declaration* component = component_around(around.place.inside);
     finder_.unknown(name, "variable", component != nullptr ? "in `" + component->name + "`" : "here",
-                    keys(around.scope->variables));
+                    finder_.keys(around.scope->variables));
     return nullptr;
 }
 
@@ -165,6 +166,17 @@ void Typer::communication(Communication& communication, Surroundings& around, bo
         communication.variable_target = stored_into(communication.variable, around);
     if (communication.value) type(communication.value, around);
     if (event != nullptr) communicated(communication, *event, around);
+}
+
+/// RoboTool asks for compat(variable, event), which narrows; a wider variable is just as good, and safer.
+void Typer::received(const Communication& communication, const Event& event) {
+    const auto* variable = static_cast<const Variable*>(communication.variable_target);
+    if (variable == nullptr || !variable->type || compatible(event.type, variable->type)) return;
+    const bool narrows = compatible(variable->type, event.type);
+    finder_.out()
+        .report(narrows ? rules::comm_narrow : rules::comm_input, communication.span,
+                {event.name, to_string(event.type), variable->name, to_string(variable->type)})
+        .notes.push_back({event.name_span, "the event is declared here"});
 }
 
 /// Rules Tg2, Tg5 and the types of what is communicated.
@@ -182,12 +194,7 @@ void Typer::communicated(Communication& communication, const Event& event, Surro
             .notes.push_back({event.name_span, "the event is declared here"});
     if (simple || !typed || !event.type) return;
     if (input) {
-        const auto* variable = static_cast<const Variable*>(communication.variable_target);
-        // RoboTool asks for compat(variable, event); a wider variable is just as good.
-        if (variable != nullptr && variable->type && !compatible(variable->type, event.type) &&
-            !compatible(event.type, variable->type))
-            finder_.out().report(rules::comm_input, communication.span,
-                                 {event.name, to_string(event.type), variable->name, to_string(variable->type)});
+        received(communication, event);
         return;
     }
     if (communication.value->type && !compatible(communication.value->type, event.type))

@@ -367,6 +367,12 @@ TEST(Parser, ReadsALineOfTenMegabytesQuickly) {
     }
 }
 
+TEST(Parser, ManyLinesOfGarbageCostNoMoreThanOne) {
+    std::string text = "stm S {\n";
+    for (int i = 0; i < 500'000; ++i) text += "entyx\n";
+    EXPECT_FALSE(read(text)->findings.ok());
+}
+
 TEST(Parser, StopsAfterAHundredMistakes) {
     std::string text;
     for (int i = 0; i < 1000; ++i) text += "interface I { var x nat }\n";

@@ -159,6 +159,14 @@ TEST(Names, SuggestsWhatWasMeant) {
     EXPECT_EQ(nearest("ab", {"cd"}), "");
 }
 
+TEST(Names, ManyUnknownNamesStayCheap) {
+    std::string text = "interface I {\n";
+    for (int i = 0; i < 5'000; ++i)
+        text +=
+            "var v" + std::to_string(i) + " : T" + std::to_string(i) + " const c" + std::to_string(i) + " : nat = q\n";
+    EXPECT_EQ(resolved(text + "}")->findings.errors(), 10'000U);
+}
+
 const Transition& transition_of(const Machine& machine, const std::string& name) {
     const auto found = std::find_if(machine.transitions.begin(), machine.transitions.end(),
                                     [&](const auto& t) { return t->name == name; });
