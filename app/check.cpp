@@ -1,0 +1,105 @@
+// The verb `check`: assertions to verdicts.
+#include <fmt/format.h>
+
+#include <new>
+
+#include "app/verbs.hpp"
+#include "checker/cspm/session.hpp"
+
+namespace robochart::app {
+namespace {
+
+using csp_emit::Time;
+
+struct Context {
+    Project& project;
+    const Options& options;
+    const csp_emit::Emission& emission;
+    cspm::Session& session;
+};
+
+void add(refine::Statistics& sum, const refine::Statistics& one) {
+    sum.states += one.states;
+    sum.transitions += one.transitions;
+    sum.depth = std::max(sum.depth, one.depth);
+    sum.spec_nodes += one.spec_nodes;
+    sum.seconds += one.seconds;
+}
+
+std::vector<std::string> raw_events(const refine::Counterexample& c, const process::EventTable& events) {
+    std::vector<std::string> names;
+    for (const refine::Step& step : c.steps) {
+        const bool hidden = step.event == process::tau && step.revealed != process::tau;
+        names.push_back(hidden ? fmt::format("τ({})", events.name(step.revealed)) : events.name(step.event));
+    }
+    return names;
+}
+
+void take(const Context& context, const refine::Verdict& verdict, AssertionReport& report) {
+    add(report.statistics, verdict.statistics);
+    if (verdict.outcome == refine::Outcome::inconclusive) {
+        report.answer = Answer::inconclusive;
+        report.reason = verdict.reason;
+    } else if (verdict.outcome == refine::Outcome::fails) {
+        report.answer = Answer::fails;
+        if (verdict.counterexample) {
+            const process::EventTable& events = context.session.event_table();
+            const StoryTeller teller(context.emission.provenance, context.project.system, context.project.instantiation,
+                                     context.project.sources, events);
+            report.counterexample = render(teller.tell(*verdict.counterexample), "                 ");
+            report.raw = raw_events(*verdict.counterexample, events);
+        }
+    }
+}
+
+/// An obligation holds if all its assertions do; the first that does not ends it.
+void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+    report.answer = Answer::holds;
+    for (const cspm::DeclPtr& assertion : obligation.assertions) {
+        try {
+            take(context, context.session.check(*assertion, limits(context.options)).verdict, report);
+        } catch (const cspm::EvaluationError& error) {
+            const std::string place = context.project.sources.place(error.span);
+            report.answer = Answer::error;
+            report.reason = place.empty() ? error.what() : fmt::format("{}: {}", place, error.what());
+        } catch (const std::bad_alloc&) {
+            report.answer = Answer::inconclusive;
+            report.reason = "out of memory";
+        }
+        if (report.answer != Answer::holds) return;
+    }
+}
+
+bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
+    if (context.options.assertion.empty()) return true;
+    return obligation.property != ir::no_id && context.project.system.properties[obligation.property].name == context.options.assertion;
+}
+
+void check_time(Project& project, const Options& options, Time time, Report& report) {
+    const csp_emit::Emission emission = emit_csp(project, options, time);
+    if (!project.diagnostics.ok() || emission.obligations.empty()) return;
+    cspm::Session session(emission.script);
+    const Context context{project, options, emission, session};
+    for (const csp_emit::Obligation& obligation : emission.obligations) {
+        if (!wanted(context, obligation)) continue;
+        AssertionReport one;
+        one.title = obligation.title;
+        if (obligation.property != ir::no_id) one.place = project.sources.place(project.system.properties[obligation.property].origin.span);
+        if (obligation.assertions.empty()) {
+            one.answer = Answer::no_check;
+            one.reason = obligation.reason;
+        } else {
+            decide(context, obligation, one);
+        }
+        report.assertions.push_back(std::move(one));
+    }
+}
+
+}  // namespace
+
+void check_assertions(Project& project, const Options& options, Report& report) {
+    if (options.times != Times::timed) check_time(project, options, Time::untimed, report);
+    if (options.times != Times::untimed && project.diagnostics.ok()) check_time(project, options, Time::timed, report);
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,150 @@
+// The verbs over models: read, then check, write and conform as asked, one report.
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/rules.hpp"
+#include "app/verbs.hpp"
+#include "checker/cspm/reader.hpp"
+#include "cpp_emit/emit.hpp"
+#include "frontend/project.hpp"
+#include "semantics/lower.hpp"
+
+namespace robochart::app {
+namespace {
+
+std::string count(std::size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+std::string summary(const ir::System& system) {
+    std::size_t operations = 0;
+    for (const ir::Machine& machine : system.machines) operations += machine.kind == ir::MachineKind::operation ? 1U : 0U;
+    return fmt::format("{}, {}, {}, {}, {}", count(system.modules.size(), "module"), count(system.controllers.size(), "controller"),
+                       count(system.machines.size() - operations, "state machine"), count(operations, "operation"),
+                       count(system.properties.size(), "assertion"));
+}
+
+std::string range(const std::vector<std::int64_t>& carrier) {
+    return carrier.empty() ? "empty" : fmt::format("{}..{}", carrier.front(), carrier.back());
+}
+
+std::vector<std::string> notes(const ir::Instantiation& i) {
+    std::vector<std::string> result;
+    std::string reals = fmt::format("{} values", i.real.size());
+    if (i.scale != 1) reals += fmt::format(", exact in steps of 1/{} (from the model's decimal literals)", i.scale);
+    result.push_back(fmt::format("finite reading: nat {}, int {}, real {}, clocks 0..{}", range(i.nat), range(i.integer), reals, i.clock_bound));
+    return result;
+}
+
+bool write_all(const std::string& folder, const auto& files, std::vector<FileReport>& report, diagnostics::Diagnostics& diagnostics) {
+    for (const auto& file : files) {
+        const std::string path = folder + "/" + file.path;
+        const std::string error = write_file(path, file.text);
+        if (!error.empty()) {
+            diagnostics.report(rules::bad_option, {}, {error});
+            return false;
+        }
+        report.push_back({path, file.text.size()});
+    }
+    return true;
+}
+
+std::string qualified(const ir::ComponentRef& ref) { return ref.package.empty() ? ref.path : ref.package + "::" + ref.path; }
+
+Report begin(const Project& project, const Options& options) {
+    Report report;
+    report.model = fmt::format("{}", fmt::join(options.inputs, " "));
+    report.summary = summary(project.system);
+    report.load_seconds = project.seconds;
+    report.notes = notes(project.instantiation);
+    return report;
+}
+
+bool run_phases(Project& project, const Options& options, Report& report) {
+    const bool all = options.verb == Verb::verify;
+    if (all || options.verb == Verb::check) check_assertions(project, options, report);
+    if ((all || options.verb == Verb::emit_csp) && !write_csp(project, options, report)) return false;
+    if ((all || options.verb == Verb::emit_cpp) && !write_cpp(project, options, report)) return false;
+    if (all || options.verb == Verb::conform) check_conformance(project, options, report);
+    return project.diagnostics.ok();
+}
+
+}  // namespace
+
+bool write_csp(Project& project, const Options& options, Report& report) {
+    for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
+        const bool skipped = (options.times == Times::timed && time == csp_emit::Time::untimed) ||
+                             (options.times == Times::untimed && time == csp_emit::Time::timed);
+        if (skipped) continue;
+        const csp_emit::Emission emission = emit_csp(project, options, time);
+        if (!project.diagnostics.ok()) return false;
+        if (!write_all(options.out, csp_emit::files(emission, time, project.name), report.csp_files, project.diagnostics)) return false;
+    }
+    return true;
+}
+
+bool write_cpp(Project& project, const Options& options, Report& report) {
+    const auto components = code_components(project.system, options.component);
+    if (components.empty()) {
+        project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+        return false;
+    }
+    for (const ir::ComponentRef& component : components) {
+        const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, {}, project.diagnostics);
+        if (!project.diagnostics.ok()) return false;
+        if (!write_all(options.out + "/cpp/" + component.path, emission.files, report.cpp_files, project.diagnostics)) return false;
+    }
+    return true;
+}
+
+void check_conformance(Project& project, const Options& options, Report& report) {
+    const auto components = code_components(project.system, options.component);
+    if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+    for (const ir::ComponentRef& component : components) {
+        const auto start = std::chrono::steady_clock::now();
+        conformance::Options wanted;
+        wanted.cycle_length = options.cycle;
+        wanted.limits = limits(options);
+        ConformanceReport one;
+        one.component = qualified(component);
+        one.result = conformance::conform(project.system, project.instantiation, component, wanted, project.sources, project.diagnostics);
+        one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        report.conformance.push_back(std::move(one));
+    }
+}
+
+Exit print_phase(Project& project, const Options& options) {
+    if (options.print == "ast" || options.print == "model") {
+        fmt::print("{}", frontend::dump(*project.model, project.sources, options.print == "model"));
+        return project.diagnostics.ok() ? Exit::success : Exit::bad_input;
+    }
+    if (!project.diagnostics.ok()) return Exit::bad_input;
+    if (options.print == "ir") {
+        fmt::print("{}", ir::dump(project.system));
+        return Exit::success;
+    }
+    const auto time = options.print == "script" ? csp_emit::Time::untimed : csp_emit::Time::timed;
+    const csp_emit::Emission emission = emit_csp(project, options, time);
+    if (!show_diagnostics(project, options)) return Exit::bad_input;
+    fmt::print("{}", cspm::print(emission.script));
+    return Exit::success;
+}
+
+Exit run_model(const Options& options) {
+    const auto project = load(options);
+    if (!options.print.empty()) {
+        show_diagnostics(*project, options);
+        return print_phase(*project, options);
+    }
+    if (!project->diagnostics.ok()) {
+        show_diagnostics(*project, options);
+        return Exit::bad_input;
+    }
+    Report report = begin(*project, options);
+    const bool good = run_phases(*project, options, report);
+    show_diagnostics(*project, options);
+    if (!good) return Exit::bad_input;
+    fmt::print("{}", options.format == Format::json ? render_json(report) : render_text(report, options));
+    return report.exit();
+}
+
+}  // namespace robochart::app

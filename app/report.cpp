@@ -1,0 +1,123 @@
+#include "app/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace robochart::app {
+namespace {
+
+std::string_view word(Answer answer) {
+    constexpr std::array<std::string_view, 5> words{"holds", "FAILS", "inconclusive", "no check", "error"};
+    return words[static_cast<std::size_t>(answer)];
+}
+
+std::string_view word(conformance::Outcome outcome) {
+    constexpr std::array<std::string_view, 5> words{"conforms", "DIFFERS", "NOT SCHEDULABLE", "not generated", "inconclusive"};
+    return words[static_cast<std::size_t>(outcome)];
+}
+
+std::string duration(double seconds) {
+    return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
+}
+
+std::string number(std::uint64_t value) {
+    std::string digits = fmt::format("{}", value);
+    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+    return digits;
+}
+
+void write_assertion(std::string& out, const AssertionReport& a, std::size_t width, const Options& options) {
+    if (options.quiet && a.answer == Answer::holds) return;
+    out += fmt::format("  {:<12} {:<{}}", word(a.answer), a.title, width);
+    if (a.answer == Answer::holds || a.answer == Answer::fails)
+        out += fmt::format("  {:>9} states {:>8}", number(a.statistics.states), duration(a.statistics.seconds));
+    out += '\n';
+    if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
+    if (!a.counterexample.empty()) out += fmt::format("               claimed at {}; the model does:\n{}", a.place, a.counterexample);
+    if (options.show_internal && !a.raw.empty())
+        out += fmt::format("                 events <{}>\n", fmt::join(a.raw, ", "));
+}
+
+void write_cycles(std::string& out, const conformance::Result& r) {
+    for (std::size_t i = 0; i < r.cycles.size(); ++i) {
+        const conformance::Cycle& cycle = r.cycles[i];
+        out += fmt::format("                 cycle {:<3} in {{{}}}  out <{}>  {}\n", i + 1, fmt::join(cycle.inputs, ", "),
+                           fmt::join(cycle.outputs, ", "), cycle.state);
+    }
+    if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
+}
+
+void write_conformance(std::string& out, const ConformanceReport& c, const Options& options) {
+    const conformance::Result& r = c.result;
+    if (options.quiet && r.outcome == conformance::Outcome::conforms) return;
+    out += fmt::format("  {:<12} {}: {} states, {} cycles of the code explored; {} states, {} transitions checked; {}\n",
+                       word(r.outcome), c.component, number(r.code_states), number(r.code_cycles), number(r.product.states),
+                       number(r.product.transitions), duration(c.seconds));
+    if (!r.reason.empty()) out += fmt::format("               {}\n", r.reason);
+    write_cycles(out, r);
+    if (options.show_internal && !r.raw.empty()) out += fmt::format("                 events <{}>\n", fmt::join(r.raw, ", "));
+}
+
+void write_files(std::string& out, std::string_view title, const std::vector<FileReport>& files) {
+    if (files.empty()) return;
+    out += fmt::format("\n{}\n", title);
+    for (const FileReport& file : files) out += fmt::format("  {:<70} {:>9} bytes\n", file.path, number(file.bytes));
+}
+
+std::string closing(const Report& report) {
+    const auto count = [&](Answer answer) {
+        return std::count_if(report.assertions.begin(), report.assertions.end(), [&](const auto& a) { return a.answer == answer; });
+    };
+    std::vector<std::string> parts;
+    if (!report.assertions.empty()) {
+        parts.push_back(fmt::format("{} of {} checks hold", count(Answer::holds), report.assertions.size() - static_cast<std::size_t>(count(Answer::no_check))));
+        if (count(Answer::fails) > 0) parts.push_back(fmt::format("{} fail", count(Answer::fails)));
+        if (count(Answer::inconclusive) > 0) parts.push_back(fmt::format("{} inconclusive", count(Answer::inconclusive)));
+        if (count(Answer::error) > 0) parts.push_back(fmt::format("{} cannot be evaluated", count(Answer::error)));
+        if (count(Answer::no_check) > 0) parts.push_back(fmt::format("{} without a check", count(Answer::no_check)));
+    }
+    if (!report.conformance.empty()) {
+        const auto good = std::count_if(report.conformance.begin(), report.conformance.end(), [](const auto& c) { return c.result.outcome == conformance::Outcome::conforms; });
+        parts.push_back(fmt::format("{} of {} controllers conform", good, report.conformance.size()));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+Exit Report::exit() const {
+    const auto any = [&](Answer answer) {
+        return std::any_of(assertions.begin(), assertions.end(), [&](const auto& a) { return a.answer == answer; });
+    };
+    const auto code = [&](conformance::Outcome outcome) {
+        return std::any_of(conformance.begin(), conformance.end(), [&](const auto& c) { return c.result.outcome == outcome; });
+    };
+    if (any(Answer::error) || code(conformance::Outcome::not_generated)) return Exit::bad_input;
+    if (any(Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::not_schedulable)) return Exit::failed;
+    if (any(Answer::inconclusive) || code(conformance::Outcome::inconclusive)) return Exit::inconclusive;
+    return Exit::success;
+}
+
+std::string render_text(const Report& report, const Options& options) {
+    std::string out;
+    if (!options.quiet) {
+        out += fmt::format("{}: {} ({})\n", report.model, report.summary, duration(report.load_seconds));
+        for (const std::string& note : report.notes) out += fmt::format("  {}\n", note);
+    }
+    std::size_t width = 0;
+    for (const AssertionReport& a : report.assertions) width = std::max(width, std::min<std::size_t>(a.title.size(), 80));
+    if (!report.assertions.empty() && !options.quiet) out += "\nassertions\n";
+    for (const AssertionReport& a : report.assertions) write_assertion(out, a, width, options);
+    if (!report.conformance.empty() && !options.quiet) out += "\nconformance of the generated C++\n";
+    for (const ConformanceReport& c : report.conformance) write_conformance(out, c, options);
+    if (!options.quiet) {
+        write_files(out, "CSP semantics", report.csp_files);
+        write_files(out, "C++", report.cpp_files);
+    }
+    if (const std::string last = closing(report); !last.empty()) out += fmt::format("{}{}\n", options.quiet ? "" : "\n", last);
+    return out;
+}
+
+}  // namespace robochart::app

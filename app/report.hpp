@@ -1,0 +1,59 @@
+// What a run found, as data; drawn as text or JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/options.hpp"
+#include "app/story.hpp"
+#include "checker/refine/check.hpp"
+#include "conformance/conform.hpp"
+
+namespace robochart::app {
+
+enum class Answer {
+    holds,
+    fails,
+    inconclusive,
+    no_check,  ///< the claim has no check in this semantics; said, not counted as holding
+    error,     ///< the claim could not be evaluated: bad input
+};
+
+struct AssertionReport {
+    std::string title;      ///< "A1 [timed] AggregationFSM is deadlock-free"
+    std::string place;      ///< "aggregation.assertions:12"
+    Answer answer = Answer::inconclusive;
+    std::string reason;     ///< inconclusive, no_check, error
+    refine::Statistics statistics;
+    std::string counterexample;           ///< the story, "" if none
+    std::vector<std::string> raw;         ///< the run in CSP events
+};
+
+struct ConformanceReport {
+    std::string component;
+    conformance::Result result;
+    double seconds = 0;
+};
+
+struct FileReport {
+    std::string path;
+    std::size_t bytes = 0;
+};
+
+struct Report {
+    std::string model;                    ///< the inputs as given
+    std::string summary;                  ///< "1 state machine, 2 operations, …"
+    double load_seconds = 0;
+    std::vector<std::string> notes;       ///< scale of reals, carriers
+    std::vector<AssertionReport> assertions;
+    std::vector<ConformanceReport> conformance;
+    std::vector<FileReport> csp_files, cpp_files;
+
+    [[nodiscard]] Exit exit() const;
+};
+
+[[nodiscard]] std::string render_text(const Report&, const Options&);
+/// Schema "robochart-verify/report/1" (docs/cli.md).
+[[nodiscard]] std::string render_json(const Report&);
+
+}  // namespace robochart::app

@@ -1,0 +1,60 @@
+// The report for programs. A library writes the JSON; the schema is in docs/cli.md.
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "app/report.hpp"
+
+namespace robochart::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json statistics(const refine::Statistics& s) {
+    return {{"states", s.states}, {"transitions", s.transitions}, {"depth", s.depth}, {"specNodes", s.spec_nodes}, {"seconds", s.seconds}};
+}
+
+Json assertion(const AssertionReport& a) {
+    constexpr std::array<const char*, 5> words{"holds", "fails", "inconclusive", "no check", "error"};
+    Json json{{"title", a.title}, {"place", a.place}, {"answer", words[static_cast<std::size_t>(a.answer)]}, {"statistics", statistics(a.statistics)}};
+    if (!a.reason.empty()) json["reason"] = a.reason;
+    if (!a.counterexample.empty()) json["counterexample"] = {{"story", a.counterexample}, {"events", a.raw}};
+    return json;
+}
+
+Json conformance_json(const ConformanceReport& c) {
+    constexpr std::array<const char*, 5> words{"conforms", "differs", "not schedulable", "not generated", "inconclusive"};
+    const conformance::Result& r = c.result;
+    Json json{{"component", c.component}, {"outcome", words[static_cast<std::size_t>(r.outcome)]}, {"codeStates", r.code_states},
+              {"codeCycles", r.code_cycles}, {"statistics", statistics(r.product)}, {"seconds", c.seconds}};
+    if (!r.reason.empty()) json["reason"] = r.reason;
+    if (r.cycles.empty()) return json;
+    json["cycles"] = Json::array();
+    for (const conformance::Cycle& cycle : r.cycles)
+        json["cycles"].push_back({{"inputs", cycle.inputs}, {"outputs", cycle.outputs}, {"state", cycle.state}});
+    json["expected"] = r.expected;
+    json["events"] = r.raw;
+    return json;
+}
+
+Json files(const std::vector<FileReport>& list) {
+    Json json = Json::array();
+    for (const FileReport& file : list) json.push_back({{"path", file.path}, {"bytes", file.bytes}});
+    return json;
+}
+
+}  // namespace
+
+std::string render_json(const Report& report) {
+    Json json{{"schema", "robochart-verify/report/1"}, {"model", report.model}, {"summary", report.summary}, {"notes", report.notes},
+              {"exit", static_cast<int>(report.exit())}};
+    json["assertions"] = Json::array();
+    for (const AssertionReport& a : report.assertions) json["assertions"].push_back(assertion(a));
+    json["conformance"] = Json::array();
+    for (const ConformanceReport& c : report.conformance) json["conformance"].push_back(conformance_json(c));
+    json["cspFiles"] = files(report.csp_files);
+    json["cppFiles"] = files(report.cpp_files);
+    // Names come from the user's files: bytes that are not UTF-8 are replaced rather than refused.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,24 @@
+// One function a verb, over the public headers of the rooms only. Each returns the exit code.
+#pragma once
+
+#include "app/options.hpp"
+#include "app/pipeline.hpp"
+#include "app/report.hpp"
+
+namespace robochart::app {
+
+Exit run_model(const Options&);    ///< verify, check, emit csp, emit cpp, conform
+Exit run_cspm(const Options&);
+Exit run_explain(const Options&);
+
+/// Decides the model's assertions in the times asked for.
+void check_assertions(Project&, const Options&, Report&);
+/// Writes csp-gen/… below the output folder.
+[[nodiscard]] bool write_csp(Project&, const Options&, Report&);
+/// Writes cpp/COMPONENT/… below the output folder.
+[[nodiscard]] bool write_cpp(Project&, const Options&, Report&);
+void check_conformance(Project&, const Options&, Report&);
+/// The phase asked for by --print, to stdout.
+Exit print_phase(Project&, const Options&);
+
+}  // namespace robochart::app
