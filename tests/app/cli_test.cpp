@@ -1,0 +1,123 @@
+// The command as users and CI servers meet it: exit codes, hostile input, the case studies.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+std::string repeat(const std::string& text, std::size_t times) {
+    std::string result;
+    result.reserve(text.size() * times);
+    for (std::size_t i = 0; i < times; ++i) result += text;
+    return result;
+}
+
+TEST(Cli, HelpNamesTheExitCodes) {
+    const Ran ran = run({"--help"});
+    EXPECT_EQ(ran.exit, 0);
+    EXPECT_THAT(ran.out, HasSubstr("Exit status:"));
+    EXPECT_THAT(ran.out, HasSubstr("conform"));
+    EXPECT_THAT(ran.err, IsEmpty());
+}
+
+TEST(Cli, WrongUsageIsExit4) {
+    for (const auto& arguments : {std::vector<std::string>{}, {"check"}, {"check", "x", "--no-such-option"}, {"emit"}, {"check", "x", "--threads", "0"}}) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.exit, 4) << ran.err;
+        EXPECT_THAT(ran.err, HasSubstr("try: robochart-verify --help"));
+    }
+}
+
+TEST(Cli, MalformedOptionValuesAreSaid) {
+    const std::string model = repository("corpus/aggregation");
+    EXPECT_EQ(run({"check", model, "--range", "nat=4..1"}).exit, 2);
+    EXPECT_THAT(run({"check", model, "--range", "nat=x"}).err, HasSubstr("TYPE=LOW..HIGH"));
+    EXPECT_THAT(run({"check", model, "--const", "=3"}).err, HasSubstr("NAME=VALUE"));
+    EXPECT_EQ(run({"check", model, "--const", "NoSuchConstant=3"}).exit, 2);
+}
+
+TEST(Cli, MissingFileIsBadInput) {
+    const Ran ran = run({"no/such/model.rct"});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.err, HasSubstr("no/such/model.rct"));
+}
+
+TEST(Cli, HostileTextsAreDiagnosed) {
+    const std::string nested = "stm S { initial i state A { entry x = " + repeat("(", 10'000) + "1" + repeat(")", 10'000) + " } transition t { from i to A } }";
+    const std::pair<const char*, std::string> cases[] = {
+        {"empty", ""},
+        {"garbage", std::string("\x7f" "ELF\0\xff\xfe\x01\x80garbage{{{\n\0\0", 27)},
+        {"long line", "stm " + std::string(10'000'000, 'x')},
+        {"long noise", std::string(10'000'000, '(')},
+        {"nested", nested},
+        {"truncated", "module M { robotic platform P {"},
+        {"unterminated comment", "stm S { /* never closed"},
+        {"huge number", "stm S { var x : nat = 99999999999999999999999999 initial i state A { } transition t { from i to A } }"},
+    };
+    for (const auto& [name, text] : cases) {
+        const TemporaryFile file("model.rct", text);
+        const Ran ran = run({file.path()});
+        EXPECT_EQ(ran.exit, 2) << name << ": " << ran.err.substr(0, 400);
+        EXPECT_THAT(ran.err, Not(IsEmpty())) << name;
+        EXPECT_LT(ran.err.size(), 100'000U) << name;
+    }
+}
+
+TEST(Cli, JsonOnBadInputIsJson) {
+    const TemporaryFile file("model.rct", "stm S {");
+    const Ran ran = run({file.path(), "--format", "json"});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.out, HasSubstr("robochart-verify/diagnostics/1"));
+}
+
+TEST(Cli, FalseClaimShowsThePath) {
+    const Ran ran = run({"check", repository("corpus/aggregation"), repository("corpus/false_claims/aggregation.assertions"), "--assertion", "F1"});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("FAILS"));
+    EXPECT_THAT(ran.out, HasSubstr("seeRobot"));
+    EXPECT_THAT(ran.out, HasSubstr("aggregation.rct:"));
+}
+
+TEST(Cli, ALimitIsInconclusive) {
+    const Ran ran = run({"check", repository("corpus/aggregation"), "--assertion", "A7", "--max-states", "2"});
+    EXPECT_EQ(ran.exit, 3) << ran.out;
+    EXPECT_THAT(ran.out, HasSubstr("inconclusive"));
+}
+
+TEST(Cli, ExplainKnowsRulesAndSuggests) {
+    EXPECT_EQ(run({"explain", "J3"}).exit, 0);
+    EXPECT_EQ(run({"explain", "NOSUCHRULE"}).exit, 2);
+}
+
+TEST(Cli, ScriptsAreChecked) {
+    const TemporaryFile good("good.csp", "channel a, b\nP = a -> b -> P\nassert P :[deadlock free]\nassert not STOP [T= P\n");
+    EXPECT_EQ(run({"cspm", good.path()}).exit, 0);
+    const TemporaryFile bad("bad.csp", "channel a\nassert STOP [T= a -> STOP\n");
+    const Ran ran = run({"cspm", bad.path()});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("<a>"));
+    const TemporaryFile broken("broken.csp", "P = (\n");
+    EXPECT_EQ(run({"cspm", broken.path()}).exit, 2);
+}
+
+class CaseStudy : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(CaseStudy, HoldsAndConforms) {
+    const Ran ran = run({repository(std::string("corpus/") + GetParam())});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("conforms"));
+    EXPECT_THAT(ran.out, Not(HasSubstr("FAILS")));
+    EXPECT_THAT(ran.out, HasSubstr("out/csp-gen/timed/"));
+    EXPECT_THAT(ran.out, HasSubstr("out/cpp/"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, CaseStudy, ::testing::Values("aggregation", "swarm_taxis"));
+
+}  // namespace
+}  // namespace robochart::app::testing

@@ -1,0 +1,69 @@
+#include "tests/app/command.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace robochart::app::testing {
+namespace fs = std::filesystem;
+namespace {
+
+std::string fresh_folder() {
+    std::string pattern = (fs::temp_directory_path() / "robochart-test-XXXXXX").string();
+    return mkdtemp(pattern.data()) == nullptr ? std::string() : pattern;
+}
+
+std::string contents(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+void redirect(const char* path, int flags, int to) {
+    const int file = open(path, flags, 0600);
+    if (file < 0 || dup2(file, to) < 0) _exit(126);
+}
+
+[[noreturn]] void become(const std::vector<std::string>& arguments, const std::string& folder) {
+    if (chdir(folder.c_str()) != 0) _exit(126);
+    redirect("/dev/null", O_RDONLY, STDIN_FILENO);
+    redirect("stdout.txt", O_WRONLY | O_CREAT, STDOUT_FILENO);
+    redirect("stderr.txt", O_WRONLY | O_CREAT, STDERR_FILENO);
+    std::vector<char*> argv{const_cast<char*>(ROBOCHART_VERIFY)};
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    execv(ROBOCHART_VERIFY, argv.data());
+    _exit(127);
+}
+
+}  // namespace
+
+Ran run(const std::vector<std::string>& arguments) {
+    const std::string folder = fresh_folder();
+    const pid_t child = fork();
+    if (child == 0) become(arguments, folder);
+    int status = 0;
+    waitpid(child, &status, 0);
+    Ran ran;
+    ran.exit = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    ran.out = contents(folder + "/stdout.txt");
+    ran.err = contents(folder + "/stderr.txt");
+    fs::remove_all(folder);
+    return ran;
+}
+
+TemporaryFile::TemporaryFile(const std::string& name, const std::string& text) : folder_(fresh_folder()), path_(folder_ + "/" + name) {
+    std::ofstream(path_, std::ios::binary) << text;
+}
+
+TemporaryFile::~TemporaryFile() { fs::remove_all(folder_); }
+
+std::string repository(const std::string& path) { return std::string(ROBOCHART_SOURCE_DIR) + "/" + path; }
+
+}  // namespace robochart::app::testing

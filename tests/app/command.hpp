@@ -1,0 +1,35 @@
+// Runs the real command as a user would.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace robochart::app::testing {
+
+struct Ran {
+    int exit = -1;     ///< exit code; 128+n if killed by signal n
+    std::string out;
+    std::string err;
+};
+
+/// Runs robochart-verify with these arguments in an empty temporary folder, without standard input.
+[[nodiscard]] Ran run(const std::vector<std::string>& arguments);
+
+/// A file in a fresh temporary folder that lives as long as the object.
+class TemporaryFile {
+public:
+    TemporaryFile(const std::string& name, const std::string& text);
+    ~TemporaryFile();
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+private:
+    std::string folder_;
+    std::string path_;
+};
+
+/// A path inside the repository.
+[[nodiscard]] std::string repository(const std::string& path);
+
+}  // namespace robochart::app::testing

@@ -1,0 +1,83 @@
+// The house rules that a program can check: layout, file heads, rules with fixtures, no leftovers.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "app/rules.hpp"
+
+namespace robochart {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path root = ROBOCHART_SOURCE_DIR;
+
+std::string contents(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+/// Files of the repository below a folder, build trees left out.
+std::vector<fs::path> files(const fs::path& folder, const std::set<std::string>& extensions) {
+    std::vector<fs::path> found;
+    for (auto it = fs::recursive_directory_iterator(folder); it != fs::recursive_directory_iterator(); ++it) {
+        const std::string name = it->path().filename().string();
+        if (it->is_directory() && (name == "build" || name == "out" || name == ".git")) it.disable_recursion_pending();
+        else if (it->is_regular_file() && extensions.contains(it->path().extension().string())) found.push_back(it->path());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+TEST(Sanity, EveryRoomIsInTheArchitecture) {
+    const std::string text = contents(root / "docs/architecture.md");
+    for (const auto& entry : fs::directory_iterator(root)) {
+        const std::string name = entry.path().filename().string();
+        const bool room = entry.is_directory() && fs::exists(entry.path() / "CMakeLists.txt");
+        if (room) EXPECT_THAT(text, ::testing::HasSubstr(name + "/")) << "docs/architecture.md does not name the room " << name;
+    }
+}
+
+TEST(Sanity, HeadersSayWhatTheyAreForAndAreGuarded) {
+    for (const fs::path& path : files(root, {".hpp"})) {
+        const std::string text = contents(path);
+        EXPECT_TRUE(text.starts_with("//")) << path << " has no head comment";
+        EXPECT_THAT(text, ::testing::HasSubstr("#pragma once")) << path;
+    }
+}
+
+TEST(Sanity, NoLeftovers) {
+    const std::string marks[] = {std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X "};
+    for (const fs::path& path : files(root, {".hpp", ".cpp", ".h", ".txt", ".cmake", ".sh", ".rct", ".assertions"})) {
+        const std::string text = contents(path);
+        for (const std::string& mark : marks) EXPECT_EQ(text.find(mark), std::string::npos) << path << " has " << mark;
+    }
+}
+
+TEST(Sanity, FilesCanBeHeldInTheHead) {
+    for (const fs::path& path : files(root, {".hpp", ".cpp"})) {
+        const std::string text = contents(path);
+        EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 800) << path;
+    }
+}
+
+TEST(Sanity, EveryRuleIsExplainedAndTested) {
+    std::string tests;
+    for (const fs::path& path : files(root / "tests", {".cpp", ".hpp", ".rct", ".assertions", ".csp"})) tests += contents(path);
+    std::set<std::string_view> codes;
+    for (const diagnostics::Rule* rule : app::all_rules()) {
+        EXPECT_TRUE(codes.insert(rule->code).second) << rule->code << " names two rules";
+        EXPECT_GE(rule->explanation.size(), 40U) << rule->code << " is not explained";
+        EXPECT_NE(tests.find(rule->code), std::string::npos) << "no test or fixture names rule " << rule->code;
+    }
+    EXPECT_GT(codes.size(), 50U);
+}
+
+}  // namespace
+}  // namespace robochart
