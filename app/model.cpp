@@ -40,7 +40,7 @@ bool write_all(const std::string& folder, const auto& files, std::vector<FileRep
         const std::string path = folder + "/" + file.path;
         const std::string error = write_file(path, file.text);
         if (!error.empty()) {
-            diagnostics.report(rules::bad_option, {}, {error});
+            diagnostics.report(rules::unwritable, {}, {error});
             return false;
         }
         report.push_back({path, file.text.size()});

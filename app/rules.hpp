@@ -11,11 +11,12 @@ namespace robochart::app {
 namespace rules {
 extern const diagnostics::Rule bad_option;      ///< an option's value does not fit the model
 extern const diagnostics::Rule no_component;    ///< nothing to generate code for
+extern const diagnostics::Rule unwritable;      ///< a file could not be written
 }  // namespace rules
 
 /// Every rule of every room, by room then table order.
 [[nodiscard]] std::vector<const diagnostics::Rule*> all_rules();
-/// Ignores case; null if there is none.
-[[nodiscard]] const diagnostics::Rule* find_rule(std::string_view code);
+/// The rows of a code (a published rule may have several, for different circumstances); ignores case.
+[[nodiscard]] std::vector<const diagnostics::Rule*> find_rules(std::string_view code);
 
 }  // namespace robochart::app

