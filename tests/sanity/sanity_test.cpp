@@ -40,7 +40,8 @@ TEST(Sanity, EveryRoomIsInTheArchitecture) {
     for (const auto& entry : fs::directory_iterator(root)) {
         const std::string name = entry.path().filename().string();
         const bool room = entry.is_directory() && fs::exists(entry.path() / "CMakeLists.txt");
-        if (room) EXPECT_THAT(text, ::testing::HasSubstr(name + "/")) << "docs/architecture.md does not name the room " << name;
+        if (!room) continue;
+        EXPECT_THAT(text, ::testing::HasSubstr(name + "/")) << "docs/architecture.md does not name the room " << name;
     }
 }
 
