@@ -7,8 +7,9 @@
 
 namespace robochart::cspm {
 
-/// Bytes of stack that code run by `on_deep_stack` may use.
-inline constexpr std::size_t deep_stack_bytes = std::size_t{1} << 27U;
+/// Bytes of stack that code run by `on_deep_stack` may use. AddressSanitizer follows exceptions on stacks up to
+/// this size only.
+inline constexpr std::size_t deep_stack_bytes = std::size_t{1} << 26U;
 
 void on_deep_stack(const std::function<void()>& work);
 
