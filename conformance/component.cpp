@@ -53,6 +53,15 @@ const cspm::Decl* find_function(const std::vector<cspm::DeclPtr>& decls, const s
     return nullptr;
 }
 
+const cspm::Decl* find_value(const std::vector<cspm::DeclPtr>& decls, const std::string& name) {
+    for (const cspm::DeclPtr& decl : decls) {
+        if (decl->kind == cspm::DeclKind::value && !decl->patterns.empty() && !decl->patterns.front().empty() &&
+            decl->patterns.front().front()->text == name)
+            return decl.get();
+    }
+    return nullptr;
+}
+
 /// A carrier by the model's type; what is composed stays a number (and is not generated).
 Carrier carrier_of(const ir::System& system, ir::TypeId id) {
     const ir::Type& type = system.type(id);
@@ -155,7 +164,10 @@ cspm::ExprPtr component_process(const cspm::Script& script, const ir::ComponentR
     // semantics 3.12: the id, then the constants, whose values are global definitions of the same name.
     std::vector<cspm::ExprPtr> arguments{b::number(0)};
     const std::vector<cspm::PatternPtr>& parameters = process->patterns.front();
-    for (std::size_t p = 1; p < parameters.size(); ++p) arguments.push_back(b::name(parameters[p]->text));
+    for (std::size_t p = 1; p < parameters.size(); ++p) {
+        if (find_value(script.decls, parameters[p]->text) == nullptr) return nullptr;
+        arguments.push_back(b::name(parameters[p]->text));
+    }
     return b::call(prefix + "::D__", std::move(arguments));
 }
 

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
 #include "conformance/component.hpp"
 #include "conformance/judge.hpp"
+#include "conformance/normal_form.hpp"
 #include "conformance/shared_object.hpp"
 #include "csp_emit/emit.hpp"
 
@@ -26,6 +28,13 @@ std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Op
     return SharedObject::build(emission.files, sources, {options.compiler, options.flags, options.work_dir}, error);
 }
 
+/// The definition as text, for FDR and for reading; the check does not depend on it.
+std::string normal_form_text(const csp_emit::Emission& script, const cspm::ExprPtr& process, const Alphabet& alphabet,
+                             std::uint32_t cycle_length) {
+    const NormalFormScript form = normal_form(script.definitions, process, alphabet, cycle_length, Reading::any_order);
+    return cspm::print(cspm::Script{form.decls});
+}
+
 Result judge_object(const csp_emit::Emission& script, const cspm::ExprPtr& process, const ir::System& system,
                     const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
     Interface interface = interface_of(code);
@@ -33,7 +42,15 @@ Result judge_object(const csp_emit::Emission& script, const cspm::ExprPtr& proce
     try {
         cspm::Session session(script.definitions);
         const auto model = session.system(process);
-        return judge(*model, session.event_table(), interface, code, options.cycle_length, options.limits);
+        Result result = judge(*model, session.event_table(), interface, code, options.cycle_length, options.limits);
+        result.normal_form =
+            normal_form_text(script, process, Alphabet(interface, session.event_table()), options.cycle_length);
+        return result;
+    } catch (const AlphabetError& mismatch) {
+        Result result;
+        result.outcome = Outcome::differs;
+        result.reason = mismatch.what();
+        return result;
     } catch (const cspm::EvaluationError& failed) {
         Result result;
         result.reason = fmt::format("the script of the model cannot be evaluated: {}", failed.what());

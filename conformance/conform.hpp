@@ -39,6 +39,7 @@ struct Result {
     refine::Statistics product;         ///< of the refinement check
     refine::Statistics schedulability;  ///< of the check of NF_c(M) alone
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
+    std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script
     std::vector<std::string> warnings;  ///< of the code: states that are not canonical
 };
 

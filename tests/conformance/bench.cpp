@@ -1,0 +1,96 @@
+#include "tests/conformance/bench.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "diagnostics/render.hpp"
+#include "tests/conformance/support.hpp"
+
+namespace robochart::conformance::test {
+
+Model::Model(const std::string& folder) {
+    const std::string path = folder.front() == '/' ? folder : std::string(ROBOCHART_SOURCE_DIR) + "/" + folder;
+    const auto model = frontend::load_project(sources, path, diagnostics);
+    if (diagnostics.ok()) system = ir::lower(*model, diagnostics);
+    if (diagnostics.ok()) instantiation = ir::instantiate(system, {}, diagnostics);
+    EXPECT_TRUE(diagnostics.ok()) << diagnostics::render_text(sources, diagnostics);
+}
+
+std::string changed_copy(const std::string& file, const std::string& from, const std::string& to) {
+    namespace fs = std::filesystem;
+    std::ifstream in(std::string(ROBOCHART_SOURCE_DIR) + "/" + file);
+    std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    std::size_t changes = 0;
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()), ++changes)
+        text.replace(at, from.size(), to);
+    EXPECT_GT(changes, 0U) << from;
+    std::string folder = (fs::path(testing::TempDir()) / "changed-XXXXXX").string();
+    EXPECT_NE(mkdtemp(folder.data()), nullptr);
+    std::ofstream(fs::path(folder) / "model.rct") << text;
+    return folder;
+}
+
+ir::ComponentRef Model::module() const {
+    const ir::Module& module = system.modules.at(0);
+    return {ir::ComponentKind::module, module.name, module.package, 0};
+}
+
+ir::ComponentRef Model::machine(const std::string& name) const {
+    for (std::uint32_t m = 0; m < system.machines.size(); ++m) {
+        if (system.machines[m].name == name) return {ir::ComponentKind::machine, name, system.machines[m].package, m};
+    }
+    ADD_FAILURE() << "no machine " << name;
+    return {};
+}
+
+Bench::Bench(Model& model, ir::ComponentRef component) : model_(model), component_(std::move(component)) {
+    script_ =
+        csp_emit::emit(model.system, model.instantiation, csp_emit::Time::timed, {}, model.sources, model.diagnostics);
+    EXPECT_TRUE(model.diagnostics.ok()) << diagnostics::render_text(model.sources, model.diagnostics);
+    session_ = std::make_unique<cspm::Session>(script_.definitions);
+    system_ = session_->system(process());
+}
+
+cpp_emit::Emission Bench::emit(cpp_emit::Fault fault, std::uint32_t site) {
+    cpp_emit::Options options;
+    options.fault = fault;
+    options.fault_site = site;
+    return cpp_emit::emit(model_.system, model_.instantiation, component_, options, model_.diagnostics);
+}
+
+std::uint32_t Bench::sites(cpp_emit::Fault fault) {
+    return emit(fault, 0).fault_sites;
+}
+
+Interface Bench::interface() {
+    std::string error;
+    const auto object = build(emit(cpp_emit::Fault::none, 0), error);
+    EXPECT_TRUE(object) << error;
+    if (!object) return {};
+    Interface interface = interface_of(object->interface());
+    complete(interface, model_.system, component_, script_.provenance);
+    return interface;
+}
+
+Result Bench::schedulability() {
+    const Alphabet alphabet(interface(), session_->event_table());
+    ModelGraph graph(*system_, alphabet);
+    return schedulable(graph, alphabet, 1, {});
+}
+
+Result Bench::check(cpp_emit::Fault fault, std::uint32_t site) {
+    std::string error;
+    const auto object = build(emit(fault, site), error);
+    EXPECT_TRUE(object) << error;
+    if (!object) return {};
+    Interface interface = interface_of(object->interface());
+    complete(interface, model_.system, component_, script_.provenance);
+    const Alphabet alphabet(interface, session_->event_table());
+    ModelGraph graph(*system_, alphabet);
+    return refined_by(graph, alphabet, object->interface(), 1, {});
+}
+
+}  // namespace robochart::conformance::test

@@ -1,0 +1,60 @@
+// A model of text taken to the point where controllers can be checked against it: read, lowered, made finite, its
+// timed script loaded, its schedulability known.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "checker/cspm/session.hpp"
+#include "conformance/component.hpp"
+#include "conformance/judge.hpp"
+#include "csp_emit/emit.hpp"
+#include "frontend/project.hpp"
+#include "semantics/instantiation.hpp"
+#include "semantics/lower.hpp"
+
+namespace robochart::conformance::test {
+
+/// Reads a project: an absolute path, or one below the source folder.
+struct Model {
+    explicit Model(const std::string& folder);
+
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    ir::System system;
+    ir::Instantiation instantiation;
+
+    [[nodiscard]] ir::ComponentRef module() const;  ///< the first module
+    [[nodiscard]] ir::ComponentRef machine(const std::string& name) const;
+};
+
+/// A copy of a file of the corpus with every `from` replaced by `to`, in a temporary folder of its own.
+[[nodiscard]] std::string changed_copy(const std::string& file, const std::string& from, const std::string& to);
+
+class Bench {
+public:
+    Bench(Model& model, ir::ComponentRef component);
+
+    /// Generates, compiles and checks one controller; schedulability is not asked again.
+    [[nodiscard]] Result check(cpp_emit::Fault fault = cpp_emit::Fault::none, std::uint32_t site = 0);
+    /// Schedulability for the interface of the generated code.
+    [[nodiscard]] Result schedulability();
+    [[nodiscard]] std::uint32_t sites(cpp_emit::Fault fault);
+    [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
+    [[nodiscard]] cspm::ExprPtr process() const { return component_process(script_.definitions, component_); }
+    /// The alphabet of the generated code over the session's events.
+    [[nodiscard]] Interface interface();
+    [[nodiscard]] cspm::Session& session() { return *session_; }
+    [[nodiscard]] lts::TransitionSystem& system() { return *system_; }
+
+private:
+    [[nodiscard]] cpp_emit::Emission emit(cpp_emit::Fault fault, std::uint32_t site);
+
+    Model& model_;
+    ir::ComponentRef component_;
+    csp_emit::Emission script_;
+    std::unique_ptr<cspm::Session> session_;
+    std::unique_ptr<lts::TransitionSystem> system_;
+};
+
+}  // namespace robochart::conformance::test

@@ -1,0 +1,92 @@
+// The two case studies through the whole check, and variants of them that cannot be scheduled.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Result conform_module(const std::string& folder, const Options& options = {}) {
+    test::Model model(folder);
+    const auto start = std::chrono::steady_clock::now();
+    const Result result =
+        conform(model.system, model.instantiation, model.module(), options, model.sources, model.diagnostics);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    fmt::print(
+        "{}: {} code states, {} cycles, {} model states, {} product states, {} transitions, {} spec nodes, "
+        "schedulability {} states in {:.2f} s, refinement {:.2f} s, all {:.2f} s\n",
+        folder, result.code_states, result.code_cycles, result.model_states, result.product.states,
+        result.product.transitions, result.product.spec_nodes, result.schedulability.states,
+        result.schedulability.seconds, result.product.seconds, taken.count());
+    return result;
+}
+
+TEST(CaseStudies, AggregationConforms) {
+    const Result result = conform_module("corpus/aggregation");
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    EXPECT_THAT(result.warnings, testing::IsEmpty());
+    EXPECT_GT(result.code_cycles, 0U);
+}
+
+TEST(CaseStudies, SwarmTaxisConforms) {
+    const Result result = conform_module("corpus/swarm_taxis");
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    EXPECT_THAT(result.warnings, testing::IsEmpty());
+}
+
+TEST(CaseStudies, NestedConforms) {
+    const Result result = conform_module("tests/conformance/models/nested");
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+}
+
+// Code and model advance by two time units a cycle; the operations' wait of one ends within the cycle.
+TEST(CaseStudies, AggregationConformsInCyclesOfTwo) {
+    Options options;
+    options.cycle_length = 2;
+    const Result result = conform_module("corpus/aggregation", options);
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+}
+
+// R4: without their waits the operations set a speed twice as soon as a robot is seen in the first cycle.
+TEST(CaseStudies, AggregationWithoutWaitsIsNotSchedulable) {
+    const std::string folder = test::changed_copy("corpus/aggregation/aggregation.rct", "; wait ( 1 )", "");
+    const Result result = conform_module(folder);
+    std::filesystem::remove_all(folder);
+    ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
+    ASSERT_EQ(result.cycles.size(), 1U);
+    EXPECT_THAT(result.cycles[0].inputs, ElementsAre("seeRobot"));
+    EXPECT_THAT(result.cycles[0].outputs, ElementsAre("angularSpeed = -0.75", "linearSpeed = -10.88"));
+    EXPECT_THAT(result.reason, HasSubstr("angularSpeed = -5.02 a second time"));
+}
+
+// The machine alone calls operations of which it does not know that they take time.
+TEST(CaseStudies, AggregationMachineAloneIsNotSchedulable) {
+    test::Model model("corpus/aggregation");
+    const Result result = conform(model.system, model.instantiation, model.machine("AggregationFSM"), {}, model.sources,
+                                  model.diagnostics);
+    ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
+    ASSERT_EQ(result.cycles.size(), 1U);
+    EXPECT_THAT(result.cycles[0].inputs, ElementsAre("seeWall", "seeRobot"));
+    EXPECT_THAT(result.cycles[0].outputs, ElementsAre("MoveClockwise(-0.75, -10.88)", "RotateClockwise(-5.02)"));
+    EXPECT_THAT(result.reason, HasSubstr("MoveClockwise(-0.75, -10.88) a second time"));
+}
+
+// codegen.md 5.5: with {detected, turned} in one cycle, Forward is entered and left and entered: two moves.
+TEST(CaseStudies, SwarmTaxisWithoutWaitsIsNotSchedulable) {
+    const std::string folder = test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "; wait ( 1 )", "");
+    const Result result = conform_module(folder);
+    std::filesystem::remove_all(folder);
+    ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
+    EXPECT_EQ(result.cycles.size(), 1U);
+}
+
+}  // namespace
+}  // namespace robochart::conformance
