@@ -14,7 +14,7 @@ namespace robochart::conformance::test {
 Model::Model(const std::string& folder) {
     const std::string path = folder.front() == '/' ? folder : std::string(ROBOCHART_SOURCE_DIR) + "/" + folder;
     const auto model = frontend::load_project(sources, path, diagnostics);
-    if (diagnostics.ok()) system = ir::lower(*model, diagnostics);
+    if (diagnostics.ok()) system = ir::lower(*model, sources, diagnostics);
     if (diagnostics.ok()) instantiation = ir::instantiate(system, {}, diagnostics);
     EXPECT_TRUE(diagnostics.ok()) << diagnostics::render_text(sources, diagnostics);
 }
