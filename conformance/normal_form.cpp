@@ -63,12 +63,21 @@ DeclPtr find_in(const std::vector<DeclPtr>& decls, const std::string& qualified)
     return nullptr;
 }
 
+/// What a declaration declares in its own scope.
+std::vector<std::string> declared_names(const cspm::Decl& decl) {
+    std::vector<std::string> names = decl.names;
+    if (decl.kind == cspm::DeclKind::value) {
+        for (const cspm::PatternPtr& pattern : decl.patterns.front()) names.push_back(pattern->text);
+    }
+    for (const cspm::Constructor& constructor : decl.constructors) names.push_back(constructor.name);
+    return names;
+}
+
 bool declares(const std::vector<DeclPtr>& decls, const std::string& name) {
     return std::any_of(decls.begin(), decls.end(), [&](const DeclPtr& decl) {
         if (decl->kind == cspm::DeclKind::timed) return declares(decl->decls, name);
-        if (decl->kind == cspm::DeclKind::value && !decl->patterns.empty() && decl->patterns.front().size() == 1)
-            return decl->patterns.front().front()->text == name;
-        return std::find(decl->names.begin(), decl->names.end(), name) != decl->names.end();
+        const std::vector<std::string> names = declared_names(*decl);
+        return std::find(names.begin(), names.end(), name) != names.end();
     });
 }
 
@@ -107,7 +116,7 @@ private:
     void add(DeclPtr decl) { result_.decls.push_back(std::move(decl)); }
 
     void check_name(const cspm::Decl& decl) const {
-        for (const std::string& name : decl.names) {
+        for (const std::string& name : declared_names(decl)) {
             if (decl.kind != cspm::DeclKind::external && declares(script_.decls, name))
                 throw AlphabetError(fmt::format("the script of the model already declares {}", name));
         }

@@ -2,6 +2,7 @@
 // RoboTool's kinds are those that its own generators were seen to have (event eaten under a false guard, children not
 // exited, composite resumed, input not awaited).
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -12,6 +13,7 @@ namespace robochart::conformance {
 namespace {
 
 using cpp_emit::Fault;
+using testing::UnorderedElementsAre;
 
 struct Named {
     Fault fault;
@@ -66,25 +68,58 @@ std::set<std::string> kill_all(test::Bench& bench, const std::vector<Equivalent>
     return killed;
 }
 
+const Equivalent one_transition_a_cycle{
+    Fault::single_transition_step, 0,
+    "Every entry action takes a cycle, so no cycle has two transitions of the machine."};
+
 TEST(Mutants, Aggregation) {
     test::Model model("corpus/aggregation");
     test::Bench bench(model, model.module());
     ASSERT_EQ(bench.check().outcome, Outcome::conforms);
-    kill_all(bench, {});
+    EXPECT_THAT(kill_all(bench, {one_transition_a_cycle}),
+                UnorderedElementsAre("wrong_target", "entry_dropped", "argument_swapped", "assignment_dropped",
+                                     "event_kept", "wait_dropped"));
 }
 
 TEST(Mutants, SwarmTaxis) {
     test::Model model("corpus/swarm_taxis");
     test::Bench bench(model, model.module());
     ASSERT_EQ(bench.check().outcome, Outcome::conforms);
-    kill_all(bench, {});
+    const char* const after_t2 = "t3 is tried after t2, which fires whenever t3's guard is false.";
+    const char* const has_turned = "Turn ends with reached = true and nothing else writes it: the guard is true here.";
+    const char* const reset_later = "T is not read before t4 or t5 resets it.";
+    const std::vector<Equivalent> equivalents{
+        one_transition_a_cycle,
+        {Fault::guard_after_consume, 1, after_t2},
+        {Fault::guard_dropped, 2, after_t2},
+        {Fault::guard_dropped, 3, has_turned},
+        {Fault::guard_dropped, 4, has_turned},
+        {Fault::clock_not_reset, 0, "Clocks start at 0, and t0 fires before time passes."},
+        {Fault::clock_not_reset, 1, reset_later},
+        {Fault::clock_not_reset, 2, reset_later},
+        {Fault::clock_off_by_one, 1, reset_later},
+        {Fault::clock_off_by_one, 2, reset_later},
+        {Fault::trigger_value_old, 0, "The guard of t3 does not read the trigger's variable."},
+    };
+    EXPECT_THAT(kill_all(bench, equivalents),
+                UnorderedElementsAre("guard_after_consume", "input_not_awaited", "guard_negated", "guard_dropped",
+                                     "clock_not_reset", "clock_off_by_one", "wrong_target", "action_dropped",
+                                     "entry_dropped", "assignment_dropped", "event_kept", "wait_dropped"));
 }
 
 TEST(Mutants, Nested) {
     test::Model model("tests/conformance/models/nested");
     test::Bench bench(model, model.module());
     ASSERT_EQ(bench.check().outcome, Outcome::conforms);
-    kill_all(bench, {});
+    const std::vector<Equivalent> equivalents{
+        {Fault::guard_after_consume, 1, "t2 is the last to want `level`: eaten or lost at the end of the cycle."},
+        {Fault::wrong_target, 1, "u2 goes to Idle, which Pause is left for at once and without an action."},
+    };
+    EXPECT_THAT(kill_all(bench, equivalents),
+                UnorderedElementsAre("guard_after_consume", "children_not_exited", "composite_resumed",
+                                     "single_transition_step", "guard_negated", "guard_dropped", "wrong_target",
+                                     "entry_dropped", "exit_dropped", "argument_swapped", "event_kept", "wait_dropped",
+                                     "trigger_value_old"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
 #include "conformance/normal_form_system.hpp"
+#include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance {
 namespace {
@@ -126,6 +127,28 @@ TEST(NormalForm, OneOrderOfReadingLosesNothing) {
         Both both(model, 1, Reading::any_order, "ORDERED");
         both.expect_equal(model);
     }
+}
+
+// The same on a case study: the text is what FDR would be given.
+TEST(NormalForm, TextAndSystemAgreeOnAggregation) {
+    test::Model model("corpus/aggregation");
+    test::Bench bench(model, model.module());
+    const Interface interface = bench.interface();
+    process::EventTable scratch;
+    const NormalFormScript form =
+        normal_form(bench.script().definitions, bench.process(), Alphabet(interface, scratch), 1, Reading::fixed_order);
+    cspm::Script script = bench.script().definitions;
+    script.decls.insert(script.decls.end(), form.decls.begin(), form.decls.end());
+    cspm::Session session(script);
+    const auto text = session.system(form.process);
+    const auto modelled = session.system(bench.process());
+    const Alphabet alphabet(interface, session.event_table());
+    ModelGraph graph(*modelled, alphabet);
+    NormalFormSystem direct(graph, alphabet, 1, AfterTermination::stop);
+    const auto fd = refine::Model::failures_divergences;
+    EXPECT_EQ(refine::refines(*text, direct, fd, {}).outcome, refine::Outcome::holds);
+    EXPECT_EQ(refine::refines(direct, *text, fd, {}).outcome, refine::Outcome::holds);
+    EXPECT_GT(graph.size(), 10U);
 }
 
 TEST(NormalForm, PrintsAndReadsBack) {
