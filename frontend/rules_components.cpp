@@ -68,14 +68,14 @@ const Rule m1{"M1", error, "module `{}` has {} robotic platforms, it needs exact
 const Rule m_controller{"M", error, "module `{}` has no controller",
                         "The software of a module consists of controllers."};
 const Rule m_machine{"M", error, "module `{}` has state machine `{}` outside a controller",
-                     "State machines belong to controllers."};
+                     "State machines belong to controllers: wrap it in one, or refer to it by `sref` there."};
 const Rule m2_variables{
     "M2", error, "the platform of module `{}` does not provide the variable{} that `{}` requires: {}",
     "What a controller requires must be offered by the module's platform, by name and with a compatible type."};
 const Rule m2_operations{"M2", error,
                          "the platform of module `{}` does not provide the operation{} that `{}` requires: {}",
                          "What a controller requires must be offered by the module's platform."};
-const Rule dt{"DT", error, "datatype `{}` has no field", "A datatype is made of its fields."};
+const Rule dt{"DT", error, "datatype `{}` has no field", "A datatype is made of its fields: `datatype Point { x : real y : real }`."};
 
 const std::vector<const Rule*>& of_components() {
     static const std::vector<const Rule*> rules = {

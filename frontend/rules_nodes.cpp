@@ -42,7 +42,7 @@ const Rule pj3{"PJ3", warning, "the probabilities of the transitions from `{}` a
                "The ways out of a probabilistic junction must cover all cases."};
 const Rule pt1{"PT1", error, "transition `{}` has a probability but starts in `{}`, which is no probabilistic junction",
                "Only the ways out of a probabilistic junction carry probabilities."};
-const Rule pt2{"PT2", error, "the probability {} is not between 0 and 1", "A probability is a number from 0 to 1."};
+const Rule pt2{"PT2", error, "the probability {} is not between 0 and 1", "A probability is a number from 0 to 1, for example `probability 0.5`; those of one junction add up to 1."};
 const Rule pt2_unknown{"PT2", warning,
                        "this probability cannot be computed here; make sure that it lies between 0 and 1",
                        "The expression is not constant, so its range was not checked."};

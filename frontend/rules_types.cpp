@@ -12,11 +12,11 @@ const Rule assignment_type{
     "RC-T02", error, "`{}` has type {}, but the value assigned has type {}",
     "The value must fit the variable's type: nat fits int, int fits real, never the other way. The difference of "
     "two nats is an int."};
-const Rule if_type{"RC-T03", error, "the condition of `if` must be boolean, this is {}", "Only booleans decide."};
+const Rule if_type{"RC-T03", error, "the condition of `if` must be boolean, this is {}", "Only booleans decide which branch of `if` runs: write a comparison, as in `if x > 0 then ... end`."};
 const Rule condition_type{"RC-T04", error, "the condition of a transition must be boolean, this is {}",
-                          "Only booleans decide."};
+                          "A guard is true or false: write a comparison, as in `condition x > 0`, or a boolean variable."};
 const Rule wait_type{"RC-T05", error, "`wait` takes an integer or a set of integers, this is {}",
-                     "Time passes in whole units."};
+                     "Time passes in whole units: `wait(2)` takes two, `wait([1,3])` one to three."};
 const Rule call_count{"RC-T06", error, "operation `{}` takes {} argument{}, this call has {}",
                       "The arguments of a call match the parameters of the operation one by one."};
 const Rule call_type{"RC-T07", error, "argument {} of operation `{}` must be {}, this is {}",
@@ -65,10 +65,10 @@ const Rule mixed_types{
     "All elements of a set, sequence, vector or matrix, and both branches of `if`, have a common type."};
 const Rule size_value{"RC-T27", error,
                       "the size of a vector or matrix is a positive integer or a constant, this is `{}`",
-                      "Sizes are known before the model runs."};
-const Rule condition_boolean{"RC-T28", error, "{} must be boolean, this is {}", "Only booleans can be true or false."};
+                      "Sizes are known before the model runs: `vector(real, 3)`, or a constant with a value."};
+const Rule condition_boolean{"RC-T28", error, "{} must be boolean, this is {}", "Conditions, preconditions and operands of logical operators are true or false: write a comparison."};
 const Rule deadline_type{"RC-T29", error, "a deadline is a number of time units, this is {}",
-                         "Deadlines are integers."};
+                         "A deadline counts whole time units: `e <{ 3 }` gives three of them."};
 const Rule not_assignable{"RC-T30", error, "`{}` is a {} and cannot be assigned", "Only variables can be assigned."};
 const Rule comm_narrow{
     "RC-T31", warning, "event `{}` carries {}, and variable `{}` of type {} cannot hold every such value",

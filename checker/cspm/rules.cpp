@@ -40,7 +40,7 @@ const Rule annotation_unused{"CSPM-P10", Severity::error, "type annotation for '
 const Rule annotation_repeated{"CSPM-P11", Severity::error, "second type annotation for '{}'",
                                "Give each name one annotation; names of one channel declaration share theirs."};
 const Rule bad_annotation{"CSPM-P12", Severity::error, "the arguments of a function type stand in parentheses",
-                          "Write `f :: (Int) -> Bool`."};
+                          "A type annotation of a function names its arguments in parentheses: `f :: (Int) -> Bool`."};
 const Rule option_repeated{"CSPM-P13", Severity::error, "option '{}' is given twice",
                            "Each option of an assertion may be given once."};
 const Rule bad_include{"CSPM-P14", Severity::error, "include needs a file name in double quotes",
