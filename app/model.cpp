@@ -88,8 +88,11 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
         project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
         return false;
     }
+    cpp_emit::Options generator;
+    generator.cycle_length = options.cycle;
+    generator.sources = &project.sources;
     for (const ir::ComponentRef& component : components) {
-        const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, {}, project.diagnostics);
+        const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
         if (!project.diagnostics.ok()) return false;
         if (!write_all(options.out + "/cpp/" + component.path, emission.files, report.cpp_files, project.diagnostics)) return false;
     }

@@ -145,9 +145,11 @@ std::vector<DeclPtr> Asserter::refinement(const ir::Property& property, bool bot
     return result;
 }
 
+/// RoboTool asserts over VS_O__; VS__ is the same process before compression, and a counterexample through it still
+/// shows every step.
 std::vector<DeclPtr> Asserter::reachability(const ir::Property& property) const {
     const ExprPtr entered = b::name(path(property.subject) + "::" + property.state + "::entered");
-    const ExprPtr only = b::project(process(property.subject, property, "VS_O__"), b::productions({entered}));
+    const ExprPtr only = b::project(process(property.subject, property, "VS__"), b::productions({entered}));
     return {b::assert_refines(b::stop(), cspm::Model::traces, only, !property.negated)};
 }
 

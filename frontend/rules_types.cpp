@@ -32,7 +32,7 @@ const Rule comm_value{"RC-T09", error, "event `{}` carries {}, this value is {}"
 const Rule literal_count{"RC-T10", error, "literal `{}` takes {} argument{}, {} given",
                          "A literal declared with types needs a value for each of them."};
 const Rule literal_bare{"RC-T11", warning, "literal `{}` takes no arguments; leave the parentheses out",
-                        "`L()` means the same as `L`."};
+                        "`L()` means the same as `L`; a literal without arguments is written without parentheses."};
 const Rule literal_type{"RC-T12", error, "argument {} of literal `{}` must be {}, this is {}",
                         "The arguments of a literal fit the types it is declared with."};
 const Rule function_count{"RC-T13", error, "function `{}` takes {} argument{}, this call has {}",
@@ -69,7 +69,7 @@ const Rule size_value{"RC-T27", error,
 const Rule condition_boolean{"RC-T28", error, "{} must be boolean, this is {}", "Conditions, preconditions and operands of logical operators are true or false: write a comparison."};
 const Rule deadline_type{"RC-T29", error, "a deadline is a number of time units, this is {}",
                          "A deadline counts whole time units: `e <{ 3 }` gives three of them."};
-const Rule not_assignable{"RC-T30", error, "`{}` is a {} and cannot be assigned", "Only variables can be assigned."};
+const Rule not_assignable{"RC-T30", error, "`{}` is a {} and cannot be assigned", "The left side of an assignment is a variable, or a field or element of one: `x = 1`, `p.x = 1`, `a[1] = 1`."};
 const Rule comm_narrow{
     "RC-T31", warning, "event `{}` carries {}, and variable `{}` of type {} cannot hold every such value",
     "The reading is accepted as RoboTool accepts it; a value that does not fit is outside the variable's type."};

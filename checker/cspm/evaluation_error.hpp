@@ -1,3 +1,4 @@
+// The one exception of the evaluator: a fault of the script, found while it runs.
 #pragma once
 
 #include <stdexcept>

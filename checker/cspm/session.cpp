@@ -6,6 +6,7 @@
 #include "checker/cspm/evaluator.hpp"
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/resolver.hpp"
+#include "checker/lts/compressor.hpp"
 #include "checker/lts/term_system.hpp"
 #include "checker/process/operational_semantics.hpp"
 
@@ -31,6 +32,7 @@ public:
     }
     [[nodiscard]] const process::EventTable& events() const override { return system_.events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override { return system_.describe(state); }
+    void watch(const std::function<void()>& poll) override { system_.watch(poll); }
 
 private:
     lts::TermSystem system_;
@@ -64,7 +66,7 @@ struct Session::Impl {
     explicit Impl(Script given)
         : script(std::move(given)),
           terms(events),
-          semantics(terms),
+          semantics(terms, &compressor),
           resolver(program, store),
           evaluator(program, store, events, terms) {
         on_deep_stack([this] { resolver.script(script); });
@@ -137,6 +139,7 @@ struct Session::Impl {
     ValueStore store;
     process::EventTable events;
     process::TermStore terms;
+    lts::BisimulationCompressor compressor;
     process::OperationalSemantics semantics;
     Resolver resolver;
     Evaluator evaluator;

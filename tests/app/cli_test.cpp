@@ -7,6 +7,7 @@
 namespace robochart::app::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -37,9 +38,38 @@ TEST(Cli, WrongUsageIsExit4) {
 TEST(Cli, MalformedOptionValuesAreSaid) {
     const std::string model = repository("corpus/aggregation");
     EXPECT_EQ(run({"check", model, "--range", "nat=4..1"}).exit, 2);
-    EXPECT_THAT(run({"check", model, "--range", "nat=x"}).err, HasSubstr("TYPE=LOW..HIGH"));
+    EXPECT_THAT(run({"check", model, "--range", "nat=x"}).err, AllOf(HasSubstr("RC-A01"), HasSubstr("TYPE=LOW..HIGH")));
     EXPECT_THAT(run({"check", model, "--const", "=3"}).err, HasSubstr("NAME=VALUE"));
     EXPECT_EQ(run({"check", model, "--const", "NoSuchConstant=3"}).exit, 2);
+}
+
+TEST(Cli, AnUnknownComponentIsSaid) {
+    const Ran ran = run({"conform", repository("corpus/aggregation"), "--component", "NoSuch"});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.err, AllOf(HasSubstr("RC-A02"), HasSubstr("NoSuch")));
+}
+
+TEST(Cli, AnUnwritableFolderIsSaid) {
+    const Ran ran = run({"emit", "csp", repository("corpus/aggregation"), "--out", "/dev/null/out"});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.err, AllOf(HasSubstr("RC-A03"), HasSubstr("/dev/null/out")));
+}
+
+const char* const counter =
+    "stm S { const step : nat  var x : nat  event e : nat\n"
+    "  initial i  state A { entry e ! step } transition t0 { from i to A } transition t1 { from A to A condition x > step } }\n";
+
+TEST(Cli, AConstantOutsideItsTypesRangeIsWarnedOf) {
+    const TemporaryFile file("model.rct", counter);
+    EXPECT_THAT(run({"check", file.path(), "--const", "step=5", "--range", "nat=0..1"}).err, HasSubstr("RC-S17"));
+}
+
+TEST(Cli, ReplacedInstantiationsAreNoted) {
+    const TemporaryFile model("model.rct", counter);
+    const TemporaryFile block("model.assertions",
+                              "csp Instantiations csp-begin\nnametype core_nat = {0..1}\ncsp-end\n"
+                              "assertion A1 : S is divergence-free\n");
+    EXPECT_THAT(run({"check", model.path(), block.path()}).err, HasSubstr("RC-C07"));
 }
 
 TEST(Cli, MissingFileIsBadInput) {

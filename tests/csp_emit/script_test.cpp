@@ -251,8 +251,8 @@ TEST(Assertions, EachPropertyHasItsForm) {
     for (const char* part :
          {"assert S::D__(0) :[deadlock free]\n", "assert not S::D__(0) :[deadlock free]\n",
           "assert S::D__(0) ; RUN({r__}) :[deadlock free]\n", "assert STOP [T= (S::D__(0) ; r__ -> STOP) |\\ {r__}\n",
-          "assert not STOP [T= S::VS_O__(0) |\\ {| S::A::entered |}\n",
-          "assert STOP [T= S::VS_O__(0) |\\ {| S::A::entered |}\n", "assert S::D__(0) [T= S::D__(0)\n",
+          "assert not STOP [T= S::VS__(0) |\\ {| S::A::entered |}\n",
+          "assert STOP [T= S::VS__(0) |\\ {| S::A::entered |}\n", "assert S::D__(0) [T= S::D__(0)\n",
           "tick-tock model is not supported", "assert not S::D__(0) :[deterministic]\n",
           "S::D__(0)[[ tock <- tock, tock <- tock' ]]",
           "assert RUN({tock}) ||| CHAOS(diff(Events, {| tock |})) [F= S::D__(0)\n", "A2 [timed] S is deadlock-free"})

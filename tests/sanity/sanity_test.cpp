@@ -49,7 +49,9 @@ TEST(Sanity, HeadersSayWhatTheyAreForAndAreGuarded) {
     for (const fs::path& path : files(root, {".hpp"})) {
         const std::string text = contents(path);
         EXPECT_TRUE(text.starts_with("//")) << path << " has no head comment";
-        EXPECT_THAT(text, ::testing::HasSubstr("#pragma once")) << path;
+        // Headers that ship with generated code keep to portable guards.
+        const bool guarded = text.find("#pragma once") != std::string::npos || text.find("#ifndef ROBOCHART_") != std::string::npos;
+        EXPECT_TRUE(guarded) << path << " has no include guard";
     }
 }
 
