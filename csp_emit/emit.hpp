@@ -44,7 +44,7 @@ struct DefinitionMeaning {
     ir::Origin origin;
 };
 /// Keys are names as the checker prints them: qualified event name without arguments
-/// ("P::S::internal__.t2", "P::S::seeRobot.in"), qualified definition name ("P::S::S1__").
+/// ("P::S::internal__.P::S::TID_t2", "P::S::seeRobot.in"), qualified definition name ("P::S::S1__").
 struct Provenance {
     std::map<std::string, EventMeaning> events;
     std::map<std::string, DefinitionMeaning> definitions;

@@ -33,52 +33,7 @@ bool reads_clock(const ir::Machine& machine, std::uint32_t clock) {
                        [&](const ir::Transition& t) { return t.guard && mentions(*t.guard, uses); });
 }
 
-void walk_statements(const ir::StmtPtr& stmt, const std::function<void(const ir::Stmt&)>& visit) {
-    if (!stmt) return;
-    visit(*stmt);
-    for (const auto& part : stmt->body) walk_statements(part, visit);
-}
-
-/// Whether an expression of the machine reads the variable. Values that nothing reads need not be kept.
-bool reads_variable(const ir::Machine& machine, std::uint32_t variable) {
-    bool found = false;
-    const auto in = [&](const ir::ExprPtr& expr) {
-        found = found || (expr && mentions(*expr, [&](const ir::Expr& part) {
-                              return part.kind == ir::ExprKind::variable && part.variable.index == variable;
-                          }));
-    };
-    const auto in_communication = [&](const ir::Communication& c) { in(c.value), in(c.predicate); };
-    const auto in_statement = [&](const ir::StmtPtr& root) {
-        walk_statements(root, [&](const ir::Stmt& stmt) {
-            found = found || (!stmt.path.empty() && stmt.variable.index == variable);
-            in(stmt.condition), in(stmt.value), in(stmt.upper), in_communication(stmt.communication);
-            for (const auto& expr : stmt.path) in(expr);
-            for (const auto& expr : stmt.args) in(expr);
-        });
-    };
-    for (const ir::Node& node : machine.nodes)
-        in_statement(node.entry), in_statement(node.during), in_statement(node.exit);
-    for (const ir::Transition& transition : machine.transitions) {
-        if (transition.trigger) in_communication(*transition.trigger);
-        in(transition.guard), in(transition.deadline), in_statement(transition.action);
-    }
-    for (const auto& condition : machine.preconditions) in(condition);
-    for (const ir::Variable& other : machine.variables) in(other.initial);
-    return found;
-}
-
 }  // namespace
-
-/// Whether the machine, or an operation that works on the variable, reads it.
-bool MachineEmitter::needed(const ir::Machine& owner, std::uint32_t variable) const {
-    if (reads_variable(owner, variable)) return true;
-    const auto below = callable();
-    return std::any_of(below.begin(), below.end(), [&](const ir::Machine* operation) {
-        const auto found = find_named(operation->variables, owner.variables[variable].name);
-        return found && operation->variables[*found].scope == ir::VariableScope::required &&
-               reads_variable(*operation, static_cast<std::uint32_t>(*found));
-    });
-}
 
 CellId MachineEmitter::add_cell(Cell cell) {
     cell.name = context_.names.unique(cell.name);
@@ -107,8 +62,7 @@ std::uint32_t MachineEmitter::open_frame(const ir::Machine& opened, std::uint32_
 }
 
 void MachineEmitter::add_variables(Frame& frame, bool root) {
-    for (std::uint32_t i = 0; i < frame.machine->variables.size(); ++i) {
-        const ir::Variable& variable = frame.machine->variables[i];
+    for (const ir::Variable& variable : frame.machine->variables) {
         if (!root && variable.scope == ir::VariableScope::required) {
             const Frame& caller = frames_[frame.parent];
             const auto found = find_named(caller.machine->variables, variable.name);
@@ -128,7 +82,7 @@ void MachineEmitter::add_variables(Frame& frame, bool root) {
         cell.parameter = variable.scope == ir::VariableScope::parameter;
         cell.channel = variable.name;
         frame.variables.push_back(add_cell(cell));
-        if (needed(*frame.machine, i)) frame.own.push_back(frame.variables.back());
+        frame.own.push_back(frame.variables.back());
     }
 }
 

@@ -55,15 +55,9 @@ ComponentEmission MachineEmitter::emit() {
     collect_constants(machine(), chain);
     open_frame(machine(), 0, "");
     const bool bodiless = machine().kind == ir::MachineKind::operation && !machine().initial.valid();
-    const ExprPtr initial = bodiless ? machine().terminates ? b::skip() : b::internal_choice({b::skip(), b::stop()})
-                                     : go(start(), initial_values());
-    std::vector<cspm::DeclPtr> definitions;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const Point point = points_[i];
-        current_ = &point;
-        definitions.push_back(definition(point, body(point)));
-    }
-    current_ = nullptr;
+    ExprPtr initial = bodiless ? machine().terminates ? b::skip() : b::internal_choice({b::skip(), b::stop()})
+                               : go(start(), initial_values());
+    std::vector<cspm::DeclPtr> definitions = point_definitions(initial);
     ComponentEmission result;
     definitions.insert(definitions.begin(), clock_limits_.begin(), clock_limits_.end());
     result.module = module(std::move(definitions), initial);
@@ -76,6 +70,23 @@ ComponentEmission MachineEmitter::emit() {
     }
     result.visible = visible_;
     emitted_.components[context_.path] = result;
+    return result;
+}
+
+/// The functions of all points reachable from the initial one; points are found while bodies are made.
+std::vector<cspm::DeclPtr> MachineEmitter::point_definitions(ExprPtr& initial) {
+    std::vector<Function> functions;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const Point point = points_[i];
+        current_ = &point;
+        std::vector<std::string> parameters = parameter_names(false);
+        for (const CellId cell : point.cells) parameters.push_back(cells_[cell].name);
+        functions.push_back({point.name, parameters, body(point)});
+    }
+    current_ = nullptr;
+    const auto live = drop_dead_parameters(functions, initial);
+    std::vector<cspm::DeclPtr> result;
+    for (std::size_t i = 0; i < points_.size(); ++i) result.push_back(definition(points_[i], functions[i], live[i]));
     return result;
 }
 
@@ -185,19 +196,18 @@ std::vector<ExprPtr> MachineEmitter::branches(const Activation& config) {
     return result;
 }
 
-cspm::DeclPtr MachineEmitter::definition(const Point& point, const ExprPtr& body) const {
-    std::vector<std::string> parameters = parameter_names(false);
+cspm::DeclPtr MachineEmitter::definition(const Point& point, const Function& function,
+                                         const std::vector<bool>& live) const {
     DefinitionMeaning meaning;
     meaning.text = describe(point.config);
-    for (const ConstantParameter& constant : constants_) {
-        meaning.parameters.push_back(constant.constant);
-        meaning.types.emplace_back();
-    }
-    for (const CellId cell : point.cells) {
-        parameters.push_back(cells_[cell].name);
-        meaning.parameters.push_back(cells_[cell].meaning);
-        meaning.types.push_back(cells_[cell].type);
-    }
+    const auto keep = [&](std::size_t place, const std::string& name, ir::TypeId type) {
+        if (!live[place]) return;
+        meaning.parameters.push_back(name);
+        meaning.types.push_back(type);
+    };
+    for (std::size_t i = 0; i < constants_.size(); ++i) keep(i, constants_[i].constant, constants_[i].type);
+    for (std::size_t i = 0; i < point.cells.size(); ++i)
+        keep(constants_.size() + i, cells_[point.cells[i]].meaning, cells_[point.cells[i]].type);
     const Activation& inner = innermost(point.config);
     const Item* item = running_item(point.config);
     if (item != nullptr && item->stmt != nullptr)
@@ -205,7 +215,7 @@ cspm::DeclPtr MachineEmitter::definition(const Point& point, const ExprPtr& body
     else if (inner.at.valid())
         meaning.origin = frames_[inner.frame].machine->nodes[inner.at.index].origin;
     emitted_.provenance.definitions[context_.path + "::" + point.name] = meaning;
-    return b::function_decl(point.name, b::variables(parameters), body, meaning.text);
+    return b::function_decl(function.name, b::variables(function.parameters), function.body, meaning.text);
 }
 
 std::string MachineEmitter::describe(const Activation& config) const {

@@ -13,6 +13,7 @@
 #include "csp_emit/component.hpp"
 #include "csp_emit/configuration.hpp"
 #include "csp_emit/expressions.hpp"
+#include "csp_emit/liveness.hpp"
 #include "csp_emit/names.hpp"
 
 namespace robochart::csp_emit {
@@ -78,7 +79,8 @@ private:
     std::size_t point(const Activation& config);
     std::vector<CellId> cells_of(const Activation& config) const;
     ExprPtr body(const Point& point);
-    cspm::DeclPtr definition(const Point& point, const ExprPtr& body) const;
+    std::vector<cspm::DeclPtr> point_definitions(ExprPtr& initial);
+    cspm::DeclPtr definition(const Point& point, const Function& function, const std::vector<bool>& live) const;
     std::vector<ExprPtr> branches(const Activation& config);
     Activation start() const;
     Values initial_values() const;
@@ -104,7 +106,6 @@ private:
     std::uint32_t callee_frame(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& machine);
     CellId add_cell(Cell cell);
     void add_variables(Frame& frame, bool root);
-    bool needed(const ir::Machine& owner, std::uint32_t variable) const;
     void add_clocks(Frame& frame, bool root);
     void add_constants(Frame& frame);
     void collect_constants(const ir::Machine& owner, std::vector<const ir::Machine*>& seen);

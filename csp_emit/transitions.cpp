@@ -153,7 +153,8 @@ ExprPtr MachineEmitter::transition_event(std::uint32_t frame, ir::TransitionId i
         meaning.text = transition.name + ": " + owner.nodes[transition.source.index].path + " -> " +
                        owner.nodes[transition.target.index].path;
         meaning.origin = transition.origin;
-        mean("internal__." + found->second, meaning);
+        // Constructors are printed with the module they belong to.
+        mean("internal__." + context_.path + "::" + found->second, meaning);
     }
     return b::dot({b::name("internal__"), b::name(found->second)});
 }

@@ -2,6 +2,8 @@
 // refinement both ways in the failures-divergences model.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {
@@ -405,6 +407,29 @@ TEST(Time, UntimedTreatmentDropsIt) {
     )"),
                       "Spec = S::a.out -> S::b.in -> STOP"),
               "holds");
+}
+
+TEST(Provenance, KeysAreWhatTheCheckerPrints) {
+    const auto m = model(R"(
+        interface I { var x:nat }
+        stm S {
+            requires I
+            event a : nat
+            initial i
+            state A { entry x = x + 1 ; a ! x }
+            transition t0 { from i to A }
+        })");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    const Provenance provenance = m->emit(Time::untimed).provenance;
+    const auto told = testing::story(*m, Time::untimed, "S::D__(0)", "RUN({| S::set_EXT_x |})");
+    ASSERT_EQ(told.size(), 3U);
+    for (const testing::Told& step : told) {
+        const auto event = std::find_if(provenance.events.begin(), provenance.events.end(), [&](const auto& entry) {
+            return step.event == entry.first || step.event.compare(0, entry.first.size() + 1, entry.first + ".") == 0;
+        });
+        EXPECT_NE(event, provenance.events.end()) << step.event;
+        EXPECT_NE(provenance.definitions.count(step.state.substr(0, step.state.find('('))), 0U) << step.state;
+    }
 }
 
 }  // namespace

@@ -34,6 +34,12 @@ struct Model {
 
 /// Reads CSPM text behind the model's script and decides every assertion in it: "holds", "fails" or the reason why not.
 [[nodiscard]] std::vector<std::string> verdicts(Model&, Time, const std::string& cspm);
+/// The steps of the counterexample to `specification [T= process`: names of events (of the hidden ones too) and of
+/// states.
+struct Told {
+    std::string event, state;
+};
+[[nodiscard]] std::vector<Told> story(Model&, Time, const std::string& process, const std::string& specification);
 /// Decides every assertion of a script.
 [[nodiscard]] std::vector<std::string> decide(const cspm::Script&);
 /// `holds` for both refinements in the failures-divergences model; else what went wrong, with the counterexample's

@@ -5,7 +5,9 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "checker/cspm/build.hpp"
 #include "checker/cspm/reader.hpp"
+#include "csp_emit/liveness.hpp"
 #include "csp_emit/rules.hpp"
 #include "tests/csp_emit/fixture.hpp"
 #include "tests/semantics/sample_systems.hpp"
@@ -87,6 +89,44 @@ TEST(Script, VariablesThatNothingReadsAreNotKept) {
     EXPECT_THAT(printed(*m, Time::untimed), Not(HasSubstr("v_x")));
 }
 
+TEST(Script, ValuesThatDoNotMatterAnyMoreAreDropped) {
+    // In B and after, x is overwritten before it is read; in A it is read by the guard.
+    const auto m = model(R"(
+        stm S {
+            event a : nat
+            var x : nat
+            initial i
+            state A { }
+            state B { }
+            transition t0 { from i to A action x = 1 }
+            transition t1 { from A to B trigger a ? x condition x > 0 }
+            transition t2 { from A to B condition x == 2 }
+            transition t3 { from B to A trigger a ? x }
+        })");
+    const std::string text = printed(*m, Time::untimed);
+    EXPECT_THAT(text, HasSubstr("A__(v_x) ="));
+    EXPECT_THAT(text, HasSubstr("B__ ="));
+}
+
+TEST(Liveness, GoesBackwardsAlongCalls) {
+    namespace b = cspm::build;
+    // P(x,y) passes x to Q's first parameter, which Q passes on to R, which outputs it; y goes nowhere.
+    const auto call = [](const char* name, std::vector<const char*> arguments) {
+        b::Exprs list;
+        for (const char* argument : arguments) list.push_back(b::name(argument));
+        return b::call(name, list);
+    };
+    std::vector<Function> family{
+        {"P", {"x", "y"}, b::prefix(b::name("a"), call("Q", {"x", "y"}))},
+        {"Q", {"u", "v"}, b::prefix(b::name("a"), call("R", {"u", "v"}))},
+        {"R", {"s", "t"}, b::prefix(b::name("c"), {b::output(b::name("s"))}, call("P", {"s", "t"}))}};
+    auto initial = b::call("P", {b::number(1), b::number(2)});
+    const auto live = drop_dead_parameters(family, initial);
+    EXPECT_THAT(live, ElementsAre(ElementsAre(true, false), ElementsAre(true, false), ElementsAre(true, false)));
+    EXPECT_EQ(cspm::print(initial), "P(1)");
+    EXPECT_EQ(cspm::print(family[1].body), "a -> R(u)");
+}
+
 TEST(Files, DefinitionsAndAssertionsThatIncludeThem) {
     const auto m = model("stm S { initial i state A { } transition t0 { from i to A } }");
     const Emission emission = m->emit(Time::timed, true);
@@ -109,11 +149,12 @@ TEST(Provenance, TellsEventsAndPlacesInTheModelsWords) {
             state A { entry x = x + 1 ; a ! x }
             transition t0 { from i to A }
             transition t1 { from A to A trigger a ? x condition x > 0 }
+            transition t2 { from A to A condition x == 2 }
         })");
     const Provenance provenance = m->emit(Time::untimed).provenance;
     EXPECT_EQ(provenance.events.at("S::a.in").kind, MeaningKind::trigger);
     EXPECT_EQ(provenance.events.at("S::a.in").types.size(), 1U);
-    EXPECT_EQ(provenance.events.at("S::internal__.TID_t0").text, "t0: i -> A");
+    EXPECT_EQ(provenance.events.at("S::internal__.S::TID_t0").text, "t0: i -> A");
     EXPECT_EQ(provenance.events.at("S::A::entered").kind, MeaningKind::entered);
     EXPECT_EQ(provenance.definitions.at("S::A__").text, "in A");
     EXPECT_THAT(provenance.definitions.at("S::A__").parameters, ElementsAre("x"));

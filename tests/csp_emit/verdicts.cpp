@@ -56,6 +56,21 @@ std::vector<std::string> decide(const cspm::Script& script) {
     return result;
 }
 
+std::vector<Told> story(Model& model, Time time, const std::string& process, const std::string& specification) {
+    Emission emission = model.emit(time);
+    const auto source = model.sources.add("story.csp", "assert " + specification + " [T= " + process + "\n");
+    const cspm::Script more = cspm::read(model.sources, source, model.diagnostics);
+    emission.script.decls.insert(emission.script.decls.end(), more.decls.begin(), more.decls.end());
+    cspm::Session session(emission.script);
+    const auto result = session.check(*session.assertions().back(), {});
+    std::vector<Told> told;
+    if (!result.verdict.counterexample) return told;
+    for (const refine::Step& step : result.verdict.counterexample->steps)
+        told.push_back(
+            {session.event_table().name(step.event == process::tau ? step.revealed : step.event), step.state});
+    return told;
+}
+
 std::string equal(Model& model, Time time, const std::string& process, const std::string& specification,
                   const std::string& definitions) {
     const auto results = verdicts(model, time,
