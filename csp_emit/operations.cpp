@@ -1,5 +1,7 @@
 // Calls (semantics 3.8). Not defined in the context: one event `opCall.args`. Defined: the operation's machine runs
 // in the place of the call, its parameters and variables joining the parameters of those points.
+#include <algorithm>
+
 #include "checker/cspm/build.hpp"
 #include "csp_emit/machine.hpp"
 #include "csp_emit/rules.hpp"
@@ -58,8 +60,8 @@ ExprPtr MachineEmitter::perform_call(const Place& place, const ir::Stmt& stmt, c
     const std::vector<CellId> own = frames_[index].own;
     for (std::size_t i = 0; i < operation.variables.size(); ++i) {
         const ir::Variable& variable = operation.variables[i];
-        if (variable.scope == ir::VariableScope::required) continue;
         const CellId cell = frames_[index].variables[i];
+        if (std::find(own.begin(), own.end(), cell) == own.end()) continue;  // the caller's
         const bool given = variable.scope == ir::VariableScope::parameter && parameter < stmt.args.size();
         inside[cell] = given ? expression_as(project(), scope(caller, values), *stmt.args[parameter++], variable.type)
                              : initial_value(index, variable);
