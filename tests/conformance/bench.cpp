@@ -11,11 +11,11 @@
 
 namespace robochart::conformance::test {
 
-Model::Model(const std::string& folder) {
+Model::Model(const std::string& folder, const ir::InstantiationOptions& options) {
     const std::string path = folder.front() == '/' ? folder : std::string(ROBOCHART_SOURCE_DIR) + "/" + folder;
     const auto model = frontend::load_project(sources, path, diagnostics);
     if (diagnostics.ok()) system = ir::lower(*model, sources, diagnostics);
-    if (diagnostics.ok()) instantiation = ir::instantiate(system, {}, diagnostics);
+    if (diagnostics.ok()) instantiation = ir::instantiate(system, options, diagnostics);
     EXPECT_TRUE(diagnostics.ok()) << diagnostics::render_text(sources, diagnostics);
 }
 
@@ -36,6 +36,11 @@ std::string changed_copy(const std::string& file, const std::string& from, const
 ir::ComponentRef Model::module() const {
     const ir::Module& module = system.modules.at(0);
     return {ir::ComponentKind::module, module.name, module.package, 0};
+}
+
+ir::ComponentRef Model::controller() const {
+    const ir::Controller& controller = system.controllers.at(0);
+    return {ir::ComponentKind::controller, controller.name, controller.package, 0};
 }
 
 ir::ComponentRef Model::machine(const std::string& name) const {

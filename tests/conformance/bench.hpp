@@ -17,14 +17,15 @@ namespace robochart::conformance::test {
 
 /// Reads a project: an absolute path, or one below the source folder.
 struct Model {
-    explicit Model(const std::string& folder);
+    explicit Model(const std::string& folder, const ir::InstantiationOptions& options = {});
 
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     ir::System system;
     ir::Instantiation instantiation;
 
-    [[nodiscard]] ir::ComponentRef module() const;  ///< the first module
+    [[nodiscard]] ir::ComponentRef module() const;      ///< the first module
+    [[nodiscard]] ir::ComponentRef controller() const;  ///< the first controller
     [[nodiscard]] ir::ComponentRef machine(const std::string& name) const;
 };
 

@@ -59,9 +59,21 @@ TEST(CaseStudies, NestedMachineConforms) {
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-TEST(CaseStudies, SwarmTaxisMachine) {
-    test::Model model("corpus/swarm_taxis");
+// Few reals, for there is a register for every shared variable that is read.
+TEST(CaseStudies, SwarmTaxisMachineConforms) {
+    ir::InstantiationOptions few;
+    few.ranges = {{"nat", {0, 0}}, {"int", {0, 0}}, {"real", {0, 0}}};
+    test::Model model("corpus/swarm_taxis", few);
     const Result result = conform_component(model, model.machine("SwarmTaxisFSM"));
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+}
+
+TEST(CaseStudies, ControllersConform) {
+    test::Model nested("tests/conformance/models/nested");
+    const Result small = conform_component(nested, nested.controller());
+    EXPECT_EQ(small.outcome, Outcome::conforms) << small.reason;
+    test::Model model("corpus/aggregation");
+    const Result result = conform_component(model, model.controller());
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 

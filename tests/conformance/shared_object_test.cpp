@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "tests/conformance/support.hpp"
@@ -38,6 +39,14 @@ TEST(SharedObject, TwoControllersStayApart) {
 
 TEST(SharedObject, CompilerErrorsAreQuoted) {
     EXPECT_THAT(error_of("int f( {"), HasSubstr("a.cpp:1"));
+}
+
+// clang has no unique symbols and does not know the option against them.
+TEST(SharedObject, ClangIsAnotherCompiler) {
+    if (std::system("clang++ --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "clang++ is not installed";
+    BuildOptions options;
+    options.compiler = "clang++";
+    EXPECT_THAT(error_of("int f() { return 0; }", options), HasSubstr("no exploration interface"));
 }
 
 TEST(SharedObject, MissingCompiler) {
