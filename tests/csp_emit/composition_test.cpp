@@ -261,5 +261,19 @@ TEST(Modules, AsynchronousBuffersAreOverwrittenByTheNewest) {
     EXPECT_EQ(results, std::vector<std::string>(6, "holds"));
 }
 
+/// corpus/*/*.assertions: each claim comes with its reason there.
+TEST(Corpus, EveryClaimHolds) {
+    for (const char* name : {"aggregation", "swarm_taxis"}) {
+        for (const Time time : {Time::untimed, Time::timed}) {
+            const auto m = testing::project(std::string(ROBOCHART_SOURCE_DIR) + "/corpus/" + name);
+            ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+            const auto results = testing::decide(m->emit(time).script);
+            ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+            EXPECT_GE(results.size(), 8U);
+            EXPECT_EQ(results, std::vector<std::string>(results.size(), "holds")) << name;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace robochart::csp_emit

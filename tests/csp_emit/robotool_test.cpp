@@ -109,6 +109,9 @@ void compare(testing::Model& m, Time time, const std::string& script_path,
             if (const auto found = constants.find(name); found != constants.end())
                 decl = b::value(name, b::number(found->second));
     for (const Component& component : components_of(ours)) {
+        // Alone, this machine has four variables that others may set to any of ten values: minutes in RoboTool's
+        // script.
+        if (component.name == "ObsDetector::ObsDetect" && std::getenv("ROBOCHART_SLOW") == nullptr) continue;
         std::vector<cspm::Link> links;
         for (const std::string& event : alphabet(ours.definitions.decls, component.name))
             links.push_back(
@@ -122,14 +125,10 @@ void compare(testing::Model& m, Time time, const std::string& script_path,
     }
 }
 
-const std::set<std::string> slow{"example_interlock_var_ddlk", "example_robot2", "example_robot_DDLK"};
-
 TEST_P(RoboTool, AgreesBothWays) {
     const auto& [model, time] = GetParam();
     const std::string root = testing::shared_folder() + "/suite/robotool-csp/";
     if (!std::filesystem::exists(root)) GTEST_SKIP() << "no shared scripts at " << root;
-    if (slow.count(model) != 0 && std::getenv("ROBOCHART_SLOW") == nullptr)
-        GTEST_SKIP() << "RoboTool's script takes minutes; set ROBOCHART_SLOW to run it";
     const auto m = testing::model_file(root + "models/" + model + ".rct");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     compare(*m, time, root + (time == Time::timed ? "timed/file_" : "untimed/file_") + model + ".csp");
