@@ -35,7 +35,21 @@ std::vector<std::string> raw_events(const refine::Counterexample& c, const proce
     return names;
 }
 
-void take(const Context& context, const refine::Verdict& verdict, AssertionReport& report) {
+bool claims_unreachable(const Context& context, const csp_emit::Obligation& obligation) {
+    return obligation.property != ir::no_id &&
+           context.project.system.properties[obligation.property].kind == ir::PropertyKind::reachable;
+}
+
+std::string told(const Context& context, const csp_emit::Obligation& obligation, const refine::Counterexample& c) {
+    const StoryTeller teller(context.emission.provenance, context.project.system, context.project.instantiation,
+                             context.project.sources, context.session.event_table());
+    Story story = teller.tell(c);
+    // The checker's words are about refinement; this claim was about a state.
+    if (claims_unreachable(context, obligation)) story.why = "the state has been reached";
+    return render(story, "                 ");
+}
+
+void take(const Context& context, const csp_emit::Obligation& obligation, const refine::Verdict& verdict, AssertionReport& report) {
     add(report.statistics, verdict.statistics);
     if (verdict.outcome == refine::Outcome::inconclusive) {
         report.answer = Answer::inconclusive;
@@ -43,11 +57,8 @@ void take(const Context& context, const refine::Verdict& verdict, AssertionRepor
     } else if (verdict.outcome == refine::Outcome::fails) {
         report.answer = Answer::fails;
         if (verdict.counterexample) {
-            const process::EventTable& events = context.session.event_table();
-            const StoryTeller teller(context.emission.provenance, context.project.system, context.project.instantiation,
-                                     context.project.sources, events);
-            report.counterexample = render(teller.tell(*verdict.counterexample), "                 ");
-            report.raw = raw_events(*verdict.counterexample, events);
+            report.counterexample = told(context, obligation, *verdict.counterexample);
+            report.raw = raw_events(*verdict.counterexample, context.session.event_table());
         }
     }
 }
@@ -57,7 +68,7 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
     report.answer = Answer::holds;
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
         try {
-            take(context, context.session.check(*assertion, limits(context.options)).verdict, report);
+            take(context, obligation, context.session.check(*assertion, limits(context.options)).verdict, report);
         } catch (const cspm::EvaluationError& error) {
             const std::string place = context.project.sources.place(error.span);
             report.answer = Answer::error;
