@@ -1,0 +1,53 @@
+// Nanoseconds of one control cycle of the generated controllers, events known only at run time.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cstdint>
+
+#include "AggregationFSM.hpp"
+#include "SwarmTaxisFSM.hpp"
+
+namespace {
+
+/// A fixed stream of pseudo-random bits (xorshift64), so that every run meets the same events.
+std::array<std::uint8_t, 4096> stream() {
+    std::array<std::uint8_t, 4096> bits{};
+    std::uint64_t x = 88172645463325252ULL;
+    for (std::uint8_t& byte : bits) {
+        x ^= x << 13U;
+        x ^= x >> 7U;
+        x ^= x << 17U;
+        byte = static_cast<std::uint8_t>(x >> 32U);
+    }
+    return bits;
+}
+
+void aggregation_cycle(benchmark::State& state) {
+    const auto bits = stream();
+    aggregation::AggregationFSM robot;
+    std::size_t i = 0;
+    for (auto _ : state) {
+        const std::uint8_t now = bits[i++ % bits.size()];
+        robot.seeWall = (now & 1U) != 0;
+        robot.seeRobot = (now & 2U) != 0;
+        benchmark::DoNotOptimize(robot.step());
+    }
+    state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(aggregation_cycle);
+
+void swarm_taxis_cycle(benchmark::State& state) {
+    const auto bits = stream();
+    swarm_taxis::SwarmTaxisFSM robot;
+    std::size_t i = 0;
+    for (auto _ : state) {
+        const std::uint8_t now = bits[i++ % bits.size()];
+        robot.robotDetected = (now & 1U) != 0;
+        robot.turned = (now & 2U) != 0;
+        benchmark::DoNotOptimize(robot.step());
+    }
+    state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(swarm_taxis_cycle);
+
+}  // namespace
