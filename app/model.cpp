@@ -48,6 +48,16 @@ bool write_all(const std::string& folder, const auto& files, std::vector<FileRep
     return true;
 }
 
+/// The normal form as a script for FDR: it includes the timed semantics that the other files hold.
+bool write_normal_form(Project& project, const Options& options, const ir::ComponentRef& component, const std::string& text, Report& report) {
+    struct Script {
+        std::string path, text;
+    };
+    const Script script{fmt::format("csp-gen/timed/{}_normal_form.csp", component.path),
+                        fmt::format("include \"{}.csp\"\n\n{}", project.name, text)};
+    return write_all(options.out, std::vector<Script>{script}, report.csp_files, project.diagnostics);
+}
+
 std::string qualified(const ir::ComponentRef& ref) { return ref.package.empty() ? ref.path : ref.package + "::" + ref.path; }
 
 Report begin(const Project& project, const Options& options) {
@@ -111,6 +121,8 @@ void check_conformance(Project& project, const Options& options, Report& report)
         one.component = qualified(component);
         one.result = conformance::conform(project.system, project.instantiation, component, wanted, project.sources, project.diagnostics);
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const bool exported = options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
+        if (exported && !write_normal_form(project, options, component, one.result.normal_form, report)) return;
         report.conformance.push_back(std::move(one));
     }
 }

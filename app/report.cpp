@@ -56,6 +56,7 @@ void write_conformance(std::string& out, const ConformanceReport& c, const Optio
                        word(r.outcome), c.component, number(r.code_states), number(r.code_cycles), number(r.product.states),
                        number(r.product.transitions), duration(c.seconds));
     if (!r.reason.empty()) out += fmt::format("               {}\n", r.reason);
+    for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
     write_cycles(out, r);
     if (options.show_internal && !r.raw.empty()) out += fmt::format("                 events <{}>\n", fmt::join(r.raw, ", "));
 }

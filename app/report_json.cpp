@@ -27,6 +27,7 @@ Json conformance_json(const ConformanceReport& c) {
     Json json{{"component", c.component}, {"outcome", words[static_cast<std::size_t>(r.outcome)]}, {"codeStates", r.code_states},
               {"codeCycles", r.code_cycles}, {"statistics", statistics(r.product)}, {"seconds", c.seconds}};
     if (!r.reason.empty()) json["reason"] = r.reason;
+    if (!r.warnings.empty()) json["warnings"] = r.warnings;
     if (r.cycles.empty()) return json;
     json["cycles"] = Json::array();
     for (const conformance::Cycle& cycle : r.cycles)
