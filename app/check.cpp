@@ -63,6 +63,11 @@ void take(const Context& context, const csp_emit::Obligation& obligation, const 
     }
 }
 
+std::string said(const Project& project, const cspm::EvaluationError& error) {
+    const std::string place = project.sources.place(error.span);
+    return place.empty() ? error.what() : fmt::format("{}: {}", place, error.what());
+}
+
 /// An obligation holds if all its assertions do; the first that does not ends it.
 void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
     report.answer = Answer::holds;
@@ -70,9 +75,8 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
         try {
             take(context, obligation, context.session.check(*assertion, limits(context.options)).verdict, report);
         } catch (const cspm::EvaluationError& error) {
-            const std::string place = context.project.sources.place(error.span);
             report.answer = Answer::error;
-            report.reason = place.empty() ? error.what() : fmt::format("{}: {}", place, error.what());
+            report.reason = said(context.project, error);
         } catch (const std::bad_alloc&) {
             report.answer = Answer::inconclusive;
             report.reason = "out of memory";
@@ -86,11 +90,26 @@ bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
     return obligation.property != ir::no_id && context.project.system.properties[obligation.property].name == context.options.assertion;
 }
 
+/// A script that names what does not exist is bad input: reported once for all its claims.
+std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emission& emission, Time time, Report& report) {
+    try {
+        return std::make_unique<cspm::Session>(emission.script);
+    } catch (const cspm::EvaluationError& error) {
+        AssertionReport one;
+        one.title = fmt::format("the {} script", time == Time::timed ? "timed" : "untimed");
+        one.answer = Answer::error;
+        one.reason = said(project, error);
+        report.assertions.push_back(std::move(one));
+        return nullptr;
+    }
+}
+
 void check_time(Project& project, const Options& options, Time time, Report& report) {
     const csp_emit::Emission emission = emit_csp(project, options, time);
     if (!project.diagnostics.ok() || emission.obligations.empty()) return;
-    cspm::Session session(emission.script);
-    const Context context{project, options, emission, session};
+    const std::unique_ptr<cspm::Session> session = open(project, emission, time, report);
+    if (!session) return;
+    const Context context{project, options, emission, *session};
     for (const csp_emit::Obligation& obligation : emission.obligations) {
         if (!wanted(context, obligation)) continue;
         AssertionReport one;

@@ -25,7 +25,8 @@ std::string key(const Thread& thread) {
 using PutActivation = std::function<Activation(Activation)>;
 using PutThread = std::function<Activation(Thread)>;
 
-void collect(const Activation& activation, const PutActivation& put, View& view);
+/// `during`: it runs inside a during action, so other threads and transitions may act between any two of its steps.
+void collect(const Activation& activation, bool during, const PutActivation& put, View& view);
 
 void collect(const Thread& thread, const Activation& owner, bool during, const PutThread& put, View& view) {
     if (thread.done()) return;
@@ -36,18 +37,18 @@ void collect(const Thread& thread, const Activation& owner, bool during, const P
     view.calls.push_back({&thread, &owner, during, put});
     const Thread* outer = &thread;
     collect(
-        *thread.callee,
+        *thread.callee, during,
         [outer, put](Activation inner) {
             return put({outer->rest, std::make_shared<const Activation>(std::move(inner))});
         },
         view);
 }
 
-void collect(const Activation& activation, const PutActivation& put, View& view) {
+void collect(const Activation& activation, bool during, const PutActivation& put, View& view) {
     const Activation* self = &activation;
     view.spots.push_back({self, put});
     collect(
-        activation.control, activation, false,
+        activation.control, activation, during,
         [self, put](Thread thread) {
             Activation changed = *self;
             changed.control = std::move(thread);
@@ -87,7 +88,7 @@ std::string key(const Activation& activation) {
 View view(const Activation& config) {
     View result;
     collect(
-        config, [](Activation changed) { return changed; }, result);
+        config, false, [](Activation changed) { return changed; }, result);
     return result;
 }
 

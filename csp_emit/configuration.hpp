@@ -75,7 +75,7 @@ struct Activation {
 struct Place {
     const Thread* thread = nullptr;
     const Activation* owner = nullptr;
-    bool during = false;
+    bool during = false;  ///< in a during action, or in an operation called from one
     std::function<Activation(Thread)> put;
     [[nodiscard]] const Item& head() const { return thread->rest->head; }
 };

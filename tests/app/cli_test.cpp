@@ -64,6 +64,14 @@ TEST(Cli, AConstantOutsideItsTypesRangeIsWarnedOf) {
     EXPECT_THAT(run({"check", file.path(), "--const", "step=5", "--range", "nat=0..1"}).err, HasSubstr("RC-S17"));
 }
 
+TEST(Cli, ABlockThatNamesNothingIsBadInput) {
+    const TemporaryFile model("model.rct", counter);
+    const TemporaryFile block("model.assertions", "csp P csp-begin\nP = Nowhere\ncsp-end\nassertion A1 : P is divergence-free\n");
+    const Ran ran = run({"check", model.path(), block.path()});
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("Nowhere"), HasSubstr("model.assertions:2")));
+}
+
 TEST(Cli, ReplacedInstantiationsAreNoted) {
     const TemporaryFile model("model.rct", counter);
     const TemporaryFile block("model.assertions",

@@ -56,6 +56,45 @@ TEST(Controllers, ConnectedEventsAreUrgent) {
               "holds");
 }
 
+const char* const called_while_waiting = R"(
+interface Events { event a event c event d }
+interface Shared { var x : nat }
+interface Calls { put() }
+operation put() {
+    requires Shared
+    uses Events
+    initial i
+    final f
+    transition t { from i to f action a ; x = 1 }
+}
+stm S {
+    uses Events
+    uses Shared
+    requires Calls
+    initial i
+    state A { during put() }
+    state B { }
+    transition t0 { from i to A }
+    transition t1 { from A to B trigger c condition x == 0 action d }
+}
+controller C {
+    uses Events
+    opref put_ref = put
+    sref s = S
+    connection C on c to s on c
+    connection s on a to C on a
+    connection s on d to C on d
+}
+)";
+
+// Semantics 3.4, During, and 3.8: the operation's steps are the during action's; a transition may come before each.
+TEST(Controller, OperationsCalledFromDuringActionsMayBeTooLate) {
+    EXPECT_EQ(same(called_while_waiting, Time::untimed, "C::D__(0)", R"(
+        Cut = C::c.in -> C::d.out -> STOP
+        Spec = C::a.out -> (Cut [> STOP) [] Cut)"),
+              "holds");
+}
+
 const char* const operations = R"(
 interface V { var x : nat }
 interface O { count(by : nat) ask() }
