@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <iterator>
+
 #include "tests/app/command.hpp"
 
 namespace robochart::app::testing {
@@ -88,9 +90,10 @@ TEST(Cli, MissingFileIsBadInput) {
 
 TEST(Cli, HostileTextsAreDiagnosed) {
     const std::string nested = "stm S { initial i state A { entry x = " + repeat("(", 10'000) + "1" + repeat(")", 10'000) + " } transition t { from i to A } }";
+    const char garbage[] = {'\x7f', 'E', 'L', 'F', '\0', '\xff', '\xfe', '\x01', '\x80', 'g', '{', '{', '{', '\n', '\0'};
     const std::pair<const char*, std::string> cases[] = {
         {"empty", ""},
-        {"garbage", std::string("\x7f" "ELF\0\xff\xfe\x01\x80garbage{{{\n\0\0", 27)},
+        {"garbage", std::string(std::begin(garbage), std::end(garbage))},
         {"long line", "stm " + std::string(10'000'000, 'x')},
         {"long noise", std::string(10'000'000, '(')},
         {"nested", nested},
