@@ -34,6 +34,15 @@ Answer answer(refine::Outcome outcome) {
     return outcome == refine::Outcome::fails ? Answer::fails : Answer::inconclusive;
 }
 
+/// The innermost calls; deep recursion shows by their number.
+std::string call_stack(const std::vector<std::string>& frames) {
+    constexpr std::size_t shown = 8;
+    std::string text;
+    for (std::size_t i = 0; i < frames.size() && i < shown; ++i) text += fmt::format("\n               in {}", frames[i]);
+    if (frames.size() > shown) text += fmt::format("\n               and {} more", frames.size() - shown);
+    return text;
+}
+
 AssertionReport decide(cspm::Session& session, const cspm::Decl& assertion, const Options& options, const diagnostics::SourceManager& sources) {
     AssertionReport report;
     report.place = sources.place(assertion.span);
@@ -48,7 +57,7 @@ AssertionReport decide(cspm::Session& session, const cspm::Decl& assertion, cons
         report.title = report.place;
         report.answer = Answer::error;
         report.reason = fmt::format("{}: {}", sources.place(error.span), error.what());
-        for (const std::string& frame : error.stack) report.reason += fmt::format("\n               in {}", frame);
+        report.reason += call_stack(error.stack);
     }
     return report;
 }

@@ -55,7 +55,6 @@ void add_common(CLI::App& app, Options& o) {
     app.add_option("--memory", o.memory_bytes, "memory bound of a check, e.g. 4GiB")->transform(as_size)->option_text("SIZE [16GiB]");
     app.add_option("--timeout", o.timeout_seconds, "time bound of a check in seconds; 0 for none")->check(CLI::NonNegativeNumber)->option_text("SECONDS [0]");
     app.add_option("--max-states", o.max_states, "bound on states of a check")->check(CLI::PositiveNumber)->option_text("N [500000000]");
-    app.add_option("--threads", o.threads, "threads of a check")->check(CLI::Range(1U, 256U))->option_text("N [1]");
 }
 
 void add_model(CLI::App& app, Options& o) {
@@ -178,7 +177,6 @@ refine::Limits limits(const Options& o) {
     refine::Limits result;
     result.max_states = o.max_states;
     result.memory_bytes = o.memory_bytes;
-    result.threads = o.threads;
     result.interrupted = interrupted;
     if (o.timeout_seconds > 0) {
         result.deadline = std::chrono::steady_clock::now() +

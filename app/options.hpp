@@ -46,7 +46,6 @@ struct Options {
     std::uint64_t memory_bytes = 16ULL << 30U;
     double timeout_seconds = 0;           ///< 0: none
     std::uint64_t max_states = 500'000'000;
-    unsigned threads = 1;
 };
 
 /// Result of reading the command line: options, or an exit code with a text to print.

@@ -21,7 +21,6 @@ struct Limits {
     std::uint64_t memory_bytes = 16ULL << 30U;
     std::optional<std::chrono::steady_clock::time_point> deadline;
     std::function<bool()> interrupted;  ///< polled; true stops the search
-    unsigned threads = 1;
 };
 
 struct Statistics {

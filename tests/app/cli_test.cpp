@@ -30,7 +30,7 @@ TEST(Cli, HelpNamesTheExitCodes) {
 }
 
 TEST(Cli, WrongUsageIsExit4) {
-    for (const auto& arguments : {std::vector<std::string>{}, {"check"}, {"check", "x", "--no-such-option"}, {"emit"}, {"check", "x", "--threads", "0"}}) {
+    for (const auto& arguments : {std::vector<std::string>{}, {"check"}, {"check", "x", "--no-such-option"}, {"emit"}, {"check", "x", "--max-states", "0"}}) {
         const Ran ran = run(arguments);
         EXPECT_EQ(ran.exit, 4) << ran.err;
         EXPECT_THAT(ran.err, HasSubstr("try: robochart-verify --help"));
