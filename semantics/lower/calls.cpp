@@ -1,7 +1,8 @@
 // Chains of operation calls inside a controller must end: RoboTool bounds recursion (semantics 3.8), here it is
 // refused.
 #include <algorithm>
-#include <set>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/depth_first_search.hpp>
 
 #include "semantics/lower/components.hpp"
 #include "semantics/query.hpp"
@@ -10,46 +11,56 @@
 namespace robochart::ir {
 namespace {
 
-/// Depth-first search over "calls" between the definitions of one controller.
-class CallSearch {
-public:
-    CallSearch(Lowering& lowering, const Controller& controller) : lowering_(lowering), controller_(controller) {}
+/// Vertices are the definitions of one controller, in their order; edges are calls.
+using CallGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
+using Vertex = boost::graph_traits<CallGraph>::vertex_descriptor;
+using Edge = boost::graph_traits<CallGraph>::edge_descriptor;
 
-    void run() {
-        for (const auto id : controller_.definitions) visit(id);
+CallGraph call_graph(const System& system, const Controller& controller) {
+    CallGraph graph(controller.definitions.size());
+    for (Vertex caller = 0; caller < controller.definitions.size(); ++caller) {
+        const Machine& machine = system.machine(controller.definitions[caller]);
+        for (const auto operation : called_operations(machine)) {
+            const MachineId callee = definition_in(system, controller, machine.operations[operation.index]);
+            const auto at = std::find(controller.definitions.begin(), controller.definitions.end(), callee);
+            if (at == controller.definitions.end()) continue;
+            boost::add_edge(caller, static_cast<Vertex>(at - controller.definitions.begin()), graph);
+        }
     }
+    return graph;
+}
+
+/// Keeps the search tree, and the calls that go back to an operation still open: each closes a cycle.
+class CycleFinder : public boost::default_dfs_visitor {
+public:
+    CycleFinder(std::vector<Vertex>& parents, std::vector<Edge>& closing) : parents_(parents), closing_(closing) {}
+    void tree_edge(Edge edge, const CallGraph& graph) const { parents_[target(edge, graph)] = source(edge, graph); }
+    void back_edge(Edge edge, const CallGraph& /*graph*/) const { closing_.push_back(edge); }
 
 private:
-    void visit(MachineId id) {
-        const auto at = std::find(chain_.begin(), chain_.end(), id);
-        if (at != chain_.end()) return report(at);
-        if (!done_.insert(id).second) return;
-        chain_.push_back(id);
-        const Machine& machine = lowering_.system.machine(id);
-        for (const auto operation : called_operations(machine)) {
-            const MachineId callee = definition_in(lowering_.system, controller_, machine.operations[operation.index]);
-            if (callee.valid()) visit(callee);
-        }
-        chain_.pop_back();
-    }
-
-    void report(std::vector<MachineId>::const_iterator from) {
-        const Machine& first = lowering_.system.machine(*from);
-        std::string chain;
-        for (auto it = from; it != chain_.end(); ++it) chain += lowering_.system.machine(*it).name + " calls ";
-        chain += first.name;
-        lowering_.diagnostics.report(rules::recursive_operation, first.origin.span, {first.name, chain});
-    }
-
-    Lowering& lowering_;
-    const Controller& controller_;
-    std::vector<MachineId> chain_;
-    std::set<MachineId> done_;
+    std::vector<Vertex>& parents_;
+    std::vector<Edge>& closing_;
 };
 
-}  // namespace
+void report_cycle(Lowering& lowering, const Controller& controller, const std::vector<Vertex>& parents, Vertex first,
+                  Vertex last) {
+    const auto machine = [&](Vertex vertex) -> const Machine& {
+        return lowering.system.machine(controller.definitions[vertex]);
+    };
+    std::string chain = machine(first).name;
+    for (Vertex at = last; at != first; at = parents[at]) chain = machine(at).name + " calls " + chain;
+    chain = machine(first).name + " calls " + chain;
+    lowering.diagnostics.report(rules::recursive_operation, machine(first).origin.span, {machine(first).name, chain});
+}
 
-namespace {
+void check_recursion(Lowering& lowering, const Controller& controller) {
+    const CallGraph graph = call_graph(lowering.system, controller);
+    std::vector<Vertex> parents(boost::num_vertices(graph));
+    std::vector<Edge> closing;
+    boost::depth_first_search(graph, boost::visitor(CycleFinder(parents, closing)));
+    for (const Edge& edge : closing)
+        report_cycle(lowering, controller, parents, boost::target(edge, graph), boost::source(edge, graph));
+}
 
 void check_constants(Lowering& lowering, const Controller& controller, std::size_t definition) {
     const Machine& machine = lowering.system.machine(controller.definitions[definition]);
@@ -68,7 +79,7 @@ void check_constants(Lowering& lowering, const Controller& controller, std::size
 
 void check_calls(Lowering& lowering) {
     for (const auto& controller : lowering.system.controllers) {
-        CallSearch(lowering, controller).run();
+        check_recursion(lowering, controller);
         for (std::size_t i = 0; i < controller.definitions.size(); ++i) check_constants(lowering, controller, i);
     }
 }
