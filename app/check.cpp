@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "app/interrupt.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/session.hpp"
 
@@ -70,6 +71,7 @@ std::string said(const Project& project, const cspm::EvaluationError& error) {
 
 /// An obligation holds if all its assertions do; the first that does not ends it.
 void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+    const InterruptScope scope;
     report.answer = Answer::holds;
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
         try {

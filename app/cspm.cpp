@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/interrupt.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
@@ -46,6 +47,7 @@ std::string call_stack(const std::vector<std::string>& frames) {
 AssertionReport decide(cspm::Session& session, const cspm::Decl& assertion, const Options& options, const diagnostics::SourceManager& sources) {
     AssertionReport report;
     report.place = sources.place(assertion.span);
+    const InterruptScope scope;
     try {
         const cspm::AssertionResult result = session.check(assertion, limits(options));
         report.title = result.text;

@@ -18,9 +18,14 @@ extern "C" void on_signal(int signal) {
 
 }  // namespace
 
-void catch_interrupts() {
+InterruptScope::InterruptScope() {
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
+}
+
+InterruptScope::~InterruptScope() {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
 }
 
 bool interrupted() { return signalled != 0; }

@@ -5,7 +5,6 @@
 #include <exception>
 #include <new>
 
-#include "app/interrupt.hpp"
 #include "app/options.hpp"
 #include "app/verbs.hpp"
 
@@ -29,7 +28,6 @@ int main(int argc, char** argv) {
             fmt::print(parsed.exit == Exit::success ? stdout : stderr, "{}", parsed.message);
             return static_cast<int>(parsed.exit);
         }
-        robochart::app::catch_interrupts();
         return static_cast<int>(run(*parsed.options));
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "robochart-verify: out of memory\n");

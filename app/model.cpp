@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "app/interrupt.hpp"
 #include "app/rules.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/reader.hpp"
@@ -119,6 +120,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
         wanted.limits = limits(options);
         ConformanceReport one;
         one.component = qualified(component);
+        const InterruptScope scope;
         one.result = conformance::conform(project.system, project.instantiation, component, wanted, project.sources, project.diagnostics);
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const bool exported = options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
