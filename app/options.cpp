@@ -40,17 +40,21 @@ constexpr std::array<VerbRow, 7> verbs{{
     {Verb::emit_cpp, "cpp", "emit", "write the C++ controllers", "MODEL"},
     {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL"},
     {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT"},
-    {Verb::explain, "explain", "", "explain a rule of the language by its code", "CODE"},
+    {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "CODE"},
 }};
 
 const CLI::AsSizeValue as_size(false);
 
-void add_common(CLI::App& app, Options& o) {
-    const std::map<std::string, Format> formats{{"text", Format::text}, {"json", Format::json}};
+void add_color(CLI::App& app, Options& o) {
     const std::map<std::string, Color> colors{
         {"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}};
-    app.add_option("--format", o.format, "text or json")->transform(CLI::CheckedTransformer(formats))->option_text("FORMAT [text]");
     app.add_option("--color", o.color, "auto, always or never")->transform(CLI::CheckedTransformer(colors))->option_text("WHEN [auto]");
+}
+
+void add_common(CLI::App& app, Options& o) {
+    const std::map<std::string, Format> formats{{"text", Format::text}, {"json", Format::json}};
+    add_color(app, o);
+    app.add_option("--format", o.format, "text or json")->transform(CLI::CheckedTransformer(formats))->option_text("FORMAT [text]");
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
     app.add_option("--memory", o.memory_bytes, "memory bound of a check, e.g. 4GiB")->transform(as_size)->option_text("SIZE [16GiB]");
     app.add_option("--timeout", o.timeout_seconds, "time bound of a check in seconds; 0 for none")->check(CLI::NonNegativeNumber)->option_text("SECONDS [0]");
@@ -82,8 +86,9 @@ void add_code(CLI::App& app, Options& o) {
 }
 
 void add_options(CLI::App& app, const VerbRow& row, Options& o) {
-    app.add_option("inputs", o.inputs, "")->required()->option_text(fmt::format("{}...", row.input));
-    if (row.verb == Verb::explain) return;
+    auto* inputs = app.add_option("inputs", o.inputs, "")->option_text(fmt::format("{}...", row.input));
+    if (row.verb == Verb::explain) return add_color(app, o);
+    inputs->required();
     add_common(app, o);
     if (row.verb == Verb::cspm) return add_checking(app, o);
     add_model(app, o);

@@ -1,0 +1,175 @@
+#include "example.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "app/options.hpp"
+#include "app/pipeline.hpp"
+#include "app/verbs.hpp"
+#include "checker/cspm/reader.hpp"
+#include "diagnostics/render.hpp"
+#include "frontend/project.hpp"
+
+namespace robochart::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that is gone when the test is.
+class Folder {
+public:
+    Folder() {
+        std::string pattern = (fs::temp_directory_path() / "rule_page_XXXXXX").string();
+        path_ = mkdtemp(pattern.data());
+    }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+std::string file_name(const app::Block& block, std::size_t number) {
+    if (!block.file.empty()) return block.file;
+    const std::string suffix = number == 0 ? "" : std::to_string(number + 1);
+    if (block.language == "assertions") return "claims" + suffix + ".assertions";
+    if (block.language == "cspm") return "script" + suffix + ".csp";
+    return "model" + suffix + ".rct";
+}
+
+void add_expectations(const std::string& file, const std::string& text, std::multiset<std::string>& expected) {
+    std::istringstream lines(text);
+    std::string line;
+    const std::string marker = " expect: ";
+    for (int number = 1; std::getline(lines, line); ++number) {
+        const std::size_t at = line.find(marker);
+        if (at == std::string::npos) continue;
+        std::istringstream codes(line.substr(at + marker.size()));
+        for (std::string code; codes >> code;) expected.insert(fmt::format("{}:{} {}", file, number, code));
+    }
+}
+
+void take(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& diagnostics, Judgement& result) {
+    for (const diagnostics::Diagnostic& d : diagnostics.sorted()) {
+        const bool known = d.span.known();
+        const std::string file = known ? fs::path(sources.path(d.span.source)).filename().string() : "";
+        const std::uint32_t line = known ? sources.position(d.span.source, d.span.begin).line : 0;
+        result.findings.insert(fmt::format("{}:{} {}", file, line, d.rule->code));
+        result.rules.insert(d.rule);
+    }
+    result.report += diagnostics::render_text(sources, diagnostics);
+}
+
+void read_model(const std::vector<std::string>& paths, Judgement& result) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    const auto model = frontend::load_project(sources, paths, diagnostics);
+    take(sources, diagnostics, result);
+}
+
+void read_script(const std::string& path, Judgement& result) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    const auto script = cspm::read_file(sources, path, diagnostics);
+    take(sources, diagnostics, result);
+}
+
+/// The words of `$ robochart-verify emit cpp MODEL`, MODEL and FILE names replaced by places in the folder.
+std::vector<std::string> words_of(const std::string& console, const fs::path& folder) {
+    std::istringstream text(console);
+    std::vector<std::string> words;
+    for (std::string word; text >> word;) {
+        if (word == "$") continue;
+        if (word == "MODEL")
+            word = folder.string();
+        else if (word.find('=') == std::string::npos && (word.ends_with(".rct") || word.ends_with(".csp")))
+            word = (folder / word).string();
+        words.push_back(word);
+    }
+    return words;
+}
+
+/// Everything a verb does that may report: reading, lowering, writing. Searches are left out.
+void run(const app::Options& options, Judgement& result) {
+    if (options.verb == app::Verb::cspm) return read_script(options.inputs.front(), result);
+    const auto project = app::load(options);
+    app::Report report;
+    const bool all = options.verb == app::Verb::verify || options.verb == app::Verb::check;
+    bool good = project->diagnostics.ok();
+    if (good && (all || options.verb == app::Verb::emit_csp)) good = app::write_csp(*project, options, report);
+    if (good && options.verb == app::Verb::emit_cpp) good = app::write_cpp(*project, options, report);
+    take(project->sources, project->diagnostics, result);
+}
+
+void run_command(const std::string& console, const fs::path& folder, Judgement& result) {
+    const std::vector<std::string> words = words_of(console, folder);
+    std::vector<const char*> argv;
+    for (const std::string& word : words) argv.push_back(word.c_str());
+    const app::Parsed parsed = app::parse_command_line(static_cast<int>(argv.size()), argv.data());
+    if (!parsed.options) {
+        result.report += parsed.message;
+        return;
+    }
+    app::Options options = *parsed.options;
+    if (!options.out_given) options.out = (folder / "out").string();
+    run(options, result);
+}
+
+}  // namespace
+
+std::set<std::string> Judgement::codes() const {
+    std::set<std::string> codes;
+    for (const std::string& finding : findings) codes.insert(finding.substr(finding.rfind(' ') + 1));
+    return codes;
+}
+
+Judgement judge(const std::vector<app::Block>& example) {
+    const Folder folder;
+    Judgement result;
+    std::string console;
+    std::vector<std::string> scripts;
+    bool has_model = false;
+    std::size_t number = 0;
+    for (const app::Block& block : example) {
+        if (block.language == "text") continue;
+        if (block.language == "console") {
+            console = block.text;
+            continue;
+        }
+        const std::string name = file_name(block, number++);
+        const fs::path path = folder.path() / name;
+        fs::create_directories(path.parent_path());
+        std::ofstream(path, std::ios::binary) << block.text;
+        add_expectations(path.filename().string(), block.text, result.expected);
+        if (block.language == "cspm") scripts.push_back(path.string());
+        has_model = has_model || block.language != "cspm";
+    }
+    if (!console.empty()) {
+        run_command(console, folder.path(), result);
+    } else {
+        if (has_model) read_model({folder.path().string()}, result);
+        if (!scripts.empty()) read_script(scripts.front(), result);
+    }
+    return result;
+}
+
+Judgement judge_file(const std::string& path) {
+    Judgement result;
+    // Alone in a folder, so that the other fixtures beside it are not read with it.
+    const Folder folder;
+    fs::copy_file(path, folder.path() / fs::path(path).filename());
+    read_model({folder.path().string()}, result);
+    return result;
+}
+
+}  // namespace robochart::testing

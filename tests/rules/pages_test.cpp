@@ -1,0 +1,122 @@
+// Every rule has a page (docs/rules/CODE.md), and every page keeps its word: its wrong example gives exactly what the
+// comments in it say (`// expect: CODE`), its right example gives nothing.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "app/rules.hpp"
+#include "example.hpp"
+
+namespace robochart {
+namespace {
+
+/// Rules about things that no short example can show; the room's own tests name them.
+const std::set<std::string_view> without_example = {"RC-P02", "RC-P08", "RC-P14", "RC-S04",  "RC-S05",
+                                                    "RC-C06", "RC-G12", "RC-G13", "CSPM-P07"};
+
+std::vector<app::PageText> pages() {
+    std::vector<app::PageText> result;
+    for (const app::PageText& page : app::page_texts())
+        if (page.code != "README") result.push_back(page);
+    return result;
+}
+
+/// Advice beyond the published rules (RC-W) may be given on any example; it is looked at on its own pages only.
+bool counts(const std::string& finding, std::string_view code) {
+    return code.starts_with("RC-W") || finding.find(" RC-W") == std::string::npos;
+}
+
+std::multiset<std::string> of_interest(const std::multiset<std::string>& findings, std::string_view code) {
+    std::multiset<std::string> result;
+    for (const std::string& finding : findings)
+        if (counts(finding, code)) result.insert(finding);
+    return result;
+}
+
+class RulePage : public ::testing::TestWithParam<app::PageText> {};
+
+TEST_P(RulePage, HasTheForm) {
+    const app::Page page = app::read_page(GetParam().text);
+    EXPECT_EQ(page.code, GetParam().code) << "the title names the rule of the file's name";
+    for (const std::string& fault : page.faults) {
+        const bool excused = without_example.contains(page.code) && fault.find("no example") != std::string::npos;
+        EXPECT_TRUE(excused) << "docs/rules/" << page.code << ".md: " << fault;
+    }
+    EXPECT_GE(page.reason.size(), 120U) << page.code << " says too little";
+    const std::string& title = page.title;
+    EXPECT_TRUE(!title.empty() && title.back() != '.') << "a title is a phrase: " << title;
+}
+
+TEST_P(RulePage, NamesTheSeveritiesOfTheTable) {
+    const app::Page page = app::read_page(GetParam().text);
+    const auto rules = app::find_rules(page.code);
+    ASSERT_FALSE(rules.empty()) << "no rule has the code " << page.code;
+    using diagnostics::Severity;
+    const auto has = [&](Severity s) {
+        return std::any_of(rules.begin(), rules.end(), [&](const auto* rule) { return rule->severity == s; });
+    };
+    for (const auto& [severity, word] : {std::pair(Severity::error, "error"), std::pair(Severity::warning, "warning"),
+                                         std::pair(Severity::note, "note")})
+        EXPECT_EQ(has(severity), page.severity.find(word) != std::string::npos) << page.code << ": " << page.severity;
+}
+
+TEST_P(RulePage, WrongExampleBreaksTheRuleAlone) {
+    const app::Page page = app::read_page(GetParam().text);
+    if (without_example.contains(page.code) && page.wrong.empty()) GTEST_SKIP() << "no short example can show this";
+    const testing::Judgement found = testing::judge(page.wrong);
+    const auto findings = of_interest(found.findings, page.code);
+    EXPECT_TRUE(found.codes().contains(page.code)) << page.code << " does not occur\n" << found.report;
+    if (!found.expected.empty()) {
+        EXPECT_EQ(findings, found.expected) << found.report;
+        return;
+    }
+    for (const std::string& finding : findings)
+        EXPECT_THAT(finding, ::testing::EndsWith(" " + page.code)) << found.report;
+}
+
+TEST_P(RulePage, RightExampleIsInOrder) {
+    const app::Page page = app::read_page(GetParam().text);
+    if (without_example.contains(page.code) && page.right.empty()) GTEST_SKIP() << "no short example can show this";
+    const testing::Judgement found = testing::judge(page.right);
+    EXPECT_EQ(of_interest(found.findings, page.code), found.expected) << found.report;
+    EXPECT_FALSE(found.codes().contains(page.code)) << found.report;
+}
+
+std::string as_identifier(const ::testing::TestParamInfo<app::PageText>& page) {
+    std::string name(page.param.code);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Pages, RulePage, ::testing::ValuesIn(pages()), as_identifier);
+
+/// `* [STM6](STM6.md): title` under `## Area`, once.
+TEST(RulePages, IndexListsEachUnderItsArea) {
+    std::map<std::string, std::string> area_of_line;
+    std::istringstream index{std::string(app::page_text("README"))};
+    std::string area;
+    std::string line;
+    while (std::getline(index, line)) {
+        if (line.starts_with("## ")) area = line.substr(3);
+        if (line.starts_with("* [")) {
+            EXPECT_TRUE(area_of_line.emplace(line, area).second) << "listed twice: " << line;
+        }
+    }
+    for (const app::PageText& text : pages()) {
+        const app::Page page = app::read_page(text.text);
+        const std::string wanted = "* [" + page.code + "](" + page.code + ".md): " + page.title;
+        const auto found = area_of_line.find(wanted);
+        EXPECT_TRUE(found != area_of_line.end()) << "docs/rules/README.md lacks the line\n" << wanted;
+        if (found == area_of_line.end()) continue;
+        EXPECT_EQ(found->second, page.area) << page.code << " stands under another heading than its area";
+        area_of_line.erase(found);
+    }
+    for (const auto& [left, heading] : area_of_line)
+        ADD_FAILURE() << "the index names a page that is not there: " << left;
+}
+
+}  // namespace
+}  // namespace robochart
