@@ -1,0 +1,134 @@
+// Actions of random models. See behaviour.hpp.
+#include <fmt/format.h>
+
+#include "random_models/behaviour.hpp"
+
+namespace robochart::random_models {
+
+void Lines::line(const std::string& text) {
+    text_.append(4 * depth_, ' ');
+    text_ += text + "\n";
+}
+
+void Lines::open(const std::string& head) {
+    line(head + " {");
+    ++depth_;
+}
+
+void Lines::close() {
+    --depth_;
+    line("}");
+}
+
+void Lines::embed(const std::string& text) {
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = text.find('\n', begin);
+        line(text.substr(begin, end - begin));
+        begin = end == std::string::npos ? text.size() : end + 1;
+    }
+}
+
+Behaviour::Behaviour(Random& random, const Shape& shape, Names& names, Types& types, const Surroundings& around)
+    : random_(random),
+      shape_(shape),
+      names_(names),
+      types_(types),
+      around_(around),
+      expressions_(random, shape, types) {
+    expressions_.scope = around.readable;
+}
+
+std::string Behaviour::action() {
+    return sequence(2);
+}
+
+std::string Behaviour::sequence(std::size_t depth) {
+    std::string out = statement(depth);
+    for (std::size_t i = random_.between(shape_.statements.low, shape_.statements.high); i > 1; --i)
+        out += "; " + statement(depth);
+    return out;
+}
+
+std::string Behaviour::statement(std::size_t depth) {
+    if (depth > 0 && shape_.conditionals && random_.chance(15)) return conditional(depth - 1);
+    if (depth > 0 && random_.chance(5)) return "(" + sequence(depth - 1) + ")";
+    if (shape_.time && random_.chance(25)) return timed();
+    return simple_statement();
+}
+
+std::string Behaviour::conditional(std::size_t depth) {
+    const std::string condition = expressions_.of(*types_.boolean());
+    const std::string yes = sequence(depth);
+    std::string no;
+    if (random_.chance(50)) no = " else " + sequence(depth);
+    return fmt::format("if {} then {}{} end", condition, yes, no);
+}
+
+/// Something that takes no time of its own; falls back to `skip` where nothing is in scope.
+std::string Behaviour::simple_statement() {
+    constexpr int attempts = 4;
+    for (int i = 0; i < attempts; ++i) {
+        const std::size_t way = random_.below(20);
+        std::string found;
+        if (way < 8 && !around_.writable.empty()) found = assignment();
+        if (way >= 8 && way < 14 && !around_.ports.empty()) found = communication();
+        if (way >= 14 && way < 19 && !around_.operations.empty()) found = call();
+        if (!found.empty()) return found;
+    }
+    return "skip";
+}
+
+std::string Behaviour::assignment() {
+    const Named target = random_.pick(around_.writable);
+    const DataType& type = *target.type;
+    if (type.form == Form::record && random_.chance(30)) {
+        const std::size_t field = random_.below(type.parts.size());
+        return fmt::format("{}.{} = {}", target.name, type.labels[field], expressions_.of(*type.parts[field]));
+    }
+    if ((type.form == Form::sequence || type.form == Form::vector) && random_.chance(30))
+        return fmt::format("{}[1] = {}", target.name, expressions_.of(*type.parts[0]));
+    return fmt::format("{} = {}", target.name, expressions_.of(type));
+}
+
+/// "" if nothing can be said on the event drawn. Directions are those that connections are made for (Cn8, Cn9).
+std::string Behaviour::communication() {
+    constexpr int call_level = 12;
+    const Port port = random_.pick(around_.ports);
+    const std::string send = random_.chance(20) ? "send " : "";
+    if (!port.receives || port.both_ways) {
+        if (port.type == nullptr) return send + port.name;
+        const std::string value = expressions_.operand(*port.type, call_level);
+        const bool selection = value.find_first_of(".[") != std::string::npos;
+        const std::string sign = random_.chance(90) ? "!" : ".";
+        return send + port.name + sign + (selection && value.front() != '(' ? "(" + value + ")" : value);
+    }
+    if (!shape_.inputs_in_actions || port.type == nullptr) return {};
+    for (const Named& variable : around_.writable)
+        if (variable.type == port.type) return fmt::format("{}{}?{}", send, port.name, variable.name);
+    return {};
+}
+
+std::string Behaviour::call() {
+    const Signature operation = random_.pick(around_.operations);
+    std::string arguments;
+    for (const DataType* type : operation.parameters) {
+        const std::string value = expressions_.of(*type);
+        arguments += (arguments.empty() ? "" : ", ") + value;
+    }
+    return operation.name + "(" + arguments + ")";
+}
+
+std::string Behaviour::timed() {
+    const std::size_t way = random_.below(4);
+    if (way == 0) return "wait(" + expressions_.number() + ")";
+    if (way == 1) {
+        const std::string least = expressions_.number();
+        return fmt::format("wait([{}, {}])", least, expressions_.number(std::stoul(least)));
+    }
+    if (way == 2 && !around_.clocks.empty()) return "#" + random_.pick(around_.clocks);
+    const std::string statement = simple_statement();
+    return fmt::format("{} <{{ {} }}", statement, expressions_.number());
+}
+
+}  // namespace robochart::random_models

@@ -1,0 +1,20 @@
+// See names.hpp.
+#include "random_models/names.hpp"
+
+#include <algorithm>
+
+#include "frontend/lexer.hpp"
+
+namespace robochart::random_models {
+
+std::string Names::fresh(std::string_view stem) {
+    const std::vector<std::string_view>& reserved = frontend::reserved_words();
+    if (escaped_ && used_words_ < reserved.size() && random_.chance(2)) {
+        const std::string_view word = reserved[used_words_++];
+        if (word.front() != '_') return "^" + std::string(word);
+    }
+    const auto found = used_.try_emplace(std::string(stem), 0).first;
+    return std::string(stem) + std::to_string(found->second++);
+}
+
+}  // namespace robochart::random_models

@@ -1,0 +1,83 @@
+// What random well-formed models look like: sizes, and which parts of the language they use.
+#pragma once
+
+#include <cstddef>
+
+namespace robochart::random_models {
+
+/// An inclusive range that a number is drawn from.
+struct Count {
+    std::size_t low = 0;
+    std::size_t high = 0;
+};
+
+/// Which values variables, events and parameters have.
+struct Data {
+    bool naturals = true;
+    bool integers = false;
+    bool reals = false;
+    bool strings = false;
+    bool given = false;        ///< `type X`, with a function that yields a value of it
+    bool enumerations = true;  ///< without parameters
+    bool records = false;
+    bool products = false;
+    bool sequences = false;
+    bool sets = false;
+    bool vectors = false;     ///< and matrices
+    bool functions = false;   ///< function declarations with contracts, and lambda
+    bool binders = false;     ///< quantifiers, let, the, comprehensions
+    bool arithmetic = true;   ///< + and * (and - / % where their types are allowed)
+    std::size_t largest = 3;  ///< of literals
+    std::size_t expression_depth = 2;
+};
+
+/// The knobs of well-formed models. Every combination gives models without errors.
+struct Shape {
+    // Sizes.
+    Count files{1, 1};  ///< that the definitions of one system are spread over
+    Count controllers{1, 2};
+    Count machines{1, 2};     ///< of a controller
+    Count states{1, 3};       ///< of a machine or composite state, besides junctions and final states
+    Count transitions{0, 3};  ///< of a container, besides those that well-formedness and reachability need
+    Count variables{0, 2};    ///< of a machine
+    Count constants{0, 1};    ///< of a machine
+    Count events{1, 3};       ///< of a machine
+    Count clocks{1, 2};       ///< of a machine, with `time`
+    Count platform_operations{0, 2};
+    Count defined_operations{0, 1};  ///< of a controller
+    Count statements{1, 3};          ///< of an action
+    std::size_t depth = 1;           ///< of nested composite states
+
+    // Parts of the language.
+    Data data;
+    bool typed_events = true;
+    bool composite_states = true;
+    bool junctions = true;
+    bool final_states = true;
+    bool during_actions = true;
+    bool exit_actions = true;
+    bool conditionals = true;        ///< `if` statements
+    bool inputs_in_actions = false;  ///< `e?x` as a statement
+    bool time = false;               ///< clocks, since, sinceEntry, wait, deadlines
+    bool shared_variables = true;    ///< of the platform and of controllers
+    bool open_constants = false;     ///< constants without a value
+    bool references = true;          ///< rref, cref, sref, opref beside definitions in place
+    bool unconnected_events = true;
+    bool else_conditions = false;  ///< `condition else`
+    bool probabilistic = false;
+    bool bidirectional = false;  ///< [mult]
+    bool contracts = false;      ///< conditions of operations
+    bool packages = true;        ///< named packages and imports
+    bool escaped_names = false;  ///< `^end` and other reserved words as names
+    bool assertions = true;      ///< a file of claims about each module
+    bool comments = false;
+
+    /// One machine or a few, booleans, small numbers and enumerations, no time: state spaces stay small.
+    [[nodiscard]] static Shape untimed_core();
+    /// The same with clocks, waits and deadlines.
+    [[nodiscard]] static Shape timed_core();
+    /// Everything that a model without errors may contain.
+    [[nodiscard]] static Shape whole_language();
+};
+
+}  // namespace robochart::random_models

@@ -1,0 +1,82 @@
+// One module and all that it consists of (private to the room): who offers, requires and connects what, after the
+// rules for components and connections (language reference 2).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "random_models/behaviour.hpp"
+
+namespace robochart::random_models {
+
+/// A top-level definition and the file, counted within the system, that it goes to.
+struct Definition {
+    std::string text;
+    std::size_t file = 0;
+};
+
+/// The definitions of one module.
+struct System {
+    std::string module;
+    std::vector<Definition> definitions;
+    std::vector<std::string> components;  ///< paths from the module down that claims may be about
+};
+
+/// Builds one system.
+class SystemBuilder {
+public:
+    SystemBuilder(Random& random, const Shape& shape, Names& names, std::size_t files)
+        : random_(random), shape_(shape), names_(names), files_(files), types_(random, shape, names) {}
+    System build();
+
+private:
+    /// An interface with the variables or operations that it declares; without a name there is none.
+    struct Shared {
+        std::string interface;
+        std::vector<Named> variables;
+        std::vector<Signature> operations;
+    };
+    /// A component in the eyes of the one around it.
+    struct Part {
+        std::string name;
+        std::vector<Port> ports;
+    };
+    struct Link {
+        std::string from, from_event, to, to_event;
+        bool async = false;
+        bool both_ways = false;
+    };
+
+    // Platform and module (system.cpp)
+    void define(const std::string& text);
+    std::string place(Lines& out, const std::string& word, const std::string& name, const std::string& text);
+    void platform_interfaces();
+    std::string platform(const std::string& name, const std::vector<Port>& ports);
+    void declare_ports(Lines& out, const std::vector<Port>& ports);
+    std::vector<Port> connect(std::vector<Part> parts, const std::string& outer, std::vector<Link>& links);
+    static void write(Lines& out, const std::vector<Link>& links, bool asynchronous, const std::string& outer);
+
+    // Controllers and machines (system_controllers.cpp)
+    Part controller(Lines& module);
+    Shared controller_variables(Lines& out);
+    Shared controller_operations(Lines& out, const Shared& variables);
+    std::string operation(const Signature& signature, const std::string& parameters, Surroundings around,
+                          const Shared& variables);
+    Part machine(Lines& out, const Shared& variables, const Shared& operations);
+    std::vector<Port> make_ports();
+    void declare_data(Lines& out, Surroundings& around);
+    void require(Lines& out, const Shared& shared, Surroundings& around);
+    std::string parameters(Signature& signature, Surroundings& around);
+
+    Random& random_;
+    const Shape& shape_;
+    Names& names_;
+    std::size_t files_;
+    Types types_;
+    std::vector<Definition> definitions_;
+    std::vector<std::string> components_;
+    Shared platform_variables_;
+    Shared platform_operations_;
+};
+
+}  // namespace robochart::random_models

@@ -1,0 +1,129 @@
+// Systems spread over files and packages. See well_formed.hpp.
+#include "random_models/well_formed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "random_models/system.hpp"
+
+namespace robochart::random_models {
+
+namespace {
+
+/// A file while systems are put into it.
+struct Draft {
+    std::string body;
+    std::set<std::size_t> imports;
+};
+
+std::string package_of(std::size_t file) {
+    return "Part" + std::to_string(file);
+}
+
+std::size_t line_count(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+class ProjectBuilder {
+public:
+    ProjectBuilder(std::uint64_t seed, const Shape& shape, std::size_t files)
+        : random_(seed), shape_(shape), names_(random_, shape.escaped_names), drafts_(files) {}
+
+    void add_system();
+    [[nodiscard]] std::size_t lines() const { return lines_; }
+    Project finish();
+
+private:
+    std::vector<std::size_t> choose_files();
+    void add_claims(const System& system, const std::vector<std::size_t>& files);
+    std::string comment();
+
+    Random random_;
+    const Shape& shape_;
+    Names names_;
+    std::vector<Draft> drafts_;
+    std::string claims_;
+    std::set<std::size_t> claimed_;  ///< files whose modules the claims are about
+    std::size_t claim_count_ = 0;
+    std::size_t lines_ = 0;
+};
+
+std::vector<std::size_t> ProjectBuilder::choose_files() {
+    const std::size_t wanted = random_.between(std::max<std::size_t>(1, shape_.files.low), shape_.files.high);
+    const std::size_t first = random_.below(drafts_.size());
+    std::vector<std::size_t> files;
+    for (std::size_t i = 0; i < std::min(wanted, drafts_.size()); ++i) files.push_back((first + i) % drafts_.size());
+    return files;
+}
+
+std::string ProjectBuilder::comment() {
+    if (!shape_.comments || !random_.chance(30)) return {};
+    return random_.chance(50) ? "// What follows was made at random.\n" : "/* Made at random:\n * see below. */\n";
+}
+
+void ProjectBuilder::add_system() {
+    const std::vector<std::size_t> files = choose_files();
+    const System system = SystemBuilder(random_, shape_, names_, files.size()).build();
+    for (const Definition& definition : system.definitions) {
+        Draft& draft = drafts_[files[definition.file]];
+        const std::string text = "\n" + comment() + definition.text;
+        draft.body += text;
+        lines_ += line_count(text);
+    }
+    for (const std::size_t file : files)
+        for (const std::size_t other : files)
+            if (other != file) drafts_[file].imports.insert(other);
+    if (shape_.assertions) add_claims(system, files);
+}
+
+void ProjectBuilder::add_claims(const System& system, const std::vector<std::size_t>& files) {
+    const std::vector<std::string> properties = {"deadlock-free", "divergence-free", "deterministic"};
+    const std::vector<std::string> times = {"", "", "untimed ", "timed "};
+    claimed_.insert(files.begin(), files.end());
+    for (std::size_t i = random_.between(1, 3); i > 0; --i) {
+        const std::string part =
+            random_.chance(50) ? system.module : system.module + "::" + random_.pick(system.components);
+        const std::string time = random_.pick(times);
+        const std::string negation = random_.chance(30) ? "not " : "";
+        claims_ += fmt::format("\n{}assertion A{} : {} is {}{}\n", time, claim_count_++, part, negation,
+                               random_.pick(properties));
+    }
+}
+
+Project ProjectBuilder::finish() {
+    Project project;
+    const auto imports = [&](const std::set<std::size_t>& files) {
+        std::string out;
+        if (shape_.packages)
+            for (const std::size_t file : files) out += "import " + package_of(file) + "::*\n";
+        return out;
+    };
+    for (std::size_t i = 0; i < drafts_.size(); ++i) {
+        const std::string package = shape_.packages ? "package " + package_of(i) + "\n" : "";
+        project.push_back({fmt::format("part{}.rct", i), package + imports(drafts_[i].imports) + drafts_[i].body});
+    }
+    if (!claims_.empty()) project.push_back({"properties.assertions", imports(claimed_) + claims_});
+    std::sort(project.begin(), project.end(), [](const Text& a, const Text& b) { return a.path < b.path; });
+    return project;
+}
+
+}  // namespace
+
+Project well_formed(std::uint64_t seed, const Shape& shape) {
+    Random sizes(seed ^ 0xF11E5U);
+    ProjectBuilder builder(seed, shape, sizes.between(std::max<std::size_t>(1, shape.files.low), shape.files.high));
+    builder.add_system();
+    return builder.finish();
+}
+
+Project sized(std::uint64_t seed, std::size_t lines, std::size_t files, const Shape& shape) {
+    ProjectBuilder builder(seed, shape, std::max<std::size_t>(1, files));
+    do builder.add_system();
+    while (builder.lines() < lines);
+    return builder.finish();
+}
+
+}  // namespace robochart::random_models
