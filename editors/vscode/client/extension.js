@@ -1,0 +1,88 @@
+// The extension's door for VS Code: starts `robochart-verify lsp` over stdio and stops it again.
+"use strict";
+
+const vscode = require("vscode");
+const { LanguageClient } = require("vscode-languageclient/node");
+const { findProgram } = require("./program");
+
+/** The texts the server is asked about; scripts in CSPM are only coloured. */
+const documentSelector = [
+    { scheme: "file", language: "robochart" },
+    { scheme: "file", language: "robochart-assertions" },
+];
+
+let client;
+let output;
+
+/** The work in hand: starts and stops never overlap. */
+let queue = Promise.resolve();
+
+async function sayNotFound(problem) {
+    const settingsButton = "Open settings";
+    const choice = await vscode.window.showErrorMessage(
+        `RoboChart: robochart-verify was not found, so there are colours and snippets only. ${problem} ` +
+            "Install it, or set robochart.server.path; then run “RoboChart: Restart the language server”.",
+        settingsButton,
+    );
+    if (choice === settingsButton)
+        await vscode.commands.executeCommand("workbench.action.openSettings", "robochart.server.path");
+}
+
+async function start() {
+    const folder = vscode.workspace.workspaceFolders?.[0]?.uri.fsPath;
+    const found = findProgram(vscode.workspace.getConfiguration("robochart").get("server.path"), folder);
+    if (found.problem !== undefined) {
+        output.appendLine(found.problem);
+        // Not awaited: the message stays until it is answered.
+        void sayNotFound(found.problem);
+        return;
+    }
+    const server = { command: found.program, args: ["lsp"], options: { cwd: folder } };
+    const started = new LanguageClient("robochart", "RoboChart", server, { documentSelector, outputChannel: output });
+    try {
+        await started.start();
+        client = started;
+    } catch (error) {
+        const reason = error instanceof Error ? error.message : String(error);
+        output.appendLine(`${found.program} lsp: ${reason}`);
+        void vscode.window.showErrorMessage(`RoboChart: ${found.program} lsp could not be started: ${reason}`);
+    }
+}
+
+async function stop() {
+    const running = client;
+    client = undefined;
+    try {
+        await running?.stop();
+    } catch (error) {
+        // A server that has died already cannot be asked to stop.
+        output.appendLine(`stop: ${error instanceof Error ? error.message : String(error)}`);
+    }
+}
+
+function enqueue(...steps) {
+    for (const step of steps) queue = queue.then(step);
+    return queue;
+}
+
+/** The client itself follows `robochart.trace.server`. */
+function settingsChanged(event) {
+    if (event.affectsConfiguration("robochart.server.path")) return enqueue(stop, start);
+    return undefined;
+}
+
+function activate(context) {
+    output = vscode.window.createOutputChannel("RoboChart");
+    context.subscriptions.push(
+        output,
+        vscode.commands.registerCommand("robochart.restartServer", () => enqueue(stop, start)),
+        vscode.workspace.onDidChangeConfiguration(settingsChanged),
+    );
+    return enqueue(start);
+}
+
+function deactivate() {
+    return enqueue(stop);
+}
+
+module.exports = { activate, deactivate };
