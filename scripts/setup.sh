@@ -8,6 +8,8 @@ packages=(
   libfmt-dev libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-graph-dev
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libclang-rt-14-dev
 )
+# For the tests of editors/vscode. A Node.js from elsewhere serves as well, and conflicts with Debian's.
+command -v npm >/dev/null || packages+=(nodejs npm)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -28,7 +28,7 @@ std::vector<fs::path> files(const fs::path& folder, const std::set<std::string>&
     std::vector<fs::path> found;
     for (auto it = fs::recursive_directory_iterator(folder); it != fs::recursive_directory_iterator(); ++it) {
         const std::string name = it->path().filename().string();
-        if (it->is_directory() && (name == "build" || name == "out" || name == ".git")) it.disable_recursion_pending();
+        if (it->is_directory() && (name == "build" || name == "out" || name == ".git" || name == "node_modules")) it.disable_recursion_pending();
         else if (it->is_regular_file() && extensions.contains(it->path().extension().string())) found.push_back(it->path());
     }
     std::sort(found.begin(), found.end());

@@ -1,0 +1,24 @@
+// The files of editors/vscode as data for tests.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+namespace robochart::editors {
+
+/// The folder of the extension.
+[[nodiscard]] std::filesystem::path extension_folder();
+/// The bytes of a file of the repository.
+[[nodiscard]] std::string slurp(const std::filesystem::path& path);
+/// A JSON file of the extension.
+[[nodiscard]] nlohmann::json load_json(const std::string& name);
+
+/// The words that a grammar spells out in patterns whose scopes satisfy the predicate; what only looks ahead or behind
+/// does not count.
+[[nodiscard]] std::set<std::string> grammar_words(const nlohmann::json& grammar,
+                                                  const std::function<bool(const std::string&)>& scope);
+
+}  // namespace robochart::editors

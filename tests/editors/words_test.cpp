@@ -1,0 +1,113 @@
+// The grammars of the extension know every word of the languages and invent none.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "checker/cspm/builtins.hpp"
+#include "checker/cspm/lexer.hpp"
+#include "extension.hpp"
+#include "frontend/lexer.hpp"
+#include "frontend/project.hpp"
+
+namespace robochart::editors {
+namespace {
+
+using Words = std::set<std::string>;
+
+bool starts_with_any(const std::string& scope, const std::vector<std::string>& prefixes) {
+    return std::any_of(prefixes.begin(), prefixes.end(),
+                       [&](const std::string& prefix) { return scope.starts_with(prefix); });
+}
+
+TEST(GrammarWords, PlainTextLeavesOutWhatOnlyLooksAhead) {
+    const auto grammar = nlohmann::json::parse(R"json({"patterns": [
+        {"name": "keyword.x", "match": "(?<![\\w:])(?:one|two-way)(?!\\s*three|(?:four))\\b"},
+        {"name": "entity.x", "match": "five"},
+        {"begin": "(six)\\s+([A-Za-z_]\\w*)", "end": "seven", "beginCaptures": {"1": {"name": "keyword.y"}}}]})json");
+    const auto keyword = [](const std::string& scope) { return scope.starts_with("keyword"); };
+    EXPECT_EQ(grammar_words(grammar, keyword), (Words{"one", "two-way", "six", "seven"}));
+}
+
+TEST(GrammarWords, RoboChartIsTheTableOfReservedWords) {
+    Words expected(frontend::reserved_words().begin(), frontend::reserved_words().end());
+    expected.insert({"Set", "Seq"});  // `Set(` and `Seq(` are symbols
+    const auto scope = [](const std::string& name) {
+        return !name.starts_with("support.type.primitive") &&
+               starts_with_any(name, {"keyword", "storage", "support", "constant.language", "variable.language"});
+    };
+    EXPECT_EQ(grammar_words(load_json("syntaxes/robochart.tmLanguage.json"), scope), expected);
+}
+
+/// The types of `core`, which need no import.
+TEST(GrammarWords, PrimitiveTypesAreThoseOfCore) {
+    const auto scope = [](const std::string& name) { return name.starts_with("support.type.primitive"); };
+    const Words words = grammar_words(load_json("syntaxes/robochart.tmLanguage.json"), scope);
+    EXPECT_EQ(words, (Words{"nat", "int", "real", "boolean", "string"}));
+    for (const std::string& word : words) {
+        frontend::Model model;
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics findings;
+        const auto id = sources.add("t.rct", "interface I { event e: " + word + " }");
+        model.files.push_back(frontend::parse(sources, id, false, findings));
+        frontend::resolve(model, findings);
+        EXPECT_TRUE(findings.ok()) << word << " is no type of core";
+    }
+}
+
+/// The words that the parser of assertions asks for, in parts: its string literals that are words.
+Words assertion_words() {
+    const std::string source = slurp(std::filesystem::path(ROBOCHART_SOURCE_DIR) / "frontend/parser_assertions.cpp");
+    const std::regex literal("\"([a-z]+(-[a-z]+)*)\"");
+    Words words;
+    for (std::sregex_iterator it(source.begin(), source.end(), literal); it != std::sregex_iterator(); ++it)
+        words.insert((*it)[1]);
+    return words;
+}
+
+Words parts(const Words& words) {
+    Words result;
+    for (const std::string& word : words)
+        for (std::size_t begin = 0; begin <= word.size();) {
+            const std::size_t end = std::min(word.find('-', begin), word.size());
+            result.insert(word.substr(begin, end - begin));
+            begin = end + 1;
+        }
+    return result;
+}
+
+TEST(GrammarWords, AssertionsAreTheWordsOfTheirParser) {
+    Words expected = parts(assertion_words());
+    ASSERT_THAT(expected, ::testing::IsSupersetOf({"assertion", "deadlock", "timelock", "csp", "rewards"}));
+    // The RoboChart grammar, included there, colours these.
+    for (const char* word : {"import", "package"}) expected.erase(word);
+    const auto scope = [](const std::string& name) { return starts_with_any(name, {"keyword", "storage", "support"}); };
+    EXPECT_EQ(parts(grammar_words(load_json("syntaxes/robochart-assertions.tmLanguage.json"), scope)), expected);
+}
+
+bool is_cspm_keyword(const std::string& scope) {
+    return !scope.starts_with("keyword.operator.refinement") && !scope.starts_with("support") &&
+           starts_with_any(scope, {"keyword", "storage", "constant.language"});
+}
+
+TEST(GrammarWords, CspmIsTheTableOfItsWords) {
+    Words expected{"print", "include"};  // words at the beginning of a line only
+    for (int kind = static_cast<int>(cspm::Tok::kw_false); kind <= static_cast<int>(cspm::Tok::kw_timed); ++kind)
+        expected.emplace(cspm::spelling(static_cast<cspm::Tok>(kind)));
+    EXPECT_EQ(grammar_words(load_json("syntaxes/cspm.tmLanguage.json"), is_cspm_keyword), expected);
+}
+
+TEST(GrammarWords, CspmBuiltInsAreTheTableOfBuiltIns) {
+    const auto scope = [](const std::string& name) {
+        return starts_with_any(name, {"support.function", "support.constant.process"});
+    };
+    const Words words = grammar_words(load_json("syntaxes/cspm.tmLanguage.json"), scope);
+    for (const std::string& word : words) EXPECT_NE(cspm::find_builtin(word), nullptr) << word << " is not built in";
+    for (int i = 0; i <= static_cast<int>(cspm::Builtin::dbisim); ++i) {
+        const std::string name(cspm::builtin_name(static_cast<cspm::Builtin>(i)).name);
+        EXPECT_TRUE(words.contains(name) || name == "true" || name == "false") << name << " is missing";
+    }
+}
+
+}  // namespace
+}  // namespace robochart::editors
