@@ -1,21 +1,21 @@
 #include "checker/cspm/session.hpp"
 
+#include <chrono>
 #include <functional>
 
 #include "checker/cspm/deep_stack.hpp"
 #include "checker/cspm/evaluator.hpp"
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/resolver.hpp"
-#include "checker/lts/compressor.hpp"
 #include "checker/lts/term_system.hpp"
+#include "checker/machine/compiler.hpp"
 #include "checker/process/operational_semantics.hpp"
 
 namespace robochart::cspm {
 
 namespace {
 
-// A process of a session; it keeps the session's events and terms, and names faults of recursion as errors of
-// evaluation.
+// A process that stays a term; faults of recursion are named as errors of evaluation.
 class SessionSystem final : public lts::TransitionSystem {
 public:
     SessionSystem(process::OperationalSemantics& semantics, process::TermId term, Span span)
@@ -38,6 +38,16 @@ private:
     lts::TermSystem system_;
     Span span_;
 };
+
+/// Stops long compilation at the limits of the check that it is for.
+std::function<void()> poll_of(const refine::Limits& limits) {
+    return [&limits, count = std::size_t{0}]() mutable {
+        if ((count++ & 255U) != 0) return;
+        if (limits.interrupted && limits.interrupted()) throw process::Interrupted("interrupted while compiling");
+        if (limits.deadline && std::chrono::steady_clock::now() > *limits.deadline)
+            throw process::Interrupted("the time limit was reached while compiling");
+    };
+}
 
 void collect_assertions(const std::vector<DeclPtr>& decls, std::vector<DeclPtr>& out) {
     for (const DeclPtr& decl : decls) {
@@ -67,8 +77,10 @@ struct Session::Impl {
         : script(std::move(given)),
           terms(events),
           semantics(terms, &compressor),
+          compiler(semantics),
           resolver(program, store),
           evaluator(program, store, events, terms) {
+        compressor.use(compiler);
         on_deep_stack([this] { resolver.script(script); });
     }
 
@@ -83,18 +95,20 @@ struct Session::Impl {
         return {code, unit};
     }
 
-    std::unique_ptr<lts::TransitionSystem> system(process::TermId term, Span span) {
+    std::unique_ptr<lts::TransitionSystem> system(process::TermId term, Span span, const std::function<void()>& poll) {
+        if (auto compiled = compiler.compile(term, poll)) return compiled;
         return std::make_unique<SessionSystem>(semantics, term, span);
     }
 
-    std::unique_ptr<lts::TransitionSystem> side(const ExprPtr& expr, const Decl& assertion) {
+    std::unique_ptr<lts::TransitionSystem> side(const ExprPtr& expr, const Decl& assertion,
+                                                const refine::Limits& limits) {
         const Ready code = ready(expr, &assertion);
         process::TermId term = evaluator.process(*code.code, *code.unit);
         if (assertion.assertion.tau_priority) {
             const Ready set = ready(assertion.assertion.tau_priority, &assertion);
             term = evaluator.tau_priority(term, evaluator.event_set(*set.code, *set.unit));
         }
-        return system(term, expr->span);
+        return system(term, expr->span, poll_of(limits));
     }
 
     refine::Model model(const Decl& assertion) const {
@@ -114,10 +128,10 @@ struct Session::Impl {
     refine::Verdict decide(const Decl& assertion, const refine::Limits& limits) {
         const Assertion& asked = assertion.assertion;
         const refine::Model in = model(assertion);
-        const auto first = side(asked.specification, assertion);
+        const auto first = side(asked.specification, assertion, limits);
         switch (asked.kind) {
             case AssertionKind::refinement: {
-                const auto second = side(asked.implementation, assertion);
+                const auto second = side(asked.implementation, assertion, limits);
                 return refine::refines(*first, *second, in, limits);
             }
             case AssertionKind::deadlock_free:
@@ -139,8 +153,9 @@ struct Session::Impl {
     ValueStore store;
     process::EventTable events;
     process::TermStore terms;
-    lts::BisimulationCompressor compressor;
+    machine::MachineCompressor compressor;
     process::OperationalSemantics semantics;
+    machine::Compiler compiler;
     Resolver resolver;
     Evaluator evaluator;
 };
@@ -163,7 +178,12 @@ AssertionResult Session::check(const Decl& assertion, const refine::Limits& limi
     result.text = written(assertion);
     result.span = assertion.span;
     result.negated = assertion.assertion.negated;
-    result.verdict = impl_->decide(assertion, limits);
+    try {
+        result.verdict = impl_->decide(assertion, limits);
+    } catch (const process::Interrupted& stopped) {
+        result.verdict = {};
+        result.verdict.reason = stopped.what();
+    }
     if (result.negated) negate(result.verdict);
     return result;
 }
@@ -174,7 +194,7 @@ process::TermId Session::process(const ExprPtr& expr) {
 }
 
 std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr) {
-    return impl_->system(process(expr), expr->span);
+    return impl_->system(process(expr), expr->span, {});
 }
 
 process::EventSet Session::events(const ExprPtr& expr) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "checker/process/term.hpp"
@@ -21,6 +23,10 @@ struct Machine {
 class Compressor {
 public:
     virtual ~Compressor() = default;
+    /// The operand explored by a faster engine than its terms; none if there is none for it. `poll` may throw to stop.
+    virtual std::optional<Machine> explore(TermId /*operand*/, const std::function<void()>& /*poll*/) {
+        return std::nullopt;
+    }
     /// A machine equal to the given one in every model that the compression claims to keep.
     virtual Machine compress(const Machine& explored, Compression kind) = 0;
 };

@@ -134,7 +134,9 @@ std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
     ++compressions_under_way;
     Machine machine;
     try {
-        machine = compressor->compress(explored(terms[term].children.front()), Compression{terms[term].payload});
+        const TermId operand = terms[term].children.front();
+        std::optional<Machine> fast = compressor->explore(operand, poll);
+        machine = compressor->compress(fast ? *fast : explored(operand), Compression{terms[term].payload});
     } catch (...) {
         --compressions_under_way;
         throw;

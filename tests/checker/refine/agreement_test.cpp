@@ -1,11 +1,12 @@
 // The checker against the naive reference on random processes over all operators, in every model. The number of
-// random pairs comes from RC_PARAMS (max_success); each gives thirteen checks.
+// random pairs comes from RC_PARAMS (max_success); each gives thirteen checks, by every engine.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <algorithm>
 #include <map>
 
+#include "checker/machine/compiler.hpp"
 #include "checker/refine/check.hpp"
 #include "naive.hpp"
 #include "random_process.hpp"
@@ -39,10 +40,15 @@ protected:
         RC_ASSERT(verdict.outcome == (holds ? Outcome::holds : Outcome::fails));
         RC_ASSERT(verdict.counterexample.has_value() == !holds);
     }
-    void compare(const Pair& pair, bool compressing);
+    enum class Engine { terms, compressing_terms, machines };
+    void compare(const Pair& pair, Engine engine);
+    std::unique_ptr<lts::TransitionSystem> system(Translation& translation, const naive::Process& process,
+                                                  Engine engine);
     std::map<std::string, Seen> seen_;
     int plain_ = 0;
     int compressed_ = 0;
+    int compiled_ = 0;
+    int left_as_terms_ = 0;
 };
 
 /// Whether the process uses the operator anywhere, its definitions left aside: those use neither of the two asked for.
@@ -84,13 +90,26 @@ Pair random_pair() {
         script, *first, *second, {static_cast<int>(list.size() % 3), list.empty() ? 0 : static_cast<int>(list[0] % 3)}};
 }
 
-void Agreement::compare(const Pair& pair, bool compressing) {
-    RC_LOG() << (compressing ? "with compressions" : "without compressions") << std::endl;
+std::unique_ptr<lts::TransitionSystem> Agreement::system(Translation& translation, const naive::Process& process,
+                                                         Engine engine) {
+    if (engine == Engine::machines) {
+        machine::Compiler compiler(translation.semantics());
+        if (auto compiled = compiler.compile(translation.term(process), {})) return ++compiled_, std::move(compiled);
+        ++left_as_terms_;
+    }
+    return std::make_unique<lts::TermSystem>(translation.system(process));
+}
+
+void Agreement::compare(const Pair& pair, Engine engine) {
+    const bool compressing = engine == Engine::compressing_terms;
+    RC_LOG() << (compressing ? "with compressions" : engine == Engine::terms ? "as terms" : "compiled") << std::endl;
     const Behaviour a = pair.a();
     const Behaviour b = pair.b();
     Translation translation(pair.script, compressing);
-    lts::TermSystem sa = translation.system(pair.script.mains[0]);
-    lts::TermSystem sb = translation.system(pair.script.mains[1]);
+    const auto first = system(translation, pair.script.mains[0], engine);
+    const auto second = system(translation, pair.script.mains[1], engine);
+    lts::TransitionSystem& sa = *first;
+    lts::TransitionSystem& sb = *second;
     const Limits limits{};
     for (const auto& [semantics, model] : models) {
         const char* const name = semantics == Semantics::T ? "[T=" : semantics == Semantics::F ? "[F=" : "[FD=";
@@ -113,8 +132,9 @@ void Agreement::compare(const Pair& pair, bool compressing) {
 TEST_F(Agreement, OnRandomProcesses) {
     const bool agreed = rc::check("the checker agrees with the definitions", [this] {
         const Pair pair = random_pair();
-        compare(pair, false);
-        if (pair.compressible()) compare(pair, true);
+        compare(pair, Engine::terms);
+        compare(pair, Engine::machines);
+        if (pair.compressible()) compare(pair, Engine::compressing_terms);
     });
     EXPECT_TRUE(agreed);
     int checks = 0;
@@ -127,7 +147,8 @@ TEST_F(Agreement, OnRandomProcesses) {
         }
     }
     EXPECT_GE(checks, 5000);
-    EXPECT_GT(compressed_ * 15, plain_) << "too few pairs with compressions: " << compressed_;
+    EXPECT_GT(compiled_ * 15, left_as_terms_) << "too few processes were compiled: " << compiled_;
+    EXPECT_GT(compressed_ * 30, plain_) << "too few pairs with compressions: " << compressed_;
 }
 
 }  // namespace

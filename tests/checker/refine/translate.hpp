@@ -19,6 +19,7 @@ public:
     process::TermId term(const naive::Process& process);
     process::Event event(naive::Letter letter);
     process::Scripted& scripted() { return scripted_; }
+    process::OperationalSemantics& semantics() { return semantics_; }
 
 private:
     process::TermId leaf_or_choice(const naive::Tree& tree, std::vector<process::TermId> operands);

@@ -1,0 +1,409 @@
+// From the operators of a skeleton to rules over its components. Each operator turns the vectors of its operands (who
+// does what, and what it is called) into its own. The statements of the firing rules are in process/firing_rules.cpp
+// and composition_rules.cpp; here each stands as one clause of `vectors`.
+#include <algorithm>
+#include <bit>
+#include <map>
+
+#include "checker/machine/supercombinator.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using process::tau;
+using process::Term;
+using process::tick;
+
+/// Puts the components below a node into their first states, or turns them off.
+struct Action {
+    NodeId node;
+    bool start;
+};
+
+struct Vector {
+    Event event = tau;
+    Event revealed = tau;
+    std::vector<Requirement> parts;
+    std::vector<Action> actions;
+};
+using Vectors = std::vector<Vector>;
+
+class Combiner {
+public:
+    Combiner(const process::TermStore& terms, const Skeleton& skeleton, std::vector<ComponentPtr> components,
+             std::size_t most_rules)
+        : terms_(terms), skeleton_(skeleton), most_rules_(most_rules) {
+        result_.components = std::move(components);
+    }
+
+    Supercombinator combine() {
+        const Node& root = skeleton_.nodes.front();
+        const bool priorities = root.op == Op::prioritise;
+        region(priorities ? root.children.front() : 0, priorities ? levels(root) : std::vector<std::uint32_t>());
+        result_.initial.assign(skeleton_.slots.size(), 0);
+        for (const Assignment& each : assignments({{0, true}})) result_.initial[each.slot] = each.value;
+        pack();
+        return std::move(result_);
+    }
+
+private:
+    std::uint32_t region(NodeId top, std::vector<std::uint32_t> level);
+    Vectors vectors(NodeId id, Region& region);
+    Vectors operator_vectors(const Node& node, Region& region);
+    Vectors participant(Region& region, Participant who, const EventSet& alphabet);
+    Vectors parallel(const Node& node, std::vector<Vectors> operands);
+    Vectors alphabetised(const Node& node, std::vector<Vectors> operands);
+    Vectors hidden(const Node& node, Vectors operand);
+    Vectors renamed(const Node& node, const Vectors& operand);
+    Vectors interruptible(const Node& node, std::vector<Vectors> operands);
+    Vectors gated(const Node& node, std::vector<Vectors> operands);
+    Vectors handed_over(const Node& node, std::vector<Vectors> operands);
+    void together(std::vector<const Vectors*> who, Event event, Vectors& out);
+    void charge(std::size_t vectors);
+
+    [[nodiscard]] std::vector<std::uint32_t> levels(const Node& prioritise) const;
+    [[nodiscard]] std::vector<Assignment> assignments(const std::vector<Action>& actions) const;
+    void initialise(NodeId id, std::map<std::uint32_t, Local>& values) const;
+    void turn_off(NodeId id, std::map<std::uint32_t, Local>& values) const;
+    void finish(Region& region, Vectors vectors) const;
+    void pack();
+
+    const process::TermStore& terms_;
+    const Skeleton& skeleton_;
+    std::size_t most_rules_;
+    std::size_t made_ = 0;
+    Supercombinator result_;
+};
+
+void Combiner::charge(std::size_t vectors) {
+    made_ += vectors;
+    if (made_ > most_rules_) throw NotCompiled("too many rules");
+}
+
+std::uint32_t Combiner::region(NodeId top, std::vector<std::uint32_t> level) {
+    Region made;
+    made.level = std::move(level);
+    finish(made, vectors(top, made));
+    result_.regions.push_back(std::move(made));
+    return static_cast<std::uint32_t>(result_.regions.size() - 1);
+}
+
+Vectors Combiner::participant(Region& region, Participant who, const EventSet& alphabet) {
+    const auto number = static_cast<std::uint32_t>(region.participants.size());
+    region.participants.push_back(who);
+    region.alphabets.push_back(alphabet);
+    Vectors result;
+    for (std::uint32_t i = 0; i < alphabet.size(); ++i) result.push_back({alphabet[i], alphabet[i], {{number, i}}, {}});
+    charge(result.size());
+    return result;
+}
+
+Vectors Combiner::vectors(NodeId id, Region& region) {
+    const Node& node = skeleton_.nodes[id];
+    switch (node.kind) {
+        case Node::Kind::again:
+            return {};
+        case Node::Kind::leaf:
+        case Node::Kind::gate:
+            return participant(region, {false, node.first_slot}, result_.components[node.first_slot]->alphabet());
+        case Node::Kind::operation:
+            break;
+    }
+    if (node.op != Op::prioritise) return operator_vectors(node, region);
+    const std::uint32_t inner = this->region(node.children.front(), levels(node));
+    return participant(region, {true, inner}, result_.regions[inner].alphabet);
+}
+
+Vectors Combiner::operator_vectors(const Node& node, Region& region) {
+    std::vector<Vectors> operands;
+    for (NodeId child : node.children) operands.push_back(vectors(child, region));
+    switch (node.op) {
+        case Op::parallel:
+            return parallel(node, std::move(operands));
+        case Op::alphabetised:
+            return alphabetised(node, std::move(operands));
+        case Op::hide:
+            return hidden(node, std::move(operands.front()));
+        case Op::rename:
+            return renamed(node, operands.front());
+        case Op::sequential:
+        case Op::exception:
+            return handed_over(node, std::move(operands));
+        case Op::interrupt:
+        case Op::external_choice:
+            return interruptible(node, std::move(operands));
+        case Op::sliding:
+        case Op::internal_choice:
+        case Op::prefix:
+            return gated(node, std::move(operands));
+        default:
+            throw std::logic_error("an operator that is no part of a skeleton");
+    }
+}
+
+/// All combinations of vectors with this event, one of each.
+void Combiner::together(std::vector<const Vectors*> who, Event event, Vectors& out) {
+    Vectors open{Vector{event, event, {}, {}}};
+    for (const Vectors* each : who) {
+        Vectors longer;
+        for (const Vector& one : *each) {
+            if (one.event != event) continue;
+            for (const Vector& prefix : open) {
+                Vector joint = prefix;
+                joint.parts.insert(joint.parts.end(), one.parts.begin(), one.parts.end());
+                joint.actions.insert(joint.actions.end(), one.actions.begin(), one.actions.end());
+                longer.push_back(std::move(joint));
+            }
+            charge(open.size());
+        }
+        open = std::move(longer);
+    }
+    std::move(open.begin(), open.end(), std::back_inserter(out));
+}
+
+/// Of vectors, their events; ascending, without repetitions.
+EventSet events_of(const Vectors& vectors) {
+    EventSet events;
+    for (const Vector& each : vectors) events.push_back(each.event);
+    std::sort(events.begin(), events.end());
+    events.erase(std::unique(events.begin(), events.end()), events.end());
+    return events;
+}
+
+// P [|A|] Q: an event of A, and tick, by all together; any other by one alone.
+Vectors Combiner::parallel(const Node& node, std::vector<Vectors> operands) {
+    const process::SetId set{terms_[node.term].payload};
+    const auto joint = [&](Event event) { return event == tick || (event != tau && terms_.contains(set, event)); };
+    Vectors result;
+    std::vector<Vectors> shared;
+    for (Vectors& operand : operands) {
+        Vectors& own = shared.emplace_back();
+        for (Vector& each : operand) (joint(each.event) ? own : result).push_back(std::move(each));
+    }
+    std::vector<std::map<Event, Vectors>> tables(shared.size());
+    for (std::size_t i = 0; i < shared.size(); ++i)
+        for (Vector& each : shared[i]) tables[i][each.event].push_back(std::move(each));
+    for (const auto& entry : tables.front()) {
+        std::vector<const Vectors*> who;
+        for (const auto& table : tables) {
+            const auto found = table.find(entry.first);
+            if (found != table.end()) who.push_back(&found->second);
+        }
+        if (who.size() == tables.size()) together(std::move(who), entry.first, result);
+    }
+    return result;
+}
+
+// Alphabetised parallel: an event of some alphabet by all whose alphabet has it; tau alone; tick by all.
+Vectors Combiner::alphabetised(const Node& node, std::vector<Vectors> operands) {
+    const Term& term = terms_[node.term];
+    Vectors result;
+    std::map<Event, std::vector<Vectors>> shared;  // per event, of each operand
+    for (std::size_t i = 0; i < operands.size(); ++i)
+        for (Vector& each : operands[i]) {
+            if (each.event == tau) {
+                result.push_back(std::move(each));
+            } else if (each.event == tick || terms_.contains(term.sets[i], each.event)) {
+                auto& row = shared[each.event];
+                row.resize(operands.size());
+                row[i].push_back(std::move(each));
+            }
+        }
+    for (const auto& [event, row] : shared) {
+        std::vector<const Vectors*> who;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (event == tick || terms_.contains(term.sets[i], event)) who.push_back(&row[i]);
+        together(std::move(who), event, result);
+    }
+    return result;
+}
+
+// P \ A: an event of A becomes tau.
+Vectors Combiner::hidden(const Node& node, Vectors operand) {
+    const process::SetId set{terms_[node.term].payload};
+    for (Vector& each : operand)
+        if (each.event != tau && each.event != tick && terms_.contains(set, each.event)) each.event = tau;
+    return operand;
+}
+
+// P[[R]]: an event takes each of the names that R gives it, or keeps its own.
+Vectors Combiner::renamed(const Node& node, const Vectors& operand) {
+    const process::Renaming& pairs = terms_[process::RenamingId{terms_[node.term].payload}];
+    Vectors result;
+    for (const Vector& each : operand) {
+        auto pair = std::lower_bound(pairs.begin(), pairs.end(), process::EventPair{each.event, 0});
+        const bool named = each.event != tau && each.event != tick && pair != pairs.end() && pair->first == each.event;
+        if (!named) result.push_back(each);
+        for (; named && pair != pairs.end() && pair->first == each.event; ++pair) {
+            result.push_back(each);
+            result.back().event = result.back().revealed = pair->second;
+        }
+    }
+    charge(result.size());
+    return result;
+}
+
+// P ; Q: P's tick is a tau that starts Q.   P [|A|> Q: an event of A starts Q.
+Vectors Combiner::handed_over(const Node& node, std::vector<Vectors> operands) {
+    const bool sequence = node.op == Op::sequential;
+    const process::SetId set{terms_[node.term].payload};
+    for (Vector& each : operands[0]) {
+        const bool passes_on =
+            sequence ? each.event == tick : each.event != tau && each.event != tick && terms_.contains(set, each.event);
+        if (!passes_on) continue;
+        if (sequence) each.event = each.revealed = tau;
+        each.actions.push_back({node.children[0], false});
+        each.actions.push_back({node.children[1], true});
+    }
+    std::move(operands[1].begin(), operands[1].end(), std::back_inserter(operands[0]));
+    return std::move(operands[0]);
+}
+
+// P /\ Q: a visible event of Q ends P, a tick of P ends Q.   P [] Q: a visible event or tick ends the others.
+Vectors Combiner::interruptible(const Node& node, std::vector<Vectors> operands) {
+    Vectors result;
+    for (std::size_t i = 0; i < operands.size(); ++i)
+        for (Vector& each : operands[i]) {
+            const bool first_of_interrupt = node.op == Op::interrupt && i == 0;
+            const bool resolves = first_of_interrupt ? each.event == tick : each.event != tau;
+            for (std::size_t other = 0; resolves && other < operands.size(); ++other)
+                if (other != i) each.actions.push_back({node.children[other], false});
+            result.push_back(std::move(each));
+        }
+    return result;
+}
+
+// The gate, child 0, offers what the operator itself does, until it is done or an operand has made it void.
+//   P [> Q: a tau that ends P and starts Q; a visible event or tick of P ends the gate.
+//   P |~| Q: one tau each, which starts that operand.      e -> P: each event starts what follows it.
+Vectors Combiner::gated(const Node& node, std::vector<Vectors> operands) {
+    Vectors result;
+    const NodeId gate = node.children.front();
+    const auto open = [&](Vector by, NodeId starts) {
+        by.actions.push_back({gate, false});
+        if (node.op == Op::sliding) by.actions.push_back({node.children[1], false});
+        by.actions.push_back({starts, true});
+        result.push_back(std::move(by));
+    };
+    if (node.op == Op::sliding) {
+        for (Vector& each : operands[1])
+            if (each.event != tau) each.actions.push_back({gate, false});
+        open(operands[0].front(), node.children[2]);
+    } else if (node.op == Op::internal_choice) {
+        for (std::size_t i = 1; i < node.children.size(); ++i) open(operands[0].front(), node.children[i]);
+    } else {
+        const std::vector<process::Branch>& branches = *terms_.known_branches(terms_[node.term].payload);
+        for (std::size_t i = 0; i < branches.size(); ++i)
+            for (const Vector& each : operands[0])
+                if (each.event == branches[i].event) open(each, node.children[i + 1]);
+    }
+    for (std::size_t i = 1; i < operands.size(); ++i)
+        std::move(operands[i].begin(), operands[i].end(), std::back_inserter(result));
+    return result;
+}
+
+std::vector<std::uint32_t> Combiner::levels(const Node& prioritise) const {
+    std::vector<std::uint32_t> level(process::first_visible, 0);
+    const process::PriorityOrder& order = terms_[process::OrderId{terms_[prioritise.term].payload}];
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        for (Event event : order[i]) {
+            if (event >= level.size()) level.resize(event + 1U, no_level);
+            level[event] = std::min(level[event], i);
+        }
+    return level;
+}
+
+void Combiner::turn_off(NodeId id, std::map<std::uint32_t, Local>& values) const {
+    const Node& node = skeleton_.nodes[id];
+    for (std::uint32_t slot = node.first_slot; slot < node.end_slot; ++slot)
+        values[slot] = static_cast<Local>(result_.components[slot]->size());
+}
+
+/// The first states below a node: operands that wait for their turn are off.
+void Combiner::initialise(NodeId id, std::map<std::uint32_t, Local>& values) const {
+    const Node& node = skeleton_.nodes[id];
+    if (node.kind == Node::Kind::again) return initialise(node.again, values);
+    if (node.kind != Node::Kind::operation) {
+        values[node.first_slot] = 0;
+        return;
+    }
+    std::size_t running = node.children.size();
+    if (node.op == Op::sequential || node.op == Op::exception) running = 1;
+    if (node.op == Op::internal_choice || node.op == Op::prefix) running = 1;
+    if (node.op == Op::sliding) running = 2;
+    for (std::size_t i = 0; i < node.children.size(); ++i)
+        i < running ? initialise(node.children[i], values) : turn_off(node.children[i], values);
+}
+
+std::vector<Assignment> Combiner::assignments(const std::vector<Action>& actions) const {
+    std::map<std::uint32_t, Local> values;
+    for (const Action& action : actions) action.start ? initialise(action.node, values) : turn_off(action.node, values);
+    std::vector<Assignment> result;
+    for (const auto& [slot, value] : values) result.push_back({slot, value});
+    return result;
+}
+
+void Combiner::finish(Region& region, Vectors vectors) const {
+    for (Vector& each : vectors)
+        std::sort(each.parts.begin(), each.parts.end(),
+                  [](const Requirement& a, const Requirement& b) { return a.participant < b.participant; });
+    region.alphabet = events_of(vectors);
+    std::stable_sort(vectors.begin(), vectors.end(), [](const Vector& a, const Vector& b) {
+        const auto key = [](const Vector& v) { return std::pair(v.parts.front().participant, v.parts.front().event); };
+        return key(a) < key(b);
+    });
+    region.first_rule.resize(region.participants.size());
+    auto next = vectors.begin();
+    for (std::uint32_t who = 0; who < region.participants.size(); ++who)
+        for (std::uint32_t event = 0; event <= region.alphabets[who].size(); ++event) {
+            region.first_rule[who].push_back(static_cast<std::uint32_t>(region.rules.size()));
+            const auto is_here = [&] {
+                return next != vectors.end() && next->parts.front().participant == who &&
+                       next->parts.front().event == event;
+            };
+            for (; is_here(); ++next) {
+                const auto parts = static_cast<std::uint32_t>(region.requirements.size());
+                region.requirements.insert(region.requirements.end(), next->parts.begin() + 1, next->parts.end());
+                const auto values = static_cast<std::uint32_t>(region.assignments.size());
+                const std::vector<Assignment> made = assignments(next->actions);
+                region.assignments.insert(region.assignments.end(), made.begin(), made.end());
+                region.rules.push_back({next->event, next->revealed, parts,
+                                        static_cast<std::uint32_t>(region.requirements.size()), values,
+                                        static_cast<std::uint32_t>(region.assignments.size())});
+            }
+        }
+}
+
+/// Components side by side in words of 32 bits; none crosses a word's border.
+void Combiner::pack() {
+    std::vector<bool> may_be_off(result_.components.size(), false);
+    const auto note = [&](std::uint32_t slot, Local value) {
+        if (value == result_.components[slot]->size()) may_be_off[slot] = true;
+    };
+    for (std::uint32_t slot = 0; slot < result_.initial.size(); ++slot) note(slot, result_.initial[slot]);
+    for (const Region& region : result_.regions)
+        for (const Assignment& each : region.assignments) note(each.slot, each.value);
+    std::uint32_t word = 0;
+    std::uint32_t used = 0;
+    for (std::uint32_t slot = 0; slot < result_.components.size(); ++slot) {
+        const std::size_t values = result_.components[slot]->size() + (may_be_off[slot] ? 1U : 0U);
+        const auto bits = static_cast<std::uint32_t>(std::bit_width(values - 1));
+        if (used + bits > 32) {
+            ++word;
+            used = 0;
+        }
+        const std::uint32_t mask = bits == 32 ? 0xffffffffU : (1U << bits) - 1U;
+        result_.fields.push_back({word, used % 32U, mask});
+        used += bits;
+    }
+    result_.words = word + 1;
+}
+
+}  // namespace
+
+Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton, std::vector<ComponentPtr> components,
+                        std::size_t most_rules) {
+    return Combiner(terms, skeleton, std::move(components), most_rules).combine();
+}
+
+}  // namespace robochart::machine

@@ -1,0 +1,63 @@
+// From a term to the transition system that runs it: component machines and rules where its operators allow it, the
+// term itself otherwise.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "checker/lts/compressor.hpp"
+#include "checker/machine/component.hpp"
+#include "checker/machine/skeleton.hpp"
+#include "checker/machine/supercombinator_system.hpp"
+#include "checker/process/compressor.hpp"
+
+namespace robochart::machine {
+
+/// What compilation may cost before the process stays a term.
+struct Bounds {
+    std::size_t component_states = 200'000;
+    std::size_t rules = 2'000'000;
+    /// Components up to this size are minimised by strong bisimilarity, which keeps every model (FDR does the same).
+    std::size_t minimised_states = 50'000;
+};
+
+/// Keeps the components of one store's terms, so that equal ones are explored once.
+class Compiler {
+public:
+    explicit Compiler(process::OperationalSemantics& semantics, const Bounds& bounds = {});
+
+    /// The compiled process; null where it has no parallel operator to take apart, a component has too many states or
+    /// cannot be explored on its own (an error of evaluation that the whole may never meet), or the rules are too many.
+    /// `poll` is called now and then and may throw process::Interrupted, which passes.
+    [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, const std::function<void()>& poll);
+    /// All states of the compiled process; none where compile gives none.
+    [[nodiscard]] std::optional<process::Machine> explore(TermId term, const std::function<void()>& poll);
+
+private:
+    ComponentPtr component(TermId term, const std::function<void()>& poll);
+    ComponentPtr explored(TermId term, const std::function<void()>& poll);
+    ComponentPtr gate(const Node& node) const;
+
+    process::OperationalSemantics& semantics_;
+    Bounds bounds_;
+    std::map<TermId, ComponentPtr> components_;
+};
+
+/// Compresses what the compiler has explored. The semantics needs its compressor before the compiler can have the
+/// semantics: connect them by `use`.
+class MachineCompressor final : public process::Compressor {
+public:
+    void use(Compiler& compiler) { compiler_ = &compiler; }
+    std::optional<process::Machine> explore(TermId operand, const std::function<void()>& poll) override;
+    process::Machine compress(const process::Machine& explored, process::Compression kind) override {
+        return compressor_.compress(explored, kind);
+    }
+
+private:
+    Compiler* compiler_ = nullptr;
+    lts::BisimulationCompressor compressor_;
+};
+
+}  // namespace robochart::machine

@@ -1,0 +1,14 @@
+// Why a process stays a term.
+#pragma once
+
+#include <stdexcept>
+
+namespace robochart::machine {
+
+/// The process cannot be compiled within the compiler's bounds; it can still be run as a term.
+class NotCompiled : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace robochart::machine

@@ -1,0 +1,185 @@
+#include "checker/machine/skeleton.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "checker/machine/not_compiled.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using process::Term;
+
+constexpr int deepest = 300;              // operators inside each other; what lies deeper is one component
+constexpr int deepest_look = 100;         // operators looked through for a parallel one
+constexpr int deepest_prefix = 3;         // events before a parallel operator that are looked through
+constexpr std::size_t most_branches = 8;  // of a prefix that is taken apart
+constexpr std::size_t most_nodes = 200'000;
+
+class Builder {
+public:
+    explicit Builder(process::TermStore& terms) : terms_(terms) {}
+
+    Skeleton build(TermId term) {
+        node(term, 0, {}, 0);
+        return std::move(result_);
+    }
+    /// Whether a parallel operator is at work in the term, or soon will be.
+    bool composite(TermId term, int depth = 0, int prefixes = 0);
+
+private:
+    bool looks_composite(const Term& term, int depth, int prefixes);
+    /// The nodes around, where control that gets here leaves nothing of them behind.
+    using Tail = std::vector<NodeId>;
+
+    NodeId node(TermId term, NodeId region, const Tail& tail, int depth);
+    NodeId add(Node::Kind kind, TermId term, NodeId region);
+    void leaf(NodeId id);
+    void operation(NodeId id, const Tail& tail, int depth);
+    void child(NodeId id, TermId term, const Tail& tail, int depth);
+    void gate(NodeId id);
+    TermId unfolded(TermId term);
+
+    process::TermStore& terms_;
+    Skeleton result_;
+    std::map<std::pair<TermId, int>, bool> composite_;  // false while it is not known
+};
+
+TermId Builder::unfolded(TermId term) {
+    for (int steps = 0; terms_[term].op == Op::call && steps < deepest_look; ++steps)
+        term = terms_.unfold(terms_[term].payload);
+    return term;
+}
+
+bool Builder::composite(TermId id, int depth, int prefixes) {
+    if (depth > deepest_look) return false;
+    id = unfolded(id);
+    const auto [known, fresh] = composite_.emplace(std::pair(id, prefixes), false);
+    if (fresh) known->second = looks_composite(terms_[id], depth, prefixes);
+    return known->second;
+}
+
+bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
+    const Term term = given;  // looking on may make new terms
+    const auto some_child = [&] {
+        return std::any_of(term.children.begin(), term.children.end(),
+                           [&](TermId each) { return composite(each, depth + 1, prefixes); });
+    };
+    switch (term.op) {
+        case Op::parallel:
+        case Op::alphabetised:
+            return term.children.size() > 1;
+        case Op::hide:
+        case Op::rename:
+        case Op::prioritise:
+        case Op::exception:
+        case Op::sequential:
+        case Op::interrupt:
+        case Op::sliding:
+        case Op::external_choice:
+        case Op::internal_choice:
+            return some_child();
+        case Op::prefix: {
+            if (prefixes >= deepest_prefix) return false;
+            const std::vector<process::Branch> branches = terms_.branches(term.payload);
+            return branches.size() <= most_branches &&
+                   std::any_of(branches.begin(), branches.end(), [&](const process::Branch& branch) {
+                       return composite(branch.target, depth + 1, prefixes + 1);
+                   });
+        }
+        default:
+            return false;
+    }
+}
+
+NodeId Builder::add(Node::Kind kind, TermId term, NodeId region) {
+    if (result_.nodes.size() >= most_nodes) throw NotCompiled("too many operators");
+    Node node;
+    node.kind = kind;
+    node.op = terms_[term].op;
+    node.term = term;
+    node.region = region;
+    node.first_slot = node.end_slot = static_cast<std::uint32_t>(result_.slots.size());
+    result_.nodes.push_back(std::move(node));
+    return static_cast<NodeId>(result_.nodes.size() - 1);
+}
+
+void Builder::leaf(NodeId id) {
+    result_.slots.push_back(id);
+    result_.nodes[id].end_slot = static_cast<std::uint32_t>(result_.slots.size());
+}
+
+NodeId Builder::node(TermId term, NodeId region, const Tail& tail, int depth) {
+    term = unfolded(term);
+    const auto same =
+        std::find_if(tail.begin(), tail.end(), [&](NodeId around) { return result_.nodes[around].term == term; });
+    if (same != tail.end()) {
+        const NodeId around = *same;
+        const NodeId id = add(Node::Kind::again, term, region);
+        result_.nodes[id].again = around;
+        return id;
+    }
+    const bool taken_apart = depth < deepest && composite(term);
+    const NodeId id = add(taken_apart ? Node::Kind::operation : Node::Kind::leaf, term, region);
+    if (taken_apart) {
+        operation(id, tail, depth);
+        result_.nodes[id].end_slot = static_cast<std::uint32_t>(result_.slots.size());
+    } else {
+        leaf(id);
+    }
+    return id;
+}
+
+void Builder::child(NodeId id, TermId term, const Tail& tail, int depth) {
+    const bool opens_region = result_.nodes[id].op == Op::prioritise;
+    const NodeId region = opens_region ? id : result_.nodes[id].region;
+    const NodeId made = node(term, region, tail, depth + 1);
+    result_.nodes[id].children.push_back(made);
+}
+
+void Builder::gate(NodeId id) {
+    const NodeId made = add(Node::Kind::gate, result_.nodes[id].term, result_.nodes[id].region);
+    leaf(made);
+    result_.nodes[id].children.push_back(made);
+}
+
+void Builder::operation(NodeId id, const Tail& tail, int depth) {
+    const Term term = terms_[result_.nodes[id].term];
+    Tail inside = tail;
+    inside.push_back(id);
+    switch (term.op) {
+        // The first operand runs until the second one takes over for good.
+        case Op::sequential:
+        case Op::exception:
+            child(id, term.children[0], {}, depth);
+            child(id, term.children[1], inside, depth);
+            break;
+        case Op::sliding:
+            gate(id);
+            child(id, term.children[0], {}, depth);
+            child(id, term.children[1], inside, depth);
+            break;
+        case Op::internal_choice:
+            gate(id);
+            for (TermId each : term.children) child(id, each, inside, depth);
+            break;
+        case Op::prefix: {
+            gate(id);
+            const std::vector<process::Branch> branches = terms_.branches(term.payload);
+            for (const process::Branch& branch : branches) child(id, branch.target, inside, depth);
+            break;
+        }
+        default:
+            for (TermId each : term.children) child(id, each, {}, depth);
+    }
+}
+
+}  // namespace
+
+std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term) {
+    Builder builder(terms);
+    if (!builder.composite(term)) return std::nullopt;
+    return builder.build(term);
+}
+
+}  // namespace robochart::machine

@@ -1,0 +1,45 @@
+// The part of a process that stays in place while it runs: the operators above its components. An operator that one
+// operand outlives (exception, sequence, interrupt, choice) keeps its place too: the operands not running are off.
+// So a state of the whole is one state a component, in a vector of fixed length.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "checker/process/operational_semantics.hpp"
+
+namespace robochart::machine {
+
+using process::Op;
+using process::TermId;
+using NodeId = std::uint32_t;
+
+struct Node {
+    enum class Kind {
+        leaf,       ///< a component, explored from `term`
+        gate,       ///< a component made for an operator: one state that offers the operator's own first events
+        operation,  ///< an operator over children
+        again,      ///< where control comes back to the node `again`
+    };
+    Kind kind = Kind::leaf;
+    Op op = Op::stop;
+    TermId term{};  ///< leaf, operation: what it stands for (calls unfolded)
+    /// Operation. Sliding, internal choice and prefix have their gate as the first child; the others their operands.
+    std::vector<NodeId> children;
+    NodeId again = 0;
+    NodeId region = 0;             ///< the region it stands in: the nearest prioritise above, or the root
+    std::uint32_t first_slot = 0;  ///< the components below it: [first_slot, end_slot)
+    std::uint32_t end_slot = 0;
+};
+
+/// Nodes in an order where children come after their parents; node 0 is the root.
+struct Skeleton {
+    std::vector<Node> nodes;
+    std::vector<NodeId> slots;  ///< of each component, its node
+};
+
+/// Takes a term apart. Nothing if it has no parallel operator to take apart. May evaluate definitions and throw what
+/// they throw.
+[[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term);
+
+}  // namespace robochart::machine

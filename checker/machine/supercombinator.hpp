@@ -1,0 +1,70 @@
+// A compiled process: component machines and the rules by which their events become events of the whole (FDR's
+// supercombinators; Roscoe, "Understanding Concurrent Systems", 20.4 and 9.2; Gibson-Robinson et al., STTT 2016).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "checker/machine/component.hpp"
+#include "checker/machine/not_compiled.hpp"
+#include "checker/machine/skeleton.hpp"
+
+namespace robochart::machine {
+
+/// One that takes part in the rules of a region: a component, or a region inside.
+struct Participant {
+    bool is_region = false;
+    std::uint32_t index = 0;  ///< slot, or region
+};
+
+struct Requirement {
+    std::uint32_t participant;
+    std::uint32_t event;  ///< place in the participant's alphabet
+};
+
+/// Beside what its participants do, a rule puts components into given states: it starts them, or turns them off.
+struct Assignment {
+    std::uint32_t slot;
+    Local value;
+};
+
+/// "Where these participants perform these events, the region performs this one."
+struct Rule {
+    Event event;
+    Event revealed;  ///< of a hidden event, its name; tau: that of the participant's tau; else the event
+    std::uint32_t first_requirement, end_requirement;  ///< of the participants after the first
+    std::uint32_t first_assignment, end_assignment;
+};
+
+/// The rules between two prioritise operators: what lies above a prioritise sees only what it lets pass.
+struct Region {
+    std::vector<Participant> participants;
+    std::vector<EventSet> alphabets;                     ///< of each participant
+    std::vector<Rule> rules;                             ///< ordered by first participant and its event
+    std::vector<std::vector<std::uint32_t>> first_rule;  ///< per participant and event, one more at the end
+    std::vector<Requirement> requirements;
+    std::vector<Assignment> assignments;
+    EventSet alphabet;                 ///< of all rules
+    std::vector<std::uint32_t> level;  ///< by event; empty: no priorities. See no_level
+};
+/// The event neither prevents nor is prevented.
+inline constexpr std::uint32_t no_level = 0xffffffffU;
+
+/// Where a component's state lies in the packed state.
+struct Field {
+    std::uint32_t word, shift, mask;
+};
+
+struct Supercombinator {
+    std::vector<ComponentPtr> components;  ///< by slot
+    std::vector<Region> regions;           ///< inner ones first; the last is the whole
+    std::vector<Local> initial;            ///< by slot
+    std::vector<Field> fields;             ///< by slot
+    std::uint32_t words = 1;
+};
+
+/// The rules of a skeleton whose components are made. Throws NotCompiled beyond `most_rules`.
+[[nodiscard]] Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton,
+                                      std::vector<ComponentPtr> components, std::size_t most_rules);
+
+}  // namespace robochart::machine

@@ -1,0 +1,231 @@
+// Compiled processes against their terms: the two are strongly bisimilar, for each operator by itself and for random
+// compositions; and what cannot be compiled stays a term.
+#include "checker/machine/compiler.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include "checker/lts/bisimulation.hpp"
+#include "checker/lts/term_system.hpp"
+#include "tests/checker/process/scripted.hpp"
+#include "tests/checker/refine/random_process.hpp"
+#include "tests/checker/refine/translate.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using process::Op;
+using process::Scripted;
+
+constexpr std::size_t too_many = 20'000;
+
+struct TooLarge {};
+
+lts::Graph graph_of(lts::TransitionSystem& system) {
+    return lts::explore(system,
+                        [](std::size_t states) {
+                            if (states > too_many) throw TooLarge();
+                        })
+        .graph;
+}
+
+/// Both graphs below a common root, which is minimised: are their initial states equal?
+bool bisimilar(const lts::Graph& a, const lts::Graph& b) {
+    lts::Graph both;
+    const auto after = static_cast<lts::StateIndex>(1 + a.size());
+    both.add_edge({2, 1});
+    both.add_edge({3, after});
+    both.finish_state();
+    const auto append = [&both](const lts::Graph& graph, lts::StateIndex offset) {
+        for (lts::StateIndex state = 0; state < graph.size(); ++state) {
+            for (const lts::Edge& edge : graph.edges(state)) both.add_edge({edge.event, edge.target + offset});
+            both.finish_state();
+        }
+    };
+    append(a, 1);
+    append(b, after);
+    const lts::Quotient quotient = lts::minimise(both, lts::Equivalence::strong);
+    return quotient.state_of[1] == quotient.state_of[after];
+}
+
+class Compiled : public testing::Test {
+protected:
+    /// The number of states of the compiled process, which must do what the term does.
+    std::size_t states(TermId term) {
+        const auto system = compiler.compile(term, {});
+        if (!system) {
+            ADD_FAILURE() << "was not compiled";
+            return 0;
+        }
+        lts::TermSystem reference(semantics, term);
+        const lts::Graph graph = graph_of(*system);
+        EXPECT_TRUE(bisimilar(graph, graph_of(reference)));
+        return graph.size();
+    }
+    TermId twice(const char* event) { return s.prefix(event, s.prefix(event, s.skip())); }
+    /// Two components that take two steps each, then end together: (3 * 3) states and the end.
+    TermId pair() { return s.over(Op::parallel, {twice("a"), twice("b")}, {}); }
+    static constexpr std::size_t states_of_pair = 10;
+
+    Scripted s;
+    process::OperationalSemantics semantics{s.store};
+    Compiler compiler{semantics};
+    TermId stop = s.stop();
+};
+
+TEST_F(Compiled, ParallelHidingRenaming) {
+    EXPECT_EQ(states(pair()), states_of_pair);
+    EXPECT_EQ(states(s.over(Op::parallel, {twice("a"), twice("a")}, {"a"})), 4U);
+    EXPECT_EQ(states(s.over(Op::hide, {pair()}, {"a"})), states_of_pair);
+    EXPECT_EQ(states(s.rename(pair(), {{"a", "b"}, {"a", "c"}, {"b", "a"}})), states_of_pair);
+    const TermId both = s.op(Op::alphabetised, {twice("a"), twice("b")}, 0, {s.set({"a"}), s.set({"b", "a"})});
+    EXPECT_EQ(states(both), 3U) << "a needs the second side, which never does it: only b, b";
+}
+
+TEST_F(Compiled, OperatorsThatOneOperandOutlives) {
+    // The pair runs to its end, then a c: in place of the pair's end stands c's beginning.
+    EXPECT_EQ(states(s.op(Op::sequential, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
+    // The first b leaves the pair: it was in one of three states of a.
+    EXPECT_EQ(states(s.over(Op::exception, {pair(), s.prefix("c", stop)}, {"b"})), 5U);
+    // c interrupts anywhere but at the end.
+    EXPECT_EQ(states(s.op(Op::interrupt, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
+    // An event of the pair resolves the choice and the timeout; only the first state has the alternative, c's end, or
+    // after the timeout its beginning and end.
+    EXPECT_EQ(states(s.op(Op::external_choice, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
+    EXPECT_EQ(states(s.op(Op::sliding, {pair(), s.prefix("c", stop)})), states_of_pair + 2);
+    EXPECT_EQ(states(s.op(Op::internal_choice, {pair(), s.prefix("c", stop)})), states_of_pair + 3);
+    EXPECT_EQ(states(s.menu({{"c", pair()}, {"c", s.prefix("d", stop)}})), states_of_pair + 3);
+}
+
+TEST_F(Compiled, RecursionThroughCompositions) {
+    const TermId again = s.name("Again");
+    s.bind(again, s.op(Op::sequential, {pair(), again}));
+    EXPECT_EQ(states(again), states_of_pair - 1) << "the end of the pair is its beginning";
+    const TermId round = s.name("Round");
+    s.bind(round, s.over(Op::exception, {pair(), s.prefix("c", round)}, {"b"}));
+    EXPECT_EQ(states(round), 4U);
+    const TermId started = s.name("Started");
+    s.bind(started, s.prefix("go", s.op(Op::sequential, {pair(), started})));
+    EXPECT_EQ(states(started), states_of_pair);
+}
+
+TEST_F(Compiled, PrioritiesInsideAndOutside) {
+    EXPECT_EQ(states(s.prioritise(pair(), {{"a"}, {"b"}})), 6U) << "a, a, b, b";
+    const TermId inner = s.prioritise(pair(), {{"b"}, {"a"}});
+    EXPECT_EQ(states(s.prioritise(s.over(Op::parallel, {inner, twice("c")}, {}), {{"c"}, {"a", "b"}})), 8U);
+    EXPECT_EQ(states(s.op(Op::sequential, {s.over(Op::hide, {inner}, {"b"}), inner})), 11U)
+        << "b, b, a, a and its end, which begins the same again; then its end is one more";
+}
+
+TEST_F(Compiled, KeepsHiddenNamesForCounterexamples) {
+    const TermId hidden = s.over(Op::hide, {s.over(Op::parallel, {twice("a"), twice("a")}, {"a"})}, {"a"});
+    const auto system = compiler.compile(hidden, {});
+    struct First final : lts::SuccessorSink {
+        void add(Event event, lts::StateView, Event revealed) override { seen.emplace_back(event, revealed); }
+        std::vector<std::pair<Event, Event>> seen;
+    } first;
+    std::vector<lts::Word> state(system->width());
+    system->initial(state);
+    system->successors(state, first);
+    EXPECT_EQ(first.seen, (std::vector<std::pair<Event, Event>>{{process::tau, s.event("a")}}));
+    EXPECT_EQ(system->describe(state), "a → … ‖ a → …");
+}
+
+TEST_F(Compiled, LeavesTermsThatAreNoCompositionsOrTooLarge) {
+    EXPECT_EQ(compiler.compile(twice("a"), {}), nullptr);
+    Compiler small(semantics, {.component_states = 2});
+    EXPECT_EQ(small.compile(pair(), {}), nullptr);
+    Compiler few(semantics, {.rules = 2});
+    EXPECT_EQ(few.compile(pair(), {}), nullptr);
+    const TermId endless = s.name("Endless");
+    s.bind(endless, endless);
+    EXPECT_EQ(compiler.compile(s.over(Op::parallel, {endless, twice("a")}, {}), {}), nullptr);
+}
+
+TEST_F(Compiled, StopsWhenItsPollSaysSo) {
+    const auto stop_now = [] { throw process::Interrupted("enough"); };
+    EXPECT_THROW(static_cast<void>(compiler.compile(pair(), stop_now)), process::Interrupted);
+}
+
+TEST_F(Compiled, ServesItsOwnSinks) {
+    const auto system = compiler.compile(pair(), {});
+    struct Nested final : lts::SuccessorSink {
+        void add(Event event, lts::StateView target, Event) override {
+            events.push_back(event);
+            if (depth++ < 3) system->successors(std::vector<lts::Word>(target.begin(), target.end()), *this);
+        }
+        lts::TransitionSystem* system = nullptr;
+        int depth = 0;
+        std::vector<Event> events;
+    } nested;
+    nested.system = system.get();
+    std::vector<lts::Word> state(system->width());
+    system->initial(state);
+    system->successors(state, nested);
+    EXPECT_EQ(nested.events.size(), 6U) << "two at the first state and after a, one after a, a and after a, a, b";
+}
+
+TEST_F(Compiled, ServesCompressions) {
+    MachineCompressor compressor;
+    process::OperationalSemantics compressing(s.store, &compressor);
+    Compiler with(compressing);
+    compressor.use(with);
+    const TermId hidden = s.over(Op::hide, {pair()}, {"a"});
+    const TermId compressed = s.op(Op::compress, {hidden}, static_cast<std::uint32_t>(process::Compression::dbisim));
+    lts::TermSystem small(compressing, compressed);
+    EXPECT_EQ(graph_of(small).size(), 4U) << "b, b and the end: the a's are inert";
+    const auto whole = with.compile(s.over(Op::parallel, {compressed, twice("b")}, {"b"}), {});
+    ASSERT_NE(whole, nullptr);
+    EXPECT_EQ(graph_of(*whole).size(), 4U);
+}
+
+/// Two random processes under one operator.
+process::TermId joined(refine::Translation& translation, const refine::naive::Script& script, unsigned how) {
+    Scripted& s = translation.scripted();
+    const TermId p = translation.term(script.mains[0]);
+    const TermId q = translation.term(script.mains[1]);
+    const TermId both = s.over(Op::parallel, {p, q}, {"a"});
+    switch (how) {
+        case 0:
+            return s.over(Op::parallel, {p, q, p}, {});
+        case 1:
+            return s.over(Op::hide, {s.over(Op::parallel, {p, q}, {"a", "b"})}, {"b"});
+        case 2:
+            return s.op(Op::sequential, {both, both});
+        case 3:
+            return s.over(Op::exception, {both, q}, {"a"});
+        case 4:
+            return s.op(Op::interrupt, {both, q});
+        case 5:
+            return s.op(Op::external_choice, {both, p, both});
+        case 6:
+            return s.op(Op::sliding, {both, both});
+        case 7:
+            return s.prioritise(s.over(Op::parallel, {s.prioritise(both, {{"b"}, {"c"}}), q}, {"c"}), {{"a"}, {"b"}});
+        default:
+            return s.menu({{"a", both}, {"b", s.op(Op::internal_choice, {both, q})}});
+    }
+}
+
+RC_GTEST_PROP(CompiledProperty, RandomCompositionsDoWhatTheirTermsDo, ()) {
+    const auto list = *rc::gen::container<std::vector<unsigned>>(rc::gen::inRange<unsigned>(0, 2520));
+    const auto how = *rc::gen::inRange<unsigned>(0, 9);
+    refine::Translation translation(refine::naive::Decoder(list).script(2));
+    const TermId term = joined(translation, refine::naive::Decoder(list).script(2), how);
+    try {
+        lts::TermSystem reference(translation.semantics(), term);
+        const lts::Graph graph = graph_of(reference);
+        Compiler compiler(translation.semantics());
+        const auto system = compiler.compile(term, {});
+        RC_ASSERT(system != nullptr);
+        RC_ASSERT(bisimilar(graph_of(*system), graph));
+    } catch (const TooLarge&) {
+        RC_DISCARD("too large");
+    } catch (const process::SemanticsError&) {
+        RC_DISCARD("no semantics");
+    }
+}
+
+}  // namespace
+}  // namespace robochart::machine
