@@ -28,15 +28,19 @@ Doc Layout::braces(Part part, Gap inside, Gap between) {
 Doc Layout::list(Gap gap, Part element) {
     const Doc before = this->gap(gap);
     const Doc open = advance();
+    return group(before, doc_.cat(open, elements(Gap::soft, element)));
+}
+
+/// The elements of a list and the closing bracket (the group is the caller's).
+Doc Layout::elements(Gap first, Part element) {
     Doc inner = 0;
-    for (Gap next = Gap::soft; !at_closing(); next = Gap::line) {
-        inner = doc_.cat(inner, (this->*element)(next));
+    for (Gap gap = first; !at_closing(); gap = Gap::line) {
+        inner = doc_.cat(inner, (this->*element)(gap));
         if (at(",") || at(";")) inner = doc_.cat(inner, token(Gap::none));
     }
-    const Doc comments = closing_comments();
-    inner = doc_.cat(inner, comments);
+    inner = doc_.cat(inner, closing_comments());
     const Doc close = inner == 0 ? 0 : may_touch() ? doc_.soft() : doc_.line();
-    return group(before, cat({open, doc_.nest(inner), close, advance()}));
+    return cat({doc_.nest(inner), close, advance()});
 }
 
 // ---------------------------------------------------------------- members
@@ -151,18 +155,20 @@ Doc Layout::literal(Gap gap) {
 Doc Layout::interfaces(Gap gap) {
     const Doc before = this->gap(gap);
     const Doc word = token(Gap::done);
-    Doc list = names(Gap::blank);
-    while (at(",")) list = cat({list, token(Gap::none), names(Gap::line)});
-    return group(before, doc_.cat(word, doc_.nest(list)));
+    const Doc first = names(Gap::blank);
+    Doc rest = 0;
+    while (at(",")) rest = cat({rest, token(Gap::none), names(Gap::line)});
+    return group(before, cat({word, first, doc_.nest(rest)}));
 }
 
 /// `var a : T = e, b : T`
 Doc Layout::variables(Gap gap) {
     const Doc before = this->gap(gap);
     const Doc word = token(Gap::done);
-    Doc list = variable(Gap::blank);
-    while (at(",")) list = cat({list, token(Gap::none), variable(Gap::line)});
-    return group(before, doc_.cat(word, doc_.nest(list)));
+    const Doc first = variable(Gap::blank);
+    Doc rest = 0;
+    while (at(",")) rest = cat({rest, token(Gap::none), variable(Gap::line)});
+    return group(before, cat({word, first, doc_.nest(rest)}));
 }
 
 /// `a : T = e`: variables, constants, parameters, fields.

@@ -91,15 +91,15 @@ Doc Layout::prefix(int level) {
 /// `forall v : T | p @ e`, `let x == e @ e`
 Doc Layout::binder(int level) {
     Doc head = token(Gap::done);
-    head = doc_.cat(head, bindings());
+    head = doc_.cat(head, bindings(Gap::blank));
     if (!at("@")) return head;
     const Doc at_sign = token(Gap::blank);
     return doc_.group(cat({head, at_sign, doc_.nest(operand(Gap::line, level))}));
 }
 
 /// `v : T, w : T | p`, `x == e, y == e`
-Doc Layout::bindings() {
-    Doc result = binding(Gap::blank);
+Doc Layout::bindings(Gap gap) {
+    Doc result = binding(gap);
     while (at(",")) result = cat({result, token(Gap::none), binding(Gap::blank)});
     return at("|") ? cat({result, token(Gap::blank), expression(Gap::blank)}) : result;
 }
@@ -134,9 +134,11 @@ Doc Layout::postfix() {
 
 Doc Layout::atom() {
     if (at("[|") || at("(|") || at("(") || at("[")) return list(Gap::done, &Layout::expression);
-    if (at("<") || at("<{")) return list(Gap::done, &Layout::sequence_element);
+    if (at("<{")) return sequence_with_set();
+    if (at("<")) return list(Gap::done, &Layout::sequence_element);
     if (at("{")) return list(Gap::done, &Layout::set_element);
-    if (!at_name()) return token(Gap::done);
+    const bool function = at("since") || at("sinceEntry") || at("inverse") || at("transpose");
+    if (!at_name()) return cat({token(Gap::done), function ? list(Gap::none, &Layout::expression) : 0});
     const Doc name = names(Gap::done);
     return at("(|") ? doc_.cat(name, list(Gap::none, &Layout::field)) : name;
 }
@@ -146,6 +148,15 @@ Doc Layout::sequence_element(Gap gap) {
     return operand(gap, plus_level);
 }
 
+/// `<{a}, …>`: the brackets of a sequence that begins with a set make one word.
+Doc Layout::sequence_with_set() {
+    const Doc open = advance();
+    Doc first = doc_.group(doc_.cat(open, elements(Gap::soft, &Layout::set_element)));
+    while (operator_level() >= plus_level) first = chain(first, operator_level());
+    const Doc comma = at(",") ? token(Gap::none) : 0;
+    return doc_.group(cat({first, comma, elements(Gap::line, &Layout::sequence_element)}));
+}
+
 /// An element of a set, or the whole of `{a to b}`, `{v : T | p @ e}`.
 Doc Layout::set_element(Gap gap) {
     if (!at_name() || !peek(1).is(":")) {
@@ -153,7 +164,7 @@ Doc Layout::set_element(Gap gap) {
         return at("to") ? cat({element, token(Gap::blank), expression(Gap::blank)}) : element;
     }
     const Doc before = this->gap(gap);
-    const Doc result = doc_.cat(before, bindings());
+    const Doc result = doc_.cat(before, bindings(Gap::done));
     return at("@") ? cat({result, token(Gap::blank), expression(Gap::blank)}) : result;
 }
 

@@ -82,6 +82,7 @@ private:
     Doc braces(Part part, Gap inside, Gap between);
     Doc members(Part part, Gap inside, Gap between);
     Doc list(Gap gap, Part element);
+    Doc elements(Gap first, Part element);
     Doc block(Gap gap);
     Doc operation(Gap gap);
     Doc enumeration(Gap gap);
@@ -128,12 +129,13 @@ private:
     Doc chain(Doc left, int level);
     Doc infix(int level);
     Doc binder(int level);
-    Doc bindings();
+    Doc bindings(Gap gap);
     Doc binding(Gap gap);
     Doc negation();
     Doc postfix();
     Doc atom();
     Doc sequence_element(Gap gap);
+    Doc sequence_with_set();
     Doc set_element(Gap gap);
     Doc field(Gap gap);
     [[nodiscard]] int operator_level() const;
