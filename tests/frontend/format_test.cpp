@@ -276,6 +276,15 @@ TEST(Format, DoesNotDependOnBlanksOfTheText) {
 
 // ---------------------------------------------------------------- what it looks like (docs/format.md)
 
+TEST(Format, TheExampleOfTheDocumentationIsInTheStyle) {
+    const std::string page = testing::slurp(fs::path(ROBOCHART_SOURCE_DIR) / "docs/format.md");
+    const std::string fence = "```robochart\n";
+    const std::size_t begin = page.find(fence) + fence.size();
+    const std::string example = page.substr(begin, page.find("```", begin) - begin);
+    EXPECT_GT(example.size(), 300U);
+    EXPECT_EQ(formatted(example), example);
+}
+
 /// The body of a machine `stm S { … }`, without the indentation that it has there.
 std::string in_machine(const std::string& body) {
     const std::string text = formatted("stm S {" + body + "}");
