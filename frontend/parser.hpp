@@ -154,6 +154,7 @@ private:
     StmtPtr communication_statement();
     StmtPtr assignment();
     [[nodiscard]] bool looks_like_assignment() const;
+    [[nodiscard]] std::optional<std::size_t> behind_brackets(std::size_t ahead) const;
     std::unique_ptr<Communication> communication();
     [[nodiscard]] bool repair_assignment();
     void communication_predicate(Communication& communication);

@@ -1,6 +1,9 @@
 // Statements and communications (RoboChart.xtext: Statement to CommunicationStmt, Communication).
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "frontend/parser.hpp"
 #include "frontend/syntax_rules.hpp"
 
@@ -102,6 +105,23 @@ StmtPtr Parser::communication_statement() {
     return result;
 }
 
+/// Behind the bracket that closes the one here; nothing if there is none. Brackets need not be of one kind: ranges are
+/// written `(a, b]`.
+std::optional<std::size_t> Parser::behind_brackets(std::size_t ahead) const {
+    constexpr std::array<std::string_view, 8> opening = {"[", "(", "{", "[|", "(|", "<{", "Set(", "Seq("};
+    constexpr std::array<std::string_view, 5> closing = {"]", ")", "}", "|]", "|)"};
+    std::size_t open = 0;
+    do {
+        const Token& token = peek(ahead++);
+        const auto here = [&](std::string_view word) { return token.is(word); };
+        if (std::any_of(opening.begin(), opening.end(), here)) ++open;
+        if (std::any_of(closing.begin(), closing.end(), here)) --open;
+        const bool new_member = token.first_on_line && (token.is("transition") || token.is("state"));
+        if (token.kind == TokenKind::end || new_member) return std::nullopt;
+    } while (open > 0);
+    return ahead;
+}
+
 /// Is the name here followed by member and index steps and `=`? Anything else with `.` is a communication.
 bool Parser::looks_like_assignment() const {
     std::size_t ahead = 1;
@@ -112,13 +132,9 @@ bool Parser::looks_like_assignment() const {
             ahead += 2;
             continue;
         }
-        std::size_t open = 0;
-        do {
-            const Token& token = peek(ahead++);
-            if (token.is("[")) ++open;
-            if (token.is("]")) --open;
-            if (token.is(";") || token.is("}") || token.kind == TokenKind::end) return false;
-        } while (open > 0);
+        const auto behind = behind_brackets(ahead);
+        if (!behind) return false;
+        ahead = *behind;
     }
     return peek(ahead).is("=") || (peek(ahead).is(":") && peek(ahead + 1).is("="));
 }

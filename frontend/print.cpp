@@ -1,7 +1,9 @@
-// See print.hpp. Parentheses of the source are nodes of the tree, so printing adds none.
+// Expressions, types and statements. Parentheses of the source are nodes of the tree, so printing adds none.
 #include "frontend/print.hpp"
 
 #include <fmt/format.h>
+
+#include "frontend/lexer.hpp"
 
 namespace robochart::frontend {
 
@@ -28,13 +30,14 @@ std::string list(const std::vector<ExprPtr>& items) {
 
 std::string typed_bindings(const Expr& expr) {
     return joined(expr.bindings, ", ", [](const Binding& b) {
-        return b.variable->name + ":" + (b.variable->type_expr ? to_text(*b.variable->type_expr) : "?");
+        return written_name(b.variable->name) + ":" + (b.variable->type_expr ? to_text(*b.variable->type_expr) : "?");
     });
 }
 
 std::string valued_bindings(const Expr& expr, std::string_view sign) {
-    return joined(expr.bindings, ", ",
-                  [&](const Binding& b) { return fmt::format("{} {} {}", b.variable->name, sign, text(b.value)); });
+    return joined(expr.bindings, ", ", [&](const Binding& b) {
+        return fmt::format("{} {} {}", written_name(b.variable->name), sign, text(b.value));
+    });
 }
 
 std::string quantified(const Expr& expr, std::string_view word) {
@@ -77,8 +80,14 @@ std::string binary(const Expr& expr) {
     return fmt::format("{} {} {}", text(expr.args[0]), to_text(*expr.binary), text(expr.args[1]));
 }
 
+/// A sequence that begins with a set is kept apart from the word `<{` of deadlines.
+std::string sequence(const Expr& expr) {
+    const std::string elements = list(expr.args);
+    return (elements.starts_with("{") ? "< " : "<") + elements + ">";
+}
+
 std::string call(const Expr& expr) {
-    return fmt::format("{}({})", expr.callee ? text(expr.callee) : expr.name.text(), list(expr.args));
+    return fmt::format("{}({})", expr.callee ? text(expr.callee) : written_name(expr.name), list(expr.args));
 }
 
 /// Forms that bind names.
@@ -105,6 +114,16 @@ std::string binder(const Expr& expr) {
 
 }  // namespace
 
+/// `Set` and `Seq` are reserved only before a bracket; escaping them always is legal and simple.
+std::string written_name(std::string_view name) {
+    const bool escaped = is_reserved(name) || name == "Set" || name == "Seq";
+    return (escaped ? "^" : "") + std::string(name);
+}
+
+std::string written_name(const QualifiedName& name) {
+    return joined(name.parts, "::", [](const std::string& part) { return written_name(part); });
+}
+
 std::string to_text(const Expr& expr) {
     switch (expr.kind) {
         case ExprKind::integer:
@@ -113,7 +132,7 @@ std::string to_text(const Expr& expr) {
         case ExprKind::boolean:
             return expr.text;
         case ExprKind::name:
-            return expr.name.text();
+            return written_name(expr.name);
         case ExprKind::result:
             return "result";
         case ExprKind::to:
@@ -131,7 +150,7 @@ std::string to_text(const Expr& expr) {
         case ExprKind::is_type:
             return fmt::format("{} is {}", text(expr.args[0]), to_text(*expr.type_expr));
         case ExprKind::member:
-            return text(expr.args[0]) + "." + expr.text;
+            return text(expr.args[0]) + "." + written_name(expr.text);
         case ExprKind::index:
             return index(expr);
         case ExprKind::call:
@@ -139,9 +158,9 @@ std::string to_text(const Expr& expr) {
         case ExprKind::tuple:
             return "(|" + list(expr.args) + "|)";
         case ExprKind::record:
-            return fmt::format("{}(|{}|)", expr.name.text(), valued_bindings(expr, "="));
+            return fmt::format("{}(|{}|)", written_name(expr.name), valued_bindings(expr, "="));
         case ExprKind::sequence:
-            return "<" + list(expr.args) + ">";
+            return sequence(expr);
         case ExprKind::set:
             return "{" + list(expr.args) + "}";
         case ExprKind::set_range:
@@ -155,9 +174,9 @@ std::string to_text(const Expr& expr) {
         case ExprKind::transpose:
             return "transpose(" + list(expr.args) + ")";
         case ExprKind::since:
-            return "since(" + expr.name.text() + ")";
+            return "since(" + written_name(expr.name) + ")";
         case ExprKind::since_entry:
-            return "sinceEntry(" + expr.name.text() + ")";
+            return "sinceEntry(" + written_name(expr.name) + ")";
         case ExprKind::parenthesised:
             return "(" + text(expr.args[0]) + ")";
         default:
@@ -177,9 +196,9 @@ std::string to_text(const TypeExpr& type) {
     };
     switch (type.kind) {
         case TypeKind::name:
-            return type.name.text();
+            return written_name(type.name);
         case TypeKind::variable:
-            return "?" + type.name.text();
+            return "?" + written_name(type.name);
         case TypeKind::sequence:
             return "Seq(" + arg(0) + ")";
         case TypeKind::set:
@@ -201,10 +220,10 @@ std::string to_text(const TypeExpr& type) {
 }
 
 std::string to_text(const Communication& communication) {
-    std::string out = communication.event.text();
+    std::string out = written_name(communication.event);
     if (!communication.from_variable.empty() || communication.predicate) {
         out += "[|";
-        if (!communication.from_variable.empty()) out += communication.from_variable.text() + " = from";
+        if (!communication.from_variable.empty()) out += written_name(communication.from_variable) + " = from";
         if (!communication.from_variable.empty() && communication.predicate) out += " | ";
         out += text(communication.predicate) + "|]";
     }
@@ -212,7 +231,7 @@ std::string to_text(const Communication& communication) {
         case CommKind::simple:
             return out;
         case CommKind::input:
-            return out + "?" + communication.variable.text();
+            return out + "?" + written_name(communication.variable);
         case CommKind::output:
             return out + "!" + text(communication.value);
         case CommKind::sync:
@@ -237,13 +256,13 @@ std::string to_text(const Stmt& statement) {
         case StmtKind::communication:
             return (statement.send_keyword ? "send " : "") + to_text(*statement.communication);
         case StmtKind::call:
-            return fmt::format("{}({})", statement.name.text(), list(statement.args));
+            return fmt::format("{}({})", written_name(statement.name), list(statement.args));
         case StmtKind::wait:
             return "wait(" + text(statement.value) + ")";
         case StmtKind::wait_interval:
             return fmt::format("wait([{}, {}])", text(statement.value), text(statement.upper));
         case StmtKind::clock_reset:
-            return "#" + statement.name.text();
+            return "#" + written_name(statement.name);
         case StmtKind::deadline:
             return fmt::format("{} <{{{}}}", body(statement.body[0]), text(statement.value));
         case StmtKind::parenthesised:
