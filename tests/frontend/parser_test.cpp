@@ -112,9 +112,19 @@ TEST(Parser, ReadsEveryFormOfExpression) {
                              "(lambda v:nat @ v)(1)",
                              "(the v:nat | v > 1 @ v)",
                              "let x == 1, y == x @ x + y",
-                             "<{1}, {2}>",
+                             "< {1}, {2}>",
                              "a % b"})
         EXPECT_EQ(guard(text), text);
+    EXPECT_EQ(guard("<{1}, {2}>"), "< {1}, {2}>");  // `<{` is one word, taken apart here
+    EXPECT_EQ(guard("^end + ^end::x"), "^end + ^end::x");
+}
+
+TEST(Parser, ReadsAnAssignmentBehindAnyIndex) {
+    for (const char* action : {"a[{1}] = 2", "a[[| 1; 2 |]] = 2", "a[(1, 2]].f[x as Set(nat)] = 2"})
+        EXPECT_EQ(read(std::string("operation O() { initial i transition t { from i to i action ") + action + " } }")
+                      ->codes(),
+                  "")
+            << action;
 }
 
 TEST(Parser, ReadsEveryFormOfType) {
