@@ -34,11 +34,6 @@ std::string relatives(std::string_view code) {
     return found.empty() ? "`robochart-verify explain` lists all" : fmt::format("there are {}", fmt::join(found, ", "));
 }
 
-bool color_wanted(Color color) {
-    if (color != Color::automatic) return color == Color::always;
-    return isatty(STDOUT_FILENO) == 1;
-}
-
 /// What the table says, for a rule whose page is missing.
 std::string from_table(const std::vector<const diagnostics::Rule*>& rules) {
     std::string text;
@@ -69,7 +64,7 @@ std::string_view list_of_rules() {
 }  // namespace
 
 Exit run_explain(const Options& options) {
-    const bool color = color_wanted(options.color);
+    const bool color = color_wanted(options.color, STDOUT_FILENO);
     if (options.inputs.empty()) fmt::print("{}", render_page(list_of_rules(), color));
     Exit exit = Exit::success;
     for (std::size_t i = 0; i < options.inputs.size(); ++i) {

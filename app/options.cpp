@@ -1,6 +1,7 @@
 #include "app/options.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -20,7 +21,7 @@ folder); several are read as one project.
 
 Exit status:
    0  everything as claimed: every assertion holds as worded, the code conforms
-   1  some assertion fails, or some code does not conform
+   1  some assertion fails, some code does not conform, some file is not formatted (format --check)
    2  the input is wrong
    3  inconclusive: a limit was reached, or interrupted; what is known is printed
    4  wrong usage
@@ -33,7 +34,7 @@ struct VerbRow {
     const char* help;
     const char* input;
 };
-constexpr std::array<VerbRow, 7> verbs{{
+constexpr std::array<VerbRow, 8> verbs{{
     {Verb::verify, "verify", "", "all of it: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL"},
     {Verb::check, "check", "", "read the model and decide its assertions", "MODEL"},
     {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL"},
@@ -41,6 +42,7 @@ constexpr std::array<VerbRow, 7> verbs{{
     {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL"},
     {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT"},
     {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "CODE"},
+    {Verb::format, "format", "", "lay out model and assertion files in the house style, in place", "FILE"},
 }};
 
 const CLI::AsSizeValue as_size(false);
@@ -85,10 +87,19 @@ void add_code(CLI::App& app, Options& o) {
     app.add_option("--cycle", o.cycle, "time units of one control cycle")->check(CLI::Range(1U, 1000U))->option_text("N [1]");
 }
 
+void add_format(CLI::App& app, Options& o) {
+    add_color(app, o);
+    app.add_flag("-q,--quiet", o.quiet, "do not list the files changed");
+    app.add_flag("--check", o.check, "write nothing; list the files that would change, exit 1 if there are any");
+    app.add_flag("--diff", o.diff, "write nothing; show what would change");
+    app.add_flag("--assertions", o.assertions, "read standard input (-) as an assertion file");
+}
+
 void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     auto* inputs = app.add_option("inputs", o.inputs, "")->option_text(fmt::format("{}...", row.input));
     if (row.verb == Verb::explain) return add_color(app, o);
     inputs->required();
+    if (row.verb == Verb::format) return add_format(app, o);
     add_common(app, o);
     if (row.verb == Verb::cspm) return add_checking(app, o);
     add_model(app, o);
@@ -176,6 +187,11 @@ ir::InstantiationOptions instantiation_options(const Options& o, std::string& er
         else result.ranges[text.substr(0, equals)] = {low, high};
     }
     return result;
+}
+
+bool color_wanted(Color color, int descriptor) {
+    if (color != Color::automatic) return color == Color::always;
+    return isatty(descriptor) == 1;
 }
 
 refine::Limits limits(const Options& o) {

@@ -14,14 +14,14 @@ namespace robochart::app {
 /// Exit codes, documented in `--help` (docs/cli.md).
 enum class Exit : int {
     success = 0,       ///< everything as claimed
-    failed = 1,        ///< some assertion fails, some code does not conform
+    failed = 1,        ///< some assertion fails, some code does not conform, some file is not formatted
     bad_input = 2,     ///< the model or script is wrong
     inconclusive = 3,  ///< a limit was reached, or interrupted
     usage = 4,
     internal = 70,     ///< a fault of ours
 };
 
-enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain };
+enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain, format };
 enum class Format { text, json };
 enum class Color { automatic, always, never };
 enum class Times { both, timed, untimed };
@@ -37,6 +37,9 @@ struct Options {
     bool show_internal = false;           ///< --trace: raw event traces beside the told counterexample
     Times times = Times::both;
     bool core = false;
+    bool check = false;                   ///< format: write nothing, tell what would change
+    bool diff = false;                    ///< format: write nothing, show what would change
+    bool assertions = false;              ///< format: standard input is an assertion file
     std::string assertion;                ///< only this one, "" for all
     std::string component;                ///< emit cpp, conform: only this one
     std::uint32_t cycle = 1;
@@ -59,6 +62,8 @@ struct Parsed {
 
 /// The instantiation part of the options. Malformed pairs give a message in `error`.
 [[nodiscard]] ir::InstantiationOptions instantiation_options(const Options&, std::string& error);
+/// Are colours wanted on this file descriptor? By default if it is a terminal.
+[[nodiscard]] bool color_wanted(Color, int descriptor);
 /// The limits of one check that begins now.
 [[nodiscard]] refine::Limits limits(const Options&);
 

@@ -40,11 +40,6 @@ bool lower_all(Project& project, const Options& options) {
     return project.diagnostics.ok();
 }
 
-bool color_wanted(Color color) {
-    if (color != Color::automatic) return color == Color::always;
-    return isatty(STDERR_FILENO) == 1;
-}
-
 ir::ComponentRef component(ir::ComponentKind kind, std::size_t index, const std::string& package, const std::string& name) {
     ir::ComponentRef ref;
     ref.kind = kind;
@@ -117,7 +112,7 @@ bool show_diagnostics(const Project& project, const Options& options) {
         if (!project.diagnostics.ok()) fmt::print("{}\n", diagnostics::render_json(project.sources, project.diagnostics));
     } else if (!options.quiet || !project.diagnostics.ok()) {
         diagnostics::TextStyle style;
-        style.color = color_wanted(options.color);
+        style.color = color_wanted(options.color, STDERR_FILENO);
         fmt::print(stderr, "{}", diagnostics::render_text(project.sources, project.diagnostics, style));
     }
     return project.diagnostics.ok();

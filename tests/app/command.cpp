@@ -32,7 +32,7 @@ void redirect(const char* path, int flags, int to) {
 
 [[noreturn]] void become(const std::vector<std::string>& arguments, const std::string& folder) {
     if (chdir(folder.c_str()) != 0) _exit(126);
-    redirect("/dev/null", O_RDONLY, STDIN_FILENO);
+    redirect("stdin.txt", O_RDONLY, STDIN_FILENO);
     redirect("stdout.txt", O_WRONLY | O_CREAT, STDOUT_FILENO);
     redirect("stderr.txt", O_WRONLY | O_CREAT, STDERR_FILENO);
     std::vector<char*> argv{const_cast<char*>(ROBOCHART_VERIFY)};
@@ -44,8 +44,9 @@ void redirect(const char* path, int flags, int to) {
 
 }  // namespace
 
-Ran run(const std::vector<std::string>& arguments) {
+Ran run(const std::vector<std::string>& arguments, const std::string& input) {
     const std::string folder = fresh_folder();
+    std::ofstream(folder + "/stdin.txt", std::ios::binary) << input;
     const pid_t child = fork();
     if (child == 0) become(arguments, folder);
     int status = 0;

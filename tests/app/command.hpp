@@ -12,8 +12,8 @@ struct Ran {
     std::string err;
 };
 
-/// Runs robochart-verify with these arguments in an empty temporary folder, without standard input.
-[[nodiscard]] Ran run(const std::vector<std::string>& arguments);
+/// Runs robochart-verify with these arguments in an empty temporary folder, with this standard input.
+[[nodiscard]] Ran run(const std::vector<std::string>& arguments, const std::string& input = "");
 
 /// A file in a fresh temporary folder that lives as long as the object.
 class TemporaryFile {

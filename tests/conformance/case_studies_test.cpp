@@ -94,7 +94,7 @@ TEST(CaseStudies, AggregationConformsInCyclesOfTwo) {
 
 // R4: without their waits the operations set a speed twice as soon as a robot is seen in the first cycle.
 TEST(CaseStudies, AggregationWithoutWaitsIsNotSchedulable) {
-    const std::string folder = test::changed_copy("corpus/aggregation/aggregation.rct", "; wait ( 1 )", "");
+    const std::string folder = test::changed_copy("corpus/aggregation/aggregation.rct", "; wait(1)", "");
     const Result result = conform_module(folder);
     std::filesystem::remove_all(folder);
     ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
@@ -117,7 +117,7 @@ TEST(CaseStudies, AggregationMachineAloneIsNotSchedulable) {
 
 // codegen.md 5.5: with {detected, turned} in one cycle, Forward is entered and left and entered: two moves.
 TEST(CaseStudies, SwarmTaxisWithoutWaitsIsNotSchedulable) {
-    const std::string folder = test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "; wait ( 1 )", "");
+    const std::string folder = test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "; wait(1)", "");
     const Result result = conform_module(folder);
     std::filesystem::remove_all(folder);
     ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;

@@ -31,7 +31,7 @@ TEST(LowerCorpus, AggregationOrigins) {
     EXPECT_EQ(entry.origin.element, "AggregationFSM::S1");
     EXPECT_EQ(lowered->sources.line(entry.origin.span.source,
                                     lowered->sources.position(entry.origin.span.source, entry.origin.span.begin).line),
-              "\t\tentry MoveClockwise ( - 0.75 , - 10.88 )");
+              "\tstate S1 { entry MoveClockwise(-0.75, -10.88) }");
 }
 
 TEST(LowerCorpus, AggregationNumbers) {

@@ -1,0 +1,193 @@
+// The verb `format`: files in place, or what would change, or standard input to standard output (docs/format.md).
+#include "frontend/format.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "app/diff.hpp"
+#include "app/rules.hpp"
+#include "app/verbs.hpp"
+#include "diagnostics/render.hpp"
+#include "frontend/syntax_rules.hpp"
+
+namespace robochart::app {
+namespace {
+
+namespace fs = std::filesystem;
+namespace syntax = frontend::syntax;
+
+bool is_assertions(const fs::path& path) {
+    return path.extension() == ".assertions";
+}
+
+/// Model and assertion files below a folder, by path; hidden ones are left out.
+std::vector<fs::path> files_below(const fs::path& folder) {
+    std::vector<fs::path> found;
+    std::error_code code;
+    fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, code);
+    for (; !code && at != fs::recursive_directory_iterator(); at.increment(code)) {
+        std::error_code status;
+        const fs::path& path = at->path();
+        const bool hidden = path.filename().string().starts_with(".");
+        if (at->is_directory(status)) {
+            if (hidden) at.disable_recursion_pending();
+        } else if (!hidden && (path.extension() == ".rct" || is_assertions(path))) {
+            found.push_back(path);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// Replaces a file by a temporary one with its permissions. The cause in words on failure, "" on success.
+std::string replace_file(const fs::path& path, const std::string& text) {
+    std::string temporary = (path.parent_path() / ".robochart-format-XXXXXX").string();
+    const auto failure = [&](const char* cause) { return fmt::format("cannot write {}: {}", path.string(), cause); };
+    struct stat before {};
+    if (stat(path.c_str(), &before) != 0) return failure(std::strerror(errno));
+    if (access(path.c_str(), W_OK) != 0) return failure(std::strerror(errno));
+    const int descriptor = mkstemp(temporary.data());
+    if (descriptor < 0) return failure(std::strerror(errno));
+    std::FILE* file = fdopen(descriptor, "wb");
+    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0 &&
+                         fchmod(descriptor, before.st_mode & 07777U) == 0;
+    int cause = written ? 0 : errno;
+    if (std::fclose(file) != 0 && cause == 0) cause = errno;
+    if (cause == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) cause = errno;
+    if (cause != 0) std::remove(temporary.c_str());
+    return cause == 0 ? "" : failure(std::strerror(cause));
+}
+
+/// One run of the verb.
+class Formatting {
+public:
+    explicit Formatting(const Options& options) : options_(options) {}
+
+    Exit run();
+
+private:
+    void input(const std::string& path);
+    void file(const fs::path& path);
+    void standard_input();
+    void changed(const fs::path& path, std::string_view before, const std::string& after);
+    void report(const diagnostics::Rule& rule, std::vector<std::string> arguments);
+    /// The formatted text; nothing, after its errors are shown, if it has syntax errors.
+    std::optional<std::string> format(diagnostics::SourceId source, bool assertions);
+    void show(const diagnostics::Diagnostics& diagnostics) const;
+    [[nodiscard]] std::string closing() const;
+
+    const Options& options_;
+    diagnostics::SourceManager sources_;
+    std::set<fs::path> seen_;
+    std::size_t files_ = 0;
+    std::size_t changed_ = 0;
+    bool failed_ = false;
+};
+
+void Formatting::show(const diagnostics::Diagnostics& diagnostics) const {
+    diagnostics::TextStyle style;
+    style.color = color_wanted(options_.color, STDERR_FILENO);
+    fmt::print(stderr, "{}", diagnostics::render_text(sources_, diagnostics, style));
+}
+
+void Formatting::report(const diagnostics::Rule& rule, std::vector<std::string> arguments) {
+    diagnostics::Diagnostics diagnostics;
+    diagnostics.report(rule, {}, std::move(arguments));
+    show(diagnostics);
+    failed_ = true;
+}
+
+std::optional<std::string> Formatting::format(diagnostics::SourceId source, bool assertions) {
+    diagnostics::Diagnostics diagnostics;
+    auto result = frontend::format(sources_, source, assertions, diagnostics);
+    if (result) return result;
+    show(diagnostics);
+    failed_ = true;
+    return std::nullopt;
+}
+
+void Formatting::standard_input() {
+    std::string text;
+    std::array<char, 1U << 16U> buffer{};
+    for (std::size_t n = 1; n > 0 && text.size() <= diagnostics::SourceManager::max_bytes;) {
+        n = std::fread(buffer.data(), 1, buffer.size(), stdin);
+        text.append(buffer.data(), n);
+    }
+    if (text.size() > diagnostics::SourceManager::max_bytes) return report(syntax::unreadable, {"-", "too large"});
+    const auto source = sources_.add("<stdin>", std::move(text));
+    const auto result = format(source, options_.assertions);
+    if (!result) return;
+    ++files_;
+    const std::string_view before = sources_.text(source);
+    if (options_.check || options_.diff) {
+        if (*result != before) changed("<stdin>", before, *result);
+    } else {
+        std::fwrite(result->data(), 1, result->size(), stdout);
+    }
+}
+
+void Formatting::changed(const fs::path& path, std::string_view before, const std::string& after) {
+    ++changed_;
+    if (options_.diff) return fmt::print("{}", unified_diff(path.string(), before, after));
+    if (!options_.check) {
+        std::error_code code;
+        const fs::path target = fs::canonical(path, code);  // a link stays one
+        const std::string error = replace_file(code ? path : target, after);
+        if (!error.empty()) return report(rules::unwritable, {error});
+    }
+    if (options_.check || !options_.quiet) fmt::print("{}\n", path.string());
+}
+
+void Formatting::file(const fs::path& path) {
+    std::error_code code;
+    const fs::path canonical = fs::weakly_canonical(path, code);
+    if (!seen_.insert(code ? path : canonical).second) return;
+    std::string error;
+    const auto source = sources_.load(path.string(), error);
+    if (!source) return report(syntax::unreadable, {path.string(), error});
+    ++files_;
+    const auto result = format(*source, is_assertions(path));
+    if (result && *result != sources_.text(*source)) changed(path, sources_.text(*source), *result);
+}
+
+void Formatting::input(const std::string& path) {
+    if (path == "-") return standard_input();
+    std::error_code code;
+    if (!fs::is_directory(path, code)) return file(path);
+    const std::vector<fs::path> found = files_below(path);
+    if (found.empty()) report(syntax::no_files, {path});
+    for (const fs::path& each : found) file(each);
+}
+
+std::string Formatting::closing() const {
+    const auto count = [](std::size_t n) { return fmt::format("{} file{}", n, n == 1 ? "" : "s"); };
+    const char* const verdict = options_.check || options_.diff ? "would change" : "changed";
+    return changed_ == 0 ? fmt::format("{} in the house style", count(files_))
+                         : fmt::format("{} of {} {}", changed_, count(files_), verdict);
+}
+
+Exit Formatting::run() {
+    for (const std::string& path : options_.inputs) input(path);
+    const bool filters = options_.inputs == std::vector<std::string>{"-"};
+    if (!options_.quiet && !failed_ && !(filters && !options_.check)) fmt::print(stderr, "{}\n", closing());
+    if (failed_) return Exit::bad_input;
+    return options_.check && changed_ > 0 ? Exit::failed : Exit::success;
+}
+
+}  // namespace
+
+Exit run_format(const Options& options) {
+    return Formatting(options).run();
+}
+
+}  // namespace robochart::app
