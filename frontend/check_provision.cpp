@@ -154,10 +154,13 @@ void check_controller(const Component& controller, Diagnostics& out) {
 
 void check_module(const Component& module, Diagnostics& out) {
     const Context* platform = nullptr;
+    std::size_t platforms = 0;
     for (const Declaration* part : module.order)
-        if (const auto* found = followed<Context>(part); found != nullptr && found->kind == DeclKind::platform)
+        if (const auto* found = followed<Context>(part); found != nullptr && found->kind == DeclKind::platform) {
             platform = found;
-    if (platform == nullptr) return;
+            ++platforms;
+        }
+    if (platforms != 1) return;  // M1 says so
     const Offer offer{{}, provided_operations(*platform)};
     for (const Declaration* part : module.order) {
         const auto* controller = followed<Component>(part);

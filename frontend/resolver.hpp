@@ -33,8 +33,15 @@ private:
     const State* node(const QualifiedName& name, const Transition& transition, std::string_view role,
                       const NodeContainer& container, const Machine& machine);
     void connections(Component& component);
-    void connection_end(Connection::End& end, Component& component);
-    void connection_event(Connection::End& end);
+    /// The parts of a component by name, and the scopes of those looked into so far (never in order of pointers).
+    struct Ends {
+        const Component& component;
+        std::map<std::string_view, const Declaration*> parts;
+        std::map<const Context*, Scope> scopes;
+    };
+    void connection_end(Connection::End& end, Ends& ends);
+    void connection_event(Connection::End& end, Ends& ends);
+    void wrong_node(Connection::End& end, const Ends& ends);
     void assertions(File& file);
 
     Model& model_;

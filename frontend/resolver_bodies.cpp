@@ -96,27 +96,33 @@ const State* Resolver::node(const QualifiedName& name, const Transition& transit
 // ---------------------------------------------------------------- connections
 
 void Resolver::connections(Component& component) {
+    Ends ends{component, {}, {}};
+    for (const Declaration* part : component.order) ends.parts.emplace(part->name, part);
     for (auto& connection : component.connections) {
-        connection_end(connection->from, component);
-        connection_end(connection->to, component);
+        connection_end(connection->from, ends);
+        connection_end(connection->to, ends);
     }
 }
 
-void Resolver::connection_end(Connection::End& end, Component& component) {
+void Resolver::connection_end(Connection::End& end, Ends& ends) {
+    const Component& component = ends.component;
     const bool is_module = component.kind == DeclKind::module;
-    std::vector<std::string> candidates;
-    for (const Declaration* part : component.order) {
-        if (end.node_target == nullptr && end.node.text() == part->name) end.node_target = part;
-        candidates.push_back(part->name);
-    }
+    const auto part = ends.parts.find(end.node.text());
+    if (part != ends.parts.end()) end.node_target = part->second;
     if (!is_module && end.node_target == nullptr && end.node.text() == component.name) end.node_target = &component;
     const Declaration* behind = follow(end.node_target);
     const bool known = end.node_target != nullptr && behind == nullptr;  // a broken reference, reported there
     const bool fits =
         behind != nullptr && (is_module ? behind->kind == DeclKind::platform || behind->kind == DeclKind::controller
                                         : behind->kind == DeclKind::state_machine || behind == &component);
-    if (fits) return connection_event(end);
-    if (known) return;
+    if (fits) return connection_event(end, ends);
+    if (!known) wrong_node(end, ends);
+}
+
+/// Cn1, Cn3: what is connected is no part of the component.
+void Resolver::wrong_node(Connection::End& end, const Ends& ends) {
+    const Component& component = ends.component;
+    const bool is_module = component.kind == DeclKind::module;
     const bool exists = end.node_target != nullptr || end.node.text() == component.name ||
                         finder_.names().anywhere(end.node.parts.back(),
                                                  {DeclKind::state_machine, DeclKind::controller, DeclKind::platform,
@@ -127,14 +133,16 @@ void Resolver::connection_end(Connection::End& end, Component& component) {
         return;
     }
     finder_.unknown(end.node, "component", fmt::format("in {} `{}`", to_text(component.kind), component.name),
-                    candidates);
+                    finder_.keys(ends.parts));
 }
 
 /// Cn10: an end's event is one of the component at that end.
-void Resolver::connection_event(Connection::End& end) {
+void Resolver::connection_event(Connection::End& end, Ends& ends) {
     const auto* behind = followed<Context>(end.node_target);
     if (behind == nullptr) return;
-    const Scope scope = scope_of(*behind);
+    auto known = ends.scopes.find(behind);
+    if (known == ends.scopes.end()) known = ends.scopes.emplace(behind, scope_of(*behind)).first;
+    const Scope& scope = known->second;
     const auto found = scope.events.find(end.event.text());
     if (found != scope.events.end()) {
         end.event_target = found->second;
