@@ -292,6 +292,10 @@ TokenStream Lexer::run() {
 
 }  // namespace
 
+std::span<const std::string_view> symbol_words() {
+    return symbols;
+}
+
 TokenStream tokenize(const diagnostics::SourceManager& sources, SourceId source, bool is_assertions, Diagnostics& out) {
     return Lexer(sources.text(source), source, is_assertions, out).run();
 }

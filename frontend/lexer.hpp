@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct TokenStream {
 [[nodiscard]] bool is_reserved(std::string_view word);
 /// The reserved words, sorted.
 [[nodiscard]] const std::vector<std::string_view>& reserved_words();
+/// The operators and brackets, longest first; the last few are words of the PRISM parts of assertion files alone.
+[[nodiscard]] std::span<const std::string_view> symbol_words();
 
 /// A piece of source text made fit for a message: on one line, at most 40 characters.
 [[nodiscard]] std::string shorten(std::string_view text);

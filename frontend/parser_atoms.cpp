@@ -138,6 +138,7 @@ ExprPtr Parser::tuple() {
 /// `<{`, the word for deadlines; it is taken apart here.
 ExprPtr Parser::sequence() {
     constexpr int plus_level = 8;
+    const Nesting nesting(*this);
     ExprPtr result = make(ExprKind::sequence);
     const Span begin = peek().span;
     if (at("<{")) {

@@ -1,6 +1,10 @@
 // Patterns. FDR reads them as expressions and converts them, so they share the expressions' precedences:
 // @@ is looser than `.`, which is looser than ^.
+#include <algorithm>
+#include <string>
+
 #include "checker/cspm/parser.hpp"
+#include "checker/cspm/rules.hpp"
 
 namespace robochart::cspm {
 
@@ -8,9 +12,13 @@ namespace {
 enum PatternLevel { both_level = 0, dot_level = 1, concat_level = 2 };
 }  // namespace
 
-PatternPtr Parser::finish(Pattern pattern, Span from) const {
+// Chains of operators make height without depth: `x^y^z…` leans to the left.
+PatternPtr Parser::finish(PatternNode pattern, Span from) {
     pattern.span = since(from);
-    return std::make_shared<const Pattern>(std::move(pattern));
+    for (const PatternPtr& arg : pattern.args)
+        pattern.height = std::max(pattern.height, static_cast<const PatternNode&>(*arg).height);
+    if (++pattern.height > max_depth) fail(rules::too_deep, pattern.span, {std::to_string(max_depth)});
+    return std::make_shared<const PatternNode>(std::move(pattern));
 }
 
 std::vector<PatternPtr> Parser::patterns() {
@@ -24,7 +32,7 @@ PatternPtr Parser::pattern(int minimum) {
     const Span from = peek().span;
     PatternPtr left = pattern_operand();
     for (;;) {
-        Pattern combined;
+        PatternNode combined;
         if (at(Tok::concat)) {
             combined.kind = PatternKind::concat;
             take();
@@ -46,7 +54,7 @@ PatternPtr Parser::pattern(int minimum) {
 
 PatternPtr Parser::pattern_group(PatternKind kind, Tok close) {
     const Span from = take().span;
-    Pattern result;
+    PatternNode result;
     result.kind = kind;
     if (!at(close)) result.args = patterns();
     expect(close);
@@ -57,7 +65,7 @@ PatternPtr Parser::pattern_group(PatternKind kind, Tok close) {
 
 PatternPtr Parser::pattern_operand() {
     const Span from = peek().span;
-    Pattern result;
+    PatternNode result;
     switch (peek().kind) {
         case Tok::underscore:
             take();

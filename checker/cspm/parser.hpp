@@ -28,11 +28,15 @@ private:
     struct SyntaxError {};
     enum class Place { top, module, let, timed };
 
-    // Nodes remember their height while the reader works, so that no tree grows beyond max_height.
+    // Nodes remember their height while the reader works, so that no tree grows beyond max_height, no
+    // pattern beyond max_depth.
     struct ExprNode : Expr {
         unsigned height = 0;
     };
     struct DeclNode : Decl {
+        unsigned height = 0;
+    };
+    struct PatternNode : Pattern {
         unsigned height = 0;
     };
     class Depth {
@@ -116,7 +120,7 @@ private:
     PatternPtr pattern_operand();
     PatternPtr pattern_group(PatternKind kind, Tok close);
     std::vector<PatternPtr> patterns();
-    PatternPtr finish(Pattern pattern, Span from) const;
+    PatternPtr finish(PatternNode pattern, Span from);
 
     // declarations
     std::vector<DeclPtr> declarations(Place place, bool (Parser::*done)() const);

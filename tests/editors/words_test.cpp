@@ -2,8 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <regex>
-
+#include "assertion_words.hpp"
 #include "checker/cspm/builtins.hpp"
 #include "checker/cspm/lexer.hpp"
 #include "extension.hpp"
@@ -53,16 +52,6 @@ TEST(GrammarWords, PrimitiveTypesAreThoseOfCore) {
         frontend::resolve(model, findings);
         EXPECT_TRUE(findings.ok()) << word << " is no type of core";
     }
-}
-
-/// The words that the parser of assertions asks for, in parts: its string literals that are words.
-Words assertion_words() {
-    const std::string source = slurp(std::filesystem::path(ROBOCHART_SOURCE_DIR) / "frontend/parser_assertions.cpp");
-    const std::regex literal("\"([a-z]+(-[a-z]+)*)\"");
-    Words words;
-    for (std::sregex_iterator it(source.begin(), source.end(), literal); it != std::sregex_iterator(); ++it)
-        words.insert((*it)[1]);
-    return words;
 }
 
 Words parts(const Words& words) {

@@ -1,0 +1,17 @@
+// See targets.hpp. One row per fuzzer.
+#include "fuzz/targets.hpp"
+
+#include <array>
+
+namespace robochart::fuzz {
+
+std::span<const Target> targets() {
+    static constexpr std::array table = {
+        Target{"model", run_model},
+        Target{"assertions", run_assertions},
+        Target{"script", run_script},
+    };
+    return table;
+}
+
+}  // namespace robochart::fuzz

@@ -1,0 +1,27 @@
+// What the fuzzers try: any bytes go in, and nothing may crash, hang or break a promise of the headers.
+// The same functions run on the kept inputs of fuzz/regressions as ordinary tests.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace robochart::fuzz {
+
+/// A part of the program under any input.
+struct Target {
+    std::string_view name;  ///< also the folder of its regressions
+    /// Runs the part. Returns the promise that was broken in words, "" if none was.
+    std::string (*run)(std::string_view bytes);
+};
+
+/// Model text: read, resolved, checked, printed, dumped; every finding drawn.
+[[nodiscard]] std::string run_model(std::string_view bytes);
+/// Assertion text beside a fixed model.
+[[nodiscard]] std::string run_assertions(std::string_view bytes);
+/// A CSPM script: read, printed, read again.
+[[nodiscard]] std::string run_script(std::string_view bytes);
+
+[[nodiscard]] std::span<const Target> targets();
+
+}  // namespace robochart::fuzz

@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# Fuzzes with libFuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and prints what was done.
+# Arguments: CPU seconds a target (default 600), then the targets (default: all). What is found is left in
+# build/fuzz/found/TARGET; the inputs that reach new code gather in build/fuzz/corpus/TARGET.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+seconds="${1:-600}"
+shift || true
+targets=("$@")
+[ "${#targets[@]}" -gt 0 ] || targets=(model assertions script)
+
+cmake --preset fuzz >/dev/null
+cmake --build --preset fuzz --target "${targets[@]/#/fuzz_}" robochart-verify random_models_tool
+seeds=build/fuzz/seeds
+rm -rf "$seeds"
+
+# Copies files below the named folders under names that tell where they are from.
+gather() {
+  local target="$1" extension="$2"
+  shift 2
+  mkdir -p "$seeds/$target"
+  find "$@" -name "*.$extension" -type f -size -20k -print0 | while IFS= read -r -d '' file; do
+    cp "$file" "$seeds/$target/$(tr / - <<<"$file")"
+  done
+}
+
+# The examples of the pages of rules.
+examples() {
+  awk -v out="$seeds/model/rule" '
+    /^```robochart/ { file = sprintf("%s-%04d.rct", out, ++count); next }
+    /^```/ { file = "" }
+    file != "" { print > file }' docs/rules/*.md
+}
+
+# Models that use every construct, and the scripts of the corpus.
+generated() {
+  local random=build/fuzz/random
+  rm -rf "$random"
+  for seed in $(seq 1 40); do
+    build/fuzz/random_models/random_models_tool --out "$random/$seed" --seed "$seed"
+  done
+  gather model rct "$random"
+  gather assertions assertions "$random"
+  for model in aggregation swarm_taxis; do
+    build/fuzz/app/robochart-verify emit csp "corpus/$model" --out "build/fuzz/emitted/$model" --quiet >/dev/null
+  done
+  gather script csp build/fuzz/emitted
+}
+
+gather model rct corpus tests/frontend/fixtures frontend/library
+gather assertions assertions corpus tests/frontend/fixtures
+gather script csp editors/vscode/tests
+for target in "${targets[@]}"; do
+  mkdir -p "$seeds/$target"
+  find "fuzz/regressions/$target" -type f -exec cp {} "$seeds/$target/" \; 2>/dev/null || true
+done
+examples
+generated
+
+# One run of at most so many seconds; adds its CPU seconds and executions to `spent` and `executions`.
+run() {
+  local target="$1" limit="$2" log="build/fuzz/$1.log" dictionary="fuzz/robochart.dict" code=0
+  [ "$target" != script ] || dictionary="fuzz/cspm.dict"
+  TIMEFORMAT=%0U
+  local cpu
+  cpu="$({ time nice -n 10 "build/fuzz/fuzz/fuzz_$target" -max_len=20000 -timeout=10 -rss_limit_mb=2048 \
+    -dict="$dictionary" -max_total_time="$limit" -print_final_stats=1 -artifact_prefix="build/fuzz/found/$target/" \
+    "build/fuzz/corpus/$target" "$seeds/$target" >"$log" 2>&1; } 2>&1)" || code=$?
+  spent=$((spent + cpu))
+  executions=$((executions + $(grep -oP 'stat::number_of_executed_units: *\K[0-9]+' "$log" || echo 0)))
+  return "$code"
+}
+
+# On a machine that is shared a run gets less CPU time than it lasts: what is missing is run again.
+status=0
+for target in "${targets[@]}"; do
+  mkdir -p "build/fuzz/corpus/$target" "build/fuzz/found/$target"
+  spent=0
+  executions=0
+  while [ "$((seconds - spent))" -gt 5 ]; do
+    if ! run "$target" "$((seconds - spent))"; then
+      echo "$target: FOUND something, see build/fuzz/$target.log and build/fuzz/found/$target" >&2
+      status=1
+      break
+    fi
+  done
+  echo "$target: $executions executions in $spent CPU seconds," \
+    "$(grep -oE 'cov: [0-9]+ ft: [0-9]+ corp: [0-9]+' "build/fuzz/$target.log" | tail -1)"
+done
+exit "$status"

@@ -1,0 +1,20 @@
+// See assertion_words.hpp.
+#include "assertion_words.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+namespace robochart::editors {
+
+std::set<std::string> assertion_words() {
+    std::ifstream in(ROBOCHART_SOURCE_DIR "/frontend/parser_assertions.cpp", std::ios::binary);
+    const std::string source(std::istreambuf_iterator<char>(in), {});
+    const std::regex literal("\"([a-z]+(-[a-z]+)*)\"");
+    std::set<std::string> words;
+    for (std::sregex_iterator it(source.begin(), source.end(), literal); it != std::sregex_iterator(); ++it)
+        words.insert((*it)[1]);
+    return words;
+}
+
+}  // namespace robochart::editors

@@ -1,0 +1,71 @@
+// Inputs that once broke a promise of fuzz/targets.hpp, and the examples kept beside them, on every compiler.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "fuzz/targets.hpp"
+
+namespace robochart::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = ROBOCHART_SOURCE_DIR;
+
+std::string slurp(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<fs::path> files_of(const fs::path& folder) {
+    std::vector<fs::path> result;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) result.push_back(entry.path());
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+class Regressions : public ::testing::TestWithParam<Target> {};
+
+TEST_P(Regressions, KeepEveryPromise) {
+    const auto files = files_of(root / "fuzz/regressions" / GetParam().name);
+    ASSERT_FALSE(files.empty());
+    for (const fs::path& file : files) EXPECT_EQ(GetParam().run(slurp(file)), "") << file;
+}
+
+/// Every prefix of a text is the text while it is being typed.
+TEST_P(Regressions, KeepEveryPromiseWhileTyped) {
+    for (const fs::path& file : files_of(root / "fuzz/regressions" / GetParam().name)) {
+        const std::string text = slurp(file).substr(0, 2000);
+        for (std::size_t length = 0; length < text.size(); length += 7)
+            ASSERT_EQ(GetParam().run(text.substr(0, length)), "") << file << " until byte " << length;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzz, Regressions, ::testing::ValuesIn(targets().begin(), targets().end()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Regressions, EveryFolderHasItsTarget) {
+    for (const auto& entry : fs::directory_iterator(root / "fuzz/regressions")) {
+        const std::string name = entry.path().filename().string();
+        EXPECT_TRUE(std::any_of(targets().begin(), targets().end(), [&](const Target& t) { return t.name == name; }))
+            << name;
+    }
+}
+
+TEST(Targets, TheCorpusKeepsEveryPromise) {
+    for (const fs::path& file : files_of(root / "corpus")) {
+        if (file.extension() == ".rct") {
+            EXPECT_EQ(run_model(slurp(file)), "") << file;
+        }
+        if (file.extension() == ".assertions") {
+            EXPECT_EQ(run_assertions(slurp(file)), "") << file;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace robochart::fuzz
