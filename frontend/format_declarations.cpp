@@ -227,7 +227,12 @@ Doc Layout::atomic_type(Gap gap) {
     if (at("?")) return cat({token(gap), token(Gap::none)});
     if (!at("vector") && !at("matrix")) return names(gap);
     const Doc word = token(gap);
-    return doc_.cat(word, list(Gap::none, &Layout::expression));
+    return doc_.cat(word, list(Gap::none, &Layout::type_or_size));
+}
+
+/// An argument of `vector` and `matrix`: a type first, then sizes.
+Doc Layout::type_or_size(Gap gap) {
+    return gap == Gap::soft ? type(gap) : expression(gap);
 }
 
 }  // namespace robochart::frontend

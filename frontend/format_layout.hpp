@@ -101,6 +101,7 @@ private:
     Doc contract(Gap gap);
     Doc type(Gap gap);
     Doc atomic_type(Gap gap);
+    Doc type_or_size(Gap gap);
     [[nodiscard]] bool opens_block() const;
 
     // Machines (format_machines.cpp)
