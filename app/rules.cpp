@@ -23,8 +23,9 @@ const diagnostics::Rule no_component{"RC-A02", Severity::error, "no component to
                                      "C++ is generated for modules, controllers or state machines. The model has none, or none of the name "
                                      "given with --component (its own name, or with its package: P::M)."};
 const diagnostics::Rule unwritable{"RC-A03", Severity::error, "{}",
-                                   "A file could not be written below the folder given with --out: the folder cannot be made, is not "
-                                   "writable, or the disk is full. Files written before it are complete."};
+                                   "A file could not be written, below the folder given with --out or, by `format`, in place: the folder "
+                                   "cannot be made, the file or folder is not writable, or the disk is full. Files written before it are "
+                                   "complete; the file itself is as it was."};
 
 }  // namespace rules
 

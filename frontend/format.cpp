@@ -14,35 +14,40 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// A text in words, with what the words are views of.
+/// A text in words.
 struct Words {
-    diagnostics::SourceManager sources;
-    diagnostics::Diagnostics findings;
-    TokenStream stream;
+    std::string_view text;
+    const TokenStream& stream;
 
-    Words(const std::string& text, bool is_assertions) {
-        const auto source = sources.add("", text);
-        stream = tokenize(sources, source, is_assertions, findings);
-    }
-    [[nodiscard]] std::string_view text(diagnostics::Span span) const {
-        return sources.text(span.source).substr(span.begin, span.end - span.begin);
+    [[nodiscard]] std::string_view at(diagnostics::Span span) const {
+        return text.substr(span.begin, span.end - span.begin);
     }
 };
 
-/// The next character of a comment, each run of blanks and line ends at a line's begin or end taken for one line end.
+/// The words of a text that is known to be free of mistakes, or that nobody asks about them.
+TokenStream words_of(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions) {
+    diagnostics::Diagnostics ignored;
+    return tokenize(sources, source, is_assertions, ignored);
+}
+
+/// The characters of a comment, each run of blanks and line ends at a line's begin or end taken for one line end.
 struct CommentReader {
     std::string_view text;
     std::size_t at = 0;
+    std::size_t plain_until = 0;  ///< blanks before this offset stand inside a line
 
     static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
     /// 0 at the end.
     char next() {
         if (at >= text.size()) return '\0';
-        std::size_t end = at;
-        while (end < text.size() && is_blank(text[end])) ++end;
-        const std::string_view run = text.substr(at, end - at);
-        const bool edge = end == text.size() || run.find_first_of("\r\n") != std::string_view::npos;
-        if (run.empty() || !edge) return text[at++];
+        if (at < plain_until || !is_blank(text[at])) return text[at++];
+        const std::size_t end = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+        const bool edge =
+            end == text.size() || text.substr(at, end - at).find_first_of("\r\n") != std::string_view::npos;
+        if (!edge) {
+            plain_until = end;
+            return text[at++];
+        }
         at = end;
         return end == text.size() ? '\0' : '\n';
     }
@@ -70,39 +75,54 @@ std::string_view line_end(std::string_view text) {
     return crlf > 0 ? "\r\n" : "\n";
 }
 
-std::vector<std::size_t> sizes(const std::vector<std::string>& parts) {
-    std::vector<std::size_t> result;
-    for (const std::string& part : parts) result.push_back(part.size());
-    return result;
+bool same(const Words& a, const Words& b) {
+    const auto same_token = [&](const Token& x, const Token& y) {
+        return x.kind == y.kind && x.escaped == y.escaped && a.at(x.span) == b.at(y.span);
+    };
+    const auto same_comments = [&](diagnostics::Span x, diagnostics::Span y) { return same_comment(a.at(x), b.at(y)); };
+    const auto& [tokens, comments] = a.stream;
+    const auto& [other_tokens, other_comments] = b.stream;
+    return std::equal(tokens.begin(), tokens.end(), other_tokens.begin(), other_tokens.end(), same_token) &&
+           std::equal(comments.begin(), comments.end(), other_comments.begin(), other_comments.end(), same_comments);
+}
+
+/// Does the text have the same words as the other, which is not read yet?
+bool same(const Words& words, const std::string& other, bool is_assertions) {
+    diagnostics::SourceManager sources;
+    const auto source = sources.add("", other);
+    const TokenStream stream = words_of(sources, source, is_assertions);
+    return same(words, {sources.text(source), stream});
+}
+
+/// Lengths of the parts of an assertion file that are kept as text; nothing if there are syntax errors.
+std::optional<std::vector<std::size_t>> verbatim_parts(const diagnostics::SourceManager& sources,
+                                                       diagnostics::SourceId source, bool is_assertions,
+                                                       diagnostics::Diagnostics& out) {
+    const auto file = parse(sources, source, is_assertions, out);
+    if (file->has_syntax_errors) return std::nullopt;
+    std::vector<std::size_t> lengths;
+    for (const std::string& part : file->verbatim) lengths.push_back(part.size());
+    return lengths;
 }
 
 }  // namespace
 
 bool same_words(const std::string& a, const std::string& b, bool is_assertions) {
-    const Words left(a, is_assertions);
-    const Words right(b, is_assertions);
-    const auto same_token = [&](const Token& x, const Token& y) {
-        return x.kind == y.kind && x.escaped == y.escaped && left.text(x.span) == right.text(y.span);
-    };
-    const auto same_comments = [&](diagnostics::Span x, diagnostics::Span y) {
-        return same_comment(left.text(x), right.text(y));
-    };
-    const auto& [tokens, comments] = left.stream;
-    const auto& others = right.stream;
-    return std::equal(tokens.begin(), tokens.end(), others.tokens.begin(), others.tokens.end(), same_token) &&
-           std::equal(comments.begin(), comments.end(), others.comments.begin(), others.comments.end(), same_comments);
+    diagnostics::SourceManager sources;
+    const auto source = sources.add("", a);
+    const TokenStream stream = words_of(sources, source, is_assertions);
+    return same({sources.text(source), stream}, b, is_assertions);
 }
 
 std::optional<std::string> format(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
                                   bool is_assertions, diagnostics::Diagnostics& out) {
-    const auto file = parse(sources, source, is_assertions, out);
-    if (file->has_syntax_errors) return std::nullopt;
-    diagnostics::Diagnostics reported;  // the parser's
-    const TokenStream stream = tokenize(sources, source, is_assertions, reported);
+    auto verbatim = verbatim_parts(sources, source, is_assertions, out);
+    if (!verbatim) return std::nullopt;
     const std::string_view text = sources.text(source);
-    std::string result = Layout(text, stream, is_assertions, sizes(file->verbatim)).run(line_end(text));
+    const TokenStream stream = words_of(sources, source, is_assertions);
+    std::string result = Layout(text, stream, is_assertions, std::move(*verbatim)).run(line_end(text));
     if (text.starts_with(byte_order_mark)) result.insert(0, byte_order_mark);
-    if (!same_words(std::string(text), result, is_assertions))
+    if (!same({text, stream}, result, is_assertions))
         throw std::logic_error("formatting " + sources.path(source) + " would change its words");
     return result;
 }
