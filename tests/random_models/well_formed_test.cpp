@@ -1,6 +1,8 @@
 // Random well-formed models load without an error, whatever the seed and the shape.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "random_models/structure.hpp"
 #include "random_models/well_formed.hpp"
 #include "tests/random_models/seeds.hpp"
 
@@ -25,6 +27,98 @@ TEST(WellFormed, TheTimedCoreHasNoErrors) {
 
 TEST(WellFormed, TheWholeLanguageHasNoErrors) {
     expect_no_errors(Shape::whole_language(), 300);
+}
+
+/// The syntax of many models of a shape.
+std::string syntax_of(const Shape& shape) {
+    std::string all;
+    for (std::uint64_t seed = 0; seed < 100; ++seed)
+        for (const auto& file : parse(well_formed(seed, shape))->model.files) all += structure(*file);
+    return all;
+}
+
+TEST(WellFormed, TheWholeLanguageIsUsed) {
+    const std::string all = syntax_of(Shape::whole_language());
+    for (const char* construct : {"(given",
+                                  "(record-type",
+                                  "(enumeration",
+                                  "(function-declaration",
+                                  "(signature",
+                                  "(precondition",
+                                  "(interface",
+                                  "(platform",
+                                  "(operation",
+                                  "(stm",
+                                  "(controller",
+                                  "(module",
+                                  "(reference",
+                                  "(connection",
+                                  "async",
+                                  "mult",
+                                  "(clock",
+                                  "(junction",
+                                  "(probabilistic",
+                                  "(final",
+                                  "entry",
+                                  "during",
+                                  "exit",
+                                  "(probability",
+                                  "clock-reset",
+                                  "(transition-deadline",
+                                  "else-condition",
+                                  "(condition",
+                                  "(wait ",
+                                  "(wait-interval",
+                                  "(deadline",
+                                  "(reset",
+                                  "(if-statement",
+                                  "(group",
+                                  "(call-of",
+                                  "(assignment",
+                                  "(input",
+                                  "(output",
+                                  "(sync",
+                                  "send",
+                                  "(since",
+                                  "(sinceEntry",
+                                  "(let",
+                                  "(the",
+                                  "(forall",
+                                  "(exists",
+                                  "(exists1",
+                                  "(lambda",
+                                  "(comprehension",
+                                  "(set-range",
+                                  "(range",
+                                  "(tuple",
+                                  "(record ",
+                                  "(sequence",
+                                  "(set",
+                                  "(matrix-of",
+                                  "(as",
+                                  "(member",
+                                  "(index",
+                                  "(call",
+                                  "(if",
+                                  "(string",
+                                  "(real",
+                                  "concat",
+                                  "modulus",
+                                  "terminates-flag",
+                                  "clauses",
+                                  "provides",
+                                  "requires",
+                                  "uses",
+                                  "(assertion"})
+        EXPECT_THAT(all, ::testing::HasSubstr(construct));
+}
+
+TEST(WellFormed, TheCoresKeepToTheirParts) {
+    const std::string untimed = syntax_of(Shape::untimed_core());
+    for (const char* construct : {"(clock", "(wait", "(deadline", "(since", "(transition-deadline", "(real", "(string",
+                                  "(probabilistic", "(function-declaration", "(forall", "(matrix"})
+        EXPECT_THAT(untimed, ::testing::Not(::testing::HasSubstr(construct)));
+    EXPECT_THAT(syntax_of(Shape::timed_core()), ::testing::HasSubstr("(since"));
 }
 
 TEST(WellFormed, TheSameSeedGivesTheSameProject) {

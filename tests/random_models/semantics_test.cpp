@@ -1,0 +1,81 @@
+// Random models through the rooms behind the front end: each either takes a model or says by name why not.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "checker/cspm/reader.hpp"
+#include "csp_emit/emit.hpp"
+#include "diagnostics/render.hpp"
+#include "random_models/well_formed.hpp"
+#include "semantics/lower.hpp"
+#include "tests/random_models/seeds.hpp"
+
+namespace robochart::random_models {
+namespace {
+
+/// How far models got.
+struct Tally {
+    std::size_t models = 0;
+    std::size_t emitted = 0;
+    std::map<std::string, std::size_t> refusals;  ///< by code
+};
+
+/// What is printed for FDR reads back as the script that we check.
+void expect_script_reads_back(Loaded& loaded, const cspm::Script& script, std::uint64_t seed) {
+    const std::string text = cspm::print(script);
+    diagnostics::Diagnostics findings;
+    const cspm::Script again = cspm::read(loaded.sources, loaded.sources.add("printed.csp", text), findings);
+    ASSERT_TRUE(findings.ok()) << "seed " << seed << "\n" << diagnostics::render_text(loaded.sources, findings) << text;
+    ASSERT_TRUE(equal(again, script)) << "seed " << seed << "\n" << text;
+}
+
+void pass_through(std::uint64_t seed, const Shape& shape, csp_emit::Time time, Tally& tally) {
+    const Project project = well_formed(seed, shape);
+    const auto loaded = load(project);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    ++tally.models;
+    diagnostics::Diagnostics findings;
+    const auto refused = [&] {
+        for (const auto& finding : findings.sorted())
+            if (finding.rule->severity == diagnostics::Severity::error)
+                ++tally.refusals[std::string(finding.rule->code)];
+        return !findings.ok();
+    };
+    const ir::System system = ir::lower(loaded->model, loaded->sources, findings);
+    if (refused()) return;
+    const ir::Instantiation instantiation = ir::instantiate(system, {}, findings);
+    if (refused()) return;
+    const csp_emit::Emission emission = csp_emit::emit(system, instantiation, time, {true}, loaded->sources, findings);
+    if (refused()) return;
+    ++tally.emitted;
+    expect_script_reads_back(*loaded, emission.script, seed);
+}
+
+Tally pass_all_through(const Shape& shape, csp_emit::Time time, std::uint64_t count) {
+    Tally tally;
+    for (const std::uint64_t seed : seeds(count)) {
+        pass_through(seed, shape, time, tally);
+        if (::testing::Test::HasFatalFailure()) break;
+    }
+    for (const auto& [code, times] : tally.refusals)
+        std::printf("refused with %s: %zu findings in %zu models\n", code.c_str(), times, tally.models);
+    return tally;
+}
+
+/// The cores are there so that later phases can take them: few models may be refused.
+TEST(Semantics, TakesTheUntimedCore) {
+    const Tally tally = pass_all_through(Shape::untimed_core(), csp_emit::Time::untimed, 60);
+    EXPECT_GE(tally.emitted * 10, tally.models * 9);
+}
+
+TEST(Semantics, TakesTheTimedCore) {
+    const Tally tally = pass_all_through(Shape::timed_core(), csp_emit::Time::timed, 25);
+    EXPECT_GE(tally.emitted * 10, tally.models * 9);
+}
+
+TEST(Semantics, TakesOrRefusesTheWholeLanguageByName) {
+    pass_all_through(Shape::whole_language(), csp_emit::Time::timed, 60);
+}
+
+}  // namespace
+}  // namespace robochart::random_models
