@@ -134,6 +134,7 @@ private:
     std::string at(int level, const DataType& type, std::size_t depth);
     std::string literal_text(const DataType& type);
     std::string decimal();
+    std::string interval(std::size_t depth);
     [[nodiscard]] std::vector<std::string> readable(const DataType& type) const;
 
     Random& random_;

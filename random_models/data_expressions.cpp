@@ -297,6 +297,10 @@ Written Expressions::comparison(std::size_t depth) {
 
 Written Expressions::membership(std::size_t depth) {
     if (!shape_.data.sets) return comparison(depth);
+    if (shape_.data.naturals && random_.chance(40)) {
+        const std::string number = at(compare_level, *types_.nat(), depth);
+        return {number + " in " + interval(depth), compare_level};
+    }
     const DataType& type = *types_.existing();
     const std::string element = at(compare_level, type, depth);
     const std::string first = at(quantifier_level, type, depth);
@@ -342,17 +346,20 @@ Written Expressions::numeric(const DataType& type, std::size_t depth) {
     return binary(type, "+", type, plus_level, depth);
 }
 
+/// `{a to b}`, `[a, b)` and the like.
+std::string Expressions::interval(std::size_t depth) {
+    const std::string low = at(quantifier_level, *types_.nat(), depth);
+    const std::string high = at(quantifier_level, *types_.nat(), depth);
+    if (random_.chance(50)) return fmt::format("{{{} to {}}}", low, high);
+    const bool open = random_.chance(50);
+    const bool open_end = random_.chance(50);
+    return fmt::format("{}{}, {}{}", open ? "(" : "[", low, high, open_end ? ")" : "]");
+}
+
 Written Expressions::set(const DataType& type, std::size_t depth) {
     const DataType& element = *type.parts[0];
     const std::size_t way = random_.below(4);
-    if (way == 0 && element.form == Form::nat) {
-        const std::string low = at(quantifier_level, element, depth);
-        const std::string high = at(quantifier_level, element, depth);
-        if (random_.chance(50)) return {fmt::format("{{{} to {}}}", low, high), atom_level};
-        const bool open = random_.chance(50);
-        const bool open_end = random_.chance(50);
-        return {fmt::format("{}{}, {}{}", open ? "(" : "[", low, high, open_end ? ")" : "]"), atom_level};
-    }
+    if (way == 0 && element.form == Form::nat) return {interval(depth), atom_level};
     if (way == 1 && shape_.data.binders) {
         scope.push_back({"b" + std::to_string(bound_++), &element});
         const std::string name = scope.back().name;

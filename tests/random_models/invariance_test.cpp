@@ -74,6 +74,15 @@ void expect_formatting_is_sound(const Text& file, std::uint64_t seed) {
     ASSERT_EQ(formatted(once), once.text) << "seed " << seed << "\n" << file.text;
 }
 
+TEST(Invariance, FormattingKeepsAnySyntaxAndIsIdempotent) {
+    for (const std::uint64_t seed : seeds(300)) {
+        expect_formatting_is_sound({"t.rct", frontend::to_text(*any_syntax(seed))}, seed);
+        if (HasFatalFailure()) return;
+        expect_formatting_is_sound({"t.assertions", frontend::to_text(*any_assertions(seed))}, seed);
+        if (HasFatalFailure()) return;
+    }
+}
+
 TEST(Invariance, FormattingKeepsModelsAndIsIdempotent) {
     for (const std::uint64_t seed : seeds(50))
         for (const Text& file : well_formed(seed)) {

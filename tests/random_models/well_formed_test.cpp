@@ -32,8 +32,10 @@ TEST(WellFormed, TheWholeLanguageHasNoErrors) {
 /// The syntax of many models of a shape.
 std::string syntax_of(const Shape& shape) {
     std::string all;
-    for (std::uint64_t seed = 0; seed < 100; ++seed)
-        for (const auto& file : parse(well_formed(seed, shape))->model.files) all += structure(*file);
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        const auto read = parse(well_formed(seed, shape));
+        for (const auto& file : read->model.files) all += structure(*file);
+    }
     return all;
 }
 
