@@ -236,6 +236,7 @@ struct Declaration {
     Span name_span;
     Span span;
     const Declaration* parent = nullptr;  ///< filled by resolve: enclosing declaration; null at package level
+    bool broken = false;                  ///< a mistake of syntax inside: parts may be missing
 };
 
 /// A value with a type: field, parameter, variable, constant, bound variable.
@@ -465,6 +466,8 @@ struct File {
     std::vector<std::string> verbatim;  ///< PRISM parts and others kept as text
     bool is_library = false;            ///< a toolkit that comes with the tool
     bool has_syntax_errors = false;     ///< parts may be missing; rules about absent things stay silent
+    std::vector<std::string> lost_names;  ///< names in parts that were not understood
+    bool lost_declarations = false;       ///< a declaration whose name is not known was not understood
 };
 
 /// A project: all its files, libraries included, resolved together.

@@ -63,12 +63,12 @@ std::string shorten(std::string_view text) {
 namespace {
 
 // Longest first.
-constexpr std::array<std::string_view, 44> symbols = {
-    "<->", "::", "->", "<{", "=>", "==", "!=", ">=", "<=", "\\/", "/\\", "(|", "|)", "[|", "|]",
-    "{",   "}",  "(",  ")",  "[",  "]",  "<",  ">",  "=",  ":",   ";",   ",",  ".",  "?",  "!",
+constexpr std::array<std::string_view, 46> symbols = {
+    "<->", "::", "->", "<{", "=>", "==", "!=", ">=", "<=", "\\/", "/\\", "(|", "|)", "[|", "|]", "&&",
+    "||",  "{",  "}",  "(",  ")",  "[",  "]",  "<",  ">",  "=",   ":",   ";",  ",",  ".",  "?",  "!",
     "#",   "|",  "@",  "+",  "-",  "*",  "/",  "%",  "^",  "$",   "&",   "~",  "`",  "\\"};
 /// The last of `symbols` are words of the PRISM parts of assertion files alone.
-constexpr std::size_t model_symbols = 39;
+constexpr std::size_t model_symbols = 41;
 
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -78,6 +78,20 @@ bool is_digit(char c) {
 }
 bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+/// The word of a mended token.
+std::string_view word_at(std::size_t index) {
+    const auto& reserved = reserved_words();
+    return index < reserved.size() ? reserved[index] : symbols.at(index - reserved.size());
+}
+
+std::size_t index_of(std::string_view word) {
+    const auto& reserved = reserved_words();
+    const auto found = std::lower_bound(reserved.begin(), reserved.end(), word);
+    if (found != reserved.end() && *found == word) return static_cast<std::size_t>(found - reserved.begin());
+    const auto* symbol = std::find(symbols.begin(), symbols.end(), word);
+    return reserved.size() + static_cast<std::size_t>(symbol - symbols.begin());
 }
 
 class Lexer {
@@ -95,7 +109,7 @@ private:
     [[nodiscard]] Span span_from(std::size_t begin) const {
         return {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
     }
-    void add(TokenKind kind, std::size_t begin, std::string_view text);
+    void add(TokenKind kind, std::size_t begin, bool escaped = false);
     bool refuse_binary();
     void skip_space();
     bool comment();
@@ -109,6 +123,7 @@ private:
     bool symbol();
     void unexpected();
     void token();
+    bool too_long();
 
     std::string_view text_;
     SourceId source_;
@@ -117,16 +132,12 @@ private:
     std::size_t at_ = 0;
     std::size_t line_begin_ = 0;  ///< offset just after the last line end passed
     std::size_t last_end_ = 0;    ///< end of the last token
-    TokenStream stream_;
+    TokenStream stream_{TokenList(text_, source_), {}};
 };
 
-void Lexer::add(TokenKind kind, std::size_t begin, std::string_view text) {
-    Token token;
-    token.kind = kind;
-    token.first_on_line = stream_.tokens.empty() || last_end_ <= line_begin_;
-    token.text = text;
-    token.span = span_from(begin);
-    stream_.tokens.push_back(token);
+void Lexer::add(TokenKind kind, std::size_t begin, bool escaped) {
+    const bool first_on_line = stream_.tokens.empty() || last_end_ <= line_begin_;
+    stream_.tokens.add(kind, span_from(begin), escaped, first_on_line);
     last_end_ = std::max(at_, begin + 1);
 }
 
@@ -179,7 +190,7 @@ void Lexer::csp_code(std::size_t begin) {
     } else {
         at_ = end + std::string_view("csp-end").size();
     }
-    add(TokenKind::csp_code, begin, text_.substr(begin, at_ - begin));
+    add(TokenKind::csp_code, begin);
 }
 
 void Lexer::word() {
@@ -195,10 +206,9 @@ void Lexer::word() {
     }
     if (!escaped && (text == "Set" || text == "Seq") && peek() == '(') {
         ++at_;
-        return add(TokenKind::symbol, begin, text_.substr(name, at_ - name));
+        return add(TokenKind::symbol, begin);
     }
-    add(!escaped && is_reserved(text) ? TokenKind::keyword : TokenKind::identifier, begin, text);
-    stream_.tokens.back().escaped = escaped;
+    add(!escaped && is_reserved(text) ? TokenKind::keyword : TokenKind::identifier, begin, escaped);
 }
 
 void Lexer::check_integer(std::size_t begin) {
@@ -227,7 +237,7 @@ void Lexer::number() {
     } else {
         check_integer(begin);
     }
-    add(real ? TokenKind::real : TokenKind::integer, begin, text_.substr(begin, at_ - begin));
+    add(real ? TokenKind::real : TokenKind::integer, begin);
 }
 
 void Lexer::string() {
@@ -241,7 +251,7 @@ void Lexer::string() {
     } else {
         ++at_;
     }
-    add(TokenKind::string, begin, text_.substr(begin, at_ - begin));
+    add(TokenKind::string, begin);
 }
 
 bool Lexer::symbol() {
@@ -250,7 +260,7 @@ bool Lexer::symbol() {
         if (symbols[i].front() != text_[at_] || !starts(symbols[i])) continue;
         const std::size_t begin = at_;
         at_ += symbols[i].size();
-        add(TokenKind::symbol, begin, symbols[i]);
+        add(TokenKind::symbol, begin);
         return true;
     }
     return false;
@@ -281,12 +291,20 @@ void Lexer::token() {
     if (!symbol()) unexpected();
 }
 
+bool Lexer::too_long() {
+    if (stream_.tokens.size() < max_tokens) return false;
+    out_.report(syntax::too_long, {source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_)},
+                {std::to_string(max_tokens)});
+    at_ = text_.size();
+    return true;
+}
+
 TokenStream Lexer::run() {
     if (!refuse_binary()) {
         if (starts("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
-        for (skip_space(); at_ < text_.size(); skip_space()) token();
+        for (skip_space(); at_ < text_.size() && !too_long(); skip_space()) token();
     }
-    add(TokenKind::end, at_, {});
+    add(TokenKind::end, at_);
     return std::move(stream_);
 }
 
@@ -294,6 +312,34 @@ TokenStream Lexer::run() {
 
 std::span<const std::string_view> symbol_words() {
     return symbols;
+}
+
+Token TokenList::operator[](std::size_t index) const {
+    const Packed& item = items_[index];
+    Token token;
+    token.kind = item.kind;
+    token.escaped = item.escaped;
+    token.first_on_line = item.first_on_line;
+    token.span = {source_, item.begin, item.end};
+    const std::uint32_t begin = item.begin + (item.escaped ? 1U : 0U);
+    token.text = item.word != 0 ? word_at(item.word - 1U) : text_.substr(begin, item.end - begin);
+    return token;
+}
+
+void TokenList::add(TokenKind kind, Span span, bool escaped, bool first_on_line) {
+    items_.push_back({span.begin, span.end, kind, escaped, first_on_line, 0});
+}
+
+void TokenList::mend(std::size_t index, TokenKind kind, std::string_view word) {
+    items_[index].kind = kind;
+    items_[index].escaped = false;
+    items_[index].word = static_cast<std::uint16_t>(index_of(word) + 1);
+}
+
+void TokenList::drop_first_character(std::size_t index) {
+    ++items_[index].begin;
+    items_[index].escaped = false;
+    items_[index].first_on_line = false;
 }
 
 TokenStream tokenize(const diagnostics::SourceManager& sources, SourceId source, bool is_assertions, Diagnostics& out) {

@@ -2,9 +2,11 @@
 // RoboChart.xtext.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,11 +39,65 @@ struct Token {
     }
 };
 
+/// The words of one text, twelve bytes each; a Token is made when it is asked for. Views the source's text, which must
+/// outlive it.
+class TokenList {
+public:
+    TokenList() = default;
+    TokenList(std::string_view text, diagnostics::SourceId source) : text_(text), source_(source) {}
+
+    [[nodiscard]] std::size_t size() const { return items_.size(); }
+    [[nodiscard]] bool empty() const { return items_.empty(); }
+    [[nodiscard]] Token operator[](std::size_t index) const;
+    [[nodiscard]] Token at(std::size_t index) const { return (*this)[std::min(index, size() - 1)]; }
+    [[nodiscard]] Token back() const { return (*this)[size() - 1]; }
+    /// Kind and place alone, without looking at the text.
+    [[nodiscard]] TokenKind kind(std::size_t index) const { return items_[index].kind; }
+
+    void add(TokenKind kind, diagnostics::Span span, bool escaped, bool first_on_line);
+    /// Puts a reserved word or symbol in place of what is written.
+    void mend(std::size_t index, TokenKind kind, std::string_view word);
+    /// Leaves out the word's first character (`<{` becomes `{`, `^b` becomes `b`).
+    void drop_first_character(std::size_t index);
+
+    class Iterator {
+    public:
+        Iterator(const TokenList& list, std::size_t at) : list_(&list), at_(at) {}
+        Token operator*() const { return (*list_)[at_]; }
+        Iterator& operator++() { return ++at_, *this; }
+        friend bool operator==(const Iterator&, const Iterator&) = default;
+
+    private:
+        const TokenList* list_;
+        std::size_t at_;
+    };
+    [[nodiscard]] Iterator begin() const { return {*this, 0}; }
+    [[nodiscard]] Iterator end() const { return {*this, size()}; }
+
+private:
+    struct Packed {
+        std::uint32_t begin;
+        std::uint32_t end;
+        TokenKind kind;
+        bool escaped : 1;
+        bool first_on_line : 1;
+        std::uint16_t word;  ///< of a mended token: its index in the table of words, from 1
+    };
+    static_assert(sizeof(Packed) == 12);
+
+    std::string_view text_;
+    diagnostics::SourceId source_ = diagnostics::SourceId::none;
+    std::deque<Packed> items_;  ///< a deque: a long text needs no second copy while it grows
+};
+
 /// A text in words; the last token is `end`. Comments keep their places so that a formatter can put them back.
 struct TokenStream {
-    std::deque<Token> tokens;  ///< a deque: a long text needs no second copy while it grows
+    TokenList tokens;
     std::vector<diagnostics::Span> comments;
 };
+
+/// Words of one file; what is longer was not written by people, and is not read.
+inline constexpr std::size_t max_tokens = 16'000'000;
 
 /// Splits a text into words. What is no word becomes a diagnostic and is skipped.
 [[nodiscard]] TokenStream tokenize(const diagnostics::SourceManager&, diagnostics::SourceId, bool is_assertions,

@@ -8,7 +8,9 @@ namespace robochart::frontend {
 
 namespace {
 
+/// Core is known everywhere, the toolkits where they are imported.
 bool imports(const File& file, std::string_view package) {
+    if (package == core_package) return true;
     return std::any_of(file.imports.begin(), file.imports.end(),
                        [&](const Import& import) { return import.name.parts.front() == package; });
 }

@@ -1,4 +1,4 @@
-// The toolkits of the language (set_toolkit and others), shipped inside the tool (private to the front end).
+// The libraries of the language (core, set_toolkit and others), shipped inside the tool (private to the front end).
 #pragma once
 
 #include <string_view>
@@ -14,9 +14,12 @@ struct Toolkit {
     std::string_view text;
 };
 
+/// The package of `nat`, `int`, `real`, `boolean` and `string`, which needs no import.
+inline constexpr std::string_view core_package = "core";
+
 [[nodiscard]] const std::vector<Toolkit>& toolkits();
 
-/// Adds the toolkits that files of the model import, and those that they import in turn.
+/// Adds core, the toolkits that files of the model import, and those that they import in turn.
 void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics::Diagnostics& out);
 
 }  // namespace robochart::frontend

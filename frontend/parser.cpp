@@ -24,6 +24,13 @@ constexpr std::array<std::string_view, 29> member_words = {
     "connection", "state",    "initial",    "final",        "junction",     "probabilistic", "transition", "entry",
     "during",     "exit",     "terminates", "precondition", "postcondition"};
 
+/// Components of the grammars with neural networks, by the words that begin them.
+bool among_neural(std::string_view word) {
+    constexpr std::array<std::string_view, 6> words = {"anncontroller", "ANNController", "annoperation",
+                                                       "ANNOperation",  "ann",           "ANN"};
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 template <class Words>
 bool among(const Token& token, const Words& words) {
     return token.kind == TokenKind::keyword && std::find(words.begin(), words.end(), token.text) != words.end();
@@ -39,6 +46,11 @@ Parser::Parser(const diagnostics::SourceManager& sources, diagnostics::SourceId 
     tokens_ = std::move(stream.tokens);
     comments_ = std::move(stream.comments);
     lexical_errors_ = out.errors() > errors;
+    for (const Token& token : tokens_) {
+        if (token.kind != TokenKind::symbol) continue;
+        if (token.text == "{" || token.text == "<{") ++surplus_;
+        if (token.text == "}") --surplus_;
+    }
 }
 
 Parser::Nesting::Nesting(Parser& parser) : parser_(parser) {
@@ -48,18 +60,14 @@ Parser::Nesting::Nesting(Parser& parser) : parser_(parser) {
 
 // ---------------------------------------------------------------- words
 
-const Token& Parser::peek(std::size_t ahead) const {
-    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
-}
-
 bool Parser::at_word(std::string_view word, std::size_t ahead) const {
     const Token& token = peek(ahead);
     const bool word_like = token.kind == TokenKind::identifier || token.kind == TokenKind::keyword;
     return word_like && !token.escaped && token.text == word;
 }
 
-const Token& Parser::advance() {
-    const Token& token = peek();
+Token Parser::advance() {
+    const Token token = peek();
     if (at_ + 1 < tokens_.size()) ++at_;
     return token;
 }
@@ -77,24 +85,56 @@ bool Parser::accept_word(std::string_view word) {
 }
 
 Span Parser::expect(std::string_view word) {
-    if (!at(word)) expected(fmt::format("`{}`", word));
-    return advance().span;
+    if (at(word)) return advance().span;
+    const Span place = missing_place();
+    diagnostics::Diagnostic* finding = missing(fmt::format("`{}`", word));
+    const bool stray = peek(1).is(word) && !at("{") && !at("}") && !peek(1).first_on_line;
+    if (stray) {
+        advance();
+        return advance().span;
+    }
+    const bool closes = word == ")" || word == "]" || word == "|)" || word == "|]";
+    if (finding != nullptr && closes) {
+        finding->fixes.push_back({{source_, place.begin, place.begin}, std::string(word), "insert"});
+        inserted_ = finding;
+    }
+    return {source_, place.begin, place.begin};
 }
 
 void Parser::expect_word(std::string_view word) {
-    if (!accept_word(word)) expected(fmt::format("`{}`", word));
+    if (accept_word(word)) return;
+    missing(fmt::format("`{}`", word));
+    if (!at_word(word, 1)) return;
+    advance();
+    advance();
 }
 
 void Parser::name(Declaration& declaration) {
     const QualifiedName read = simple_name("a name");
     declaration.name = read.parts.front();
     declaration.name_span = read.span;
+    if (declaration.name.starts_with('?')) lost_declarations_ = true;
 }
 
 QualifiedName Parser::simple_name(std::string_view what) {
     QualifiedName result;
     add_part(result, what);
     return result;
+}
+
+QualifiedName Parser::plain_name(std::string_view what) {
+    QualifiedName result = simple_name(what);
+    if (!at("::")) return result;
+    const std::size_t start = at_ - 1;
+    at_ = start;
+    const QualifiedName written = qualified_name(what);
+    QualifiedName last;
+    last.parts.push_back(written.parts.back());
+    last.spans.push_back(written.spans.back());
+    last.span = written.spans.back();
+    if (diagnostics::Diagnostic* finding = report(syntax::plain_name, written.span, {shorten(written.text())}))
+        finding->fixes.push_back({written.span, last.parts.front(), "leave out what it is in"});
+    return last;
 }
 
 QualifiedName Parser::qualified_name(std::string_view what) {
@@ -106,19 +146,37 @@ QualifiedName Parser::qualified_name(std::string_view what) {
     return result;
 }
 
-/// A reserved word on the same line is taken for the name that was meant.
+/// A reserved word on the same line is taken for the name that was meant. A missing name gets one that nobody can
+/// write.
 void Parser::add_part(QualifiedName& result, std::string_view what) {
-    const Token& token = peek();
-    if (token.kind == TokenKind::keyword && !token.first_on_line && at_ >= quiet_until_) {
-        const Span span = token.span;
-        report(syntax::reserved_name, span, {std::string(token.text)});
+    const Token token = peek();
+    const bool reserved = token.kind == TokenKind::keyword && !token.first_on_line && at_ >= quiet_until_;
+    const bool followed =
+        peek(1).is("{") || peek(1).is(":") || peek(1).is("(") || peek(1).is("=") || result.parts.empty();
+    std::string part(token.text);
+    Span span = token.span;
+    bool written = true;
+    if (reserved && followed && !at_follower()) {
+        if (diagnostics::Diagnostic* finding = report(syntax::reserved_name, span, {part}))
+            finding->fixes.push_back({span, "^" + part, "escape it"});
     } else if (token.kind != TokenKind::identifier) {
-        expected(what);
+        span = missing_place();
+        span.end = span.begin;
+        part = fmt::format("?{}", span.begin);
+        missing(what);
+        written = token.kind == TokenKind::integer || token.kind == TokenKind::real || token.kind == TokenKind::string;
     }
-    result.parts.emplace_back(token.text);
-    result.spans.push_back(token.span);
-    result.span = diagnostics::join(result.span, token.span);
-    advance();
+    result.parts.push_back(std::move(part));
+    result.spans.push_back(span);
+    result.span = diagnostics::join(result.span, span);
+    if (written) advance();
+}
+
+/// Words that come after a name where one is missing, not for it.
+bool Parser::at_follower() const {
+    constexpr std::array<std::string_view, 8> followers = {"to",        "on",     "from", "trigger",
+                                                           "condition", "action", "is",   "in"};
+    return among(peek(), followers) && (peek(1).kind == TokenKind::identifier || peek(1).kind == TokenKind::keyword);
 }
 
 std::string Parser::found() const {
@@ -140,7 +198,14 @@ std::string Parser::found() const {
 // ---------------------------------------------------------------- mistakes and recovery
 
 diagnostics::Diagnostic* Parser::report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
-    if (at_ < quiet_until_) return nullptr;
+    ++failures_;
+    if (at_ < quiet_until_) {
+        // What was put in did not help: the mend was none.
+        if (inserted_ != nullptr) inserted_->fixes.clear();
+        inserted_ = nullptr;
+        return nullptr;
+    }
+    inserted_ = nullptr;
     quiet_until_ = at_ + 3;
     if (++mistakes_ > max_mistakes) {
         out_.report(syntax::too_many, span);
@@ -161,10 +226,78 @@ void Parser::too_deep(std::size_t limit) {
 }
 
 /// Something missing at a line's end is shown there, not at the next line's beginning.
+Span Parser::missing_place() const {
+    const Span span = peek().span;
+    if (at_ == 0 || !(peek().first_on_line || at_end())) return span;
+    return {source_, previous().span.end, previous().span.end};
+}
+
 void Parser::expected(std::string_view what) {
-    Span span = peek().span;
-    if (at_ > 0 && (peek().first_on_line || at_end())) span = {source_, previous().span.end, previous().span.end};
-    fail(syntax::unexpected, span, {std::string(what), found()});
+    fail(syntax::unexpected, missing_place(), {std::string(what), found()});
+}
+
+diagnostics::Diagnostic* Parser::missing(std::string_view what) {
+    if (at_ < quiet_until_) expected(what);
+    return report(syntax::unexpected, missing_place(), {std::string(what), found()});
+}
+
+/// What the tree can only mean with parentheses around this part.
+void Parser::needs_parentheses(std::string_view what, Span span) {
+    diagnostics::Diagnostic* finding = report(syntax::needs_parentheses, span, {std::string(what)});
+    if (finding == nullptr) return;
+    const std::string text(sources_.text(source_).substr(span.begin, span.end - span.begin));
+    finding->fixes.push_back({span, "(" + text + ")", "write"});
+}
+
+/// Names of a part that was not understood may be declared there for all we know.
+void Parser::forget(std::size_t begin, std::size_t end) {
+    if (failures_ == forgotten_) return;
+    forgotten_ = failures_;
+    for (std::size_t i = begin; i < end && i < tokens_.size(); ++i)
+        if (tokens_.kind(i) == TokenKind::identifier) lost_names_.emplace_back(tokens_[i].text);
+}
+
+/// Newer grammars have components that are neural networks: refused by name, with their body.
+bool Parser::neural_construct() {
+    const Token token = peek();
+    const bool begins = token.kind == TokenKind::identifier && peek(1).kind == TokenKind::identifier &&
+                        (peek(2).is("{") || peek(2).is("(") || peek(2).is("="));
+    if (!begins || !among_neural(token.text)) return false;
+    report(syntax::neural, diagnostics::join(token.span, peek(1).span), {std::string(token.text)});
+    const bool has_body = peek(2).is("{") || peek(2).is("(");
+    while (has_body && !at_end() && !at("{")) advance();
+    if (has_body)
+        skip_balanced();
+    else
+        for (int i = 0; i < 4; ++i) advance();
+    quiet_until_ = 0;
+    return true;
+}
+
+std::size_t Parser::indentation(std::size_t token) const {
+    const std::string_view before = sources_.text(source_).substr(0, tokens_.at(token).span.begin);
+    const std::size_t newline = before.find_last_of("\r\n");
+    const std::string_view line = before.substr(newline == std::string_view::npos ? 0 : newline + 1);
+    return std::min(line.size(), line.find_first_not_of(" \t"));
+}
+
+/// With more closing braces than opening ones: is this one in the middle of a body that goes on behind it?
+bool Parser::stray_brace(std::size_t open) const {
+    if (surplus_ >= 0 || peek().first_on_line) return false;
+    const std::string_view body =
+        sources_.text(source_).substr(0, peek().span.begin).substr(tokens_.at(open).span.begin);
+    if (body.find('\n') == std::string_view::npos) return false;
+    const Token next = peek(1);
+    if (next.is("}") || next.kind == TokenKind::end) return false;
+    return !next.first_on_line || indentation(at_ + 1) > indentation(open);
+}
+
+void Parser::pass_stray_brace() {
+    quiet_until_ = 0;
+    if (diagnostics::Diagnostic* finding = report(syntax::stray_bracket, peek().span))
+        finding->fixes.push_back({peek().span, "", "remove it"});
+    ++surplus_;
+    advance();
 }
 
 /// The word of the grammar that a misspelt name is near to; "" if there is none.
@@ -185,8 +318,7 @@ void Parser::wrong_word(std::string_view what) {
     diagnostics::Diagnostic* finding = report(syntax::unexpected, span, {std::string(what), found()});
     if (finding == nullptr || meant.empty()) throw SyntaxError{};
     finding->fixes.push_back({span, std::string(meant), "did you mean"});
-    tokens_[at_].kind = TokenKind::keyword;
-    tokens_[at_].text = meant;
+    tokens_.mend(at_, TokenKind::keyword, meant);
     quiet_until_ = 0;
     mended_ = true;
     throw SyntaxError{};
@@ -222,7 +354,13 @@ void Parser::skip_balanced() {
 }
 
 void Parser::skip_to_member() {
-    while (!at_end() && !at("}") && !at_member_word() && !at_top_level_word()) {
+    while (!at_end() && !at_member_word() && !at_top_level_word()) {
+        if (at("}")) {
+            if (surplus_ >= 0) return;
+            ++surplus_;  // its opening brace was closed too early
+            advance();
+            continue;
+        }
         if (peek().first_on_line && !meant_word().empty()) {
             quiet_until_ = 0;  // a mistake of its own
             return;
@@ -258,6 +396,8 @@ std::unique_ptr<File> Parser::file() {
         // Reported already; what was read is kept.
     }
     result->comments = std::move(comments_);
+    result->lost_names = std::move(lost_names_);
+    result->lost_declarations = lost_declarations_;
     result->has_syntax_errors = lexical_errors_ || mistakes_ > 0;
     return result;
 }

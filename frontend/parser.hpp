@@ -1,11 +1,12 @@
 // Recursive descent over the words of one file (private to the front end). The productions are those of the public
 // RoboChart.xtext and Assertions.xtext; each method is named after what it reads.
 //
-// Recovery: a mistake is reported once and thrown as SyntaxError to the nearest member list, which skips to the next
-// member. Elements enter their owner before their body is read, so that what was read is kept.
+// Recovery: a word that is missing is taken as if it stood there, a word too many is passed over, once per mistake.
+// Where that does not help the mistake is thrown as SyntaxError to the nearest member list, which skips to the next
+// member. Elements enter their owner before their body is read, so that what was read is kept. Names in text that was
+// not understood are remembered: nobody is told that they are unknown.
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,23 +56,27 @@ private:
     };
 
     // Words (parser.cpp)
-    [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
-    [[nodiscard]] const Token& previous() const { return tokens_[at_ > 0 ? at_ - 1 : 0]; }
+    [[nodiscard]] Token peek(std::size_t ahead = 0) const { return tokens_.at(at_ + ahead); }
+    [[nodiscard]] Token previous() const { return tokens_[at_ > 0 ? at_ - 1 : 0]; }
     [[nodiscard]] bool at(std::string_view word) const { return peek().is(word); }
     /// The word as such, reserved or not: assertions reserve more words than models.
     [[nodiscard]] bool at_word(std::string_view word, std::size_t ahead = 0) const;
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
-    const Token& advance();
+    Token advance();
     bool accept(std::string_view word);
     bool accept_word(std::string_view word);
+    /// The word, or a place for it where it is missing.
     Span expect(std::string_view word);
     void expect_word(std::string_view word);
     void name(Declaration& declaration);
     QualifiedName simple_name(std::string_view what);
+    /// A simple name where people are tempted to write `A::B`.
+    QualifiedName plain_name(std::string_view what);
     QualifiedName qualified_name(std::string_view what);
     void add_part(QualifiedName& name, std::string_view what);
     [[nodiscard]] Span since(const Span& begin) const { return diagnostics::join(begin, previous().span); }
     [[nodiscard]] std::string found() const;
+    [[nodiscard]] bool at_follower() const;
 
     // Mistakes and recovery (parser.cpp)
     /// Null if the mistake follows from one already reported.
@@ -79,12 +84,23 @@ private:
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[noreturn]] void too_deep(std::size_t limit);
     [[noreturn]] void expected(std::string_view what);
+    /// The same, but reading goes on as if it stood there; the second failure in a row is thrown.
+    diagnostics::Diagnostic* missing(std::string_view what);
+    [[nodiscard]] Span missing_place() const;
+    void needs_parentheses(std::string_view what, Span span);
+    void forget(std::size_t begin, std::size_t end);
+    bool neural_construct();
+    [[nodiscard]] std::size_t indentation(std::size_t token) const;
+    [[nodiscard]] bool stray_brace(std::size_t open) const;
+    void pass_stray_brace();
     /// Something else than a member: a misspelt word is mended in place, so that the member is read after all.
     [[noreturn]] void wrong_word(std::string_view what);
     [[nodiscard]] std::string_view meant_word();
     [[nodiscard]] bool mended();
     template <class Body>
     bool guarded(Body body);
+    template <class Read>
+    auto watched(Read read);
     void skip_balanced();
     void skip_to_member();
     [[nodiscard]] bool at_top_level_word() const;
@@ -111,6 +127,7 @@ private:
     // Contexts, components, machines (parser_components.cpp)
     bool context_member(Context& context);
     void interface_clause(Context& context);
+    void old_list(Span comma, std::string_view word);
     void variable_list(Context& context);
     void event(Context& context);
     void clock(Context& context);
@@ -142,10 +159,14 @@ private:
     TypeExprPtr product_type();
     TypeExprPtr vector_type();
     TypeExprPtr atomic_type();
+    TypeExprPtr spaced_set();
     TypeExprPtr wrap(TypeKind kind, TypeExprPtr first, Span begin);
 
     // Statements (parser_statements.cpp)
     StmtPtr statement();
+    [[nodiscard]] bool at_statement() const;
+    bool missing_semicolon();
+    [[nodiscard]] bool at_body_end() const;
     StmtPtr timed_statement();
     StmtPtr basic_statement();
     StmtPtr if_statement();
@@ -168,9 +189,10 @@ private:
     ExprPtr logical_not(int level);
     ExprPtr description(int level);
     ExprPtr let(int level);
-    ExprPtr conditional();
+    ExprPtr conditional(int level);
     ExprPtr negation();
     ExprPtr postfix();
+    ExprPtr steps(ExprPtr left, bool assigned);
     ExprPtr call();
     ExprPtr infix(ExprPtr left, BinaryOp op, int level);
     ExprPtr cast(ExprPtr left);
@@ -178,7 +200,10 @@ private:
     [[nodiscard]] bool at_quantifier() const;
     [[nodiscard]] bool at_member_step() const;
     [[nodiscard]] bool repair_equality(int level);
-    void check_weak_prefix(int level, int own_level);
+    void check_weak_prefix(const Token& word, const Expr& read, int level, int own_level);
+    void report_c_operator(std::string_view meant);
+    bool missing_comma();
+    ExprPtr missing_expression();
     void bindings(Expr& expr);
     void such_that(Expr& expr);
     void expression_list(std::vector<ExprPtr>& list, std::string_view close);
@@ -195,6 +220,7 @@ private:
     ExprPtr closed_range();
     ExprPtr tuple();
     ExprPtr sequence();
+    ExprPtr sequence_element();
     ExprPtr set();
     ExprPtr comprehension(Span begin);
     ExprPtr matrix();
@@ -212,6 +238,7 @@ private:
     AssertionParameter assertion_parameter();
     void csp_block(File& file, AssertionTime time);
     void verbatim(File& file);
+    void hyphenated_word(std::string_view first, std::string_view second);
     [[nodiscard]] bool at_assertion_member() const;
     [[nodiscard]] bool at_property_word() const;
 
@@ -219,13 +246,19 @@ private:
     diagnostics::SourceId source_;
     bool is_assertions_;
     diagnostics::Diagnostics& out_;
-    std::deque<Token> tokens_;
+    TokenList tokens_;
     std::vector<Span> comments_;
     std::size_t at_ = 0;
     std::size_t depth_ = 0;
     std::size_t mistakes_ = 0;
+    std::size_t failures_ = 0;     ///< mistakes and what followed from them
     std::size_t quiet_until_ = 0;  ///< mistakes before this word follow from one already reported
     std::size_t spelling_checks_ = 0;
+    std::size_t forgotten_ = 0;  ///< mistakes whose surroundings are among the lost names
+    std::vector<std::string> lost_names_;
+    bool lost_declarations_ = false;
+    long surplus_ = 0;  ///< opening braces without a closing one; negative: closing ones too many
+    diagnostics::Diagnostic* inserted_ = nullptr;  ///< the mistake that was mended by taking a word for written
     bool lexical_errors_ = false;
     bool mended_ = false;  ///< the word here was misspelt and is now right
 };
@@ -241,20 +274,45 @@ bool Parser::guarded(Body body) {
     }
 }
 
-/// `{ member* }`; each member recovers on its own.
+/// Reads a declaration and marks it if it was not understood in full.
+template <class Read>
+auto Parser::watched(Read read) {
+    const std::size_t before = failures_;
+    auto declared = read();
+    if (declared && failures_ != before) declared->broken = true;
+    return declared;
+}
+
+/// `{ member* }`; each member recovers on its own. A closing brace that is missing shows where a member stands no
+/// deeper than the body's owner.
 template <class Member>
 void Parser::braces(Member member, unsigned members) {
+    const std::size_t open = at_;
     expect("{");
     const Nesting nesting(*this);
-    while (!at("}")) {
-        if (closes_missing_brace(members)) {
-            guarded([&] { expected("`}`"); });
+    const std::size_t own = indentation(open);
+    bool deeper = false;
+    for (;;) {
+        if (at("}")) {
+            if (!stray_brace(open)) break;
+            pass_stray_brace();
+            continue;
+        }
+        const bool outside = surplus_ > 0 && deeper && peek().first_on_line && indentation(at_) <= own;
+        if (outside || closes_missing_brace(members)) {
+            if (surplus_ > 0) --surplus_;
+            guarded([&] { missing("`}`"); });
             return;
         }
+        deeper = deeper || (peek().first_on_line && indentation(at_) > own);
         const std::size_t start = at_;
-        if (guarded(member) || mended()) continue;
-        if (at_ == start && !at("{")) advance();
-        skip_to_member();
+        const bool read = guarded(member) || mended();
+        if (!read) {
+            if (at_ == start && !at("{") && !at("<{")) advance();
+            skip_to_member();
+        }
+        forget(start, at_);
+        if (read && peek().first_on_line) quiet_until_ = 0;  // whole again
     }
     advance();
 }

@@ -11,15 +11,27 @@ namespace robochart::frontend {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> property_words = {"instantiate", "const", "constants", "label",   "formula",
-                                                            "rewards",     "prob",  "defs",      "pmodules"};
+/// The words that begin such a part, and what follows the name behind them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> property_forms = {{{"instantiate", "as"},
+                                                                                          {"const", ":"},
+                                                                                          {"constants", ":"},
+                                                                                          {"label", "="},
+                                                                                          {"formula", "="},
+                                                                                          {"rewards", "="},
+                                                                                          {"defs", ":"},
+                                                                                          {"pmodules", ":"}}};
 
 }  // namespace
 
-/// A part that is kept as text begins here: one of its words, and not as `with constants`, `#label`.
+/// A part that is kept as text begins here: one of its words in its own form, not `with constants` or `#label`.
 bool Parser::at_property_word() const {
-    const auto here = [&](std::string_view word) { return at_word(word); };
-    return (at_ == 0 || peek().first_on_line) && std::any_of(property_words.begin(), property_words.end(), here);
+    if (at_word("prob")) return at_word("property", 1) || at_word("generate", 1);
+    const auto* form =
+        std::find_if(property_forms.begin(), property_forms.end(), [&](const auto& f) { return at_word(f.first); });
+    if (form == property_forms.end() || peek(1).kind != TokenKind::identifier) return false;
+    std::size_t ahead = 2;
+    while (form->second == "as" && peek(ahead).is("::")) ahead += 2;
+    return peek(ahead).is(form->second);
 }
 
 bool Parser::at_assertion_member() const {
@@ -41,6 +53,7 @@ void Parser::assertion_member(File& file) {
         const AssertionTime time = accept_word("timed")     ? AssertionTime::timed
                                    : accept_word("untimed") ? AssertionTime::untimed
                                                             : AssertionTime::both;
+        if (neural_construct()) return;
         if (at_word("assertion")) return assertion(file, time);
         if (at_word("csp")) return csp_block(file, time);
         if (at_property_word() && time == AssertionTime::both) return verbatim(file);
@@ -77,7 +90,7 @@ void Parser::csp_block(File& file, AssertionTime time) {
         while (accept(","));
     }
     if (peek().kind != TokenKind::csp_code) expected("`csp-begin`");
-    const Token& code = advance();
+    const Token code = advance();
     std::string_view text = code.text;
     text.remove_prefix(open.size());
     if (text.size() >= close.size() && text.substr(text.size() - close.size()) == close)
@@ -92,7 +105,7 @@ void Parser::csp_block(File& file, AssertionTime time) {
 void Parser::assertion(File& file, AssertionTime time) {
     Assertion assertion;
     assertion.time = time;
-    assertion.span = peek().span;
+    assertion.span = time == AssertionTime::both ? peek().span : previous().span;
     expect_word("assertion");
     const QualifiedName name = simple_name("the assertion's name");
     assertion.name = name.text();
@@ -108,6 +121,14 @@ void Parser::assertion(File& file, AssertionTime time) {
 
 void Parser::assertion_body(Assertion& assertion) {
     if (at("clock")) {
+        if (assertion.time != AssertionTime::both) {
+            const Span word{source_, assertion.span.begin,
+                            assertion.span.begin + (assertion.time == AssertionTime::timed ? 5U : 7U)};
+            const std::string text = assertion.time == AssertionTime::timed ? "timed" : "untimed";
+            if (diagnostics::Diagnostic* finding = report(syntax::clock_time, word, {text}))
+                finding->fixes.push_back({word, "", "leave it out"});
+            quiet_until_ = 0;
+        }
         advance();
         assertion.kind = AssertionKind::clock_initialised;
         assertion.other = qualified_name("the name of a clock");
@@ -137,10 +158,9 @@ void Parser::assertion_is(Assertion& assertion) {
          {"timelock", AssertionKind::timelock_free}}};
     assertion.negated = accept("not");
     for (const auto& [word, kind] : hyphenated) {
-        if (!accept_word(word)) continue;
-        expect("-");
+        if (!at_word(word)) continue;
         assertion.kind = kind;
-        return expect_word("free");
+        return hyphenated_word(word, "free");
     }
     if (accept_word("deterministic")) {
         assertion.kind = AssertionKind::deterministic;
@@ -171,13 +191,27 @@ void Parser::assertion_does(Assertion& assertion) {
     assertion.other = qualified_name("the name of a component or CSP process");
 }
 
+/// `deadlock-free`, `tick-tock`: one word.
+void Parser::hyphenated_word(std::string_view first, std::string_view second) {
+    const Span begin = peek().span;
+    advance();
+    const bool hyphen = accept("-");
+    if (!at_word(second)) return expect_word(fmt::format("{}-{}", first, second));
+    advance();
+    const Span span = since(begin);
+    const std::string word = fmt::format("{}-{}", first, second);
+    if (hyphen && span.end - span.begin == word.size()) return;
+    if (diagnostics::Diagnostic* finding = report(syntax::hyphenated, span, {word}))
+        finding->fixes.push_back({span, word, "write"});
+    quiet_until_ = 0;
+}
+
 /// `in the traces model`
 void Parser::assertion_model(Assertion& assertion) {
     if (!accept("in")) return;
     expect_word("the");
-    if (accept_word("tick")) {
-        expect("-");
-        expect_word("tock");
+    if (at_word("tick")) {
+        hyphenated_word("tick", "tock");
         assertion.model = AssertionModel::tick_tock;
     } else if (accept_word("traces")) {
         assertion.model = AssertionModel::traces;
@@ -207,7 +241,7 @@ AssertionParameter Parser::assertion_parameter() {
     AssertionParameter parameter;
     parameter.constant = at_word("constant");
     if (!accept_word("constant") && !accept_word("parameter")) expected("`constant` or `parameter`");
-    parameter.name = qualified_name("the name of a constant or parameter");
+    parameter.name = plain_name("the name of a constant or parameter");
     expect_word("of");
     parameter.context = qualified_name("the name of a component");
     if (accept_word("set")) {

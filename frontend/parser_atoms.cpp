@@ -21,8 +21,17 @@ ExprPtr Parser::atom() {
         case TokenKind::symbol:
             return bracketed();
         default:
-            expected("an expression");
+            return missing_expression();
     }
+}
+
+/// Nothing that could begin an expression: an empty one stands for it.
+ExprPtr Parser::missing_expression() {
+    const Span place = missing_place();
+    missing("an expression");
+    auto result = std::make_unique<Expr>();
+    result->span = {source_, place.begin, place.begin};
+    return result;
 }
 
 ExprPtr Parser::literal(ExprKind kind) {
@@ -69,13 +78,13 @@ ExprPtr Parser::keyword_atom() {
                           : at("since")      ? ExprKind::since
                           : at("sinceEntry") ? ExprKind::since_entry
                                              : ExprKind::error;
-    if (kind == ExprKind::error) expected("an expression");
+    if (kind == ExprKind::error) return missing_expression();
     ExprPtr result = make(kind);
     const Span begin = advance().span;
     if (kind == ExprKind::result || kind == ExprKind::to || kind == ExprKind::from) return result;
     expect("(");
     if (kind == ExprKind::since)
-        result->name = simple_name("the name of a clock");
+        result->name = plain_name("the name of a clock");
     else if (kind == ExprKind::since_entry)
         result->name = qualified_name("the name of a state");
     else
@@ -91,7 +100,7 @@ ExprPtr Parser::bracketed() {
     if (at("[|")) return matrix();
     if (at("{")) return set();
     if (at("<") || at("<{")) return sequence();
-    expected("an expression");
+    return missing_expression();
 }
 
 /// The rest of a range after its comma: `b]` or `b)`.
@@ -137,23 +146,36 @@ ExprPtr Parser::tuple() {
 /// `< a, b >`. Elements stop at the level of `+`, so that `>` closes. A sequence that begins with a set reaches us as
 /// `<{`, the word for deadlines; it is taken apart here.
 ExprPtr Parser::sequence() {
-    constexpr int plus_level = 8;
     const Nesting nesting(*this);
     ExprPtr result = make(ExprKind::sequence);
     const Span begin = peek().span;
     if (at("<{")) {
-        Token& token = tokens_[at_];
-        token.text = "{";
-        ++token.span.begin;
+        tokens_.drop_first_character(at_);
     } else {
         expect("<");
     }
     if (!at(">")) {
-        do result->args.push_back(operand(plus_level));
-        while (accept(","));
+        do result->args.push_back(sequence_element());
+        while (accept(",") || missing_comma());
     }
     expect(">");
     return finish(std::move(result), begin);
+}
+
+/// A weaker operator is read as meant, after a message.
+ExprPtr Parser::sequence_element() {
+    constexpr int plus_level = 10;
+    ExprPtr element = operand(plus_level);
+    bool weaker = false;
+    while (!at(">") && (operator_here() || at("as") || at("is"))) {
+        weaker = true;
+        if (const auto next = operator_here())
+            element = infix(std::move(element), next->first, plus_level - 1);
+        else
+            element = cast(std::move(element));
+    }
+    if (weaker) needs_parentheses("an operator weaker than `+` in a sequence", element->span);
+    return element;
 }
 
 /// `{a, b}`, `{a to b}`, `{v:T | p @ e}`

@@ -21,10 +21,21 @@ void Parser::interface_clause(Context& context) {
     InterfaceClause clause;
     clause.use = at("uses") ? InterfaceUse::uses : at("requires") ? InterfaceUse::requires_ : InterfaceUse::provides;
     advance();
-    do {
+    const std::string_view word = previous().text;
+    for (;;) {
         clause.name = qualified_name("the name of an interface");
         context.interfaces.push_back(clause);
-    } while (accept(","));
+        if (!at(",")) return;
+        old_list(peek().span, word);
+        advance();
+    }
+}
+
+/// Old models name several interfaces in one clause.
+void Parser::old_list(Span comma, std::string_view word) {
+    inserted_ = nullptr;
+    out_.report(syntax::legacy_list, comma, {std::string(word)})
+        .fixes.push_back({comma, " " + std::string(word), "write"});
 }
 
 void Parser::variable_list(Context& context) {
@@ -82,7 +93,7 @@ std::unique_ptr<Component> Parser::controller() {
 /// `stm …` or a reference, into a component.
 bool Parser::machine_part(Component& component) {
     if (at("stm")) {
-        component.machines.push_back(machine());
+        component.machines.push_back(watched([&] { return machine(); }));
         component.order.push_back(component.machines.back().get());
         return true;
     }
@@ -97,10 +108,11 @@ void Parser::controller_member(Component& component) {
     if (context_member(component)) return;
     if (at("connection")) return component.connections.push_back(connection());
     if (at("operation")) {
-        component.operations.push_back(operation());
+        component.operations.push_back(watched([&] { return operation(); }));
         component.order.push_back(component.operations.back().get());
         return;
     }
+    if (neural_construct()) return;
     if (wrong_reference || !machine_part(component)) wrong_word("a member of a controller");
 }
 
@@ -116,15 +128,16 @@ std::unique_ptr<Component> Parser::module() {
 void Parser::module_member(Component& component) {
     if (at("connection")) return component.connections.push_back(connection());
     if (at("robotic")) {
-        component.platforms.push_back(platform());
+        component.platforms.push_back(watched([&] { return platform(); }));
         component.order.push_back(component.platforms.back().get());
         return;
     }
     if (at("controller")) {
-        component.controllers.push_back(controller());
+        component.controllers.push_back(watched([&] { return controller(); }));
         component.order.push_back(component.controllers.back().get());
         return;
     }
+    if (neural_construct()) return;
     if (at("opref") || !machine_part(component))
         wrong_word("a platform, controller, reference or connection of the module");
 }
@@ -144,9 +157,9 @@ std::unique_ptr<Reference> Parser::reference() {
 }
 
 void Parser::connection_end(Connection::End& end) {
-    end.node = qualified_name("the name of a component");
+    end.node = plain_name("the name of a component");
     expect("on");
-    end.event = qualified_name("the name of an event");
+    end.event = plain_name("the name of an event");
 }
 
 std::unique_ptr<Connection> Parser::connection() {

@@ -40,9 +40,10 @@ void Parser::top_level(File& file) {
             qualified_name("the package's name");
             return;
         }
-        if (auto declared = declaration()) file.declarations.push_back(std::move(declared));
+        if (neural_construct()) return;
+        if (auto declared = watched([&] { return declaration(); })) file.declarations.push_back(std::move(declared));
     });
-    if (read || mended()) return;
+    if (read || mended()) return forget(start, at_);
     if (at_ == start && !at("{")) advance();
     while (!at_end() && !at_member_word() && !at_top_level_word()) {
         if (at("{"))
@@ -50,6 +51,7 @@ void Parser::top_level(File& file) {
         else
             advance();
     }
+    forget(start, at_);
 }
 
 std::unique_ptr<Declaration> Parser::declaration() {
@@ -112,7 +114,7 @@ std::vector<VariablePtr> Parser::parameters() {
     expect("(");
     if (!at(")")) {
         do variable(list, DeclKind::parameter);
-        while (accept(","));
+        while (accept(",") || missing_comma());
     }
     expect(")");
     return list;

@@ -20,12 +20,16 @@ struct Operator {
 // Levels of the operators that stand alone between those of the table.
 constexpr int not_level = 4;
 constexpr int compare_level = 5;
-constexpr int let_level = 6;
-constexpr int cast_level = 7;
-constexpr int plus_level = 8;
-constexpr int concat_level = 10;
+constexpr int the_level = 6;
+constexpr int let_level = 7;
+constexpr int if_level = 8;
+constexpr int cast_level = 9;
+constexpr int plus_level = 10;
+constexpr int times_level = 11;
+constexpr int concat_level = 12;
 
-constexpr std::array<Operator, 18> operators = {{{"iff", BinaryOp::iff, 0},
+// The last two are slips of those who write C: reported, and read as meant.
+constexpr std::array<Operator, 20> operators = {{{"iff", BinaryOp::iff, 0},
                                                  {"=>", BinaryOp::implies, 1},
                                                  {"\\/", BinaryOp::disjunction, 2},
                                                  {"/\\", BinaryOp::conjunction, 3},
@@ -38,11 +42,23 @@ constexpr std::array<Operator, 18> operators = {{{"iff", BinaryOp::iff, 0},
                                                  {"in", BinaryOp::in, compare_level},
                                                  {"+", BinaryOp::plus, plus_level},
                                                  {"-", BinaryOp::minus, plus_level},
-                                                 {"*", BinaryOp::times, 9},
-                                                 {"/", BinaryOp::divide, 9},
-                                                 {"%", BinaryOp::modulus, 9},
+                                                 {"*", BinaryOp::times, times_level},
+                                                 {"/", BinaryOp::divide, times_level},
+                                                 {"%", BinaryOp::modulus, times_level},
                                                  {"cat", BinaryOp::concat, concat_level},
-                                                 {"^", BinaryOp::concat, concat_level}}};
+                                                 {"^", BinaryOp::concat, concat_level},
+                                                 {"||", BinaryOp::disjunction, 2},
+                                                 {"&&", BinaryOp::conjunction, 3}}};
+
+/// How tightly the form binds that a tree stands for; an operator that binds tighter cannot follow it.
+int own_level(const Expr& expr) {
+    if (expr.kind == ExprKind::if_then_else) return if_level;
+    return expr.kind == ExprKind::cast || expr.kind == ExprKind::is_type ? cast_level : concat_level;
+}
+
+std::string_view described(const Expr& expr) {
+    return expr.kind == ExprKind::if_then_else ? "an `if` before an operator" : "a cast before another operator";
+}
 
 std::uint32_t height(const ExprPtr& expr) {
     return expr ? expr->height : 0;
@@ -69,7 +85,7 @@ ExprPtr Parser::finish(ExprPtr expr, Span begin) {
 }
 
 std::optional<std::pair<BinaryOp, int>> Parser::operator_here() const {
-    const Token& token = peek();
+    const Token token = peek();
     // `a ^b`: the scanner takes `^b` for an escaped name, which cannot follow an operand.
     if (token.escaped && !token.first_on_line) return std::pair(BinaryOp::concat, concat_level);
     const auto* found =
@@ -118,14 +134,14 @@ void Parser::such_that(Expr& expr) {
 ExprPtr Parser::operand(int level) {
     ExprPtr left = prefix(level);
     for (;;) {
-        if ((at("as") || at("is")) && level <= cast_level) {
-            left = cast(std::move(left));
-            continue;
-        }
-        if (repair_equality(level)) continue;
+        const bool casts = (at("as") || at("is")) && level <= cast_level;
+        if (!casts && repair_equality(level)) continue;
         const auto next = operator_here();
-        if (!next || next->second < level) return left;
-        left = infix(std::move(left), next->first, next->second);
+        if (!casts && (!next || next->second < level)) return left;
+        const int binding = casts ? cast_level + 1 : next->second;
+        if (binding > own_level(*left) && own_level(*left) < concat_level)
+            needs_parentheses(described(*left), left->span);
+        left = casts ? cast(std::move(left)) : infix(std::move(left), next->first, next->second);
     }
 }
 
@@ -135,14 +151,15 @@ bool Parser::repair_equality(int level) {
     const Span span = peek().span;
     if (diagnostics::Diagnostic* finding = report(syntax::single_equal, span))
         finding->fixes.push_back({span, "==", "write"});
-    tokens_[at_].text = "==";
+    tokens_.mend(at_, TokenKind::symbol, "==");
     quiet_until_ = 0;
     return true;
 }
 
 ExprPtr Parser::infix(ExprPtr left, BinaryOp op, int level) {
+    if (at("&&") || at("||")) report_c_operator(at("&&") ? "/\\" : "\\/");
     if (peek().escaped)
-        tokens_[at_].escaped = false;
+        tokens_.drop_first_character(at_);
     else
         advance();
     ExprPtr result = make(ExprKind::binary);
@@ -166,66 +183,94 @@ ExprPtr Parser::prefix(int level) {
     if (at("not")) return logical_not(level);
     if (at("the")) return description(level);
     if (at("let")) return let(level);
-    if (at("if")) return conditional();
-    if (at_quantifier()) {
-        check_weak_prefix(1, 0);
-        return expression();
+    if (at("if")) return conditional(level);
+    if (at("!") && peek(1).kind != TokenKind::end) {
+        report_c_operator("not ");
+        tokens_.mend(at_, TokenKind::keyword, "not");
+        return logical_not(level);
     }
-    return negation();
+    if (!at_quantifier()) return negation();
+    const Token word = peek();
+    ExprPtr result = expression();
+    check_weak_prefix(word, *result, 1, 0);
+    return result;
 }
 
 /// A weak prefix as operand of a tighter operator needs parentheses; it is read as meant.
-void Parser::check_weak_prefix(int level, int own_level) {
-    if (level > own_level) report(syntax::bare_quantifier, peek().span, {std::string(peek().text)});
+void Parser::check_weak_prefix(const Token& word, const Expr& read, int level, int own_level) {
+    if (level <= own_level) return;
+    diagnostics::Diagnostic* finding = report(syntax::bare_quantifier, word.span, {std::string(word.text)});
+    if (finding == nullptr) return;
+    const std::string text(sources_.text(source_).substr(read.span.begin, read.span.end - read.span.begin));
+    finding->fixes.push_back({read.span, "(" + text + ")", "write"});
+}
+
+void Parser::report_c_operator(std::string_view meant) {
+    const Token token = peek();
+    const std::string name(meant.substr(0, meant.find(' ')));
+    if (diagnostics::Diagnostic* finding = report(syntax::c_operator, token.span, {std::string(token.text), name}))
+        finding->fixes.push_back({token.span, std::string(meant), "write"});
+    quiet_until_ = 0;
 }
 
 ExprPtr Parser::logical_not(int level) {
     const Nesting nesting(*this);
-    check_weak_prefix(level, not_level);
     ExprPtr result = make(ExprKind::unary);
+    const Token word = peek();
     const Span begin = expect("not");
     result->unary = UnaryOp::logical_not;
-    result->args.push_back(at("not") ? logical_not(not_level) : operand(compare_level));
-    return finish(std::move(result), begin);
+    const bool again = at("not") || at("!");
+    result->args.push_back(again ? prefix(not_level) : operand(compare_level));
+    result = finish(std::move(result), begin);
+    check_weak_prefix(word, *result, level, not_level);
+    return result;
 }
 
 /// `the v:T | p @ e`
 ExprPtr Parser::description(int level) {
     const Nesting nesting(*this);
-    check_weak_prefix(level, let_level);
     ExprPtr result = make(ExprKind::the);
+    const Token word = peek();
     const Span begin = expect("the");
     bindings(*result);
     such_that(*result);
     expect("@");
-    result->args.push_back(operand(let_level));
-    return finish(std::move(result), begin);
+    result->args.push_back(operand(the_level));
+    result = finish(std::move(result), begin);
+    check_weak_prefix(word, *result, level, the_level);
+    return result;
 }
 
 /// `let x == e, … @ e`
 ExprPtr Parser::let(int level) {
     const Nesting nesting(*this);
-    check_weak_prefix(level, let_level);
     ExprPtr result = make(ExprKind::let);
+    const Token word = peek();
     const Span begin = expect("let");
     do {
         Binding binding;
         binding.variable = std::make_unique<Variable>(DeclKind::bound_variable);
         binding.variable->span = peek().span;
         name(*binding.variable);
-        expect("==");
+        if (!repair_equality(0))
+            expect("==");
+        else
+            advance();
         binding.value = expression();
         binding.variable->span = since(binding.variable->span);
         result->bindings.push_back(std::move(binding));
     } while (accept(","));
     expect("@");
     result->args.push_back(operand(let_level));
-    return finish(std::move(result), begin);
+    result = finish(std::move(result), begin);
+    check_weak_prefix(word, *result, level, let_level);
+    return result;
 }
 
 /// `if c then a else b end`
-ExprPtr Parser::conditional() {
+ExprPtr Parser::conditional(int level) {
     ExprPtr result = make(ExprKind::if_then_else);
+    const Token word = peek();
     const Span begin = expect("if");
     result->args.push_back(expression());
     expect("then");
@@ -233,7 +278,9 @@ ExprPtr Parser::conditional() {
     expect("else");
     result->args.push_back(expression());
     expect("end");
-    return finish(std::move(result), begin);
+    result = finish(std::move(result), begin);
+    check_weak_prefix(word, *result, level, if_level);
+    return result;
 }
 
 ExprPtr Parser::negation() {
@@ -248,13 +295,20 @@ ExprPtr Parser::negation() {
 
 /// In assertion files a point may also end the assertion; a field follows its point at once there.
 bool Parser::at_member_step() const {
-    return at(".") && (!is_assertions_ || peek(1).span.begin == peek().span.end);
+    const Token next = peek(1);
+    const bool field = next.kind == TokenKind::identifier && next.span.begin == peek().span.end;
+    return at(".") && (!is_assertions_ || field);
 }
 
-/// Member and index steps: `e.f`, `e[i, j]`.
 ExprPtr Parser::postfix() {
-    ExprPtr left = call();
+    return steps(call(), false);
+}
+
+/// Member and index steps: `e.f`, `e[i, j]`; in expressions one index at most, before the members.
+ExprPtr Parser::steps(ExprPtr left, bool assigned) {
     while (at_member_step() || at("[")) {
+        const bool stepped = left->kind == ExprKind::member || left->kind == ExprKind::index;
+        if (at("[") && stepped && !assigned) needs_parentheses("what is indexed after a field or another index", left->span);
         ExprPtr step = make(at(".") ? ExprKind::member : ExprKind::index);
         const Span begin = left->span;
         step->args.push_back(std::move(left));
@@ -274,25 +328,40 @@ ExprPtr Parser::postfix() {
 /// `f(a, …)`; the function is a name or any other atom.
 ExprPtr Parser::call() {
     ExprPtr function = atom();
-    if (!at("(") || peek().first_on_line) return function;
-    ExprPtr result = make(ExprKind::call);
-    const Span begin = function->span;
-    advance();
-    if (function->kind == ExprKind::name)
-        result->name = std::move(function->name);
-    else
-        result->callee = std::move(function);
-    expression_list(result->args, ")");
-    return finish(std::move(result), begin);
+    while (at("(")) {
+        if (function->kind == ExprKind::call) needs_parentheses("a call that is called again", function->span);
+        ExprPtr result = make(ExprKind::call);
+        const Span begin = function->span;
+        advance();
+        if (function->kind == ExprKind::name)
+            result->name = std::move(function->name);
+        else
+            result->callee = std::move(function);
+        expression_list(result->args, ")");
+        function = finish(std::move(result), begin);
+    }
+    return function;
 }
 
 /// `e, …` up to and with the closing word; may be empty.
 void Parser::expression_list(std::vector<ExprPtr>& list, std::string_view close) {
     if (!at(close)) {
         do list.push_back(expression());
-        while (accept(","));
+        while (accept(",") || missing_comma());
     }
     expect(close);
+}
+
+/// Two items side by side: the comma between them was forgotten.
+bool Parser::missing_comma() {
+    const TokenKind kind = peek().kind;
+    const bool item = kind == TokenKind::identifier || kind == TokenKind::integer || kind == TokenKind::real;
+    if (!item || peek().first_on_line || peek().escaped || at_ < quiet_until_) return false;
+    const Span place{source_, previous().span.end, previous().span.end};
+    diagnostics::Diagnostic* finding = report(syntax::unexpected, peek().span, {"`,`", found()});
+    finding->fixes.push_back({place, ",", "insert"});
+    inserted_ = finding;
+    return true;
 }
 
 }  // namespace robochart::frontend

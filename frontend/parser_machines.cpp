@@ -113,18 +113,21 @@ void Parser::transition(NodeContainer& container) {
 
 void Parser::transition_body(Transition& transition) {
     expect("from");
-    transition.from = qualified_name("the transition's source");
+    transition.from = plain_name("the transition's source");
     expect("to");
-    transition.to = qualified_name("the transition's target");
+    transition.to = plain_name("the transition's target");
     constexpr std::array<std::string_view, 6> names = {"", "trigger", "#", "<{", "condition", "action"};
     int last = 0;
     while (!at("}") && !at_end()) {
         const std::size_t begin = at_;
         const int clause = transition_clause(transition);
         if (clause < last || (clause == last && clause != 2)) {
-            const Token& token = tokens_[begin];
-            report(syntax::clause_order, token.span,
-                   {std::string(token.text), std::string(names.at(static_cast<std::size_t>(last)))});
+            const Token token = tokens_[begin];
+            if (clause == last)
+                report(syntax::clause_twice, token.span, {std::string(token.text)});
+            else
+                report(syntax::clause_order, token.span,
+                       {std::string(token.text), std::string(names.at(static_cast<std::size_t>(last)))});
         }
         last = std::max(last, clause);
     }
@@ -164,12 +167,13 @@ void Parser::trigger(Transition& transition) {
     }
     if (!at("#") && !at("condition") && !at("action") && !at("<{") && !at("}")) expected("the name of an event");
     transition.legacy_trigger = true;
+    inserted_ = nullptr;
     out_.report(syntax::legacy_trigger, word).fixes.push_back({word, "", "leave out `trigger`"});
 }
 
 void Parser::reset(Transition& transition) {
     expect("#");
-    transition.resets.push_back({simple_name("the name of a clock"), nullptr});
+    transition.resets.push_back({plain_name("the name of a clock"), nullptr});
 }
 
 }  // namespace robochart::frontend

@@ -25,12 +25,49 @@ StmtPtr Parser::statement() {
     const Nesting nesting(*this);
     const Span begin = peek().span;
     StmtPtr first = timed_statement();
-    if (!at(";")) return first;
+    if (!at(";") && !at_statement()) return first;
     StmtPtr sequence = make_statement(StmtKind::sequence, begin);
     sequence->body.push_back(std::move(first));
-    while (accept(";")) sequence->body.push_back(timed_statement());
+    while (at(";") || missing_semicolon()) {
+        const Span separator = peek().span;
+        if (accept(";") && at_body_end()) {
+            if (diagnostics::Diagnostic* finding = report(syntax::trailing_semicolon, separator))
+                finding->fixes.push_back({separator, "", "remove it"});
+            quiet_until_ = 0;
+            break;
+        }
+        sequence->body.push_back(timed_statement());
+    }
     sequence->span = since(begin);
     return sequence;
+}
+
+/// What ends a list of statements.
+bool Parser::at_body_end() const {
+    return at("}") || at("end") || at("else") || at(")") || at_end() || at_member_word();
+}
+
+/// Right behind a statement: the first word of another one, without a `;`?
+bool Parser::at_statement() const {
+    constexpr std::array<std::string_view, 11> after_name = {"=",  "(", "!", "?",   ".",   "[",
+                                                             "[|", ";", "}", "end", "else"};
+    if (at_ < quiet_until_) return false;
+    if (at("skip") || at("if") || at("wait") || at("send") || at("#")) return true;
+    if (peek().kind != TokenKind::identifier) return false;
+    const Token next = peek(1);
+    const bool fits = std::any_of(after_name.begin(), after_name.end(), [&](std::string_view w) { return next.is(w); });
+    return fits || (next.kind == TokenKind::keyword && next.first_on_line);
+}
+
+bool Parser::missing_semicolon() {
+    if (!at_statement()) return false;
+    const Span place{source_, previous().span.end, previous().span.end};
+    if (diagnostics::Diagnostic* finding =
+            report(syntax::unexpected, missing_place(), {"`;` or the end of the action", found()})) {
+        finding->fixes.push_back({place, ";", "insert"});
+        inserted_ = finding;
+    }
+    return true;
 }
 
 /// `S <{ e }`
@@ -61,12 +98,13 @@ StmtPtr Parser::basic_statement() {
     }
     if (accept("#")) {
         StmtPtr reset = make_statement(StmtKind::clock_reset, begin);
-        reset->name = simple_name("the name of a clock");
+        reset->name = plain_name("the name of a clock");
         reset->span = since(begin);
         return reset;
     }
     if (peek().kind == TokenKind::identifier) return name_statement();
-    expected("a statement");
+    missing("a statement");
+    return make_statement(StmtKind::error, begin);
 }
 
 StmtPtr Parser::if_statement() {
@@ -153,7 +191,7 @@ bool Parser::repair_assignment() {
 
 StmtPtr Parser::assignment() {
     StmtPtr result = make_statement(StmtKind::assignment, peek().span);
-    result->target = postfix();
+    result->target = steps(atom(), true);
     if (!repair_assignment()) expect("=");
     result->value = expression();
     result->span = since(result->span);
@@ -177,7 +215,7 @@ StmtPtr Parser::name_statement() {
 
 std::unique_ptr<Communication> Parser::communication() {
     auto result = std::make_unique<Communication>();
-    result->event = qualified_name("the name of an event");
+    result->event = plain_name("the name of an event");
     if (accept("[|")) communication_predicate(*result);
     if (accept("?")) {
         result->kind = CommKind::input;
@@ -217,6 +255,8 @@ ExprPtr Parser::communicated_value() {
     value = expression();
     if (mistakes_ != mistakes) return value;
     const std::string text(sources_.text(source_).substr(value->span.begin, value->span.end - value->span.begin));
+    inserted_ = nullptr;
+    ++failures_;
     out_.report(syntax::bare_value, since(begin)).fixes.push_back({value->span, "(" + text + ")", "write"});
     ++mistakes_;
     return value;

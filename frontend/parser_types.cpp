@@ -1,4 +1,5 @@
-// Types as written (RoboChart.xtext: Type to TypeRef). Lowest `<->`, then `->` (right), then `*` (n-ary).
+// Types as written (RoboChart.xtext: Type to TypeRef). Lowest `<->` (right), then `->` (right), then `*`
+// (n-ary; behind the first `*` only a name, a set, a sequence or parentheses).
 #include <fmt/format.h>
 
 #include "frontend/parser.hpp"
@@ -15,11 +16,12 @@ TypeExprPtr Parser::wrap(TypeKind kind, TypeExprPtr first, Span begin) {
 }
 
 TypeExprPtr Parser::type() {
+    const Nesting nesting(*this);
     const Span begin = peek().span;
     TypeExprPtr left = function_type();
     if (!accept("<->")) return left;
     TypeExprPtr relation = wrap(TypeKind::relation, std::move(left), begin);
-    relation->args.push_back(function_type());
+    relation->args.push_back(type());
     relation->span = since(begin);
     return relation;
 }
@@ -40,7 +42,11 @@ TypeExprPtr Parser::product_type() {
     TypeExprPtr left = vector_type();
     if (!at("*")) return left;
     TypeExprPtr product = wrap(TypeKind::product, std::move(left), begin);
-    while (accept("*")) product->args.push_back(vector_type());
+    while (accept("*")) {
+        const bool loose = at("vector") || at("matrix");
+        product->args.push_back(vector_type());
+        if (loose) needs_parentheses("a vector or matrix behind `*`", product->args.back()->span);
+    }
     product->span = since(begin);
     return product;
 }
@@ -62,6 +68,23 @@ TypeExprPtr Parser::vector_type() {
     return result;
 }
 
+/// `Set (T)`: read as `Set(T)`.
+TypeExprPtr Parser::spaced_set() {
+    const Token word = peek();
+    const Span both = diagnostics::join(word.span, peek(1).span);
+    const std::string text(word.text);
+    if (diagnostics::Diagnostic* finding = report(syntax::blank_in_set, word.span, {text}))
+        finding->fixes.push_back({both, text + "(", "write"});
+    quiet_until_ = 0;
+    advance();
+    advance();
+    TypeExprPtr result = wrap(text == "Set" ? TypeKind::set : TypeKind::sequence, nullptr, word.span);
+    result->args.push_back(type());
+    expect(")");
+    result->span = since(word.span);
+    return result;
+}
+
 TypeExprPtr Parser::atomic_type() {
     const Span begin = peek().span;
     if (accept("(")) {
@@ -80,8 +103,7 @@ TypeExprPtr Parser::atomic_type() {
     const TypeKind kind = accept("?") ? TypeKind::variable : TypeKind::name;
     TypeExprPtr result = wrap(kind, nullptr, begin);
     const bool plain_set = peek(1).is("(") && (at_word("Set") || at_word("Seq")) && !peek(1).first_on_line;
-    if (plain_set && result->kind == TypeKind::name)
-        fail(syntax::blank_in_set, peek().span, {std::string(peek().text)});
+    if (plain_set && result->kind == TypeKind::name) return spaced_set();
     result->name = result->kind == TypeKind::name ? qualified_name("a type") : simple_name("a type variable's name");
     result->span = since(begin);
     return result;

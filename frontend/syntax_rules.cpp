@@ -64,6 +64,37 @@ const Rule single_equal{"RC-P21", error, "`=` assigns; values are compared with 
                         "In expressions equality is `==`; `=` stands in assignments and initial values only."};
 const Rule colon_equal{"RC-P22", error, "an assignment is written with `=`, not `:=`",
                        "RoboChart assigns with `=` and compares with `==`."};
+const Rule too_long{"RC-P23", error, "this file has more than {} words; the rest was not read",
+                    "A file of this size was made by a program, probably by mistake. The limit protects the memory."};
+const Rule c_operator{"RC-P24", error, "`{}` is written `{}` here",
+                      "The logical operators of RoboChart are `/\\`, `\\/` and `not`, as in mathematics."};
+const Rule plain_name{
+    "RC-P25", error, "`{}` has to be a simple name here",
+    "Transitions join nodes of their own container, connections the parts of their own component, and "
+    "events and clocks are those that the component sees: their names stand without `::`."};
+const Rule needs_parentheses{"RC-P26", error, "{} needs parentheses",
+                             "The grammar gives this form no place here; in parentheses it may stand anywhere: "
+                             "`(a.f)[1]`, `(f(1))(2)`, `(if c then a else b end) + 1`, `A * (vector(B, 3))`."};
+const Rule neural{
+    "RC-P27", error, "`{}` is a construct of the neural-network extension, which is not read",
+    "Newer grammars of RoboChart have controllers and operations that are artificial neural networks. They "
+    "have no semantics here. Model the component by a state machine or by an operation without a body."};
+const Rule clause_twice{
+    "RC-P28", error, "a transition has one {} clause",
+    "Of trigger (or probability), deadline, condition and action, each stands once in a transition. "
+    "Join conditions by `/\\` and statements by `;`."};
+const Rule trailing_semicolon{"RC-P29", error, "no statement follows this `;`",
+                              "`;` stands between two statements, not behind the last one."};
+const Rule legacy_list{
+    "RC-P30", warning, "several interfaces in one `{}` clause are an old form",
+    "The grammar has one interface for each `uses`, `requires` or `provides`. Lists are still read, as "
+    "one clause for each name."};
+const Rule clock_time{"RC-P31", error, "`{}` cannot stand before an assertion about a clock",
+                      "Whether a clock is initialised is asked without `timed` or `untimed`: "
+                      "`assertion A: clock C is initialised`."};
+const Rule hyphenated{
+    "RC-P32", error, "`{}` is one word, with a hyphen and without blanks",
+    "`deadlock-free`, `divergence-free`, `timelock-free` and `tick-tock` are single words of the grammar."};
 const Rule unreadable{"RC-F01", error, "cannot read `{}`: {}", "The path given cannot be opened for reading."};
 const Rule empty_input{"RC-F02", error, "`{}` declares nothing",
                        "There is no interface, machine, controller, module, type or function to look at."};
@@ -73,11 +104,12 @@ const Rule empty_file{"RC-F04", warning, "`{}` is empty", "The file holds nothin
 
 const std::vector<const Rule*>& all() {
     static const std::vector<const Rule*> rules = {
-        &unexpected,     &too_deep,      &open_comment,    &open_string,  &strange_character, &huge_integer,
-        &long_real,      &not_text,      &legacy_trigger,  &blank_in_set, &reserved_name,     &bare_value,
-        &open_csp_block, &too_many,      &bare_quantifier, &late_package, &parameter_list,    &clause_order,
-        &stray_bracket,  &ragged_matrix, &single_equal,    &colon_equal,  &unreadable,        &empty_input,
-        &no_files,       &empty_file};
+        &unexpected,     &too_deep,      &open_comment,       &open_string,  &strange_character, &huge_integer,
+        &long_real,      &not_text,      &legacy_trigger,     &blank_in_set, &reserved_name,     &bare_value,
+        &open_csp_block, &too_many,      &bare_quantifier,    &late_package, &parameter_list,    &clause_order,
+        &stray_bracket,  &ragged_matrix, &single_equal,       &colon_equal,  &unreadable,        &empty_input,
+        &no_files,       &empty_file,    &too_long,           &c_operator,   &plain_name,        &needs_parentheses,
+        &neural,         &clause_twice,  &trailing_semicolon, &legacy_list,  &clock_time,        &hyphenated};
     return rules;
 }
 

@@ -45,7 +45,11 @@ TypePtr Typer::named_type(TypeExpr& written, Surroundings& around) {
     const bool may_be_core =
         written.name.parts.size() == 1 || (written.name.parts.size() == 2 && written.name.parts[0] == "core");
     const TypePtr core = may_be_core ? core_type(written.name.parts.back()) : nullptr;
-    if (core) return core;
+    if (core) {
+        const QualifiedName full{{"core", written.name.parts.back()}, {}, written.name.span};
+        written.target = finder_.names().find({}, full, {DeclKind::primitive_type});
+        return core;
+    }
     written.target = finder_.find(around.place, written.name, kinds, "type");
     return written.target != nullptr ? declared(static_cast<const TypeDeclaration&>(*written.target)) : nullptr;
 }

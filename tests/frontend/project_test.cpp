@@ -1,6 +1,8 @@
 // From paths to models: what is read, what is refused, what belongs together.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <fstream>
 
 #include "fixture.hpp"
@@ -15,7 +17,7 @@ class Project : public ::testing::Test {
 protected:
     void SetUp() override {
         const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() / ("robochart_project_" + std::string(test->name()));
+        folder_ = fs::temp_directory_path() / ("robochart_project_" + std::to_string(::getpid()) + test->name());
         fs::remove_all(folder_);
         fs::create_directories(folder_);
     }
@@ -25,13 +27,14 @@ protected:
         fs::create_directories((folder_ / name).parent_path());
         std::ofstream(folder_ / name, std::ios::binary) << text;
     }
-    /// Names of the files loaded, then the codes of what was found.
-    std::string load(const std::string& name = "") {
+    /// Names of the project's own files loaded (or of the libraries), then the codes of what was found.
+    std::string load(const std::string& name = "", bool libraries = false) {
         reading_ = std::make_unique<testing::Reading>();
         const auto model = load_project(reading_->sources, (folder_ / name).string(), reading_->findings);
         std::string files;
         for (const auto& file : model->files)
-            files += fs::path(reading_->sources.path(file->source)).filename().string() + " ";
+            if (file->is_library == libraries)
+                files += fs::path(reading_->sources.path(file->source)).filename().string() + " ";
         for (const auto& d : reading_->findings.sorted()) files += std::string(d.rule->code) + " ";
         return files;
     }
@@ -97,8 +100,11 @@ TEST_F(Project, UnnamedPackagesAreNeededByName) {
 
 TEST_F(Project, ToolkitsComeWhenImported) {
     write("a.rct", "import sequence_toolkit::size interface I { const n:nat = size(<1>) }");
-    EXPECT_EQ(load(), "a.rct sequence_toolkit.rct set_toolkit.rct relation_toolkit.rct function_toolkit.rct ");
+    EXPECT_EQ(load("", true),
+              "core.rct sequence_toolkit.rct set_toolkit.rct relation_toolkit.rct function_toolkit.rct ");
     EXPECT_TRUE(reading_->findings.empty()) << reading_->report();
+    write("a.rct", "type A");
+    EXPECT_EQ(load("", true), "core.rct ");
 }
 
 TEST_F(Project, AMissingPackageIsNoMistakeByItself) {
