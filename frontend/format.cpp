@@ -134,7 +134,7 @@ Layout::Layout(std::string_view text, const TokenStream& stream, bool is_asserti
     if (text.starts_with(byte_order_mark)) previous_end_ = byte_order_mark.size();
 }
 
-const Token& Layout::peek(std::size_t ahead) const {
+Token Layout::peek(std::size_t ahead) const {
     return stream_.tokens[std::min(at_ + ahead, stream_.tokens.size() - 1)];
 }
 

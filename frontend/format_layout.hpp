@@ -40,7 +40,7 @@ private:
     using Part = Doc (Layout::*)(Gap);
 
     // Words (format.cpp)
-    [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
+    [[nodiscard]] Token peek(std::size_t ahead = 0) const;
     [[nodiscard]] bool at(std::string_view word) const { return peek().is(word); }
     [[nodiscard]] bool at_word(std::string_view word, std::size_t ahead = 0) const;
     [[nodiscard]] bool at_name() const { return peek().kind == TokenKind::identifier; }

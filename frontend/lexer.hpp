@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,9 +64,16 @@ public:
 
     class Iterator {
     public:
+        using iterator_category = std::input_iterator_tag;
+        using difference_type = std::ptrdiff_t;
+        using value_type = Token;
+        using pointer = const Token*;
+        using reference = Token;
+
         Iterator(const TokenList& list, std::size_t at) : list_(&list), at_(at) {}
         Token operator*() const { return (*list_)[at_]; }
         Iterator& operator++() { return ++at_, *this; }
+        Iterator operator++(int) { return {*list_, at_++}; }
         friend bool operator==(const Iterator&, const Iterator&) = default;
 
     private:

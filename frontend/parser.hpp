@@ -230,7 +230,8 @@ private:
     // Assertions (parser_assertions.cpp)
     void assertion_member(File& file);
     void assertion(File& file, AssertionTime time);
-    void assertion_body(Assertion& assertion);
+    void assertion_body(Assertion& assertion, Span time_word);
+    void refuse_time(AssertionTime time, Span word);
     void assertion_is(Assertion& assertion);
     void assertion_does(Assertion& assertion);
     void assertion_model(Assertion& assertion);

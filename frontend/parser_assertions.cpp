@@ -28,7 +28,11 @@ bool Parser::at_property_word() const {
     if (at_word("prob")) return at_word("property", 1) || at_word("generate", 1);
     const auto* form =
         std::find_if(property_forms.begin(), property_forms.end(), [&](const auto& f) { return at_word(f.first); });
-    if (form == property_forms.end() || peek(1).kind != TokenKind::identifier) return false;
+    if (form == property_forms.end()) return false;
+    // PRISM's own way: the word on a new line, the name a string or nothing but a name.
+    const bool loose = peek().first_on_line && form->second != ":" && form->second != "as";
+    if (loose && (peek(1).kind == TokenKind::string || peek(1).kind == TokenKind::identifier)) return true;
+    if (peek(1).kind != TokenKind::identifier) return false;
     std::size_t ahead = 2;
     while (form->second == "as" && peek(ahead).is("::")) ahead += 2;
     return peek(ahead).is(form->second);
@@ -105,13 +109,14 @@ void Parser::csp_block(File& file, AssertionTime time) {
 void Parser::assertion(File& file, AssertionTime time) {
     Assertion assertion;
     assertion.time = time;
-    assertion.span = time == AssertionTime::both ? peek().span : previous().span;
+    const Span time_word = previous().span;
+    assertion.span = peek().span;
     expect_word("assertion");
     const QualifiedName name = simple_name("the assertion's name");
     assertion.name = name.text();
     assertion.name_span = name.span;
     expect(":");
-    assertion_body(assertion);
+    assertion_body(assertion, time_word);
     assertion_model(assertion);
     assertion_parameters(assertion);
     accept(".");
@@ -119,16 +124,17 @@ void Parser::assertion(File& file, AssertionTime time) {
     file.assertions.push_back(std::move(assertion));
 }
 
-void Parser::assertion_body(Assertion& assertion) {
+/// The grammar asks about clocks without `timed` or `untimed`.
+void Parser::refuse_time(AssertionTime time, Span word) {
+    const std::string text = time == AssertionTime::timed ? "timed" : "untimed";
+    if (diagnostics::Diagnostic* finding = report(syntax::clock_time, word, {text}))
+        finding->fixes.push_back({word, "", "leave it out"});
+    quiet_until_ = 0;
+}
+
+void Parser::assertion_body(Assertion& assertion, Span time_word) {
     if (at("clock")) {
-        if (assertion.time != AssertionTime::both) {
-            const Span word{source_, assertion.span.begin,
-                            assertion.span.begin + (assertion.time == AssertionTime::timed ? 5U : 7U)};
-            const std::string text = assertion.time == AssertionTime::timed ? "timed" : "untimed";
-            if (diagnostics::Diagnostic* finding = report(syntax::clock_time, word, {text}))
-                finding->fixes.push_back({word, "", "leave it out"});
-            quiet_until_ = 0;
-        }
+        if (assertion.time != AssertionTime::both) refuse_time(assertion.time, time_word);
         advance();
         assertion.kind = AssertionKind::clock_initialised;
         assertion.other = qualified_name("the name of a clock");

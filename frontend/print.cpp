@@ -192,7 +192,9 @@ std::string to_text(const TypeExpr& type) {
         const bool open = kind == TypeKind::product || kind == TypeKind::relation || kind == TypeKind::function;
         const bool right_of_arrow = type.kind == TypeKind::function && i == 1 && kind != TypeKind::relation;
         const bool product_of_arrow = type.kind != TypeKind::product && kind == TypeKind::product;
-        return open && !right_of_arrow && !product_of_arrow ? "(" + arg(i) + ")" : arg(i);
+        const bool behind_star = type.kind == TypeKind::product && i > 0;
+        const bool loose = behind_star && (kind == TypeKind::vector || kind == TypeKind::matrix);
+        return loose || (open && !right_of_arrow && !product_of_arrow) ? "(" + arg(i) + ")" : arg(i);
     };
     switch (type.kind) {
         case TypeKind::name:

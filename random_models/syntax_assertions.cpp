@@ -13,7 +13,7 @@ AssertionTime SyntaxBuilder::time() {
 AssertionParameter SyntaxBuilder::assertion_parameter() {
     AssertionParameter parameter;
     parameter.constant = random_.chance(60);
-    parameter.name = qualified();
+    parameter.name = simple();
     parameter.context = qualified();
     parameter.value = expression(2);
     return parameter;

@@ -94,8 +94,8 @@ void SyntaxBuilder::trigger(Transition& transition) {
 std::unique_ptr<Transition> SyntaxBuilder::transition() {
     auto result = std::make_unique<Transition>();
     result->name = name();
-    result->from = qualified();
-    result->to = qualified();
+    result->from = simple();
+    result->to = simple();
     trigger(*result);
     for (std::size_t i = random_.below(2); i > 0; --i) result->resets.push_back({simple(), nullptr});
     if (random_.chance(25)) result->deadline = expression(2);
@@ -161,10 +161,10 @@ std::unique_ptr<Reference> SyntaxBuilder::reference(DeclKind to) {
 
 std::unique_ptr<Connection> SyntaxBuilder::connection() {
     auto result = std::make_unique<Connection>();
-    result->from.node = qualified();
-    result->from.event = qualified();
-    result->to.node = qualified();
-    result->to.event = qualified();
+    result->from.node = simple();
+    result->from.event = simple();
+    result->to.node = simple();
+    result->to.event = simple();
     result->async = random_.chance(40);
     result->multiple = random_.chance(30);
     return result;

@@ -11,15 +11,16 @@ namespace {
 constexpr int quantifier_level = -1;
 constexpr int not_level = 4;
 constexpr int compare_level = 5;
-constexpr int let_level = 6;
-constexpr int if_level = 7;
-constexpr int cast_level = 8;
-constexpr int plus_level = 9;
-constexpr int concat_level = 11;
-constexpr int negate_level = 12;
-constexpr int select_level = 13;
-constexpr int call_level = 14;
-constexpr int atom_level = 15;
+constexpr int the_level = 6;
+constexpr int let_level = 7;
+constexpr int if_level = 8;
+constexpr int cast_level = 9;
+constexpr int plus_level = 10;
+constexpr int concat_level = 12;
+constexpr int negate_level = 13;
+constexpr int select_level = 14;
+constexpr int call_level = 15;
+constexpr int atom_level = 16;
 
 int level_of(BinaryOp op) {
     switch (op) {
@@ -172,8 +173,8 @@ SyntaxBuilder::Leveled SyntaxBuilder::binder(std::size_t depth) {
     }
     typed_bindings(*expr, depth);
     if (expr->kind == ExprKind::the) {
-        expr->args.push_back(at(let_level, depth));
-        return {std::move(expr), let_level};
+        expr->args.push_back(at(the_level, depth));
+        return {std::move(expr), the_level};
     }
     const bool comprehension = expr->kind == ExprKind::set_comprehension;
     expr->args.push_back(comprehension && random_.chance(40) ? nullptr : expression(depth));
@@ -258,7 +259,7 @@ SyntaxBuilder::Leveled SyntaxBuilder::selection(std::size_t depth) {
     const std::size_t way = random_.below(3);
     if (way == 0) return {call(depth), call_level};
     ExprPtr expr = make(way == 1 ? ExprKind::member : ExprKind::index);
-    expr->args.push_back(at(select_level, depth));
+    expr->args.push_back(at(way == 1 ? select_level : call_level, depth));
     if (way == 1)
         expr->text = name();
     else

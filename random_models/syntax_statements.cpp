@@ -87,10 +87,10 @@ StmtPtr SyntaxBuilder::basic(std::size_t depth) {
 }
 
 std::unique_ptr<Communication> SyntaxBuilder::communication(std::size_t depth, bool) {
-    constexpr int call_level = 14;
+    constexpr int call_level = 15;
     auto result = std::make_unique<Communication>();
     result->kind = static_cast<CommKind>(random_.below(4));
-    result->event = qualified();
+    result->event = simple();
     if (random_.chance(15)) result->from_variable = simple();
     if (random_.chance(15)) result->predicate = expression(depth);
     if (result->kind == CommKind::input) result->variable = qualified();

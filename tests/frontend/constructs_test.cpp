@@ -246,7 +246,8 @@ INSTANTIATE_TEST_SUITE_P(
             ">connection r on e to c on e (_async)"},
         Row{"stm S { uses A provides B requires D var v:nat event e clock C initial i final f junction j probabilistic "
             "p }",
-            "state machine S / >uses A / >provides B / >requires D / >variable v:nat / >event e / >clock C / >initial junction "
+            "state machine S / >uses A / >provides B / >requires D / >variable v:nat / >event e / >clock C / >initial "
+            "junction "
             "i / "
             ">final state f / >junction j / >probabilistic junction p"},
         Row{"stm S { state a { state b { } initial i transition t { from i to b } entry skip during e exit e!1 } }",

@@ -119,7 +119,7 @@ TEST(Format, BlockCommentsMoveAsAWhole) {
 }
 
 TEST(Format, AssertionFiles) {
-    expect_format("assertion  A:X is deadlock - free .timed assertion B : X refines Y in the tick-tock model",
+    expect_format("assertion  A:X is deadlock-free .timed assertion B : X refines Y in the tick-tock model",
                   "assertion A : X is deadlock-free.\ntimed assertion B : X refines Y in the tick-tock model\n", true);
 }
 

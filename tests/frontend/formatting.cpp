@@ -50,7 +50,7 @@ module M { robotic platform RP { event e } rref r=R cref c = C controller CC { s
 
 const char* const every_assertion = R"txt(package P
 import A::*
-assertion A1:X is deadlock - free timed assertion A2 : X is not divergence-free.
+assertion A1:X is deadlock-free timed assertion A2 : X is not divergence-free.
 untimed assertion A3 : X is deterministic in the failures divergences model assertion A4:X is timelock-free in the tick-tock model
 assertion A5 : X terminates assertion A6 : X does not terminate assertion A7: X refines Y in the traces model
 assertion A8 : X does not refine Y assertion A9 : X equals Y assertion A10 : X is not equal to Y
