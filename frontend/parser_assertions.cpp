@@ -29,8 +29,8 @@ bool Parser::at_property_word() const {
     const auto* form =
         std::find_if(property_forms.begin(), property_forms.end(), [&](const auto& f) { return at_word(f.first); });
     if (form == property_forms.end()) return false;
-    // PRISM's own way: the word on a new line, the name a string or nothing but a name.
-    const bool loose = peek().first_on_line && form->second != ":" && form->second != "as";
+    // Other ways of PRISM and its users: the word on a new line.
+    const bool loose = peek().first_on_line && !at_word("const") && !at_word("constants");
     if (loose && (peek(1).kind == TokenKind::string || peek(1).kind == TokenKind::identifier)) return true;
     if (peek(1).kind != TokenKind::identifier) return false;
     std::size_t ahead = 2;

@@ -110,7 +110,7 @@ std::string Expressions::tuple_parts(const DataType& type, std::size_t depth) {
     std::string out;
     for (const DataType* part : type.parts) {
         const bool wide = part->form == Form::integer || part->form == Form::real;
-        const std::string value = list({part}, depth, wide ? cast_level : quantifier_level);
+        const std::string value = list({part}, depth, wide ? plus_level : quantifier_level);
         out += (out.empty() ? "" : ", ") + value + (wide ? " as " + part->written : "");
     }
     return out;
@@ -209,7 +209,7 @@ Written Expressions::let(const DataType& type, std::size_t depth) {
     const std::string value = at(quantifier_level, bound, depth);
     scope.push_back({"b" + std::to_string(bound_++), &bound});
     const std::string name = scope.back().name;
-    const std::string body = at(let_level, type, depth);
+    const std::string body = at(cast_level, type, depth);
     scope.pop_back();
     return {fmt::format("let {} == {} @ {}", name, value, body), let_level};
 }
@@ -339,7 +339,7 @@ Written Expressions::numeric(const DataType& type, std::size_t depth) {
             break;
         case 4:
             if (!shape_.data.binders) break;
-            return {at(cast_level, type, depth) + " as " + type.written, cast_level};
+            return {at(plus_level, type, depth) + " as " + type.written, cast_level};
         default:
             break;
     }

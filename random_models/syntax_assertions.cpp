@@ -28,6 +28,7 @@ Assertion SyntaxBuilder::assertion() {
     result.negated = random_.chance(40);
     const bool binary = result.kind == AssertionKind::refines || result.kind == AssertionKind::equals ||
                         result.kind == AssertionKind::reachable;
+    if (result.kind == AssertionKind::clock_initialised) result.time = AssertionTime::both;
     if (result.kind != AssertionKind::clock_initialised) result.subject = qualified();
     if (binary || result.kind == AssertionKind::clock_initialised) result.other = qualified();
     const std::size_t model = random_.below(6);

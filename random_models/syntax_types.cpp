@@ -63,7 +63,7 @@ TypeExprPtr SyntaxBuilder::type(std::size_t depth) {
         case TypeKind::matrix:
             add(1);
             for (std::size_t i = result->kind == TypeKind::vector ? 1 : 2; i > 0; --i)
-                result->sizes.push_back(at(15, depth - 1));
+                result->sizes.push_back(at(16, depth - 1));
             break;
     }
     return result;
