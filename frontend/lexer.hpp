@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <span>
 #include <iterator>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
