@@ -1,0 +1,26 @@
+// The types of CSPM's built-in names, written in FDR's notation (FDR manual, "Built-in definitions").
+#pragma once
+
+#include <map>
+#include <string_view>
+
+#include "checker/cspm/types/terms.hpp"
+
+namespace robochart::cspm::types {
+
+class BuiltinTypes {
+public:
+    explicit BuiltinTypes(TypeStore& store) : store_(store) {}
+
+    enum class Where { script, timed_section, transparent_line, external_line };
+    /// The built-in of that name, if it may be used or imported there; else null.
+    Symbol* find(std::string_view name, Where where);
+    /// What line makes an extra function known ("transparent", "external"); "timed" in timed sections; else "".
+    [[nodiscard]] static std::string_view hint(std::string_view name);
+
+private:
+    TypeStore& store_;
+    std::map<std::string_view, Symbol> made_;
+};
+
+}  // namespace robochart::cspm::types

@@ -1,0 +1,178 @@
+// Dotted values: applying heads to what follows them, and making two lists of parts equal. A list [A => B, A, C] is
+// worth [B, C]. Which parts a head takes is fixed by FDR's longest and shortest match rules.
+#include <utility>
+
+#include "checker/cspm/types/unify.hpp"
+
+namespace robochart::cspm::types {
+
+// What a type yields once it has all arguments.
+TypeId Unifier::ultimate(TypeId type) {
+    Parts ignored;
+    return store_.split(type, ignored);
+}
+
+// (A.B) => C as A => (B => C).
+TypeId Unifier::one_by_one(TypeId dotable) {
+    const TypeId given = store_.argument(dotable, 0);
+    return is(given, TypeKind::dot) ? store_.dotable(store_.dot_parts(given), 0, store_.argument(dotable, 1)) : dotable;
+}
+
+TypeId Unifier::evaluate_dots(TypeId type) {
+    const TypeStore::Depth guard(store_);
+    type = store_.head(type);
+    const TypeKind kind = store_.node(type).kind;
+    if (kind == TypeKind::dot) return store_.dot(evaluate(store_.dot_parts(type), Match::longest));
+    const bool inside = kind == TypeKind::set || kind == TypeKind::sequence || kind == TypeKind::map ||
+                        kind == TypeKind::tuple || kind == TypeKind::function;
+    if (!inside) return type;
+    const Parts before = store_.arguments(type);
+    Parts after;
+    for (const TypeId each : before) after.push_back(evaluate_dots(each));
+    return before == after ? type : store_.make(kind, after);
+}
+
+namespace {
+
+// Replaces the first two parts by one.
+std::vector<TypeId> joined(TypeId first, const std::vector<TypeId>& parts) {
+    std::vector<TypeId> result{first};
+    result.insert(result.end(), parts.begin() + 2, parts.end());
+    return result;
+}
+
+std::vector<TypeId> without_first(const std::vector<TypeId>& parts) {
+    return {parts.begin() + 1, parts.end()};
+}
+
+void append(std::vector<TypeId>& to, const std::vector<TypeId>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
+Unifier::Parts Unifier::evaluate(Parts parts, Match match) {
+    const TypeStore::Depth guard(store_);
+    if (parts.size() <= 1) return parts;
+    TypeId first = store_.head(parts[0]);
+    const TypeKind kind = store_.node(first).kind;
+    if (kind == TypeKind::dotable) first = one_by_one(first);
+    if (kind == TypeKind::dot) {
+        Parts spread = store_.dot_parts(first);
+        append(spread, without_first(parts));
+        return evaluate(std::move(spread), match);
+    }
+    if (kind == TypeKind::dotable) {
+        const TypeId wanted = store_.argument(first, 0);
+        const TypeId yielded = store_.argument(first, 1);
+        const TypeId next = store_.head(parts[1]);
+        const TypeKind given = store_.node(next).kind;
+        if (given == TypeKind::variable && parts.size() == 2) {
+            Parts all;
+            const TypeId end = store_.split(first, all);
+            if (match == Match::longest) {
+                (void)unify(next, store_.dot(all));
+                return {end};
+            }
+            (void)unify(all.front(), next);
+            return {store_.dotable(all, 1, end)};
+        }
+        if (given == TypeKind::extendable) {
+            (void)unify(wanted, store_.argument(next, 0));
+            return evaluate(joined(store_.extendable(yielded, store_.argument(next, 1)), parts), match);
+        }
+        if (given == TypeKind::dotable && !is(wanted, TypeKind::dotable)) {
+            Parts needed;
+            (void)unify(wanted, store_.split(next, needed));
+            return evaluate(joined(store_.dotable(needed, 0, yielded), parts), match);
+        }
+        (void)unify(wanted, next);
+        return evaluate(joined(yielded, parts), match);
+    }
+    if (kind == TypeKind::extendable) {
+        const TypeId end = store_.argument(first, 0);
+        const TypeId variable = store_.argument(first, 1);
+        if (match == Match::longest) {
+            const Parts rest = evaluate(without_first(parts), match);
+            set_arguments(variable, store_.dotable(rest, 0, store_.atom(TypeKind::complete)));
+            return {end};
+        }
+        set_arguments(variable, store_.dotable(parts[1], store_.atom(TypeKind::complete)));
+        return evaluate(joined(end, parts), match);
+    }
+    Parts result{first};
+    append(result, evaluate(without_first(parts), match));
+    return result;
+}
+
+// `a` is expected, `b` actual; the results are the parts both are equal to.
+Unifier::Parts Unifier::combine(Parts a, Parts b) {
+    const TypeStore::Depth guard(store_);
+    if (a.empty() && b.empty()) return {};
+    if (a.empty() || b.empty()) mismatch();
+    for (Parts* each : {&a, &b}) {
+        if (!is(each->front(), TypeKind::dot)) continue;
+        Parts spread = store_.dot_parts(each->front());
+        append(spread, without_first(*each));
+        *each = std::move(spread);
+    }
+    if (a.size() == 1 || b.size() == 1) return {unify(store_.dot(a), store_.dot(b))};
+    if (is(a.front(), TypeKind::dotable)) return take_left(std::move(a), b);
+    if (is(b.front(), TypeKind::dotable)) return take_right(a, std::move(b));
+    Parts result{unify(a.front(), b.front())};
+    append(result, combine(without_first(a), without_first(b)));
+    return result;
+}
+
+// The head of `a` takes what follows it.
+Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
+    const TypeId first = one_by_one(store_.head(a[0]));
+    const TypeId next = store_.head(a[1]);
+    const TypeId wanted = store_.argument(first, 0);
+    const TypeId yielded = store_.argument(first, 1);
+    const TypeKind given = store_.node(next).kind;
+    if (given == TypeKind::variable && a.size() == 2 && !is(wanted, TypeKind::dotable)) {
+        // The variable stands for all the arguments, and for what b has beyond what they yield.
+        Parts all;
+        const TypeId end = store_.split(first, all);
+        Parts rest = evaluate(b, Match::longest);
+        rest.front() = unify(end, rest.front());
+        append(all, without_first(rest));
+        (void)combine(all, {next});
+        return rest;
+    }
+    if (given == TypeKind::dotable && !is(wanted, TypeKind::dotable)) {
+        Parts needed;
+        (void)unify(wanted, store_.split(next, needed));
+        return combine(joined(store_.dotable(needed, 0, yielded), a), b);
+    }
+    (void)unify(wanted, next);
+    return combine(joined(yielded, a), b);
+}
+
+// The same for `b`.
+Unifier::Parts Unifier::take_right(const Parts& a, Parts b) {
+    const TypeId first = one_by_one(store_.head(b[0]));
+    const TypeId next = store_.head(b[1]);
+    const TypeId wanted = store_.argument(first, 0);
+    const TypeId yielded = store_.argument(first, 1);
+    const TypeKind given = store_.node(next).kind;
+    if (given == TypeKind::variable && b.size() == 2 && !is(wanted, TypeKind::dotable)) {
+        Parts all;
+        const TypeId end = store_.split(first, all);
+        Parts rest = evaluate(a, Match::longest);
+        rest.front() = unify(rest.front(), end);
+        append(all, without_first(rest));
+        (void)combine({next}, all);
+        return rest;
+    }
+    if (given == TypeKind::dotable && !is(wanted, TypeKind::dotable)) {
+        Parts needed;
+        (void)unify(store_.split(next, needed), wanted);
+        return combine(a, joined(store_.dotable(needed, 0, yielded), b));
+    }
+    (void)unify(next, wanted);
+    return combine(a, joined(yielded, b));
+}
+
+}  // namespace robochart::cspm::types

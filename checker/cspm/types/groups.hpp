@@ -1,0 +1,13 @@
+// The declarations of a list by dependency.
+#pragma once
+
+#include <vector>
+
+#include "checker/cspm/types/terms.hpp"
+
+namespace robochart::cspm::types {
+
+/// Groups of mutually dependent declarations, each after all it depends on; members in the order of the list.
+[[nodiscard]] std::vector<std::vector<Declaration*>> dependency_groups(DeclarationList& list);
+
+}  // namespace robochart::cspm::types

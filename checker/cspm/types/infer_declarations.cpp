@@ -1,0 +1,452 @@
+// Groups of declarations: checked together, then generalised. A faulty group gives one finding, and its names any
+// type, so that no finding follows from another.
+#include <algorithm>
+#include <utility>
+
+#include "checker/cspm/types/groups.hpp"
+#include "checker/cspm/types/infer.hpp"
+#include "checker/cspm/types/rules.hpp"
+
+namespace robochart::cspm::types {
+
+void Inference::run() {
+    check_list(*script_.top, ListKind::top);
+}
+
+void Inference::check_list(DeclarationList& list, ListKind kind) {
+    for (Group& group : dependency_groups(list)) {
+        if (kind == ListKind::let) {
+            check_group(std::move(group), kind);
+            continue;
+        }
+        const std::uint32_t level = store_.level();
+        try {
+            check_group(group, kind);
+        } catch (TypeFault& fault) {
+            fail_group(group, std::move(fault));
+        } catch (const TypeOverflow& overflow) {
+            const std::string how = overflow.deep ? "nested too deeply" : "too large";
+            fail_group(group, {&rules::type_overflow, {how}, {}, here_});
+        }
+        while (store_.level() > level) store_.leave();
+    }
+}
+
+void Inference::fail_group(const Group& group, TypeFault fault) {
+    diagnostics::Diagnostic& finding = diagnostics_.report(*fault.rule, fault.span, std::move(fault.arguments));
+    finding.notes = std::move(fault.notes);
+    for (const Declaration* declaration : group) {
+        for (Symbol* each : declaration->binds) each->failed = true;
+    }
+}
+
+namespace {
+
+// A module of the group that one of the group's instances is made from.
+const Declaration* cyclic_instance(const std::vector<Declaration*>& group) {
+    for (const Declaration* each : group) {
+        if (each->kind != DeclKind::instance || each->module->original == nullptr) continue;
+        const Declaration* original = each->module->original->symbol->owner;
+        if (std::ranges::find(group, original) != group.end()) return each;
+    }
+    return nullptr;
+}
+
+bool has_datatypes(const std::vector<Declaration*>& group) {
+    return std::ranges::any_of(group, [](const Declaration* each) { return each->kind == DeclKind::datatype; });
+}
+
+}  // namespace
+
+void Inference::check_group(Group group, ListKind kind) {
+    if (const Declaration* instance = cyclic_instance(group)) {
+        const Module& original = *instance->module->original;
+        throw TypeFault{&rules::module_cycle, {original.name, instance->module->name}, {}, instance->span};
+    }
+    std::ranges::stable_partition(group, [](const Declaration* each) { return each->kind == DeclKind::datatype; });
+    if (has_datatypes(group)) {
+        check_datatypes_with(group, kind);
+    } else {
+        attempt(group, kind);
+    }
+    for (const Declaration* each : group) check_fields_known(*each, kind);
+}
+
+// Whether values of a datatype can be compared depends on its fields, which may be of that datatype: it is assumed,
+// and taken back if that fails.
+void Inference::check_datatypes_with(const Group& group, ListKind kind) {
+    const auto set_comparable = [&](bool value) {
+        for (const Declaration* each : group) {
+            for (const Symbol* symbol : each->binds) {
+                if (symbol->kind == SymbolKind::datatype) store_.set_comparable(symbol->datatype, value);
+            }
+        }
+    };
+    set_comparable(true);
+    const std::size_t mark = store_.mark();
+    const std::uint32_t level = store_.level();
+    ++attempts_;
+    store_.recording(true);
+    bool done = false;
+    try {
+        attempt(group, kind);
+        done = true;
+    } catch (const TypeFault&) {  // tried again below
+    } catch (...) {
+        store_.recording(--attempts_ > 0);
+        throw;
+    }
+    store_.recording(--attempts_ > 0);
+    if (done) return;
+    store_.undo(mark);
+    while (store_.level() > level) store_.leave();
+    set_comparable(false);
+    attempt(group, kind);
+}
+
+void Inference::attempt(const Group& group, ListKind kind) {
+    store_.enter();
+    for (const Declaration* declaration : group) {
+        for (Symbol* each : declaration->binds) each->scheme = {{}, store_.fresh()};
+    }
+    for (Declaration* declaration : group) {
+        store_.renew_steps();
+        here_ = declaration->span;
+        check(*declaration);
+    }
+    store_.leave();
+    for (const Declaration* declaration : group) generalise(*declaration, kind);
+}
+
+void Inference::generalise(const Declaration& declaration, ListKind kind) {
+    for (Symbol* each : declaration.binds) {
+        if (kind == ListKind::let && declaration.annotation == nullptr) {
+            (void)store_.visit(each->scheme.type, no_type, store_.level());
+        } else {
+            store_.open_variables(each->scheme.type, each->scheme.quantified);
+        }
+    }
+}
+
+// The fields of channels and constructors have known types, except in a module that waits for its arguments.
+void Inference::check_fields_known(const Declaration& declaration, ListKind kind) {
+    if (script_.names_missing) return;
+    const auto check_symbol = [&](const Symbol& symbol, diagnostics::Span span) {
+        if (!symbol.label() || symbol.failed || symbol.scheme.quantified.empty()) return;
+        if (store_.kind(symbol.scheme.type) != TypeKind::dotable) return;
+        TypeWriter writer(store_);
+        throw TypeFault{&rules::open_fields, {symbol.name, writer.text(symbol.scheme.type)}, {}, span};
+    };
+    if (declaration.kind == DeclKind::instance) {
+        for (const Copy& each : declaration.copies) {
+            if (each.checked) check_symbol(*each.copy, declaration.span);
+        }
+    } else if (kind == ListKind::top) {
+        for (const Symbol* each : declaration.binds) check_symbol(*each, each->span);
+    }
+}
+
+void Inference::check(Declaration& declaration) {
+    switch (declaration.kind) {
+        case DeclKind::function:
+            return check_function(declaration);
+        case DeclKind::value:
+            return check_value(declaration);
+        case DeclKind::channel:
+            return check_channel(declaration);
+        case DeclKind::datatype:
+            return check_datatype(declaration);
+        case DeclKind::subtype:
+            return check_subtype(declaration);
+        case DeclKind::nametype:
+            return check_nametype(declaration);
+        case DeclKind::timed:
+            return check_timed(declaration);
+        case DeclKind::module:
+            return check_module(declaration);
+        case DeclKind::instance:
+            return check_instance(declaration);
+        case DeclKind::assertion:
+            return check_assertion(declaration);
+        case DeclKind::print:
+            return check_print(declaration);
+        default:
+            return;
+    }
+}
+
+// ---------------------------------------------------------------- annotations
+
+TypeId Inference::annotated(const Annotation& annotation) {
+    for (TypeVariable* each : annotation.binds) each->type = store_.rigid(each->name, each->constraints);
+    return annotated_type(annotation.type);
+}
+
+TypeId Inference::annotated_type(const TypeTerm& term) {
+    if (term.kind == TypeKind::variable) return term.variable == nullptr ? store_.fresh() : term.variable->type;
+    if (term.kind == TypeKind::datatype) return store_.datatype(term.datatype->datatype);
+    std::vector<TypeId> args;
+    for (const TypeTerm& each : term.args) args.push_back(annotated_type(each));
+    if (args.empty() && term.kind != TypeKind::tuple) return atom(term.kind);
+    if (term.kind == TypeKind::extendable) std::swap(args[0], args[1]);
+    return store_.make(term.kind, args);
+}
+
+// ---------------------------------------------------------------- functions and values
+
+void Inference::check_function(const Declaration& declaration) {
+    const TypeId own = declaration.binds.at(0)->scheme.type;
+    TypeId signature = no_type;
+    if (declaration.annotation != nullptr) signature = annotated(*declaration.annotation);
+    std::vector<TypeId> types;
+    for (const EquationTerm& each : declaration.equations) {
+        here_ = each.span;
+        bind_locals(each.binds);
+        types.push_back(signature == no_type ? equation(each) : annotated_equation(each, signature));
+    }
+    TypeId type = own;
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        type = unify(declaration.equations[i].span, type, types[i], "the equations of a function have one type");
+    }
+}
+
+namespace {
+
+TypeId function_type(TypeStore& store, const std::vector<std::vector<TypeId>>& groups, TypeId result) {
+    for (std::size_t i = groups.size(); i > 0; --i) {
+        std::vector<TypeId> args = groups[i - 1];
+        args.push_back(result);
+        result = store.make(TypeKind::function, args);
+    }
+    return result;
+}
+
+}  // namespace
+
+// The patterns are looked at twice: what the body says about a variable may let a dotted pattern take more.
+TypeId Inference::equation(const EquationTerm& equation) {
+    std::vector<std::vector<TypeId>> groups;
+    const auto patterns = [&] {
+        groups.clear();
+        for (const auto& group : equation.groups) {
+            std::vector<TypeId>& types = groups.emplace_back();
+            for (const PatternTerm& each : group) {
+                here_ = each.syntax->span;
+                types.push_back(unifier_.evaluate_dots(pattern(each)));
+            }
+        }
+    };
+    patterns();
+    const TypeId body = infer(*equation.body);
+    here_ = equation.body->syntax->span;
+    const TypeId result = unifier_.evaluate_dots(body);
+    patterns();
+    return function_type(store_, groups, result);
+}
+
+TypeId Inference::annotated_equation(const EquationTerm& equation, TypeId signature) {
+    std::vector<std::vector<TypeId>> wanted;
+    for (const auto& group : equation.groups) {
+        std::vector<TypeId>& types = wanted.emplace_back();
+        for (std::size_t i = 0; i < group.size(); ++i) types.push_back(store_.fresh());
+    }
+    const TypeId result = store_.fresh();
+    (void)unify(equation.span, signature, function_type(store_, wanted, result), "the annotation has another form");
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        for (std::size_t k = 0; k < wanted[i].size(); ++k) {
+            const PatternTerm& each = equation.groups[i][k];
+            here_ = each.syntax->span;
+            const TypeId annotated = unifier_.evaluate_dots(wanted[i][k]);
+            const TypeId type = unifier_.evaluate_dots(pattern(each));
+            (void)unifier_.evaluate_dots(unifier_.unify_one_way(type, annotated));
+        }
+    }
+    const TypeId body = expect(*equation.body, result, "the annotation says so");
+    std::vector<std::vector<TypeId>> groups;
+    for (const auto& group : equation.groups) {
+        std::vector<TypeId>& types = groups.emplace_back();
+        for (const PatternTerm& each : group) types.push_back(unifier_.evaluate_dots(pattern(each)));
+    }
+    return function_type(store_, groups, unifier_.evaluate_dots(body));
+}
+
+void Inference::check_value(const Declaration& declaration) {
+    TypeId left = no_type;
+    TypeId right = no_type;
+    if (declaration.annotation != nullptr) {
+        const TypeId type = annotated(*declaration.annotation);
+        left = unify(declaration.span, type, pattern(declaration.pattern));
+        right = expect(*declaration.body, type, "the annotation says so");
+    } else {
+        left = pattern(declaration.pattern);
+        right = infer(*declaration.body);
+    }
+    here_ = declaration.pattern.syntax->span;
+    left = unifier_.evaluate_dots(left);
+    right = unifier_.evaluate_dots(right);
+    (void)unifier_.unify_one_way(right, left);
+}
+
+void Inference::check_nametype(const Declaration& declaration) {
+    TypeId type = no_type;
+    if (declaration.annotation != nullptr) {
+        type = annotated(*declaration.annotation);
+        type = expect(*declaration.body, type, "the annotation says so");
+    } else {
+        type = infer(*declaration.body);
+    }
+    here_ = declaration.body->syntax->span;
+    const TypeId values = element(type);
+    constrain(declaration.body->syntax->span, can_input, values, "a nametype holds whole values");
+    (void)unify(declaration.span, declaration.binds.at(0)->scheme.type, store_.set_of(values));
+}
+
+// ---------------------------------------------------------------- channels and datatypes
+
+// What a type as written denotes the values of: sets, and tuples and dots of such.
+TypeId Inference::element(TypeId type) {
+    const TypeStore::Depth guard(store_);
+    type = store_.head(type);
+    const TypeKind kind = store_.node(type).kind;
+    if (kind == TypeKind::tuple || kind == TypeKind::dot) {
+        std::vector<TypeId> types;
+        for (const TypeId each : store_.arguments(type)) types.push_back(element(each));
+        return store_.make(kind, types);
+    }
+    const TypeId result = store_.fresh();
+    (void)unify(here_, type, store_.set_of(result), "fields are given by sets");
+    return result;
+}
+
+TypeId Inference::fields(const Term& fields, Constraints constraints) {
+    const TypeId written = infer(fields);
+    here_ = fields.syntax->span;
+    const TypeId values = element(unifier_.evaluate_dots(written));
+    for (const Constraint each : {can_equal, can_input}) {
+        if ((constraints & each) == 0) continue;
+        constrain(fields.syntax->span, each, values,
+                  each == can_equal ? "what channels carry is compared" : "a field holds whole values");
+    }
+    return values;
+}
+
+void Inference::check_channel(const Declaration& declaration) {
+    TypeId type = atom(TypeKind::event);
+    if (declaration.body != nullptr) {
+        type = store_.dotable(store_.dot_parts(channel_fields(declaration)), 0, type);
+    } else if (declaration.annotation != nullptr) {
+        (void)unify(declaration.span, annotated(*declaration.annotation), type, "the annotation has another type");
+    }
+    for (const Symbol* each : declaration.binds) (void)unify(declaration.span, each->scheme.type, type);
+}
+
+// An annotation `A => B => Event` says that the fields are a set of A and a set of B.
+TypeId Inference::channel_fields(const Declaration& declaration) {
+    constexpr Constraints needed = can_equal | can_input;
+    if (declaration.annotation == nullptr) return fields(*declaration.body, needed);
+    std::vector<TypeId> given;
+    const TypeId written = annotated(*declaration.annotation);
+    const TypeId end = store_.split(written, given);
+    (void)unify(declaration.span, atom(TypeKind::event), end, "a channel's annotation ends in Event");
+    (void)unify(declaration.span, store_.dotable(store_.fresh(), atom(TypeKind::event)), written,
+                "the channel has fields");
+    std::vector<TypeId> sets;
+    for (const TypeId each : given) sets.push_back(store_.set_of(each));
+    const TypeId type = expect(*declaration.body, store_.dot(sets), "the annotation says so");
+    here_ = declaration.body->syntax->span;
+    const TypeId values = element(unifier_.evaluate_dots(type));
+    constrain(here_, can_equal, values, "what channels carry is compared");
+    constrain(here_, can_input, values, "a field holds whole values");
+    return values;
+}
+
+void Inference::check_datatype(const Declaration& declaration) {
+    const auto symbol = std::ranges::find(declaration.binds, SymbolKind::datatype, &Symbol::kind);
+    const TypeId type = store_.datatype((*symbol)->datatype);
+    (void)unify(declaration.span, (*symbol)->scheme.type, store_.set_of(type));
+    std::vector<std::pair<TypeId, diagnostics::Span>> all;
+    for (const ConstructorTerm& each : declaration.constructors) {
+        TypeId signature = no_type;
+        if (each.annotation != nullptr) {
+            signature = annotated(*each.annotation);
+            (void)unify(each.span, signature, store_.extendable(type, store_.fresh()),
+                        "a constructor's annotation ends in its datatype");
+        }
+        std::vector<TypeId> parts;
+        if (each.fields != nullptr) {
+            const TypeId values = fields(*each.fields, can_input);
+            parts = store_.dot_parts(values);
+            for (const TypeId part : parts) all.emplace_back(part, each.fields->syntax->span);
+        }
+        const TypeId own = store_.dotable(parts, 0, type);
+        if (signature != no_type) (void)unify(each.span, signature, own, "the annotation says so");
+        (void)unify(each.span, own, each.symbol->scheme.type);
+    }
+    if (!store_.comparable((*symbol)->datatype)) return;
+    for (const auto& [part, span] : all) constrain(span, can_equal, part, "values of the datatype are compared");
+}
+
+void Inference::check_subtype(const Declaration& declaration) {
+    const TypeId parent = store_.fresh();
+    for (const ConstructorTerm& each : declaration.constructors) {
+        std::vector<TypeId> parts;
+        if (each.fields != nullptr) parts = store_.dot_parts(fields(*each.fields, can_input));
+        if (each.symbol == nullptr || each.symbol->failed) continue;
+        std::vector<TypeId> has;
+        const TypeId datatype = store_.split(each.symbol->scheme.type, has);
+        if (parts.size() > has.size()) {
+            const auto count = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " field" : " fields"); };
+            throw TypeFault{
+                &rules::subtype_fields, {each.symbol->name, count(has.size()), count(parts.size())}, {}, each.span};
+        }
+        (void)unify(each.span, store_.extendable(parent, store_.fresh()), datatype,
+                    "all constructors of a subtype belong to one datatype");
+        for (std::size_t i = 0; i < parts.size(); ++i) (void)unify(each.fields->syntax->span, has[i], parts[i]);
+    }
+    (void)unify(declaration.span, declaration.binds.at(0)->scheme.type, store_.set_of(parent));
+}
+
+// ---------------------------------------------------------------- timed sections, assertions, print
+
+void Inference::check_timed(const Declaration& declaration) {
+    const TypeId event = atom(TypeKind::event);
+    if (declaration.tock != nullptr && !declaration.tock->failed) {
+        const TypeId tock = unifier_.instantiate(declaration.tock->scheme);
+        (void)unify(declaration.span, event, tock, "`tock` is an event without fields in a timed section");
+    }
+    if (declaration.body == nullptr) return;
+    const TypeId duration = store_.make(TypeKind::function, {event, atom(TypeKind::integer)});
+    (void)expect(*declaration.body, duration, "the function of a timed section gives each event's duration");
+}
+
+void Inference::check_assertion(const Declaration& declaration) {
+    expect_atom(*declaration.specification, TypeKind::process, "an assertion is about processes");
+    const Term* other = declaration.implementation;
+    if (other != nullptr && declaration.assertion->kind == AssertionKind::has_trace) {
+        if (other->syntax->kind == ExprKind::sequence) {
+            for (const Term* each : other->args)
+                (void)expect(*each, atom(TypeKind::event), "a trace is made of events");
+        } else {
+            (void)expect(*other, store_.sequence_of(atom(TypeKind::event)), "a trace is a sequence of events");
+        }
+    } else if (other != nullptr) {
+        expect_atom(*other, TypeKind::process, "an assertion is about processes");
+    }
+    if (declaration.tau_priority != nullptr) {
+        (void)expect(*declaration.tau_priority, store_.set_of(atom(TypeKind::event)), "tau has priority over events");
+    }
+}
+
+void Inference::check_print(const Declaration& declaration) {
+    if (declaration.body == nullptr) return;
+    try {
+        (void)infer(*declaration.body);
+    } catch (const TypeFault& fault) {
+        diagnostics::Diagnostic finding;
+        finding.rule = fault.rule;
+        finding.arguments = fault.arguments;
+        diagnostics_.report(rules::print_ill_typed, fault.span, {finding.message()});
+    }
+}
+
+}  // namespace robochart::cspm::types

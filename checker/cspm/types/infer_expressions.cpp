@@ -1,0 +1,474 @@
+// Types of expressions and patterns (FDR manual, chapter CSPM: functional syntax, defining processes).
+#include <utility>
+
+#include "checker/cspm/types/infer.hpp"
+#include "checker/cspm/types/rules.hpp"
+
+namespace robochart::cspm::types {
+
+namespace {
+
+const Term& inner(const Term& term) {
+    const Term* result = &term;
+    while (result->syntax->kind == ExprKind::parenthesised) result = result->args[0];
+    return *result;
+}
+
+std::string arguments_text(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " argument" : " arguments");
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- expectations
+
+TypeId Inference::unify(diagnostics::Span span, TypeId expected, TypeId actual, std::string_view because) {
+    const diagnostics::Span before = std::exchange(here_, span);
+    try {
+        const TypeId result = unifier_.unify(expected, actual);
+        here_ = before;
+        return result;
+    } catch (TypeFault& fault) {
+        here_ = before;
+        if (!because.empty()) fault.notes.push_back({span, std::string(because)});
+        throw;
+    }
+}
+
+void Inference::constrain(diagnostics::Span span, Constraint constraint, TypeId type, std::string_view because) {
+    const diagnostics::Span before = std::exchange(here_, span);
+    try {
+        unifier_.constrain(constraint, type);
+        here_ = before;
+    } catch (TypeFault& fault) {
+        here_ = before;
+        if (!because.empty()) fault.notes.push_back({span, std::string(because)});
+        throw;
+    }
+}
+
+TypeId Inference::expect(const Term& term, TypeId type, std::string_view because) {
+    const TypeId actual = infer(term);
+    return unify(inner(term).syntax->span, type, actual, because);
+}
+
+// A branch or a let's body is blamed rather than the whole.
+void Inference::expect_atom(const Term& term, TypeKind kind, std::string_view because) {
+    const Term& at = inner(term);
+    if (at.syntax->kind == ExprKind::if_then_else) {
+        expect_atom(*at.args[0], TypeKind::boolean, "the condition of an `if` is a Bool");
+        expect_atom(*at.args[1], kind, because);
+        expect_atom(*at.args[2], kind, because);
+    } else if (at.syntax->kind == ExprKind::let) {
+        check_list(*at.decls, ListKind::let);
+        expect_atom(*at.args[0], kind, because);
+    } else {
+        (void)expect(at, atom(kind), because);
+    }
+}
+
+TypeId Inference::expect_extendable(const Term& term, TypeId type, std::string_view because) {
+    return expect(term, store_.extendable(type, store_.fresh()), because);
+}
+
+void Inference::expect_processes(const Term& term, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        expect_atom(*term.args[i], TypeKind::process, "the operator takes processes");
+    }
+}
+
+void Inference::expect_events(const Term& term, std::size_t index) {
+    (void)expect(*term.args[index], store_.set_of(atom(TypeKind::event)), "the operator takes a set of events here");
+}
+
+// ---------------------------------------------------------------- values
+
+TypeId Inference::infer(const Term& term) {
+    switch (term.syntax->kind) {
+        case ExprKind::parenthesised:
+            return infer(*term.args[0]);
+        case ExprKind::name:
+            return name(term);
+        case ExprKind::apply:
+            return application(term);
+        case ExprKind::prefix:
+            return prefix(term);
+        case ExprKind::let:
+            return let(term);
+        case ExprKind::dot:
+            return dotted(term);
+        case ExprKind::if_then_else:
+            return conditional(term);
+        case ExprKind::lambda:
+            return lambda(term);
+        default:
+            return infer_value(term);
+    }
+}
+
+TypeId Inference::infer_value(const Term& term) {
+    using enum ExprKind;
+    switch (term.syntax->kind) {
+        case integer:
+            return atom(TypeKind::integer);
+        case character:
+            return atom(TypeKind::character);
+        case string:
+            return store_.sequence_of(atom(TypeKind::character));
+        case boolean:
+            return atom(TypeKind::boolean);
+        case tuple:
+            return this->tuple(term);
+        case ExprKind::map:
+            return this->map(term);
+        case negate:
+        case plus:
+        case minus:
+        case times:
+        case divide:
+        case modulus:
+            for (const Term* each : term.args) expect_atom(*each, TypeKind::integer, "arithmetic is done on integers");
+            return atom(TypeKind::integer);
+        case equal:
+        case not_equal:
+        case less:
+        case less_equal:
+        case greater:
+        case greater_equal:
+            return comparison(term);
+        case logical_not:
+        case logical_and:
+        case logical_or:
+            for (const Term* each : term.args)
+                expect_atom(*each, TypeKind::boolean, "`not`, `and` and `or` take Bools");
+            return atom(TypeKind::boolean);
+        case concat: {
+            const TypeId sequence = store_.sequence_of(store_.fresh());
+            const TypeId left = expect(*term.args[0], sequence, "`^` joins sequences");
+            return expect(*term.args[1], left, "`^` joins sequences of one type");
+        }
+        case length:
+            (void)expect(*term.args[0], store_.sequence_of(store_.fresh()), "`#` gives the length of a sequence");
+            return atom(TypeKind::integer);
+        default:
+            return infer_collection(term);
+    }
+}
+
+TypeId Inference::name(const Term& term) {
+    if (term.symbol == nullptr || term.symbol->failed) return store_.fresh();
+    return unifier_.instantiate(term.symbol->scheme);
+}
+
+TypeId Inference::tuple(const Term& term) {
+    std::vector<TypeId> types;
+    for (const Term* each : term.args) types.push_back(infer(*each));
+    return store_.make(TypeKind::tuple, types);
+}
+
+TypeId Inference::map(const Term& term) {
+    const TypeId key = store_.fresh();
+    const TypeId value = store_.fresh();
+    for (std::size_t i = 0; i + 1 < term.args.size(); i += 2) {
+        (void)expect(*term.args[i], key, "the keys of a map have one type");
+        (void)expect(*term.args[i + 1], value, "the values of a map have one type");
+    }
+    return store_.make(TypeKind::map, {key, value});
+}
+
+TypeId Inference::dotted(const Term& term) {
+    std::vector<TypeId> types;
+    for (const Term* each : term.args) types.push_back(infer(*each));
+    return store_.dot(types);
+}
+
+TypeId Inference::conditional(const Term& term) {
+    expect_atom(*term.args[0], TypeKind::boolean, "the condition of an `if` is a Bool");
+    const TypeId type = infer(*term.args[1]);
+    return expect(*term.args[2], type, "both branches of an `if` have one type");
+}
+
+TypeId Inference::comparison(const Term& term) {
+    const TypeId left = infer(*term.args[0]);
+    const TypeId type = expect(*term.args[1], left, "both sides of a comparison have one type");
+    const bool equality = term.syntax->kind == ExprKind::equal || term.syntax->kind == ExprKind::not_equal;
+    constrain(term.syntax->span, equality ? can_equal : can_order, type,
+              equality ? "`==` and `!=` compare values for equality" : "`<`, `<=`, `>` and `>=` order values");
+    return atom(TypeKind::boolean);
+}
+
+TypeId Inference::let(const Term& term) {
+    check_list(*term.decls, ListKind::let);
+    return infer(*term.args[0]);
+}
+
+TypeId Inference::lambda(const Term& term) {
+    bind_locals(term.binds);
+    const TypeId result = infer(*term.args[0]);
+    std::vector<TypeId> types;
+    for (const PatternTerm& each : term.patterns) types.push_back(pattern(each));
+    types.push_back(result);
+    return store_.make(TypeKind::function, types);
+}
+
+TypeId Inference::application(const Term& term) {
+    const Term& function = *term.args[0];
+    const std::size_t count = term.args.size() - 1;
+    const TypeId type = store_.head(infer(function));
+    const TypeKind kind = store_.node(type).kind;
+    const diagnostics::Span span = inner(function).syntax->span;
+    std::vector<TypeId> wanted;
+    if (kind == TypeKind::function) {
+        wanted = store_.arguments(type);
+        if (wanted.size() != count + 1) {
+            const std::string subject =
+                inner(function).symbol != nullptr ? "'" + inner(function).symbol->name + "'" : "this function";
+            throw TypeFault{&rules::wrong_arity,
+                            {subject, arguments_text(wanted.size() - 1), arguments_text(count)},
+                            {},
+                            term.syntax->span};
+        }
+    } else if (kind == TypeKind::variable && !store_.node(type).rigid) {
+        for (std::size_t i = 0; i <= count; ++i) wanted.push_back(store_.fresh());
+        (void)unify(span, store_.make(TypeKind::function, wanted), type);
+    } else {
+        TypeWriter writer(store_);
+        throw TypeFault{&rules::not_a_function, {writer.text(type)}, {}, span};
+    }
+    std::vector<TypeId> given;
+    for (std::size_t i = 0; i < count; ++i) given.push_back(infer(*term.args[i + 1]));
+    for (std::size_t i = 0; i < count; ++i) {
+        here_ = inner(*term.args[i + 1]).syntax->span;
+        const TypeId actual = unifier_.evaluate_dots(given[i]);
+        (void)unifier_.unify_one_way(unifier_.evaluate_dots(wanted[i]), actual);
+    }
+    return wanted.back();
+}
+
+// ---------------------------------------------------------------- sets, sequences
+
+TypeId Inference::elements(const Term& term, Constraints constraints) {
+    const TypeId type = store_.fresh(constraints);
+    for (const Term* each : term.args) (void)expect(*each, type, "the elements have one type");
+    return type;
+}
+
+void Inference::range(const Term& term) {
+    for (const Term* each : term.args) {
+        if (each != nullptr) expect_atom(*each, TypeKind::integer, "a range runs over integers");
+    }
+}
+
+TypeId Inference::infer_collection(const Term& term) {
+    using enum ExprKind;
+    const ExprKind kind = term.syntax->kind;
+    const bool sequences = kind == sequence || kind == sequence_comprehension || kind == sequence_range ||
+                           kind == sequence_range_comprehension;
+    bind_locals(term.binds);
+    switch (kind) {
+        case sequence:
+        case set:
+        case sequence_comprehension:
+        case set_comprehension: {
+            clauses(term.clauses, sequences ? TypeKind::sequence : TypeKind::set);
+            const TypeId element = elements(term, sequences ? Constraints{0} : Constraints{can_collect});
+            return sequences ? store_.sequence_of(element) : store_.set_of(element);
+        }
+        case sequence_range:
+        case set_range:
+        case sequence_range_comprehension:
+        case set_range_comprehension:
+            clauses(term.clauses, sequences ? TypeKind::sequence : TypeKind::set);
+            range(term);
+            return sequences ? store_.sequence_of(atom(TypeKind::integer)) : store_.set_of(atom(TypeKind::integer));
+        case productions:
+        case productions_comprehension: {
+            clauses(term.clauses, TypeKind::set);
+            const TypeId type = store_.fresh(can_yield);
+            for (const Term* each : term.args) {
+                (void)expect_extendable(*each, type,
+                                        "`{| |}` takes channels and constructors, with their first fields");
+            }
+            return store_.set_of(type);
+        }
+        default:
+            return infer_process(term);
+    }
+}
+
+// ---------------------------------------------------------------- processes
+
+TypeId Inference::prefix(const Term& term) {
+    const Term& event = *term.args[0];
+    const TypeId channel = infer(event);
+    bind_locals(term.binds);
+    std::vector<TypeId> parts{channel};
+    for (const FieldTerm& each : term.fields) parts.push_back(field(each));
+    diagnostics::Span span = inner(event).syntax->span;
+    if (!term.fields.empty()) span = diagnostics::join(span, term.fields.back().span);
+    (void)unify(span, atom(TypeKind::event), store_.dot(parts), "what stands before `->` is an event");
+    expect_atom(*term.args[1], TypeKind::process, "what stands after `->` is a process");
+    return atom(TypeKind::process);
+}
+
+TypeId Inference::field(const FieldTerm& field) {
+    if (field.pattern.syntax == nullptr) return infer(*field.value);
+    const TypeId values = field.value != nullptr ? infer(*field.value) : no_type;
+    const TypeId type = pattern(field.pattern);
+    if (field.value != nullptr) {
+        (void)unify(inner(*field.value).syntax->span, store_.set_of(type), values, "an input is restricted by a set");
+    }
+    constrain(field.span, can_input, type, "an input takes whole values");
+    return type;
+}
+
+TypeId Inference::infer_process(const Term& term) {
+    using enum ExprKind;
+    switch (term.syntax->kind) {
+        case guard:
+            expect_atom(*term.args[0], TypeKind::boolean, "a guard is a Bool");
+            expect_atom(*term.args[1], TypeKind::process, "what is guarded is a process");
+            break;
+        case external_choice:
+        case internal_choice:
+        case sequential:
+        case interrupt:
+        case sliding_choice:
+        case interleave:
+            expect_processes(term, 2);
+            break;
+        case parallel:
+        case exception:
+        case synchronising_choice:
+        case synchronising_interrupt:
+            expect_processes(term, 2);
+            expect_events(term, 2);
+            break;
+        case alphabetised:
+            expect_processes(term, 2);
+            expect_events(term, 2);
+            expect_events(term, 3);
+            break;
+        case hide:
+        case project:
+            expect_processes(term, 1);
+            expect_events(term, 1);
+            break;
+        case rename:
+        case linked:
+            expect_processes(term, term.args.size());
+            bind_locals(term.binds);
+            clauses(term.clauses, TypeKind::set);
+            links(term);
+            break;
+        default:
+            return infer_replicated(term);
+    }
+    return atom(TypeKind::process);
+}
+
+TypeId Inference::infer_replicated(const Term& term) {
+    using enum ExprKind;
+    const ExprKind kind = term.syntax->kind;
+    if (kind == replicated_parallel || kind == replicated_synchronising) expect_events(term, 1);
+    bind_locals(term.binds);
+    const bool ordered = kind == replicated_sequential || kind == replicated_linked;
+    clauses(term.clauses, ordered ? TypeKind::sequence : TypeKind::set);
+    if (kind == replicated_alphabetised) expect_events(term, 1);
+    clauses(term.link_clauses, TypeKind::set);
+    links(term);
+    expect_processes(term, 1);
+    return atom(TypeKind::process);
+}
+
+// Both ends of a link or a renaming need the same further fields to be events.
+void Inference::links(const Term& term) {
+    std::vector<TypeId> left;
+    for (const LinkTerm& each : term.links) {
+        left.push_back(
+            expect_extendable(*each.from, atom(TypeKind::event), "events and channels are renamed and linked"));
+    }
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        (void)expect(*term.links[i].to, left[i], "both sides take the same further fields");
+    }
+}
+
+void Inference::clauses(const std::vector<ClauseTerm>& clauses, TypeKind collection) {
+    for (const ClauseTerm& each : clauses) {
+        if (!each.generator) {
+            expect_atom(*each.value, TypeKind::boolean, "a condition is a Bool");
+            continue;
+        }
+        const TypeId values = infer(*each.value);
+        here_ = inner(*each.value).syntax->span;
+        const TypeId evaluated = unifier_.evaluate_dots(values);
+        const TypeId element = unifier_.evaluate_dots(pattern(each.pattern));
+        here_ = inner(*each.value).syntax->span;
+        try {
+            (void)unifier_.unify_one_way(store_.make(collection, {element}), evaluated);
+        } catch (TypeFault& fault) {
+            fault.notes.push_back({here_, collection == TypeKind::set ? "a generator draws from a set here"
+                                                                      : "a generator draws from a sequence here"});
+            throw;
+        }
+    }
+}
+
+// ---------------------------------------------------------------- patterns
+
+void Inference::bind_locals(const std::vector<Symbol*>& symbols) {
+    for (Symbol* each : symbols) {
+        each->scheme = {{}, store_.fresh()};
+        each->failed = false;
+    }
+}
+
+void Inference::expect_pattern(const PatternTerm& term, TypeId type) {
+    (void)unify(term.syntax->span, type, pattern(term));
+}
+
+TypeId Inference::pattern(const PatternTerm& term) {
+    switch (term.syntax->kind) {
+        case PatternKind::wildcard:
+            return store_.fresh();
+        case PatternKind::name:
+            return term.symbol == nullptr || term.symbol->failed ? store_.fresh() : term.symbol->scheme.type;
+        case PatternKind::integer:
+            return atom(TypeKind::integer);
+        case PatternKind::character:
+            return atom(TypeKind::character);
+        case PatternKind::string:
+            return store_.sequence_of(atom(TypeKind::character));
+        case PatternKind::boolean:
+            return atom(TypeKind::boolean);
+        case PatternKind::tuple:
+        case PatternKind::dot: {
+            std::vector<TypeId> types;
+            for (const PatternTerm& each : term.args) types.push_back(pattern(each));
+            const bool dot = term.syntax->kind == PatternKind::dot;
+            return dot ? store_.dot(types) : store_.make(TypeKind::tuple, types);
+        }
+        case PatternKind::sequence:
+        case PatternKind::set: {
+            const TypeId element = store_.fresh();
+            for (const PatternTerm& each : term.args) expect_pattern(each, element);
+            if (term.syntax->kind == PatternKind::sequence) return store_.sequence_of(element);
+            // Eq, not Set: a pattern compares.
+            constrain(term.syntax->span, can_equal, element, "a pattern compares what it matches");
+            return store_.set_of(element);
+        }
+        case PatternKind::concat: {
+            const TypeId sequence = store_.sequence_of(store_.fresh());
+            for (const PatternTerm& each : term.args) expect_pattern(each, sequence);
+            return sequence;
+        }
+        case PatternKind::both: {
+            const TypeId type = pattern(term.args.at(0));
+            expect_pattern(term.args.at(1), type);
+            return type;
+        }
+    }
+    return store_.fresh();
+}
+
+}  // namespace robochart::cspm::types

@@ -1,0 +1,98 @@
+// Modules with parameters, and instances: the module's types with the arguments' types for its parameters', and the
+// instance's own datatypes for the module's.
+#include <algorithm>
+#include <set>
+
+#include "checker/cspm/types/infer.hpp"
+#include "checker/cspm/types/rules.hpp"
+
+namespace robochart::cspm::types {
+
+// The module's type is the tuple of its parameters. What inside is left open by the parameters stays open.
+void Inference::check_module(const Declaration& declaration) {
+    bind_locals(declaration.parameters);
+    if (declaration.inside != nullptr) check_list(*declaration.inside, ListKind::module);
+    std::vector<TypeId> types;
+    for (const Symbol* each : declaration.parameters) types.push_back(unifier_.evaluate_dots(each->scheme.type));
+    const TypeId type = store_.make(TypeKind::tuple, types);
+    (void)unify(declaration.span, declaration.module->symbol->scheme.type, type);
+}
+
+void Inference::check_instance(const Declaration& declaration) {
+    const Module* original = declaration.module->original;
+    if (original == nullptr || original->symbol->failed) {
+        for (Symbol* each : declaration.binds) each->failed = true;
+        for (const Term* each : declaration.arguments) (void)infer(*each);
+        return;
+    }
+    const Scheme& scheme = original->symbol->scheme;
+    std::vector<std::pair<TypeId, TypeId>> parameters;
+    for (const TypeId each : scheme.quantified)
+        parameters.emplace_back(each, store_.fresh(store_.node(each).constraints));
+    std::ranges::sort(parameters);
+    const TypeId type = store_.head(unifier_.copy(scheme.type, parameters, {}));
+    const std::vector<TypeId> wanted =
+        store_.node(type).kind == TypeKind::tuple ? store_.arguments(type) : std::vector<TypeId>{};
+    if (wanted.size() != declaration.arguments.size()) {
+        const auto count = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " argument" : " arguments"); };
+        throw TypeFault{&rules::module_arguments,
+                        {original->name, count(wanted.size()), count(declaration.arguments.size())},
+                        {},
+                        declaration.span};
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        (void)expect(*declaration.arguments[i], wanted[i], "the module uses its parameter so");
+    }
+    (void)unify(declaration.span, declaration.module->symbol->scheme.type, type);
+    copy_types(declaration, parameters);
+    find_comparable(declaration);
+}
+
+// What several names leave open together, such as the parameters of a module inside, stays common to their copies.
+void Inference::copy_types(const Declaration& instance, std::vector<std::pair<TypeId, TypeId>> variables) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> datatypes;
+    std::set<TypeId> known;
+    for (const auto& [variable, copy] : variables) known.insert(variable);
+    for (const Copy& each : instance.copies) {
+        if (each.original->kind == SymbolKind::datatype)
+            datatypes.emplace_back(each.original->datatype, each.copy->datatype);
+        for (const TypeId open : each.original->scheme.quantified) {
+            if (!known.insert(open).second) continue;
+            variables.emplace_back(open, store_.fresh(store_.node(open).constraints));
+        }
+    }
+    std::ranges::sort(variables);
+    std::ranges::sort(datatypes);
+    for (const Copy& each : instance.copies) {
+        if (each.original->failed) {
+            each.copy->failed = true;
+            continue;
+        }
+        const TypeId type = unifier_.copy(each.original->scheme.type, variables, datatypes);
+        (void)unify(instance.span, each.copy->scheme.type, type);
+    }
+}
+
+// As for datatypes of the script: assumed comparable, until a constructor's fields are not.
+void Inference::find_comparable(const Declaration& instance) {
+    for (const Copy& each : instance.copies) {
+        if (each.copy->kind == SymbolKind::datatype) store_.set_comparable(each.copy->datatype, true);
+    }
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const Copy& each : instance.copies) {
+            if (each.copy->kind != SymbolKind::constructor || each.copy->failed) continue;
+            std::vector<TypeId> parts;
+            const TypeId end = store_.head(store_.split(each.copy->scheme.type, parts));
+            if (store_.node(end).kind != TypeKind::datatype || !store_.comparable(store_.node(end).first)) continue;
+            try {
+                for (const TypeId part : parts) unifier_.constrain(can_equal, part);
+            } catch (const TypeFault&) {
+                store_.set_comparable(store_.node(end).first, false);
+                changed = true;
+            }
+        }
+    }
+}
+
+}  // namespace robochart::cspm::types

@@ -1,0 +1,161 @@
+// Looking names up, and what is said about those that are not there.
+#include "checker/cspm/types/names.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/types/rules.hpp"
+
+namespace robochart::cspm::types {
+
+std::unique_ptr<ResolvedScript> NameResolver::run(const Script& script) {
+    script_ = std::make_unique<ResolvedScript>();
+    Place place;
+    place.scope = new_scope(nullptr);
+    place.top = true;
+    scope_ = place.scope;
+    script_->top = declarations(script.decls, place);
+    return std::move(script_);
+}
+
+NameResolver::Scope* NameResolver::new_scope(Scope* parent) {
+    scopes_.emplace_back().parent = parent;
+    return &scopes_.back();
+}
+
+Symbol& NameResolver::new_symbol(const std::string& name, Span span, SymbolKind kind) {
+    Symbol& symbol = script_->symbols.emplace_back();
+    symbol.name = name;
+    symbol.span = span;
+    symbol.kind = kind;
+    symbol.number = script_->symbols.size();
+    return symbol;
+}
+
+diagnostics::Diagnostic& NameResolver::report(const diagnostics::Rule& rule, Span span,
+                                              std::vector<std::string> arguments) {
+    return diagnostics_->report(rule, span, std::move(arguments));
+}
+
+// ---------------------------------------------------------------- looking up
+
+const Entry* NameResolver::find_plain(std::string_view name) const {
+    for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent) {
+        const auto found = scope->names.find(name);
+        if (found != scope->names.end()) return &found->second;
+    }
+    return nullptr;
+}
+
+NameResolver::Lookup NameResolver::find(std::string_view name) {
+    std::size_t colons = name.find("::");
+    const Entry* entry = find_plain(name.substr(0, colons));
+    if (entry == nullptr && colons == std::string_view::npos) {
+        using enum BuiltinTypes::Where;
+        return {{builtins_.find(name, timed_ ? timed_section : script), nullptr}, ""};
+    }
+    while (entry != nullptr && colons != std::string_view::npos) {
+        const Module* module = entry->module;
+        if (module == nullptr) return {};
+        if (module->parametrised && module->original == nullptr) {
+            return {{}, "module '" + module->name + "' has parameters: make an instance of it"};
+        }
+        name.remove_prefix(colons + 2);
+        colons = name.find("::");
+        const std::string_view part = name.substr(0, colons);
+        const auto found = module->exported.find(part);
+        if (found == module->exported.end()) {
+            const bool hidden = module->hidden.contains(part);
+            return {{}, hidden ? "it is private to module '" + module->name + "': declare it below `exports`" : ""};
+        }
+        entry = &found->second;
+    }
+    return entry == nullptr ? Lookup{} : Lookup{*entry, ""};
+}
+
+namespace {
+
+// Whether one change of a letter (put in, taken out, altered, or two swapped) makes them equal.
+bool close(std::string_view a, std::string_view b) {
+    if (a.size() > b.size()) std::swap(a, b);
+    if (b.size() < 3 || b.size() - a.size() > 1) return false;
+    std::size_t same = 0;
+    while (same < a.size() && a[same] == b[same]) ++same;
+    const std::string_view x = a.substr(same);
+    const std::string_view y = b.substr(same);
+    if (a.size() < b.size()) return x == y.substr(1);
+    if (x.empty() || x.substr(1) == y.substr(1)) return true;
+    return x.size() > 1 && x[0] == y[1] && x[1] == y[0] && x.substr(2) == y.substr(2);
+}
+
+}  // namespace
+
+std::string NameResolver::suggestion(std::string_view name) const {
+    for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent) {
+        for (const auto& [known, entry] : scope->names) {
+            if (entry.symbol != nullptr && close(known, name)) return known;
+        }
+    }
+    return "";
+}
+
+void NameResolver::not_found(std::string_view name, Span span, const std::string& hint) {
+    script_->names_missing = true;
+    diagnostics::Diagnostic& finding = report(rules::not_in_scope, span, {std::string(name)});
+    const std::string_view line = BuiltinTypes::hint(name);
+    if (!hint.empty()) {
+        finding.notes.push_back({span, hint});
+    } else if (line == "timed") {
+        finding.notes.push_back({span, "it exists in timed sections only"});
+    } else if (!line.empty()) {
+        finding.notes.push_back(
+            {span, "make it known by a line `" + std::string(line) + " " + std::string(name) + "`"});
+    } else if (const std::string other = suggestion(name); !other.empty()) {
+        finding.notes.push_back({span, "did you mean '" + other + "'?"});
+    }
+}
+
+Symbol* NameResolver::value_named(std::string_view name, Span span) {
+    const Lookup found = find(name);
+    if (found.entry.symbol != nullptr) {
+        use(found.entry.symbol);
+        return found.entry.symbol;
+    }
+    if (found.entry.module != nullptr) {
+        script_->names_missing = true;
+        report(rules::wrong_kind_of_name, span, {std::string(name), "a module", "a value"});
+    } else {
+        not_found(name, span, found.hint);
+    }
+    return nullptr;
+}
+
+void NameResolver::use(Symbol* symbol) {
+    if (symbol->owner == nullptr) return;
+    for (Declaration* each = current_; each != nullptr; each = each->enclosing) each->uses.push_back(symbol);
+}
+
+// ---------------------------------------------------------------- entering
+
+void NameResolver::enter(const Place& place, const std::string& name, const Entry& entry, Span span) {
+    const auto [at, fresh] = place.scope->names.emplace(name, entry);
+    if (!fresh) {
+        const Entry& first = at->second;
+        diagnostics::Diagnostic& finding = report(rules::declared_twice, span, {name});
+        const Span where = first.module != nullptr ? first.module->span : first.symbol->span;
+        if (where.known()) finding.notes.push_back({where, "the other declaration"});
+        return;
+    }
+    if (place.module == nullptr) return;
+    (place.exported ? place.module->exported : place.module->hidden).emplace(name, entry);
+}
+
+Symbol* NameResolver::declare(const Item& item, const std::string& name, Span span, SymbolKind kind) {
+    Symbol& symbol = new_symbol(item.place.prefix + name, span, kind);
+    symbol.owner = item.declaration;
+    item.declaration->binds.push_back(&symbol);
+    enter(item.place, name, {&symbol, nullptr}, span);
+    if (item.place.top) script_->shown.push_back(&symbol);
+    return &symbol;
+}
+
+}  // namespace robochart::cspm::types

@@ -1,0 +1,122 @@
+// Scopes: which declaration each name of a script means. Declarations of a list see one another; modules without
+// parameters lie flat in the list they stand in; an instance has its own copy of each name of its module.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "checker/cspm/types/builtin_types.hpp"
+#include "checker/cspm/types/terms.hpp"
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::cspm::types {
+
+class NameResolver {
+public:
+    /// Deepest nesting of expressions looked at.
+    static constexpr unsigned max_depth = 4500;
+
+    NameResolver(TypeStore& store, BuiltinTypes& builtins, diagnostics::Diagnostics& diagnostics)
+        : store_(store), builtins_(builtins), diagnostics_(&diagnostics) {}
+
+    [[nodiscard]] std::unique_ptr<ResolvedScript> run(const Script& script);
+
+private:
+    struct Scope {
+        Scope* parent = nullptr;
+        Names names;
+        std::map<std::string, Symbol*, std::less<>> types;  // datatypes, for annotations
+        std::map<std::string, TypeVariable*, std::less<>> type_variables;
+        std::map<std::string, const Decl*, std::less<>> annotations;  // by the name annotated
+    };
+    // Where a declaration stands.
+    struct Place {
+        Scope* scope = nullptr;
+        DeclarationList* list = nullptr;
+        Module* module = nullptr;
+        bool exported = false;
+        bool timed = false;
+        bool top = false;
+        std::string prefix;
+        Declaration* enclosing = nullptr;
+    };
+    struct Item {
+        std::vector<DeclPtr> decls;  // clauses of a function; else one
+        Place place;
+        Declaration* declaration = nullptr;
+        Module* made = nullptr;  // modules and instances
+        const Module* original = nullptr;
+        Scope* inside = nullptr;
+    };
+    using Items = std::vector<Item>;
+
+    // declarations, in phases: modules, labels, other names, bodies
+    DeclarationList* declarations(const std::vector<DeclPtr>& decls, const Place& place);
+    void flatten(const std::vector<DeclPtr>& decls, const Place& place, Items& items);
+    Item& add_item(Items& items, const DeclPtr& decl, const Place& place);
+    void flatten_module(const DeclPtr& decl, const Place& place, Items& items);
+    void find_original(Item& item);
+    void copy_modules(const Module& from, Module& to);
+    void copy_names(const Module& from, Module& to, bool labels, bool checked, Declaration& instance);
+    void add_labels(Item& item);
+    void add_names(Item& item);
+    void add_imports(const Item& item);
+    void add_body(Item& item);
+    void body_of_function(Item& item);
+    void body_of_datatype(Item& item);
+    void body_of_instance(Item& item);
+    void body_of_assertion(Item& item);
+    void body_of_print(const Item& item);
+    Symbol* declare(const Item& item, const std::string& name, Span span, SymbolKind kind);
+    void enter(const Place& place, const std::string& name, const Entry& entry, Span span);
+    const Annotation* annotation_of(const Item& item, const std::string& name);
+
+    // expressions
+    const Term* expression(const ExprPtr& expr);
+    void name(const Expr& expr, Term& term);
+    void lambda(const Expr& expr, Term& term);
+    void let(const Expr& expr, Term& term);
+    void prefix(const Expr& expr, Term& term);
+    void clauses(const Expr& expr, Term& term);
+    void clause_list(const std::vector<Clause>& clauses, std::vector<ClauseTerm>& out, std::vector<Symbol*>& binds);
+    PatternTerm pattern(const Pattern& pattern, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct);
+    PatternTerm declared_pattern(const Item& item, const Pattern& pattern);
+    Symbol* constructor_named(const Pattern& pattern);
+    Symbol* variable(const Pattern& pattern, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct);
+
+    // annotations
+    const Annotation* annotation(const Decl& decl);
+    TypeTerm type_term(const struct WrittenType& written, Annotation& into);
+    TypeTerm named_type(const WrittenType& written, Annotation& into);
+    TypeVariable* type_variable(const std::string& name, Annotation& into, bool may_bind);
+
+    // names
+    struct Lookup {
+        Entry entry;
+        std::string hint;  // why a name that exists is not in scope
+    };
+    [[nodiscard]] Lookup find(std::string_view name);
+    [[nodiscard]] const Entry* find_plain(std::string_view name) const;
+    Symbol* value_named(std::string_view name, Span span);
+    void use(Symbol* symbol);
+    void not_found(std::string_view name, Span span, const std::string& hint);
+    [[nodiscard]] std::string suggestion(std::string_view name) const;
+    Symbol& new_symbol(const std::string& name, Span span, SymbolKind kind);
+    Scope* new_scope(Scope* parent);
+    diagnostics::Diagnostic& report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments);
+
+    TypeStore& store_;
+    BuiltinTypes& builtins_;
+    diagnostics::Diagnostics* diagnostics_;
+    std::unique_ptr<ResolvedScript> script_;
+    std::deque<Scope> scopes_;
+    Scope* scope_ = nullptr;
+    bool timed_ = false;
+    Declaration* current_ = nullptr;
+    unsigned depth_ = 0;
+};
+
+}  // namespace robochart::cspm::types

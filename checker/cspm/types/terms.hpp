@@ -1,0 +1,177 @@
+// A script with its names resolved, ready for type inference: every name points to its symbol, every list of
+// declarations knows what depends on what. Made by names.hpp, read by infer.hpp.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "checker/cspm/syntax.hpp"
+#include "checker/cspm/types/type.hpp"
+
+namespace robochart::cspm::types {
+
+struct Declaration;
+struct DeclarationList;
+struct Module;
+struct Term;
+
+enum class SymbolKind : std::uint8_t { variable, constructor, channel, datatype, module, builtin };
+
+/// One declared name. `scheme` is filled in by inference; until then, and for names whose declaration is wrong, the
+/// name has any type.
+struct Symbol {
+    std::string name;  ///< qualified, as printed
+    Span span;
+    std::size_t number = 0;
+    SymbolKind kind = SymbolKind::variable;
+    Declaration* owner = nullptr;  ///< null: parameters, variables of patterns, built-ins
+    Scheme scheme;
+    bool failed = false;
+    std::uint32_t datatype = 0;  ///< datatypes: its number in the type store
+    [[nodiscard]] bool label() const { return kind == SymbolKind::constructor || kind == SymbolKind::channel; }
+};
+
+/// A type variable of an annotation; in scope below it.
+struct TypeVariable {
+    std::string name;
+    Constraints constraints = 0;
+    TypeId type = no_type;  ///< the rigid variable it stands for while its declaration is checked
+};
+
+/// A type as written, resolved.
+struct TypeTerm {
+    TypeKind kind = TypeKind::integer;  ///< extendable: args are the variable and the type; function: result last
+    std::vector<TypeTerm> args;
+    TypeVariable* variable = nullptr;  ///< kind variable
+    Symbol* datatype = nullptr;        ///< kind datatype
+};
+struct Annotation {
+    TypeTerm type;
+    std::vector<TypeVariable*> binds;  ///< variables this annotation brings into scope
+    Span span;
+};
+
+struct PatternTerm {
+    const Pattern* syntax = nullptr;
+    Symbol* symbol = nullptr;  ///< names: the variable bound, or the constructor or channel matched
+    std::vector<PatternTerm> args;
+};
+
+struct FieldTerm {
+    FieldKind kind = FieldKind::output;
+    Span span;
+    const Term* value = nullptr;
+    PatternTerm pattern;
+};
+struct ClauseTerm {
+    bool generator = false;
+    PatternTerm pattern;
+    const Term* value = nullptr;
+};
+struct LinkTerm {
+    const Term* from = nullptr;
+    const Term* to = nullptr;
+};
+
+struct Term {
+    const Expr* syntax = nullptr;
+    Symbol* symbol = nullptr;  ///< name; null if it is not in scope
+    std::vector<const Term*> args;
+    std::vector<FieldTerm> fields;
+    std::vector<ClauseTerm> clauses;
+    std::vector<ClauseTerm> link_clauses;  ///< replicated linked parallel: the clauses of its links
+    std::vector<LinkTerm> links;
+    std::vector<PatternTerm> patterns;
+    std::vector<Symbol*> binds;  ///< variables of its patterns, clauses and fields
+    DeclarationList* decls = nullptr;
+};
+
+/// One equation of a function: parameters by groups, and the body.
+struct EquationTerm {
+    std::vector<std::vector<PatternTerm>> groups;
+    std::vector<Symbol*> binds;
+    const Term* body = nullptr;
+    Span span;
+};
+
+struct ConstructorTerm {
+    Symbol* symbol = nullptr;
+    const Term* fields = nullptr;
+    const Annotation* annotation = nullptr;
+    Span span;
+};
+
+/// A name of an instance and the name of the module it is made from.
+struct Copy {
+    Symbol* original = nullptr;
+    Symbol* copy = nullptr;
+    bool checked = true;  ///< whether its fields must be known here (not inside a module that still has parameters)
+};
+
+/// A declaration of a list. Functions are whole; modules without parameters lie flat in the list of their place.
+struct Declaration {
+    DeclKind kind = DeclKind::value;
+    Span span;
+    std::vector<Symbol*> binds;
+    std::vector<Symbol*> uses;  ///< declared names it mentions
+    std::vector<EquationTerm> equations;
+    PatternTerm pattern;         ///< value
+    const Term* body = nullptr;  ///< value, channel, nametype; timed: the duration function
+    const Annotation* annotation = nullptr;
+    std::vector<ConstructorTerm> constructors;
+    Symbol* tock = nullptr;                ///< timed
+    const Module* module = nullptr;        ///< module, instance
+    std::vector<Symbol*> parameters;       ///< module
+    DeclarationList* inside = nullptr;     ///< module with parameters
+    std::vector<const Term*> arguments;    ///< instance
+    std::vector<Copy> copies;              ///< instance
+    const Assertion* assertion = nullptr;  ///< assertion: kind and options
+    const Term* specification = nullptr;
+    const Term* implementation = nullptr;
+    const Term* tau_priority = nullptr;
+    DeclarationList* list = nullptr;
+    std::size_t index = 0;
+    Declaration* enclosing = nullptr;  ///< the declaration whose body or module it stands in
+};
+
+struct DeclarationList {
+    std::deque<Declaration> items;
+};
+
+/// What a name stands for where it is looked up.
+struct Entry {
+    Symbol* symbol = nullptr;
+    Module* module = nullptr;
+};
+using Names = std::map<std::string, Entry, std::less<>>;
+
+struct Module {
+    std::string name;
+    Span span;
+    Symbol* symbol = nullptr;  ///< its type is the tuple of its parameters
+    bool parametrised = false;
+    std::size_t parameters = 0;
+    const Module* outer = nullptr;     ///< the module it stands in
+    const Module* original = nullptr;  ///< instances and copies: what they are made from
+    Names exported;
+    Names hidden;
+};
+
+/// A script resolved; owns all of the above.
+struct ResolvedScript {
+    std::deque<Symbol> symbols;
+    std::deque<Term> terms;
+    std::deque<Module> modules;
+    std::deque<Annotation> annotations;
+    std::deque<TypeVariable> type_variables;
+    std::deque<DeclarationList> lists;
+    DeclarationList* top = nullptr;
+    std::vector<Symbol*> shown;  ///< the names to print with their types, in order
+    bool names_missing = false;  ///< some name was not in scope: types may be left open
+};
+
+}  // namespace robochart::cspm::types

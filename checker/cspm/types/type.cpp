@@ -1,0 +1,186 @@
+// The arena of types: making, looking at and binding them. Levels follow Rémy's scheme: a variable belongs to the
+// innermost open group of declarations that may still fix it.
+#include "checker/cspm/types/type.hpp"
+
+#include <algorithm>
+
+namespace robochart::cspm::types {
+
+namespace {
+constexpr auto kinds = static_cast<std::uint32_t>(TypeKind::complete) + 1;
+}
+
+// The first nodes are the atoms, at the index of their kind.
+TypeStore::TypeStore() {
+    for (std::uint32_t kind = 0; kind < kinds; ++kind) {
+        TypeNode node;
+        node.kind = static_cast<TypeKind>(kind);
+        nodes_.push_back(node);
+    }
+}
+
+// ---------------------------------------------------------------- making
+
+TypeId TypeStore::add(const TypeNode& node) {
+    nodes_.push_back(node);
+    return static_cast<TypeId>(nodes_.size() - 1);
+}
+
+TypeId TypeStore::fresh(Constraints constraints) {
+    TypeNode node;
+    node.constraints = constraints;
+    node.level = level_;
+    return add(node);
+}
+
+TypeId TypeStore::rigid(const std::string& name, Constraints constraints) {
+    const TypeId result = fresh(constraints);
+    nodes_[result].rigid = true;
+    nodes_[result].first = static_cast<std::uint32_t>(names_.size());
+    names_.push_back(name);
+    return result;
+}
+
+TypeId TypeStore::datatype(std::uint32_t number) {
+    return datatypes_[number].type;
+}
+
+std::uint32_t TypeStore::new_datatype(const std::string& name) {
+    TypeNode node;
+    node.kind = TypeKind::datatype;
+    node.first = static_cast<std::uint32_t>(datatypes_.size());
+    datatypes_.push_back({name, false, add(node)});
+    return node.first;
+}
+
+TypeId TypeStore::make(TypeKind kind, const std::vector<TypeId>& args) {
+    TypeNode node;
+    node.kind = kind;
+    node.first = static_cast<std::uint32_t>(args_.size());
+    node.count = static_cast<std::uint32_t>(args.size());
+    args_.insert(args_.end(), args.begin(), args.end());
+    return add(node);
+}
+
+TypeId TypeStore::dot(const std::vector<TypeId>& parts) {
+    return parts.size() == 1 ? parts.front() : make(TypeKind::dot, parts);
+}
+
+TypeId TypeStore::dotable(const std::vector<TypeId>& arguments, std::size_t from, TypeId result) {
+    for (std::size_t i = arguments.size(); i > from; --i) result = dotable(arguments[i - 1], result);
+    return result;
+}
+
+// ---------------------------------------------------------------- looking
+
+TypeId TypeStore::follow(TypeId type) {
+    TypeId end = type;
+    while (nodes_[end].link != no_type) end = nodes_[end].link;
+    while (nodes_[type].link != no_type && nodes_[type].link != end) {
+        const TypeId next = nodes_[type].link;
+        change(type);
+        nodes_[type].link = end;
+        type = next;
+    }
+    return end;
+}
+
+// An extendable whose variable holds `argument, rest` is the dotable of that argument onto the rest.
+TypeId TypeStore::head(TypeId type) {
+    for (;;) {
+        type = follow(type);
+        if (nodes_[type].kind != TypeKind::extendable) return type;
+        const TypeId result = argument(type, 0);
+        const TypeId given = follow(argument(type, 1));
+        if (nodes_[given].kind == TypeKind::variable) {
+            return given == argument(type, 1) ? type : extendable(result, given);
+        }
+        if (nodes_[given].kind == TypeKind::complete) {
+            type = result;
+        } else {
+            return dotable(argument(given, 0), extendable(result, argument(given, 1)));
+        }
+    }
+}
+
+std::vector<TypeId> TypeStore::arguments(TypeId type) const {
+    const TypeNode& node = nodes_[type];
+    return {args_.begin() + node.first, args_.begin() + node.first + node.count};
+}
+
+std::vector<TypeId> TypeStore::dot_parts(TypeId type) {
+    const Depth guard(*this);
+    type = head(type);
+    if (nodes_[type].kind != TypeKind::dot) return {type};
+    std::vector<TypeId> result;
+    for (const TypeId part : arguments(type)) {
+        const std::vector<TypeId> inner = dot_parts(part);
+        result.insert(result.end(), inner.begin(), inner.end());
+    }
+    return result;
+}
+
+TypeId TypeStore::split(TypeId type, std::vector<TypeId>& given) {
+    for (;;) {
+        step();
+        type = head(type);
+        if (nodes_[type].kind != TypeKind::dotable) return type;
+        const TypeId result = argument(type, 1);
+        const std::vector<TypeId> parts = dot_parts(argument(type, 0));
+        given.insert(given.end(), parts.begin(), parts.end());
+        type = result;
+    }
+}
+
+// ---------------------------------------------------------------- changing
+
+void TypeStore::change(TypeId type) {
+    if (recording_) trail_.emplace_back(type, nodes_[type]);
+}
+
+void TypeStore::undo(std::size_t mark) {
+    while (trail_.size() > mark) {
+        nodes_[trail_.back().first] = trail_.back().second;
+        trail_.pop_back();
+    }
+}
+
+void TypeStore::bind(TypeId variable, TypeId type) {
+    change(variable);
+    nodes_[variable].link = type;
+}
+
+void TypeStore::constrain(TypeId variable, Constraints constraints) {
+    change(variable);
+    nodes_[variable].constraints |= constraints;
+}
+
+void TypeStore::lower_level(TypeId variable, std::uint32_t level) {
+    if (nodes_[variable].level <= level) return;
+    change(variable);
+    nodes_[variable].level = level;
+}
+
+bool TypeStore::visit(TypeId type, TypeId wanted, std::uint32_t level) {
+    const Depth guard(*this);
+    type = head(type);
+    if (nodes_[type].kind == TypeKind::variable) {
+        lower_level(type, level);
+        return type == wanted;
+    }
+    bool found = false;
+    for (std::uint32_t i = 0; i < nodes_[type].count; ++i) found = visit(argument(type, i), wanted, level) || found;
+    return found;
+}
+
+void TypeStore::open_variables(TypeId type, std::vector<TypeId>& out) {
+    const Depth guard(*this);
+    type = head(type);
+    if (nodes_[type].kind == TypeKind::variable) {
+        if (nodes_[type].level > level_ && std::ranges::find(out, type) == out.end()) out.push_back(type);
+        return;
+    }
+    for (std::uint32_t i = 0; i < nodes_[type].count; ++i) open_variables(argument(type, i), out);
+}
+
+}  // namespace robochart::cspm::types

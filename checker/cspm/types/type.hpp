@@ -1,0 +1,191 @@
+// Types while they are inferred: nodes of an arena, variables bound by links, undone by a trail. Dotted types follow
+// the FDR manual: `a => b` (dotable) yields b once dotted with an a; `a =>* b` (extendable) yields b after some
+// arguments not yet known, kept in the variable on its left.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace robochart::cspm::types {
+
+using TypeId = std::uint32_t;
+inline constexpr TypeId no_type = 0xffffffffU;
+
+enum class TypeKind : std::uint8_t {
+    variable,
+    integer,
+    boolean,
+    character,
+    process,
+    event,
+    datatype,
+    set,
+    sequence,
+    map,
+    tuple,
+    function,    ///< arguments, then the result
+    dot,         ///< the parts of a dotted value, two or more
+    dotable,     ///< argument, result
+    extendable,  ///< result, variable that gathers the arguments
+    complete,    ///< in place of an extendable's variable: no more arguments
+};
+
+/// Constraints on a type, a set of bits. Eq implies Set.
+using Constraints = std::uint8_t;
+enum Constraint : std::uint8_t {
+    can_equal = 1,    ///< Eq: values may be compared
+    can_order = 2,    ///< Ord: values may be ordered
+    can_input = 4,    ///< Complete: values may be input on channels
+    can_collect = 8,  ///< Set: values may form sets
+    can_yield = 16,   ///< Yieldable: datatypes and events, what dotting ends in
+};
+
+struct Scheme {
+    std::vector<TypeId> quantified;
+    TypeId type = no_type;
+};
+
+struct TypeNode {
+    TypeKind kind = TypeKind::variable;
+    Constraints constraints = 0;  ///< variables
+    bool rigid = false;           ///< variables of annotations: bound by nothing
+    std::uint32_t level = 0;      ///< variables: the group of declarations they belong to; generalised when it closes
+    TypeId link = no_type;        ///< variables: what they stand for
+    std::uint32_t first = 0;      ///< arguments; datatype: its number; rigid: the index of its name
+    std::uint32_t count = 0;
+};
+
+/// Thrown when types grow beyond all use (deep nesting, exponential size).
+struct TypeOverflow {
+    bool deep = false;
+};
+
+class TypeStore {
+public:
+    static constexpr unsigned max_depth = 4000;
+    static constexpr std::uint64_t max_steps = 30'000'000;  ///< of work on types in one group of declarations
+
+    TypeStore();
+
+    // making types
+    [[nodiscard]] TypeId fresh(Constraints constraints = 0);
+    [[nodiscard]] TypeId rigid(const std::string& name, Constraints constraints);
+    [[nodiscard]] TypeId atom(TypeKind kind) const { return static_cast<TypeId>(kind); }
+    [[nodiscard]] TypeId datatype(std::uint32_t number);
+    [[nodiscard]] TypeId make(TypeKind kind, const std::vector<TypeId>& args);
+    [[nodiscard]] TypeId set_of(TypeId element) { return make(TypeKind::set, {element}); }
+    [[nodiscard]] TypeId sequence_of(TypeId element) { return make(TypeKind::sequence, {element}); }
+    /// A dotted type of one or more parts.
+    [[nodiscard]] TypeId dot(const std::vector<TypeId>& parts);
+    [[nodiscard]] TypeId dotable(TypeId argument, TypeId result) { return make(TypeKind::dotable, {argument, result}); }
+    /// `result` behind several arguments.
+    [[nodiscard]] TypeId dotable(const std::vector<TypeId>& arguments, std::size_t from, TypeId result);
+    [[nodiscard]] TypeId extendable(TypeId result, TypeId arguments) {
+        return make(TypeKind::extendable, {result, arguments});
+    }
+
+    // looking at types
+    /// The type a variable stands for; an extendable whose arguments are known becomes what it stands for.
+    [[nodiscard]] TypeId head(TypeId type);
+    [[nodiscard]] const TypeNode& node(TypeId type) const { return nodes_[type]; }
+    /// Kind after `head`.
+    [[nodiscard]] TypeKind kind(TypeId type) { return nodes_[head(type)].kind; }
+    [[nodiscard]] TypeId argument(TypeId type, std::size_t i) const { return args_[nodes_[type].first + i]; }
+    [[nodiscard]] std::vector<TypeId> arguments(TypeId type) const;
+    [[nodiscard]] const std::string& rigid_name(TypeId type) const { return names_[nodes_[type].first]; }
+    /// The parts of a dotted type, nested ones spread out; one part for all other types.
+    [[nodiscard]] std::vector<TypeId> dot_parts(TypeId type);
+    /// A dotable's arguments (spread out) and what it yields in the end; no arguments for all other types.
+    [[nodiscard]] TypeId split(TypeId type, std::vector<TypeId>& arguments);
+
+    // changing variables
+    void bind(TypeId variable, TypeId type);
+    void constrain(TypeId variable, Constraints constraints);
+    void lower_level(TypeId variable, std::uint32_t level);
+    /// Lowers the variables of a type to a level at most; whether `wanted` occurs in it.
+    bool visit(TypeId type, TypeId wanted, std::uint32_t level);
+    /// Variables of a type above the current level, in order of occurrence.
+    void open_variables(TypeId type, std::vector<TypeId>& out);
+
+    // groups of declarations
+    void enter() { ++level_; }
+    void leave() { --level_; }
+    [[nodiscard]] std::uint32_t level() const { return level_; }
+    void renew_steps() { steps_ = 0; }
+    void step() {
+        if (++steps_ > max_steps) throw TypeOverflow{false};
+    }
+
+    // undoing
+    [[nodiscard]] std::size_t mark() const { return trail_.size(); }
+    void recording(bool on) { recording_ = on; }
+    void undo(std::size_t mark);
+
+    // datatypes
+    [[nodiscard]] std::uint32_t new_datatype(const std::string& name);
+    [[nodiscard]] const std::string& datatype_name(std::uint32_t number) const { return datatypes_[number].name; }
+    [[nodiscard]] bool comparable(std::uint32_t number) const { return datatypes_[number].comparable; }
+    void set_comparable(std::uint32_t number, bool value) { datatypes_[number].comparable = value; }
+
+    /// Counts recursion on types; bounded.
+    class Depth {
+    public:
+        explicit Depth(TypeStore& store) : store_(store) {
+            store_.step();
+            if (store_.depth_ >= max_depth) throw TypeOverflow{true};
+            ++store_.depth_;
+        }
+        ~Depth() { --store_.depth_; }
+        Depth(const Depth&) = delete;
+        Depth& operator=(const Depth&) = delete;
+
+    private:
+        TypeStore& store_;
+    };
+
+private:
+    struct Datatype {
+        std::string name;
+        bool comparable = false;
+        TypeId type = no_type;
+    };
+
+    TypeId add(const TypeNode& node);
+    void change(TypeId type);
+    TypeId follow(TypeId type);
+
+    std::vector<TypeNode> nodes_;
+    std::vector<TypeId> args_;
+    std::vector<std::string> names_;
+    std::vector<Datatype> datatypes_;
+    std::vector<std::pair<TypeId, TypeNode>> trail_;
+    bool recording_ = false;
+    std::uint32_t level_ = 0;
+    unsigned depth_ = 0;
+    std::uint64_t steps_ = 0;
+};
+
+/// Writes types in FDR's notation; one writer names the variables of several types alike.
+class TypeWriter {
+public:
+    explicit TypeWriter(TypeStore& store) : store_(store) {}
+    /// The type alone.
+    [[nodiscard]] std::string text(TypeId type);
+    /// The type with the constraints of its variables in front.
+    [[nodiscard]] std::string with_constraints(TypeId type);
+
+private:
+    void write(TypeId type, int binding, std::string& out);
+    void write_list(const std::vector<TypeId>& types, std::string& out);
+    [[nodiscard]] std::string variable(TypeId type);
+
+    TypeStore& store_;
+    std::vector<TypeId> seen_;
+    unsigned depth_ = 0;
+};
+
+/// How FDR writes a constraint.
+[[nodiscard]] std::string constraint_name(Constraint constraint);
+
+}  // namespace robochart::cspm::types

@@ -1,0 +1,78 @@
+// Making types equal. The rules of dotted types are FDR's: a dotted value takes as many arguments as its head can
+// take ("longest match") where a value is expected, and as few as it must where something extendable is.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "checker/cspm/types/type.hpp"
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::cspm::types {
+
+/// A finding on its way to the declaration it is in.
+struct TypeFault {
+    const diagnostics::Rule* rule = nullptr;
+    std::vector<std::string> arguments;
+    std::vector<diagnostics::Note> notes;
+    diagnostics::Span span;
+};
+
+class Unifier {
+public:
+    /// `here`: the place findings are about, kept up to date by the owner.
+    Unifier(TypeStore& store, const diagnostics::Span& here) : store_(store), here_(here) {}
+
+    /// Makes both equal and returns what they are; throws a TypeFault.
+    TypeId unify(TypeId expected, TypeId actual);
+    /// The same, where a dotted value must not be taken apart to fit: patterns and arguments.
+    TypeId unify_one_way(TypeId expected, TypeId actual);
+    /// Makes a type satisfy a constraint; throws a TypeFault.
+    void constrain(Constraint constraint, TypeId type);
+    void constrain_all(Constraints constraints, TypeId type);
+    /// Applies every head of a dotted type inside `type` to the parts that follow it.
+    TypeId evaluate_dots(TypeId type);
+
+    TypeId instantiate(const Scheme& scheme);
+    /// A copy of a type with variables and datatypes replaced; both lists sorted.
+    TypeId copy(TypeId type, const std::vector<std::pair<TypeId, TypeId>>& variables,
+                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& datatypes);
+
+private:
+    enum class Match { shortest, longest };
+    using Parts = std::vector<TypeId>;
+
+    TypeId unify_heads(TypeId a, TypeId b);
+    TypeId unify_variables(TypeId a, TypeId b);
+    TypeId unify_variable(TypeId variable, TypeId type);
+    TypeId unify_arguments(TypeId a, TypeId b);
+    TypeId unify_dotables(TypeId a, TypeId b);
+    TypeId unify_dots(TypeId a, TypeId b);
+    TypeId unify_dot_with(TypeId dot, TypeId other, bool dot_expected);
+    TypeId unify_extendable(TypeId a, TypeId b);
+    void set_arguments(TypeId variable, TypeId arguments);
+    TypeId substitute(TypeId variable, TypeId type);
+    Parts evaluate(Parts parts, Match match);
+    Parts combine(Parts a, Parts b);
+    Parts take_left(Parts a, const Parts& b);
+    Parts take_right(const Parts& a, Parts b);
+    TypeId ultimate(TypeId type);
+    TypeId one_by_one(TypeId dotable);
+    [[nodiscard]] bool is(TypeId type, TypeKind kind) { return store_.kind(type) == kind; }
+    void constrain_variable(Constraint constraint, TypeId variable);
+    bool constrain_parts(Constraint constraint, TypeId type);
+    [[noreturn]] void mismatch();
+    [[nodiscard]] TypeFault fault(TypeWriter& writer, TypeId expected, TypeId actual);
+    TypeId displayed(TypeId type);
+    [[noreturn]] void lacks(Constraint constraint, TypeId type);
+
+    TypeStore& store_;
+    const diagnostics::Span& here_;
+    std::vector<std::pair<TypeId, TypeId>> pairs_;  // being made equal, outermost first: expected, actual
+    std::vector<TypeId> constrained_;               // being constrained, outermost first
+    bool one_way_ = false;
+    bool failing_ = false;
+};
+
+}  // namespace robochart::cspm::types

@@ -1,0 +1,141 @@
+// Precedences as in FDR's grammar (libcspm, Parser.ppy): `.` binds tightest; `=>`, `=>*` and `->` reach to the right.
+#include "checker/cspm/types/written_type.hpp"
+
+#include <array>
+#include <cctype>
+
+namespace robochart::cspm::types {
+
+namespace {
+
+class TypeReader {
+public:
+    explicit TypeReader(std::string_view text) : text_(text) { space(); }
+
+    WrittenScheme scheme() {
+        WrittenScheme result;
+        const std::size_t start = at_;
+        const bool group = accept("(");
+        if (constraint(result)) {
+            while (group && accept(",")) constraint(result);
+            if (group) accept(")");
+            accept("=>");
+        } else {
+            at_ = start;
+        }
+        result.type = type();
+        return result;
+    }
+
+private:
+    // `Eq a`: two names without anything between.
+    bool constraint(WrittenScheme& scheme) {
+        static constexpr std::array<Constraint, 5> all{can_equal, can_order, can_input, can_collect, can_yield};
+        const std::string first = name();
+        const std::string second = name();
+        if (first.empty() || second.empty()) return false;
+        for (const Constraint each : all) {
+            if (constraint_name(each) == first) scheme.constraints.emplace_back(each, second);
+        }
+        return true;
+    }
+
+    WrittenType type() {
+        bool grouped = false;
+        WrittenType left = dotted(grouped);
+        if (accept("->")) return function(std::move(left), grouped);
+        if (accept("=>*")) return {TypeKind::extendable, "", {std::move(left), type()}};
+        if (accept("=>")) return {TypeKind::dotable, "", {std::move(left), type()}};
+        return left;
+    }
+
+    // (A, B) -> C: what stands in the parentheses are the arguments.
+    WrittenType function(WrittenType arguments, bool grouped) {
+        WrittenType result{TypeKind::function, "", {}};
+        if (grouped && arguments.kind == TypeKind::tuple) {
+            result.args = std::move(arguments.args);
+        } else {
+            result.args.push_back(std::move(arguments));
+        }
+        result.args.push_back(type());
+        return result;
+    }
+
+    WrittenType dotted(bool& grouped) {
+        WrittenType first = operand(grouped);
+        if (!peek(".")) return first;
+        grouped = false;
+        WrittenType result{TypeKind::dot, "", {std::move(first)}};
+        bool ignored = false;
+        while (accept(".")) result.args.push_back(operand(ignored));
+        return result;
+    }
+
+    WrittenType operand(bool& grouped) {
+        if (accept("{")) return closed(TypeKind::set, "}");
+        if (accept("<")) return closed(TypeKind::sequence, ">");
+        if (accept("(|")) {
+            bool ignored = false;
+            WrittenType result{TypeKind::map, "", {dotted(ignored)}};
+            accept("=>");
+            result.args.push_back(type());
+            accept("|)");
+            return result;
+        }
+        if (accept("(")) return parenthesis(grouped);
+        return {TypeKind::variable, name(), {}};
+    }
+
+    WrittenType closed(TypeKind kind, std::string_view close) {
+        WrittenType result{kind, "", {type()}};
+        accept(close);
+        return result;
+    }
+
+    // (T) groups; (T, U) is a tuple, or the arguments of a function.
+    WrittenType parenthesis(bool& grouped) {
+        grouped = true;
+        WrittenType result{TypeKind::tuple, "", {}};
+        if (!peek(")")) result.args.push_back(type());
+        while (accept(",")) result.args.push_back(type());
+        accept(")");
+        if (result.args.size() != 1) return result;
+        if (peek("->")) return result;
+        WrittenType only = std::move(result.args.front());
+        return only;
+    }
+
+    void space() {
+        while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+    }
+    [[nodiscard]] bool peek(std::string_view token) const { return text_.substr(at_).starts_with(token); }
+    bool accept(std::string_view token) {
+        if (!peek(token)) return false;
+        if (token == "=>" && peek("=>*")) return false;
+        at_ += token.size();
+        space();
+        return true;
+    }
+    std::string name() {
+        const std::size_t start = at_;
+        while (at_ < text_.size()) {
+            const char c = text_[at_];
+            if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != '\'' && c != ':') break;
+            ++at_;
+        }
+        std::string result(text_.substr(start, at_ - start));
+        space();
+        return result;
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace
+
+WrittenScheme read_type(std::string_view text) {
+    return TypeReader(text).scheme();
+}
+
+}  // namespace robochart::cspm::types
