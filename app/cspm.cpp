@@ -7,6 +7,8 @@
 #include "app/verbs.hpp"
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/types.hpp"
+#include "diagnostics/json.hpp"
 #include "diagnostics/render.hpp"
 
 namespace robochart::app {
@@ -64,27 +66,89 @@ AssertionReport decide(cspm::Session& session, const cspm::Decl& assertion, cons
     return report;
 }
 
+// A script with its findings and the types of its names; every script is type checked before it is evaluated.
+struct Loaded {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    cspm::Script script;
+    std::vector<cspm::NamedType> types;
+};
+
+void load(const std::string& path, Loaded& loaded) {
+    loaded.script = cspm::read_file(loaded.sources, path, loaded.diagnostics);
+    if (loaded.diagnostics.ok()) loaded.types = cspm::check_types(loaded.script, loaded.diagnostics);
+}
+
+void show_findings(const Loaded& loaded, const Options& options) {
+    if (loaded.diagnostics.empty()) return;
+    if (options.format == Format::json && !loaded.diagnostics.ok()) {
+        fmt::print("{}", diagnostics::render_json(loaded.sources, loaded.diagnostics));
+    } else {
+        fmt::print(stderr, "{}", diagnostics::render_text(loaded.sources, loaded.diagnostics));
+    }
+}
+
+std::string types_json(const std::string& path, const Loaded& loaded) {
+    std::vector<std::string> rows;
+    for (const cspm::NamedType& each : loaded.types) {
+        rows.push_back(fmt::format("{{\"name\":{},\"type\":{},\"place\":{}}}", diagnostics::json_string(each.name),
+                                   diagnostics::json_string(each.type), diagnostics::json_string(loaded.sources.place(each.span))));
+    }
+    return fmt::format("{{\"schema\":\"robochart-verify/types/1\",\"script\":{},\"names\":[{}]}}\n", diagnostics::json_string(path),
+                       fmt::join(rows, ","));
+}
+
+void show_types(const std::string& path, const Loaded& loaded, const Options& options) {
+    if (options.format == Format::json) {
+        fmt::print("{}", types_json(path, loaded));
+    } else if (options.types) {
+        for (const cspm::NamedType& each : loaded.types) fmt::print("{} :: {}\n", each.name, each.type);
+    } else if (!options.quiet) {
+        fmt::print("{}: the types of {} names are in order\n", path, loaded.types.size());
+    }
+}
+
+Exit check_types(const Options& options) {
+    Exit exit = Exit::success;
+    for (const std::string& path : options.inputs) {
+        Loaded loaded;
+        load(path, loaded);
+        show_findings(loaded, options);
+        if (loaded.diagnostics.ok()) {
+            show_types(path, loaded, options);
+        } else {
+            exit = Exit::bad_input;
+        }
+    }
+    return exit;
+}
+
+void decide_all(const Loaded& loaded, const Options& options, Report& report) {
+    cspm::Session session(loaded.script);
+    const auto assertions = session.assertions();
+    report.summary += fmt::format("{}{} assertions", report.summary.empty() ? "" : ", ", assertions.size());
+    for (std::size_t i = 0; i < assertions.size(); ++i) {
+        if (!options.assertion.empty() && options.assertion != fmt::format("{}", i + 1)) continue;
+        report.assertions.push_back(decide(session, *assertions[i], options, loaded.sources));
+        if (options.brief) report.assertions.back().counterexample.clear();
+    }
+}
+
 }  // namespace
 
 Exit run_cspm(const Options& options) {
+    if (options.typecheck || options.types) return check_types(options);
     Report report;
     report.model = fmt::format("{}", fmt::join(options.inputs, " "));
     for (const std::string& path : options.inputs) {
-        diagnostics::SourceManager sources;
-        diagnostics::Diagnostics diagnostics;
-        const cspm::Script script = cspm::read_file(sources, path, diagnostics);
-        if (!diagnostics.empty()) fmt::print(stderr, "{}", diagnostics::render_text(sources, diagnostics));
-        if (!diagnostics.ok()) return Exit::bad_input;
+        Loaded loaded;
+        load(path, loaded);
+        show_findings(loaded, options);
+        if (!loaded.diagnostics.ok()) return Exit::bad_input;
         try {
-            cspm::Session session(script);
-            const auto assertions = session.assertions();
-            report.summary += fmt::format("{}{} assertions", report.summary.empty() ? "" : ", ", assertions.size());
-            for (std::size_t i = 0; i < assertions.size(); ++i) {
-                if (options.assertion.empty() || options.assertion == fmt::format("{}", i + 1))
-                    report.assertions.push_back(decide(session, *assertions[i], options, sources));
-            }
+            decide_all(loaded, options, report);
         } catch (const cspm::EvaluationError& error) {
-            fmt::print(stderr, "{}: {}\n", sources.place(error.span), error.what());
+            fmt::print(stderr, "{}: {}\n", loaded.sources.place(error.span), error.what());
             return Exit::bad_input;
         }
     }

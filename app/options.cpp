@@ -76,6 +76,13 @@ void add_checking(CLI::App& app, Options& o) {
     app.add_flag("--trace", o.show_internal, "also print raw event traces of counterexamples");
 }
 
+void add_script(CLI::App& app, Options& o) {
+    add_checking(app, o);
+    app.add_flag("--typecheck", o.typecheck, "check names and types and stop");
+    app.add_flag("--types", o.types, "print the type of every name and stop");
+    app.add_flag("-b,--brief", o.brief, "verdicts without counterexamples");
+}
+
 void add_times(CLI::App& app, Options& o) {
     auto* timed = app.add_flag_callback("--timed", [&o] { o.times = Times::timed; }, "only the timed semantics");
     app.add_flag_callback("--untimed", [&o] { o.times = Times::untimed; }, "only the untimed semantics")->excludes(timed);
@@ -101,7 +108,7 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     inputs->required();
     if (row.verb == Verb::format) return add_format(app, o);
     add_common(app, o);
-    if (row.verb == Verb::cspm) return add_checking(app, o);
+    if (row.verb == Verb::cspm) return add_script(app, o);
     add_model(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::emit_csp) add_times(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::conform) add_checking(app, o);

@@ -41,6 +41,9 @@ struct Options {
     bool diff = false;                    ///< format: write nothing, show what would change
     bool assertions = false;              ///< format: standard input is an assertion file
     std::string assertion;                ///< only this one, "" for all
+    bool typecheck = false;               ///< cspm: names and types only
+    bool types = false;                   ///< cspm: print the types of the script's names and stop
+    bool brief = false;                   ///< cspm: no counterexamples
     std::string component;                ///< emit cpp, conform: only this one
     std::uint32_t cycle = 1;
     std::string print;                    ///< phase to print, "" for none

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "checker/cspm/rules.hpp"
+#include "checker/cspm/types/rules.hpp"
 #include "cpp_emit/rules.hpp"
 #include "csp_emit/rules.hpp"
 #include "frontend/rules.hpp"
@@ -48,6 +49,7 @@ std::vector<const diagnostics::Rule*> all_rules() {
     add(csp_emit::rules::all());
     add(cpp_emit::rules::all());
     add(cspm::rules::all());
+    add(cspm::types::rules::all());
     all.insert(all.end(), {&rules::bad_option, &rules::no_component, &rules::unwritable});
     return all;
 }

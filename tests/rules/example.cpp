@@ -12,6 +12,7 @@
 #include "app/pipeline.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/reader.hpp"
+#include "checker/cspm/types.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project.hpp"
 
@@ -81,6 +82,7 @@ void read_script(const std::string& path, Judgement& result) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const auto script = cspm::read_file(sources, path, diagnostics);
+    if (diagnostics.ok()) (void)cspm::check_types(script, diagnostics);
     take(sources, diagnostics, result);
 }
 

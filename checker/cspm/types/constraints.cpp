@@ -142,8 +142,10 @@ std::optional<std::uint32_t> replacement(const Replacements& sorted, std::uint32
 TypeId Unifier::instantiate(const Scheme& scheme) {
     if (scheme.quantified.empty()) return scheme.type;
     std::vector<std::pair<TypeId, TypeId>> variables;
-    for (const TypeId each : scheme.quantified)
+    for (const TypeId each : scheme.quantified) {
+        store_.step();
         variables.emplace_back(each, store_.fresh(store_.node(each).constraints));
+    }
     std::ranges::sort(variables);
     return copy(scheme.type, variables, {});
 }
@@ -153,6 +155,7 @@ TypeId Unifier::copy(TypeId type, const std::vector<std::pair<TypeId, TypeId>>& 
     const TypeStore::Depth guard(store_);
     type = store_.head(type);
     const TypeNode node = store_.node(type);
+    if (node.closed && datatypes.empty()) return type;
     if (node.kind == TypeKind::variable) {
         return replacement(variables, type).value_or(type);
     }

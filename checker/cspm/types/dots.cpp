@@ -21,6 +21,7 @@ TypeId Unifier::one_by_one(TypeId dotable) {
 TypeId Unifier::evaluate_dots(TypeId type) {
     const TypeStore::Depth guard(store_);
     type = store_.head(type);
+    if (store_.node(type).plain) return type;
     const TypeKind kind = store_.node(type).kind;
     if (kind == TypeKind::dot) return store_.dot(evaluate(store_.dot_parts(type), Match::longest));
     const bool inside = kind == TypeKind::set || kind == TypeKind::sequence || kind == TypeKind::map ||

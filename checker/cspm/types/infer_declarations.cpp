@@ -123,7 +123,7 @@ void Inference::generalise(const Declaration& declaration, ListKind kind) {
         if (kind == ListKind::let && declaration.annotation == nullptr) {
             (void)store_.visit(each->scheme.type, no_type, store_.level());
         } else {
-            store_.open_variables(each->scheme.type, each->scheme.quantified);
+            each->scheme.quantified = store_.open_variables(each->scheme.type);
         }
     }
 }

@@ -15,6 +15,7 @@ TypeStore::TypeStore() {
     for (std::uint32_t kind = 0; kind < kinds; ++kind) {
         TypeNode node;
         node.kind = static_cast<TypeKind>(kind);
+        node.closed = node.plain = true;
         nodes_.push_back(node);
     }
 }
@@ -48,6 +49,7 @@ TypeId TypeStore::datatype(std::uint32_t number) {
 std::uint32_t TypeStore::new_datatype(const std::string& name) {
     TypeNode node;
     node.kind = TypeKind::datatype;
+    node.closed = node.plain = true;
     node.first = static_cast<std::uint32_t>(datatypes_.size());
     datatypes_.push_back({name, false, add(node)});
     return node.first;
@@ -58,7 +60,14 @@ TypeId TypeStore::make(TypeKind kind, const std::vector<TypeId>& args) {
     node.kind = kind;
     node.first = static_cast<std::uint32_t>(args_.size());
     node.count = static_cast<std::uint32_t>(args.size());
-    args_.insert(args_.end(), args.begin(), args.end());
+    node.closed = true;
+    node.plain = kind != TypeKind::dot && kind != TypeKind::dotable && kind != TypeKind::extendable;
+    for (const TypeId each : args) {
+        const TypeId end = follow(each);
+        args_.push_back(end);
+        node.closed = node.closed && nodes_[end].closed;
+        node.plain = node.plain && nodes_[end].plain;
+    }
     return add(node);
 }
 
@@ -164,6 +173,7 @@ void TypeStore::lower_level(TypeId variable, std::uint32_t level) {
 bool TypeStore::visit(TypeId type, TypeId wanted, std::uint32_t level) {
     const Depth guard(*this);
     type = head(type);
+    if (nodes_[type].closed) return false;
     if (nodes_[type].kind == TypeKind::variable) {
         lower_level(type, level);
         return type == wanted;
@@ -173,14 +183,23 @@ bool TypeStore::visit(TypeId type, TypeId wanted, std::uint32_t level) {
     return found;
 }
 
-void TypeStore::open_variables(TypeId type, std::vector<TypeId>& out) {
+void TypeStore::gather_open(TypeId type, std::vector<TypeId>& out) {
     const Depth guard(*this);
     type = head(type);
+    if (nodes_[type].closed) return;
     if (nodes_[type].kind == TypeKind::variable) {
-        if (nodes_[type].level > level_ && std::ranges::find(out, type) == out.end()) out.push_back(type);
+        if (nodes_[type].level > level_) out.push_back(type);
         return;
     }
-    for (std::uint32_t i = 0; i < nodes_[type].count; ++i) open_variables(argument(type, i), out);
+    for (std::uint32_t i = 0; i < nodes_[type].count; ++i) gather_open(argument(type, i), out);
+}
+
+std::vector<TypeId> TypeStore::open_variables(TypeId type) {
+    std::vector<TypeId> result;
+    gather_open(type, result);
+    std::ranges::sort(result);
+    result.erase(std::ranges::unique(result).begin(), result.end());
+    return result;
 }
 
 }  // namespace robochart::cspm::types

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace robochart::cspm::types {
@@ -50,6 +51,8 @@ struct TypeNode {
     TypeKind kind = TypeKind::variable;
     Constraints constraints = 0;  ///< variables
     bool rigid = false;           ///< variables of annotations: bound by nothing
+    bool closed = false;          ///< no variables inside
+    bool plain = false;           ///< closed, and no dotted types inside: nothing to evaluate
     std::uint32_t level = 0;      ///< variables: the group of declarations they belong to; generalised when it closes
     TypeId link = no_type;        ///< variables: what they stand for
     std::uint32_t first = 0;      ///< arguments; datatype: its number; rigid: the index of its name
@@ -64,7 +67,7 @@ struct TypeOverflow {
 class TypeStore {
 public:
     static constexpr unsigned max_depth = 4000;
-    static constexpr std::uint64_t max_steps = 30'000'000;  ///< of work on types in one group of declarations
+    static constexpr std::uint64_t max_steps = 3'000'000;  ///< of work on types in one declaration
 
     TypeStore();
 
@@ -105,8 +108,8 @@ public:
     void lower_level(TypeId variable, std::uint32_t level);
     /// Lowers the variables of a type to a level at most; whether `wanted` occurs in it.
     bool visit(TypeId type, TypeId wanted, std::uint32_t level);
-    /// Variables of a type above the current level, in order of occurrence.
-    void open_variables(TypeId type, std::vector<TypeId>& out);
+    /// Variables of a type above the current level, sorted.
+    [[nodiscard]] std::vector<TypeId> open_variables(TypeId type);
 
     // groups of declarations
     void enter() { ++level_; }
@@ -151,6 +154,7 @@ private:
         TypeId type = no_type;
     };
 
+    void gather_open(TypeId type, std::vector<TypeId>& out);
     TypeId add(const TypeNode& node);
     void change(TypeId type);
     TypeId follow(TypeId type);
@@ -181,7 +185,8 @@ private:
     [[nodiscard]] std::string variable(TypeId type);
 
     TypeStore& store_;
-    std::vector<TypeId> seen_;
+    std::vector<std::pair<TypeId, std::string>> seen_;
+    std::size_t next_ = 0;
     unsigned depth_ = 0;
 };
 

@@ -35,12 +35,22 @@ std::string constraint_name(Constraint constraint) {
 
 // a, b, ..., z, a1, b1, ...
 std::string TypeWriter::variable(TypeId type) {
-    if (store_.node(type).rigid) return store_.rigid_name(type);
-    const auto found = std::ranges::find(seen_, type);
-    const auto index = static_cast<std::size_t>(found - seen_.begin());
-    if (found == seen_.end()) seen_.push_back(type);
-    std::string name(1, static_cast<char>('a' + index % 26));
-    return index < 26 ? name : name + std::to_string(index / 26);
+    const auto found = std::ranges::find(seen_, type, &std::pair<TypeId, std::string>::first);
+    if (found != seen_.end()) return found->second;
+    const auto taken = [&](const std::string& name) {
+        return std::ranges::find(seen_, name, &std::pair<TypeId, std::string>::second) != seen_.end();
+    };
+    std::string name;
+    if (store_.node(type).rigid) {
+        name = store_.rigid_name(type);
+    } else {
+        do {
+            name = std::string(1, static_cast<char>('a' + next_ % 26)) + (next_ < 26 ? "" : std::to_string(next_ / 26));
+            ++next_;
+        } while (taken(name));
+    }
+    seen_.emplace_back(type, name);
+    return name;
 }
 
 void TypeWriter::write_list(const std::vector<TypeId>& types, std::string& out) {
@@ -144,12 +154,12 @@ std::string TypeWriter::text(TypeId type) {
 std::string TypeWriter::with_constraints(TypeId type) {
     const std::string body = text(type);
     std::vector<std::string> constraints;
-    for (const TypeId each : seen_) {
+    for (const auto& [each, name] : seen_) {
         const Constraints held = store_.node(each).constraints;
         for (const Constraint constraint : all_constraints) {
             if ((held & constraint) == 0) continue;
             if (constraint == can_collect && (held & can_equal) != 0) continue;
-            constraints.push_back(constraint_name(constraint) + " " + variable(each));
+            constraints.push_back(constraint_name(constraint) + " " + name);
         }
     }
     if (constraints.empty()) return body;

@@ -250,6 +250,14 @@ TypeFault Unifier::fault(TypeWriter& writer, TypeId expected, TypeId actual) {
         (void)store_.split(expected, parts);
         return {&rules::too_many_fields, {writer.text(actual), writer.text(store_.dot(parts))}, {}, here_};
     }
+    if (right == TypeKind::dot && yields(left)) {
+        parts = store_.dot_parts(actual);
+        const TypeKind first = store_.kind(parts.front());
+        if (first == TypeKind::event || first == TypeKind::datatype) {
+            const TypeId rest = store_.dot({parts.begin() + 1, parts.end()});
+            return {&rules::too_many_fields, {writer.text(parts.front()), writer.text(rest)}, {}, here_};
+        }
+    }
     if (right == TypeKind::dotable && (left == TypeKind::event || left == TypeKind::datatype)) {
         const TypeId end = store_.split(actual, parts);
         if (store_.head(end) == store_.head(expected)) {

@@ -1,0 +1,81 @@
+// Types of published scripts: those FDR's front end accepts are accepted, those it rejects are rejected; RoboTool's
+// own scripts are all accepted, the largest in about a second.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <sstream>
+
+#include "checker/cspm/types.hpp"
+#include "tests/checker/cspm/support.hpp"
+
+namespace robochart::cspm::test {
+namespace {
+
+struct Checked {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+
+    explicit Checked(const std::filesystem::path& file) {
+        const Script script = read_file(sources, file.string(), diagnostics);
+        if (diagnostics.ok()) check_types(script, diagnostics);
+    }
+    [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, diagnostics); }
+};
+
+// Scripts of the printer's phase that were never meant to be checked for types: FDR's front end rejects them too.
+bool only_printed(const std::string& file) {
+    return file.ends_with("should_pass/complete.csp") || file == "prettyprinter/should_pass/timed_sections.csp";
+}
+
+TEST(TypeSuiteTest, PublishedScriptsAreTypedAsFdrTypesThem) {
+    const auto shared = shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
+    const auto folder = shared / "suite" / "cspm";
+    std::ifstream table(folder / "EXPECTED.tsv");
+    std::string line;
+    std::getline(table, line);
+    int seen = 0;
+    while (std::getline(table, line)) {
+        std::istringstream row(line);
+        std::string phase, expectation, file;
+        std::getline(row, phase, '\t');
+        std::getline(row, expectation, '\t');
+        std::getline(row, file, '\t');
+        // Scripts of the parser's phase may be wrong later; those of later phases are right until then.
+        if (phase == "parser" || only_printed(file)) continue;
+        ++seen;
+        const Checked checked(folder / file);
+        const bool accepted = phase != "typechecker" || expectation == "accept";
+        EXPECT_EQ(checked.diagnostics.ok(), accepted) << file << "\n" << checked.report();
+    }
+    EXPECT_GT(seen, 150);
+}
+
+void expect_all_typed(const std::filesystem::path& folder) {
+    int seen = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        // instantiations.csp is a part that the others include.
+        if (entry.path().extension() != ".csp" || entry.path().filename() == "instantiations.csp") continue;
+        ++seen;
+        const auto start = std::chrono::steady_clock::now();
+        const Checked checked(entry.path());
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        EXPECT_TRUE(checked.diagnostics.ok()) << entry.path() << "\n" << checked.report();
+        EXPECT_LT(taken.count(), 20) << entry.path();
+    }
+    EXPECT_GT(seen, 0) << folder;
+}
+
+TEST(TypeSuiteTest, RoboToolScriptsAreTyped) {
+    const auto shared = shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
+    for (const char* folder : {"suite/robotool-csp/timed", "suite/robotool-csp/untimed", "suite/robotool-csp-2026/timed",
+                               "suite/robotool-csp-2026/untimed", "bench/hvc/robotool-csp", "bench/models"}) {
+        expect_all_typed(shared / folder);
+    }
+}
+
+}  // namespace
+}  // namespace robochart::cspm::test
