@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <iterator>
 
 #include "tests/app/command.hpp"
@@ -147,15 +148,45 @@ TEST(Cli, ScriptsAreChecked) {
     EXPECT_EQ(run({"cspm", broken.path()}).exit, 2);
 }
 
+TEST(Cli, ScriptsAreTypeCheckedFirst) {
+    const TemporaryFile good("good.csp", "channel a : Int\nf(x) = a.x\nassert STOP [T= f(1) -> STOP\n");
+    const Ran checked = run({"cspm", "--typecheck", good.path()});
+    EXPECT_EQ(checked.exit, 0) << checked.err;
+    EXPECT_THAT(checked.out, HasSubstr("types of 2 names"));
+    EXPECT_EQ(run({"cspm", "--types", good.path()}).out, "a :: Int => Event\nf :: (Int) -> Event\n");
+    const Ran json = run({"cspm", "--types", "--format", "json", good.path()});
+    EXPECT_THAT(json.out, HasSubstr(R"("name":"f","type":"(Int) -> Event")"));
+    const Ran brief = run({"cspm", "-b", good.path()});
+    EXPECT_EQ(brief.exit, 1);
+    EXPECT_THAT(brief.out, Not(HasSubstr("trace")));
+    // Nothing is evaluated: the first assertion alone would fail.
+    const TemporaryFile bad("bad.csp", "channel a : Int\nassert STOP [T= a.1 -> STOP\nP = a.true -> STOP\n");
+    const Ran refused = run({"cspm", bad.path()});
+    EXPECT_EQ(refused.exit, 2) << refused.out;
+    EXPECT_THAT(refused.err, HasSubstr("CSPM-T08"));
+    EXPECT_EQ(refused.out, "");
+    EXPECT_THAT(run({"cspm", "--typecheck", "--format", "json", bad.path()}).out, HasSubstr("robochart-verify/diagnostics/1"));
+}
+
 class CaseStudy : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CaseStudy, HoldsAndConforms) {
-    const Ran ran = run({repository(std::string("corpus/") + GetParam())});
+    const TemporaryFile beside("beside.txt", "");
+    const std::string out = std::filesystem::path(beside.path()).parent_path() / "out";
+    const Ran ran = run({repository(std::string("corpus/") + GetParam()), "--out", out});
     EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("conforms"));
     EXPECT_THAT(ran.out, Not(HasSubstr("FAILS")));
     EXPECT_THAT(ran.out, HasSubstr("out/csp-gen/timed/"));
     EXPECT_THAT(ran.out, HasSubstr("out/cpp/"));
+    // What FDR is handed, the normal form among it, has types in order.
+    std::vector<std::string> words{"cspm", "--typecheck", "-q"};
+    for (const auto& file : std::filesystem::recursive_directory_iterator(out)) {
+        if (file.path().extension() == ".csp") words.push_back(file.path());
+    }
+    EXPECT_GT(words.size(), 6U);
+    const Ran typed = run(words);
+    EXPECT_EQ(typed.exit, 0) << typed.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, CaseStudy, ::testing::Values("aggregation", "swarm_taxis"));

@@ -7,6 +7,7 @@
 
 #include "checker/cspm/build.hpp"
 #include "checker/cspm/reader.hpp"
+#include "checker/cspm/types.hpp"
 #include "csp_emit/liveness.hpp"
 #include "csp_emit/rules.hpp"
 #include "tests/csp_emit/fixture.hpp"
@@ -30,6 +31,8 @@ std::string printed(testing::Model& model, Time time) {
     const cspm::Script again = cspm::read(model.sources, source, model.diagnostics);
     EXPECT_TRUE(model.diagnostics.ok()) << model.messages();
     EXPECT_TRUE(equal(emission.script, again));
+    cspm::check_types(again, model.diagnostics);
+    EXPECT_TRUE(model.diagnostics.ok()) << model.messages();
     if (std::getenv("ROBOCHART_SHOW") != nullptr) std::cout << text;
     return text;
 }

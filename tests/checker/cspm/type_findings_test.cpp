@@ -43,44 +43,57 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"CSPM-T01@1", "instance I = M(1)\nmodule M(n)\nexports\nendmodule"},
         Wrong{"CSPM-T01@2", "One(_) = 1\nTimed(One) {\n P = STOP\n}"}, Wrong{"", "f(n) = g(n)\ng(n) = f(n)"},
         Wrong{"CSPM-T02@3", "f(x) = 1\ng = 2\nf(y) = 3"}, Wrong{"CSPM-T02@1", "f(x, x) = 1"},
-        Wrong{"CSPM-T02@2", "channel c : Int.Int\nP = c?x?x -> STOP"}, Wrong{"CSPM-T02@1", "v = { x | x <- {1}, x <- {2} }"},
+        Wrong{"CSPM-T02@2", "channel c : Int.Int\nP = c?x?x -> STOP"},
+        Wrong{"CSPM-T02@1", "v = { x | x <- {1}, x <- {2} }"},
         Wrong{"CSPM-T02@2", "transparent normal\ntransparent normal"}, Wrong{"", "f(x) = let x = 1 within x"},
-        Wrong{"CSPM-T03@1", "transparent prioritise"}, Wrong{"CSPM-T03@1", "external normal"}, Wrong{"", "external chase, prioritise"},
-        Wrong{"CSPM-T04@4", "module M\nexports\nendmodule\nv = M"}, Wrong{"CSPM-T04@3", "module M(n)\nexports\n instance I = n\nendmodule"},
-        Wrong{"CSPM-T04@2", "A = 1\nsubtype S = A"}, Wrong{"CSPM-T05@5", "module M\nexports\n x = 1\nendmodule\nf(M::x) = 1"},
+        Wrong{"CSPM-T03@1", "transparent prioritise"}, Wrong{"CSPM-T03@1", "external normal"},
+        Wrong{"", "external chase, prioritise"}, Wrong{"CSPM-T04@4", "module M\nexports\nendmodule\nv = M"},
+        Wrong{"CSPM-T04@3", "module M(n)\nexports\n instance I = n\nendmodule"},
+        Wrong{"CSPM-T04@2", "A = 1\nsubtype S = A"},
+        Wrong{"CSPM-T05@5", "module M\nexports\n x = 1\nendmodule\nf(M::x) = 1"},
         Wrong{"", "module M\nexports\n datatype D = A | B\nendmodule\nf(M::A) = 1\nf(_) = 2"},
-        Wrong{"CSPM-T06@2", "channel c : Int.Int\nP = c?x$y -> STOP"}, Wrong{"", "channel c : Int.Int\nP = c$y?x -> STOP"},
-        Wrong{"CSPM-T07@1", "f :: Eq b => (a) -> a\nf(x) = x"}, Wrong{"CSPM-T07@1", "f :: (Int =>* Event) -> Int\nf(x) = 1"}));
+        Wrong{"CSPM-T06@2", "channel c : Int.Int\nP = c?x$y -> STOP"},
+        Wrong{"", "channel c : Int.Int\nP = c$y?x -> STOP"}, Wrong{"CSPM-T07@1", "f :: Eq b => (a) -> a\nf(x) = x"},
+        Wrong{"CSPM-T07@1", "f :: (Int =>* Event) -> Int\nf(x) = 1"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Types, Finding,
     ::testing::Values(
-        Wrong{"CSPM-T08@1", "v = 1 + true"}, Wrong{"CSPM-T08@1", "P = STOP [] 1"}, Wrong{"CSPM-T08@2", "f(x) = x + 1\nv = f(true)"},
-        Wrong{"CSPM-T08@2", "f(0) = 1\nf(true) = 2"}, Wrong{"CSPM-T08@1", "v = { x | x <- <1> }"},
-        Wrong{"CSPM-T08@1", "v = < x | x <- {1} >"}, Wrong{"CSPM-T08@1", "channel c : 1"}, Wrong{"CSPM-T08@2", "channel c\nP = c -> 1"},
-        Wrong{"CSPM-T08@2", "channel c : Int\nP = c!true -> STOP"}, Wrong{"CSPM-T08@2", "channel c : Int\nP = c?x:1 -> STOP"},
-        Wrong{"CSPM-T08@1", "P = if 1 then STOP else SKIP"}, Wrong{"CSPM-T08@2", "f :: (a) -> b\nf(x) = x"},
-        Wrong{"CSPM-T08@2", "channel c, d : Int\nR = [ c <-> d ] i : {1} @ STOP"}, Wrong{"CSPM-T08@1", "assert 1 [T= SKIP"},
-        Wrong{"CSPM-T08@1", "assert STOP :[has trace]: <1>"}, Wrong{"CSPM-T08@2", "datatype D = A\nassert STOP [T= SKIP :[tau priority]: {A}"},
-        Wrong{"CSPM-T08@2", "channel tock\nTimed(1) {\n P = STOP\n}"}, Wrong{"CSPM-T09@2", "f(x)(y) = x + y\nv = f(1, 2)"},
-        Wrong{"", "f(x)(y) = x + y\nv = f(1)(2)"}, Wrong{"CSPM-T09@1", "v = union({1})"}, Wrong{"CSPM-T10@2", "channel c : Int\nP = c(1) -> STOP"},
-        Wrong{"CSPM-T10@2", "x = 1\nv = x(2)"}, Wrong{"CSPM-T11@1", "v = STOP == SKIP"}, Wrong{"CSPM-T11@1", "v = true < false"},
-        Wrong{"CSPM-T11@1", "v = card({STOP})"}, Wrong{"", "v = union({STOP}, {SKIP})"}, Wrong{"CSPM-T11@1", "v = { \\ x @ x }"},
+        Wrong{"CSPM-T08@1", "v = 1 + true"}, Wrong{"CSPM-T08@1", "P = STOP [] 1"},
+        Wrong{"CSPM-T08@2", "f(x) = x + 1\nv = f(true)"}, Wrong{"CSPM-T08@2", "f(0) = 1\nf(true) = 2"},
+        Wrong{"CSPM-T08@1", "v = { x | x <- <1> }"}, Wrong{"CSPM-T08@1", "v = < x | x <- {1} >"},
+        Wrong{"CSPM-T08@1", "channel c : 1"}, Wrong{"CSPM-T08@2", "channel c\nP = c -> 1"},
+        Wrong{"CSPM-T08@2", "channel c : Int\nP = c!true -> STOP"},
+        Wrong{"CSPM-T08@2", "channel c : Int\nP = c?x:1 -> STOP"}, Wrong{"CSPM-T08@1", "P = if 1 then STOP else SKIP"},
+        Wrong{"CSPM-T08@2", "f :: (a) -> b\nf(x) = x"},
+        Wrong{"CSPM-T08@2", "channel c, d : Int\nR = [ c <-> d ] i : {1} @ STOP"},
+        Wrong{"CSPM-T08@1", "assert 1 [T= SKIP"}, Wrong{"CSPM-T08@1", "assert STOP :[has trace]: <1>"},
+        Wrong{"CSPM-T08@2", "datatype D = A\nassert STOP [T= SKIP :[tau priority]: {A}"},
+        Wrong{"CSPM-T08@2", "channel tock\nTimed(1) {\n P = STOP\n}"},
+        Wrong{"CSPM-T09@2", "f(x)(y) = x + y\nv = f(1, 2)"}, Wrong{"", "f(x)(y) = x + y\nv = f(1)(2)"},
+        Wrong{"CSPM-T09@1", "v = union({1})"}, Wrong{"CSPM-T10@2", "channel c : Int\nP = c(1) -> STOP"},
+        Wrong{"CSPM-T10@2", "x = 1\nv = x(2)"}, Wrong{"CSPM-T11@1", "v = STOP == SKIP"},
+        Wrong{"CSPM-T11@1", "v = true < false"}, Wrong{"CSPM-T11@1", "v = card({STOP})"},
+        Wrong{"", "v = union({STOP}, {SKIP})"}, Wrong{"CSPM-T11@1", "v = { \\ x @ x }"},
         Wrong{"CSPM-T11@2", "datatype D = A.Proc\nchannel c : D"}, Wrong{"", "datatype D = A.Proc\nv = A.STOP"},
         Wrong{"CSPM-T11@1", "channel c : Proc"}, Wrong{"CSPM-T11@2", "f :: (a) -> Bool\nf(x) = x == x"},
-        Wrong{"CSPM-T11@2", "datatype D = A | B\nv = A < B"}, Wrong{"CSPM-T12@1", "v = <v>"}, Wrong{"CSPM-T12@1", "f(x) = x(x)"},
-        Wrong{"CSPM-T12@1", "f(x) = f"}, Wrong{"CSPM-T12@1", "v = head(v)"}));
+        Wrong{"CSPM-T11@2", "datatype D = A | B\nv = A < B"}, Wrong{"CSPM-T12@1", "v = <v>"},
+        Wrong{"CSPM-T12@1", "f(x) = x(x)"}, Wrong{"CSPM-T12@1", "f(x) = f"}, Wrong{"CSPM-T12@1", "v = head(v)"}));
 
-INSTANTIATE_TEST_SUITE_P(
-    Dots, Finding,
-    ::testing::Values(
-        Wrong{"CSPM-T13@2", "channel c : Int\nP = c.1.2 -> STOP"}, Wrong{"CSPM-T13@2", "channel c\nP = c?x -> STOP"},
-        Wrong{"CSPM-T14@2", "channel c : Int.Bool\nP = c.1 -> STOP"}, Wrong{"CSPM-T14@2", "channel c : Int\nP = STOP \\ {c}"},
-        Wrong{"", "channel c : Int\nP = STOP \\ {| c |}"}, Wrong{"CSPM-T14@3", "f(x) = x -> STOP\nchannel c : Int\nP = f(c)"},
-        Wrong{"CSPM-T14@2", "channel tock : Int\nTimed {\n P = STOP\n}"}, Wrong{"CSPM-T15@1", "channel c : {}"},
-        Wrong{"CSPM-T15@1", "datatype D = A.{<>}"}, Wrong{"", "channel c : {}\nP = c!1 -> STOP\nc :: Int => Event"},
-        Wrong{"CSPM-T16@2", "datatype D = A.{0..1}\nsubtype S = A.{0}.{0}"}, Wrong{"", "datatype D = A.{0..1}.Bool\nsubtype S = A.{0}"},
-        Wrong{"CSPM-T17@2", "f :: (a =>* Event) -> {Event}\nf(c) = {| c.1 |}"}));
+INSTANTIATE_TEST_SUITE_P(Dots, Finding,
+                         ::testing::Values(Wrong{"CSPM-T13@2", "channel c : Int\nP = c.1.2 -> STOP"},
+                                           Wrong{"CSPM-T13@2", "channel c\nP = c?x -> STOP"},
+                                           Wrong{"CSPM-T14@2", "channel c : Int.Bool\nP = c.1 -> STOP"},
+                                           Wrong{"CSPM-T14@2", "channel c : Int\nP = STOP \\ {c}"},
+                                           Wrong{"", "channel c : Int\nP = STOP \\ {| c |}"},
+                                           Wrong{"CSPM-T14@3", "f(x) = x -> STOP\nchannel c : Int\nP = f(c)"},
+                                           Wrong{"CSPM-T14@2", "channel tock : Int\nTimed {\n P = STOP\n}"},
+                                           Wrong{"CSPM-T15@1", "channel c : {}"},
+                                           Wrong{"CSPM-T15@1", "datatype D = A.{<>}"},
+                                           Wrong{"", "channel c : {}\nP = c!1 -> STOP\nc :: Int => Event"},
+                                           Wrong{"CSPM-T16@2", "datatype D = A.{0..1}\nsubtype S = A.{0}.{0}"},
+                                           Wrong{"", "datatype D = A.{0..1}.Bool\nsubtype S = A.{0}"},
+                                           Wrong{"CSPM-T17@2", "f :: (a =>* Event) -> {Event}\nf(c) = {| c.1 |}"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Modules, Finding,
@@ -88,8 +101,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"CSPM-T08@5", "module M(n)\nexports\n x = n + 1\nendmodule\ninstance I = M(true)"},
                       Wrong{"CSPM-T19@3", "module M(n)\nexports\n instance I = M(n)\nendmodule"},
                       Wrong{"CSPM-T19@5", "module M(n)\nexports\n x = J::x\nendmodule\ninstance J = M(1)"},
-                      Wrong{"CSPM-T08@8", "module M(n)\nexports\n datatype E = F.{0..n}\n channel c : E\nendmodule\ninstance I = M(1)\n"
-                                          "instance J = M(2)\nP = I::c.(J::F.1) -> STOP"}));
+                      Wrong{
+                          "CSPM-T08@8",
+                          "module M(n)\nexports\n datatype E = F.{0..n}\n channel c : E\nendmodule\ninstance I = M(1)\n"
+                          "instance J = M(2)\nP = I::c.(J::F.1) -> STOP"}));
 
 INSTANTIATE_TEST_SUITE_P(Print, Finding,
                          ::testing::Values(Wrong{"CSPM-T21@1", "print 1 + true"}, Wrong{"CSPM-T21@1", "print nowhere"},
@@ -110,7 +125,8 @@ TEST(TypeFindings, SayWhatIsExpectedAndWhy) {
     EXPECT_EQ(all[0].message(), "expected Bool, found Int");
     ASSERT_EQ(all[0].notes.size(), 1U);
     EXPECT_EQ(all[0].notes[0].message, "the condition of an `if` is a Bool");
-    EXPECT_EQ(reading.sources.text(all[0].span.source).substr(all[0].span.begin, all[0].span.end - all[0].span.begin), "x");
+    EXPECT_EQ(reading.sources.text(all[0].span.source).substr(all[0].span.begin, all[0].span.end - all[0].span.begin),
+              "x");
 }
 
 TEST(TypeFindings, SuggestNearNames) {

@@ -71,8 +71,9 @@ void expect_all_typed(const std::filesystem::path& folder) {
 TEST(TypeSuiteTest, RoboToolScriptsAreTyped) {
     const auto shared = shared_folder();
     if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
-    for (const char* folder : {"suite/robotool-csp/timed", "suite/robotool-csp/untimed", "suite/robotool-csp-2026/timed",
-                               "suite/robotool-csp-2026/untimed", "bench/hvc/robotool-csp", "bench/models"}) {
+    for (const char* folder :
+         {"suite/robotool-csp/timed", "suite/robotool-csp/untimed", "suite/robotool-csp-2026/timed",
+          "suite/robotool-csp-2026/untimed", "bench/hvc/robotool-csp", "bench/models"}) {
         expect_all_typed(shared / folder);
     }
 }
