@@ -10,7 +10,7 @@ targets=("$@")
 [ "${#targets[@]}" -gt 0 ] || targets=(model assertions script)
 
 cmake --preset fuzz >/dev/null
-cmake --build --preset fuzz --target "${targets[@]/#/fuzz_}" robochart-verify random_models_tool
+cmake --build --preset fuzz --target "${targets[@]/#/fuzz_}" random_models_tool
 seeds=build/fuzz/seeds
 rm -rf "$seeds"
 
@@ -19,7 +19,7 @@ gather() {
   local target="$1" extension="$2"
   shift 2
   mkdir -p "$seeds/$target"
-  find "$@" -name "*.$extension" -type f -size -20k -print0 | while IFS= read -r -d '' file; do
+  find "$@" -name "*.$extension" -type f -size -200k -print0 | while IFS= read -r -d '' file; do
     cp "$file" "$seeds/$target/$(tr / - <<<"$file")"
   done
 }
@@ -37,14 +37,20 @@ generated() {
   local random=build/fuzz/random
   rm -rf "$random"
   for seed in $(seq 1 40); do
-    build/fuzz/random_models/random_models_tool --out "$random/$seed" --seed "$seed"
+    build/fuzz/random_models/random_models_tool --out "$random/$seed" --seed "$seed" >/dev/null
   done
   gather model rct "$random"
   gather assertions assertions "$random"
-  for model in aggregation swarm_taxis; do
-    build/fuzz/app/robochart-verify emit csp "corpus/$model" --out "build/fuzz/emitted/$model" --quiet >/dev/null
+  local program
+  for program in build/{release,clang,dev,asan}/app/robochart-verify; do
+    [ -x "$program" ] || continue
+    for model in aggregation swarm_taxis; do
+      "$program" emit csp "corpus/$model" --out "build/fuzz/emitted/$model" --quiet >/dev/null
+    done
+    gather script csp build/fuzz/emitted
+    return
   done
-  gather script csp build/fuzz/emitted
+  echo "no robochart-verify is built: the scripts of the corpus are left out" >&2
 }
 
 gather model rct corpus tests/frontend/fixtures frontend/library
