@@ -5,6 +5,8 @@
 
 #include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "frontend/checks.hpp"
 #include "frontend/rules.hpp"
@@ -22,11 +24,18 @@ struct Traffic {
 
 class TrafficReader {
 public:
-    explicit TrafficReader(const Component& controller) : controller_(controller) {}
+    explicit TrafficReader(const Component& controller) {
+        for (const Machine* defined : defined_operations(controller)) operations_[defined->name].push_back(defined);
+    }
 
-    Traffic read(const Machine& machine) {
+    /// Each machine is read once, however many connections it has.
+    const Traffic& read(const Machine& machine) {
+        const auto [known, fresh] = read_.try_emplace(&machine);
+        if (!fresh) return known->second;
+        seen_.clear();
         add(machine, "");
-        return std::move(traffic_);
+        known->second = std::exchange(traffic_, {});
+        return known->second;
     }
 
 private:
@@ -48,22 +57,24 @@ private:
             (input ? traffic_.receives : traffic_.sends).emplace(statement.communication->event_target->name, via);
         }
         if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
-        for (const Machine* defined : defined_operations(controller_))
-            if (defined->name == statement.declaration->name)
-                add(*defined, via.empty() ? fmt::format(" via operation `{}`", defined->name) : via);
+        const auto defined = operations_.find(statement.declaration->name);
+        if (defined == operations_.end()) return;
+        for (const Machine* operation : defined->second)
+            add(*operation, via.empty() ? fmt::format(" via operation `{}`", operation->name) : via);
     }
 
-    const Component& controller_;
+    std::map<std::string_view, std::vector<const Machine*>> operations_;
+    std::map<const Machine*, Traffic> read_;  // looked up only, never walked
     std::set<const Machine*> seen_;
     Traffic traffic_;
 };
 
 /// Cn8, Cn9: one-way connections of machines run the way the machines communicate.
-void check_machine_end(const Component& controller, const Connection& connection, const Connection::End& end,
-                       bool beginning, Diagnostics& out) {
+void check_machine_end(TrafficReader& reader, const Connection& connection, const Connection::End& end, bool beginning,
+                       Diagnostics& out) {
     const auto* machine = followed<Machine>(end.node_target);
     if (machine == nullptr || end.event_target == nullptr || connection.multiple) return;
-    const Traffic traffic = TrafficReader(controller).read(*machine);
+    const Traffic& traffic = reader.read(*machine);
     const auto& wrong = beginning ? traffic.receives : traffic.sends;
     const auto found = wrong.find(end.event_target->name);
     if (found == wrong.end()) return;
@@ -78,24 +89,38 @@ struct Inside {
     const Connection* both = nullptr;
 };
 
-Inside inside(const Component& controller, const std::string& event) {
-    Inside result;
-    for (const auto& connection : controller.connections) {
-        const bool from = connection->from.node_target == &controller && connection->from.event.text() == event;
-        const bool to = connection->to.node_target == &controller && connection->to.event.text() == event;
-        if (!from && !to) continue;
-        if (connection->multiple) result.both = connection.get();
-        if (from && !connection->multiple) result.from = connection.get();
-        if (to && !connection->multiple) result.to = connection.get();
+/// What is inside the controllers of a module, each looked through once.
+class Insides {
+public:
+    Inside of(const Component& controller, const std::string& event) {
+        const auto [known, fresh] = controllers_.try_emplace(&controller);
+        if (fresh)
+            for (const auto& connection : controller.connections) {
+                add(known->second, controller, *connection, connection->from, &Inside::from);
+                add(known->second, controller, *connection, connection->to, &Inside::to);
+            }
+        const auto found = known->second.find(event);
+        return found != known->second.end() ? found->second : Inside{};
     }
-    return result;
-}
+
+private:
+    using Events = std::map<std::string, Inside>;
+
+    static void add(Events& events, const Component& controller, const Connection& connection,
+                    const Connection::End& end, const Connection* Inside::*way) {
+        if (end.node_target != &controller) return;
+        events[end.event.text()].*(connection.multiple ? &Inside::both : way) = &connection;
+    }
+
+    std::map<const Component*, Events> controllers_;  // looked up only, never walked
+};
 
 /// Cn5 to Cn7: what a module connects to a controller goes on inside in the same way.
-void check_controller_end(const Connection& connection, const Connection::End& end, bool beginning, Diagnostics& out) {
+void check_controller_end(Insides& insides, const Connection& connection, const Connection::End& end, bool beginning,
+                          Diagnostics& out) {
     const auto* controller = followed<Component>(end.node_target);
     if (controller == nullptr || controller->kind != DeclKind::controller || end.event_target == nullptr) return;
-    const Inside found = inside(*controller, end.event.text());
+    const Inside found = insides.of(*controller, end.event.text());
     const bool connected = found.from != nullptr || found.to != nullptr || found.both != nullptr;
     const std::string way = beginning ? "starts" : "ends";
     const auto report = [&](const Rule& rule, std::vector<std::string> arguments, const Connection* other) {
@@ -115,11 +140,13 @@ void check_controller_end(const Connection& connection, const Connection::End& e
 }  // namespace
 
 void check_directions(const Component& component, Diagnostics& out) {
+    Insides insides;
+    TrafficReader reader(component);
     for (const auto& connection : component.connections)
         for (const bool beginning : {true, false}) {
             const Connection::End& end = beginning ? connection->from : connection->to;
-            if (component.kind == DeclKind::module) check_controller_end(*connection, end, beginning, out);
-            if (component.kind == DeclKind::controller) check_machine_end(component, *connection, end, beginning, out);
+            if (component.kind == DeclKind::module) check_controller_end(insides, *connection, end, beginning, out);
+            if (component.kind == DeclKind::controller) check_machine_end(reader, *connection, end, beginning, out);
         }
 }
 

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
+#include <vector>
 
 #include "frontend/checks.hpp"
 #include "frontend/print.hpp"
@@ -15,16 +18,25 @@ namespace robochart::frontend {
 
 namespace {
 
-std::vector<const Transition*> outgoing(const NodeContainer& container, const State& node) {
-    std::vector<const Transition*> result;
-    for (const auto& transition : container.transitions)
-        if (transition->source == &node) result.push_back(transition.get());
-    return result;
+/// The transitions of a container by their ends, read once: containers may be large. Looked up only, never walked.
+struct Ways {
+    explicit Ways(const NodeContainer& container) {
+        for (const auto& transition : container.transitions) {
+            out[transition->source].push_back(transition.get());
+            in.insert(transition->target);
+        }
+    }
+    std::map<const State*, std::vector<const Transition*>> out;
+    std::set<const State*> in;
+};
+
+std::vector<const Transition*> outgoing(const Ways& ways, const State& node) {
+    const auto found = ways.out.find(&node);
+    return found != ways.out.end() ? found->second : std::vector<const Transition*>();
 }
 
-bool has_incoming(const NodeContainer& container, const State& node) {
-    return std::any_of(container.transitions.begin(), container.transitions.end(),
-                       [&](const auto& t) { return t->target == &node; });
+bool has_incoming(const Ways& ways, const State& node) {
+    return ways.in.contains(&node);
 }
 
 std::size_t count(const NodeContainer& container, DeclKind kind) {
@@ -91,9 +103,9 @@ void check_probability(const Transition& transition, Diagnostics& out) {
         out.report(rules::pt2, transition.probability->span, {to_text(*transition.probability)});
 }
 
-void check_probability_sum(const NodeContainer& container, const State& node, Diagnostics& out) {
+void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out) {
     double sum = 0;
-    for (const Transition* transition : outgoing(container, node)) {
+    for (const Transition* transition : outgoing(ways, node)) {
         const auto value = transition->probability ? constant_value(*transition->probability) : std::nullopt;
         if (!value) return;
         sum += *value;
@@ -104,8 +116,8 @@ void check_probability_sum(const NodeContainer& container, const State& node, Di
 
 // ---------------------------------------------------------------- nodes and transitions
 
-void check_node(const NodeContainer& container, const State& node, Diagnostics& out) {
-    const std::size_t ways_out = outgoing(container, node).size();
+void check_node(const Ways& ways, const State& node, Diagnostics& out) {
+    const std::size_t ways_out = outgoing(ways, node).size();
     switch (node.kind) {
         case DeclKind::initial:
             if (ways_out != 1)
@@ -114,8 +126,8 @@ void check_node(const NodeContainer& container, const State& node, Diagnostics& 
         case DeclKind::junction:
         case DeclKind::probabilistic:
             if (ways_out == 0) out.report(rules::j1, node.name_span, {node.name});
-            if (!has_incoming(container, node)) out.report(rules::j2, node.name_span, {node.name});
-            if (node.kind == DeclKind::probabilistic && ways_out > 0) check_probability_sum(container, node, out);
+            if (!has_incoming(ways, node)) out.report(rules::j2, node.name_span, {node.name});
+            if (node.kind == DeclKind::probabilistic && ways_out > 0) check_probability_sum(ways, node, out);
             break;
         case DeclKind::final:
             check_final(node, out);
@@ -167,8 +179,9 @@ void check_top(const Machine& machine, Diagnostics& out) {
 void check_nodes(const Machine& machine, Diagnostics& out) {
     check_top(machine, out);
     walk(machine, [&](const NodeContainer& container) {
+        const Ways ways(container);
         for (const auto& node : container.nodes) {
-            check_node(container, *node, out);
+            check_node(ways, *node, out);
             check_inner(*node, out);
         }
         for (const auto& transition : container.transitions) check_transition(*transition, out);

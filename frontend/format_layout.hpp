@@ -123,7 +123,7 @@ private:
     Doc predicate();
 
     // Expressions (format_expressions.cpp)
-    static constexpr int value_level = 11;  ///< of what follows `!` and `.`: no operators
+    static constexpr int value_level = 12;  ///< of what follows `!` and `.`: no operators; above every operand of one
     Doc expression(Gap gap);
     Doc operand(Gap gap, int level);
     Doc prefix(int level);

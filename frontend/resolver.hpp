@@ -29,9 +29,11 @@ private:
     void context_body(File& file, Context& context);
     void machine_body(Machine& machine, Surroundings& around);
     void container(NodeContainer& container, const Machine& machine, Surroundings& around);
-    void transition(Transition& transition, NodeContainer& container, const Machine& machine, Surroundings& around);
+    /// The nodes of a container; of several with one name the first.
+    using NodeNames = std::map<std::string_view, const State*>;
+    void transition(Transition& transition, const NodeNames& names, const Machine& machine, Surroundings& around);
     const State* node(const QualifiedName& name, const Transition& transition, std::string_view role,
-                      const NodeContainer& container, const Machine& machine);
+                      const NodeNames& names, const Machine& machine);
     void connections(Component& component);
     /// The parts of a component by name, and the scopes of those looked into so far (never in order of pointers).
     struct Ends {

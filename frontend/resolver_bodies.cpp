@@ -43,13 +43,15 @@ void Resolver::container(NodeContainer& container, const Machine& machine, Surro
             if (action.statement) typer_.statement(*action.statement, around);
         this->container(*state, machine, around);
     }
-    for (auto& transition : container.transitions) this->transition(*transition, container, machine, around);
+    NodeNames names;
+    for (const auto& node : container.nodes) names.emplace(node->name, node.get());
+    for (auto& transition : container.transitions) this->transition(*transition, names, machine, around);
 }
 
-void Resolver::transition(Transition& transition, NodeContainer& container, const Machine& machine,
+void Resolver::transition(Transition& transition, const NodeNames& names, const Machine& machine,
                           Surroundings& around) {
-    transition.source = node(transition.from, transition, "source", container, machine);
-    transition.target = node(transition.to, transition, "target", container, machine);
+    transition.source = node(transition.from, transition, "source", names, machine);
+    transition.target = node(transition.to, transition, "target", names, machine);
     if (transition.trigger) typer_.communication(*transition.trigger, around, true);
     if (transition.probability) typer_.type(transition.probability, around);
     for (Transition::Reset& reset : transition.resets) reset.clock = typer_.clock(reset.name, around, rules::ts1);
@@ -68,18 +70,14 @@ void Resolver::transition(Transition& transition, NodeContainer& container, cons
 
 /// A node of the transition's own container (T1); elsewhere it is told where.
 const State* Resolver::node(const QualifiedName& name, const Transition& transition, std::string_view role,
-                            const NodeContainer& container, const Machine& machine) {
+                            const NodeNames& names, const Machine& machine) {
     if (name.empty()) return nullptr;
-    const auto named = [&](const NodeContainer& in) -> const State* {
-        const auto found = std::find_if(in.nodes.begin(), in.nodes.end(),
-                                        [&](const auto& n) { return n->name == name.parts.front(); });
-        return found != in.nodes.end() ? found->get() : nullptr;
-    };
-    if (const State* found = named(container)) return found;
+    if (const auto found = names.find(name.parts.front()); found != names.end()) return found->second;
     const State* elsewhere = nullptr;
-    std::vector<std::string> candidates;
     walk(machine, [&](const NodeContainer& other) {
-        if (elsewhere == nullptr) elsewhere = named(other);
+        const auto found = std::find_if(other.nodes.begin(), other.nodes.end(),
+                                        [&](const auto& n) { return n->name == name.parts.front(); });
+        if (elsewhere == nullptr && found != other.nodes.end()) elsewhere = found->get();
     });
     if (elsewhere != nullptr) {
         finder_.out()
@@ -88,8 +86,7 @@ const State* Resolver::node(const QualifiedName& name, const Transition& transit
                               fmt::format("`{}` is declared here, in `{}`", elsewhere->name, elsewhere->parent->name)});
         return nullptr;
     }
-    for (const auto& node : container.nodes) candidates.push_back(node->name);
-    finder_.unknown(name, "node", fmt::format("beside transition `{}`", transition.name), candidates);
+    finder_.unknown(name, "node", fmt::format("beside transition `{}`", transition.name), finder_.keys(names));
     return nullptr;
 }
 

@@ -83,6 +83,11 @@ TEST(Invariance, FormattingKeepsAnySyntaxAndIsIdempotent) {
     }
 }
 
+TEST(Invariance, FormattingReadsAMinusBehindCat) {
+    expect_formatting_is_sound(
+        {"t.rct", "function f() : nat {\n precondition <1> cat -a == <>\n precondition (1) == 1\n}\n"}, 0);
+}
+
 TEST(Invariance, FormattingKeepsModelsAndIsIdempotent) {
     for (const std::uint64_t seed : seeds(50))
         for (const Text& file : well_formed(seed)) {
