@@ -16,9 +16,14 @@ std::string Diagnostic::message() const {
 }
 
 Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::string> arguments) {
+    Diagnostic finding{&rule, span, std::move(arguments), {}, {}};
+    if (rule.severity == Severity::warning && allowed_.contains(rule.code)) {
+        overflow_ = std::move(finding);
+        return overflow_;
+    }
     if (rule.severity == Severity::error) ++errors_;
     if (rule.severity == Severity::warning) ++warnings_;
-    Diagnostic finding{&rule, span, std::move(arguments), {}, {}};
+    if (rule.severity == Severity::error && span.known()) wrong_.insert(span.source);
     // Each severity has room of its own: many warnings never hide an error.
     const std::size_t like_this = rule.severity == Severity::error     ? errors_
                                   : rule.severity == Severity::warning ? warnings_

@@ -1,6 +1,7 @@
 // Diagnostics as data: a rule from a table, a place, arguments; drawing is elsewhere (render.hpp).
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,10 +54,15 @@ public:
     /// Adds a finding. The reference is valid until the next `report`; use it to attach notes and fixes.
     Diagnostic& report(const Rule& rule, Span span, std::vector<std::string> arguments = {});
 
+    /// Later warnings of this code are neither kept nor counted; errors always are.
+    void allow(std::string code) { allowed_.insert(std::move(code)); }
+
     [[nodiscard]] std::vector<Diagnostic> sorted() const;
     [[nodiscard]] std::size_t errors() const { return errors_; }
     [[nodiscard]] std::size_t warnings() const { return warnings_; }
     [[nodiscard]] bool ok() const { return errors_ == 0; }
+    /// Was an error found in this text?
+    [[nodiscard]] bool has_errors_in(SourceId source) const { return wrong_.contains(source); }
     [[nodiscard]] bool empty() const { return items_.empty(); }
     /// How many were counted but not kept.
     [[nodiscard]] std::size_t dropped() const { return dropped_; }
@@ -64,6 +70,8 @@ public:
 private:
     std::vector<Diagnostic> items_;
     Diagnostic overflow_;
+    std::set<std::string, std::less<>> allowed_;
+    std::set<SourceId> wrong_;
     std::size_t errors_ = 0;
     std::size_t warnings_ = 0;
     std::size_t dropped_ = 0;

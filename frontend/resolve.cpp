@@ -1,6 +1,7 @@
 // Resolution as a whole: names, then types, then rules. Rules about absent things stay silent about files that could
 // not be read completely: what seems absent may just not have been understood.
 #include "frontend/checks.hpp"
+#include "frontend/lints.hpp"
 #include "frontend/project.hpp"
 #include "frontend/resolver.hpp"
 
@@ -38,6 +39,7 @@ void resolve(Model& model, diagnostics::Diagnostics& out) {
         if (file->has_syntax_errors) continue;
         for (const auto& declaration : file->declarations) check(*declaration, out);
     }
+    lint(model, names, out);
 }
 
 }  // namespace robochart::frontend

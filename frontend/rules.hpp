@@ -28,6 +28,10 @@ extern const Rule initial_type, assignment_type, if_type, condition_type, wait_t
     comm_input, comm_value, literal_count, literal_bare, literal_type, function_count, function_type, not_callable,
     tuple_index, index_count, not_indexable, no_field, field_type, field_missing, cast_type, operand_type, unary_type,
     compare_type, mixed_types, size_value, condition_boolean, deadline_type, not_assignable, comm_narrow;
+// rules_lints.cpp
+extern const Rule w_loose_machine, w_loose_controller, w_loose_platform, w_stuck, w_unreachable, w_never, w_else_never,
+    w_always, w_unset, w_unused, w_unread, w_loop, w_negative, w_zero, w_maybe_zero, w_shadows, w_hidden_member,
+    w_endless, w_twin, w_copy, w_self, w_deadline, w_deaf;
 
 [[nodiscard]] const std::vector<const Rule*>& of_names();
 [[nodiscard]] const std::vector<const Rule*>& of_nodes();
@@ -35,6 +39,7 @@ extern const Rule initial_type, assignment_type, if_type, condition_type, wait_t
 [[nodiscard]] const std::vector<const Rule*>& of_connections();
 [[nodiscard]] const std::vector<const Rule*>& of_time();
 [[nodiscard]] const std::vector<const Rule*>& of_types();
+[[nodiscard]] const std::vector<const Rule*>& of_lints();
 /// All of them.
 [[nodiscard]] std::vector<const Rule*> all();
 

@@ -1,0 +1,96 @@
+// Slips in single statements and transitions: twice the same transition, a value assigned to itself, a real compared
+// for equality, a wait that its own deadline cuts off.
+#include <cstdlib>
+#include <map>
+#include <optional>
+
+#include "frontend/lints.hpp"
+#include "frontend/print.hpp"
+#include "frontend/rules.hpp"
+#include "frontend/typer.hpp"
+#include "frontend/walk.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// Source, trigger, conditions: what decides whether a transition can be taken.
+std::string enabling(const Transition& transition) {
+    std::string text = transition.source->name + "\n";
+    if (transition.trigger) text += to_text(*transition.trigger);
+    text += "\n";
+    if (transition.condition) text += to_text(strip(*transition.condition));
+    return text;
+}
+
+std::string effect(const Transition& transition) {
+    std::string text = transition.target->name + "\n";
+    if (transition.action) text += to_text(*transition.action);
+    for (const auto& reset : transition.resets) text += "\n" + reset.name.text();
+    if (transition.deadline) text += "\n<{" + to_text(*transition.deadline);
+    return text;
+}
+
+/// RC-W14: the second of two transitions that are always enabled together.
+void check_twins(const NodeContainer& container, Diagnostics& out) {
+    std::map<std::string, const Transition*> seen;
+    for (const auto& transition : container.transitions) {
+        if (transition->source == nullptr || transition->target == nullptr || transition->probability ||
+            transition->otherwise)
+            continue;
+        const auto [first, fresh] = seen.emplace(enabling(*transition), transition.get());
+        if (fresh) continue;
+        const bool same = effect(*first->second) == effect(*transition);
+        out.report(same ? rules::w_copy : rules::w_twin, transition->name_span, {transition->name, first->second->name})
+            .notes.push_back({first->second->name_span, "the other one"});
+    }
+}
+
+std::optional<double> number(const Expr& written) {
+    const Expr& expr = strip(written);
+    if (expr.kind != ExprKind::integer && expr.kind != ExprKind::real) return std::nullopt;
+    return std::strtod(expr.text.c_str(), nullptr);
+}
+
+/// The least time that a statement surely takes, as far as its literals tell.
+double least_time(const Stmt& statement) {
+    if (statement.kind == StmtKind::wait || statement.kind == StmtKind::wait_interval)
+        return statement.value ? number(*statement.value).value_or(0) : 0;
+    if (statement.kind == StmtKind::if_then_else) {
+        if (statement.body.size() < 2) return 0;
+        return std::min(least_time(*statement.body[0]), least_time(*statement.body[1]));
+    }
+    double sum = 0;
+    for (const StmtPtr& inner : statement.body) sum += least_time(*inner);
+    return sum;
+}
+
+/// RC-W17.
+void check_deadline(const Stmt& statement, Diagnostics& out) {
+    if (statement.kind != StmtKind::deadline || !statement.value || statement.body.empty()) return;
+    const auto bound = number(*statement.value);
+    if (!bound || least_time(*statement.body.front()) <= *bound) return;
+    out.report(rules::w_deadline, statement.span, {to_text(*statement.body.front()), to_text(*statement.value)});
+}
+
+/// RC-W16.
+void check_assignment(const Stmt& statement, Diagnostics& out) {
+    if (statement.kind != StmtKind::assignment || !statement.target || !statement.value) return;
+    const std::string target = to_text(strip(*statement.target));
+    if (assigned_root(*statement.target) != nullptr && target == to_text(strip(*statement.value)))
+        out.report(rules::w_self, statement.span, {target});
+}
+
+}  // namespace
+
+void lint_statements(const Machine& machine, Diagnostics& out) {
+    walk(machine, [&](const NodeContainer& container) { check_twins(container, out); });
+    for_actions(machine, [&](const Stmt& action) {
+        walk(action, [&](const Stmt& statement) {
+            check_deadline(statement, out);
+            check_assignment(statement, out);
+        });
+    });
+}
+
+}  // namespace robochart::frontend
