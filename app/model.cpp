@@ -132,9 +132,9 @@ void check_conformance(Project& project, const Options& options, Report& report)
 Exit print_phase(Project& project, const Options& options) {
     if (options.print == "ast" || options.print == "model") {
         fmt::print("{}", frontend::dump(*project.model, project.sources, options.print == "model"));
-        return project.diagnostics.ok() ? Exit::success : Exit::bad_input;
+        return acceptable(project, options) ? Exit::success : Exit::bad_input;
     }
-    if (!project.diagnostics.ok()) return Exit::bad_input;
+    if (!acceptable(project, options)) return Exit::bad_input;
     if (options.print == "ir") {
         fmt::print("{}", ir::dump(project.system));
         return Exit::success;
@@ -152,16 +152,17 @@ Exit run_model(const Options& options) {
         show_diagnostics(*project, options);
         return print_phase(*project, options);
     }
-    if (!project->diagnostics.ok()) {
+    if (!acceptable(*project, options)) {
         show_diagnostics(*project, options);
         return Exit::bad_input;
     }
     Report report = begin(*project, options);
     const bool good = run_phases(*project, options, report);
-    show_diagnostics(*project, options);
-    if (!good) return Exit::bad_input;
-    fmt::print("{}", options.format == Format::json ? render_json(report) : render_text(report, options));
-    return report.exit();
+    const bool accepted = show_diagnostics(*project, options);
+    const bool json = options.format == Format::json;
+    if (!good || (json && !accepted)) return Exit::bad_input;
+    fmt::print("{}", json ? render_json(report) : render_text(report, options));
+    return accepted ? report.exit() : Exit::bad_input;
 }
 
 }  // namespace robochart::app

@@ -9,6 +9,7 @@
 #include <charconv>
 
 #include "app/interrupt.hpp"
+#include "app/rules.hpp"
 
 namespace robochart::app {
 namespace {
@@ -63,7 +64,26 @@ void add_common(CLI::App& app, Options& o) {
     app.add_option("--max-states", o.max_states, "bound on states of a check")->check(CLI::PositiveNumber)->option_text("N [500000000]");
 }
 
+/// The code of a rule that warns, as the tables write it.
+std::string warning_code(std::string& code) {
+    for (const diagnostics::Rule* rule : find_rules(code))
+        if (rule->severity == diagnostics::Severity::warning) {
+            code = std::string(rule->code);
+            return "";
+        }
+    return fmt::format("{} is no code of a warning (robochart-verify explain lists them)", code);
+}
+
+void add_warnings(CLI::App& app, Options& o) {
+    app.add_option("--allow", o.allowed, "leave out warnings of this code; may be repeated")
+        ->allow_extra_args(false)
+        ->transform(CLI::Validator(warning_code, "CODE"))
+        ->option_text("CODE ...");
+    app.add_flag("--deny-warnings", o.deny_warnings, "take a model with warnings for wrong");
+}
+
 void add_model(CLI::App& app, Options& o) {
+    add_warnings(app, o);
     app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
     app.add_option("--range", o.ranges, "carrier of nat, int or real")->option_text("TYPE=LOW..HIGH ...");
     app.add_option("--print", o.print, "print a phase and stop")

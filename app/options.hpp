@@ -49,6 +49,8 @@ struct Options {
     std::string print;                    ///< phase to print, "" for none
     std::vector<std::string> constants;   ///< NAME=VALUE
     std::vector<std::string> ranges;      ///< TYPE=LOW..HIGH
+    std::vector<std::string> allowed;     ///< codes of warnings not wanted
+    bool deny_warnings = false;           ///< a warning is as bad as an error
     std::uint64_t memory_bytes = 16ULL << 30U;
     double timeout_seconds = 0;           ///< 0: none
     std::uint64_t max_states = 500'000'000;

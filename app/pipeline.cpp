@@ -26,8 +26,9 @@ std::string project_name(const std::string& input) {
 }
 
 bool lower_all(Project& project, const Options& options) {
+    for (const std::string& code : options.allowed) project.diagnostics.allow(code);
     project.model = frontend::load_project(project.sources, options.inputs, project.diagnostics);
-    if (!project.diagnostics.ok()) return false;
+    if (!acceptable(project, options)) return false;
     project.system = ir::lower(*project.model, project.sources, project.diagnostics);
     if (!project.diagnostics.ok()) return false;
     std::string error;
@@ -107,15 +108,21 @@ std::string write_file(const std::string& path, const std::string& text) {
     return code ? fmt::format("cannot write {}: {}", path, code.message()) : "";
 }
 
+bool acceptable(const Project& project, const Options& options) {
+    return project.diagnostics.ok() && !(options.deny_warnings && project.diagnostics.warnings() > 0);
+}
+
 bool show_diagnostics(const Project& project, const Options& options) {
+    const bool good = acceptable(project, options);
     if (options.format == Format::json) {
-        if (!project.diagnostics.ok()) fmt::print("{}\n", diagnostics::render_json(project.sources, project.diagnostics));
-    } else if (!options.quiet || !project.diagnostics.ok()) {
+        if (!good) fmt::print("{}\n", diagnostics::render_json(project.sources, project.diagnostics));
+    } else if (!options.quiet || !good) {
         diagnostics::TextStyle style;
         style.color = color_wanted(options.color, STDERR_FILENO);
         fmt::print(stderr, "{}", diagnostics::render_text(project.sources, project.diagnostics, style));
+        if (!good && project.diagnostics.ok()) fmt::print(stderr, "warnings are denied (--deny-warnings)\n");
     }
-    return project.diagnostics.ok();
+    return good;
 }
 
 }  // namespace robochart::app

@@ -38,7 +38,10 @@ struct Project {
 /// Returns the cause in words on failure, "" on success.
 [[nodiscard]] std::string write_file(const std::string& path, const std::string& text);
 
-/// Prints the project's diagnostics to stderr (or, as JSON, to stdout) and tells whether there were no errors.
+/// No errors, and no warnings where they are denied.
+[[nodiscard]] bool acceptable(const Project&, const Options&);
+
+/// Prints the project's diagnostics to stderr (or, as JSON, to stdout) and tells whether they are acceptable.
 bool show_diagnostics(const Project&, const Options&);
 
 }  // namespace robochart::app

@@ -71,13 +71,14 @@ private:
         if (facts_.empty()) return;
         Effects effects;
         add_effects(statement, effects);
-        std::erase_if(facts_, [&](const Fact& fact) { return effects.calls || mentions(*fact.condition, effects.writes); });
+        std::erase_if(facts_,
+                      [&](const Fact& fact) { return effects.calls || mentions(*fact.condition, effects.writes); });
     }
 
     void expression(const Expr& expr) {
-        const bool guarded = expr.kind == ExprKind::binary &&
-                             (expr.binary == BinaryOp::conjunction || expr.binary == BinaryOp::disjunction ||
-                              expr.binary == BinaryOp::implies);
+        const bool guarded =
+            expr.kind == ExprKind::binary && (expr.binary == BinaryOp::conjunction ||
+                                              expr.binary == BinaryOp::disjunction || expr.binary == BinaryOp::implies);
         if (guarded) {
             expression(*expr.args[0]);
             separately([&] {
@@ -125,8 +126,9 @@ private:
 
     void division(const Expr& expr) {
         const Expr& divisor = strip(*expr.args[1]);
-        if (divisor.type == nullptr || (divisor.type->form != TypeForm::nat && divisor.type->form != TypeForm::integer &&
-                                        divisor.type->form != TypeForm::real))
+        if (divisor.type == nullptr ||
+            (divisor.type->form != TypeForm::nat && divisor.type->form != TypeForm::integer &&
+             divisor.type->form != TypeForm::real))
             return;
         logic::Reasoner reasoner(true);
         const auto not_zero = logic::negation(reasoner.compare_to_zero(divisor, logic::Relation::equal));
@@ -143,7 +145,8 @@ private:
         const Expr& value = strip(*expr.args[0]);
         const bool to_nat = expr.type != nullptr && expr.type->form == TypeForm::nat;
         if (!to_nat || value.type == nullptr || value.type->form == TypeForm::nat) return;
-        const bool difference = value.kind == ExprKind::unary || (value.kind == ExprKind::binary && value.binary == BinaryOp::minus);
+        const bool difference =
+            value.kind == ExprKind::unary || (value.kind == ExprKind::binary && value.binary == BinaryOp::minus);
         if (!difference) return;
         const logic::Finding negative = decide(value, logic::Relation::less);
         if (negative.answer == logic::Answer::possible && negative.trusted)

@@ -88,8 +88,9 @@ void report_loose(const rules::Rule& rule, Span at, const std::vector<Loose>& lo
     if (loose.empty()) return;
     std::vector<std::string> names;
     for (const Loose& each : loose) names.push_back(each.event->name);
-    const std::string events = (names.size() == 1 ? "event " : "events ") + listed(names);
-    auto& finding = out.report(rule, at, {events, part, names.size() == 1 ? "is" : "are", container});
+    const bool one = names.size() == 1;
+    const std::string events = (one ? "event " : "events ") + listed(names);
+    auto& finding = out.report(rule, at, {events, part, one ? "is" : "are", container, one ? "s" : ""});
     constexpr std::size_t shown = 4;
     for (std::size_t i = 0; i < loose.size() && i < shown; ++i) {
         finding.notes.push_back({loose[i].use, loose[i].how});

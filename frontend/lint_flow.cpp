@@ -7,8 +7,8 @@
 
 #include "frontend/lints.hpp"
 #include "frontend/rules.hpp"
-#include "frontend/types.hpp"
 #include "frontend/scopes.hpp"
+#include "frontend/types.hpp"
 #include "frontend/walk.hpp"
 
 namespace robochart::frontend {
@@ -64,12 +64,10 @@ class Flow {
 public:
     Flow(const Machine& machine, const WrittenBy& written_by, Diagnostics& out)
         : machine_(machine), written_by_(written_by), out_(out) {
-        for (const auto& variable : machine.variables) track(*variable);
-        for (const InterfaceClause& clause : machine.interfaces) {
-            const Context* interface = clause.use == InterfaceUse::uses ? interface_of(clause) : nullptr;
-            if (interface == nullptr) continue;
-            for (const auto& variable : interface->variables) track(*variable);
-        }
+        const std::vector<const Variable*> required = required_variables(machine);
+        const std::unordered_set<const Variable*> shared(required.begin(), required.end());
+        for (const Variable* variable : visible_variables(machine))
+            if (!shared.contains(variable)) track(*variable);
         told_ = Bits(variables_.size());
     }
 

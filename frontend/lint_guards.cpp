@@ -16,7 +16,7 @@ using logic::Answer;
 using logic::Formula;
 using logic::Reasoner;
 
-constexpr std::size_t max_ways = 32;       ///< of a node: beyond, nothing is said
+constexpr std::size_t max_ways = 32;        ///< of a node: beyond, nothing is said
 constexpr unsigned max_junctions_back = 2;  ///< how far facts are gathered before a junction
 
 class GuardReader {
@@ -28,6 +28,8 @@ public:
         if (transition.condition) return reasoner_.read(*transition.condition);
         return transition.otherwise ? logic::negation(some_holds(*transition.source)) : logic::constant(true);
     }
+
+    Formula read(const Expr& expr) { return reasoner_.read(expr); }
 
     Formula some_holds(const State& node) {
         std::vector<Formula> ways;
@@ -70,14 +72,15 @@ bool is_plain_junction(const State& node) {
 }
 
 /// RC-W02.
-void check_junction(const Graph& graph, const State& node, Diagnostics& out) {
+void check_junction(const Machine& machine, const Graph& graph, const State& node, Diagnostics& out) {
     const auto& ways = graph.out(node);
     if (!is_plain_junction(node) || ways.empty() || ways.size() > max_ways) return;
     for (const Transition* way : ways)
         if (way->otherwise || !way->condition) return;
     GuardReader reader(graph, true);
-    const Formula none = logic::negation(reader.some_holds(node));
-    const logic::Finding finding = reader.decide(logic::all_of({none, reader.known_at(node, max_junctions_back)}));
+    std::vector<Formula> facts{logic::negation(reader.some_holds(node)), reader.known_at(node, max_junctions_back)};
+    for (const ExprPtr& condition : machine.preconditions) facts.push_back(reader.read(*condition));
+    const logic::Finding finding = reader.decide(logic::all_of(std::move(facts)));
     if (finding.answer != Answer::possible || !finding.trusted) return;
     const std::string when = finding.example.empty() ? "" : "when " + finding.example + ", ";
     const std::string kind = node.kind == DeclKind::initial ? "initial junction" : "junction";
@@ -114,7 +117,7 @@ void lint_guards(const Machine& machine, Never& never, Diagnostics& out) {
         const Graph graph(container);
         for (const auto& transition : container.transitions)
             if (transition->source != nullptr) check_condition(graph, *transition, never, out);
-        for (const auto& node : container.nodes) check_junction(graph, *node, out);
+        for (const auto& node : container.nodes) check_junction(machine, graph, *node, out);
     });
 }
 

@@ -119,8 +119,8 @@ Linear Reasoner::term(const Expr& expr) {
 }
 
 std::optional<Linear> Reasoner::linear_binary(const Expr& expr) {
-    const bool known = expr.binary == BinaryOp::plus || expr.binary == BinaryOp::minus ||
-                       expr.binary == BinaryOp::times;
+    const bool known =
+        expr.binary == BinaryOp::plus || expr.binary == BinaryOp::minus || expr.binary == BinaryOp::times;
     if (!known) return term(expr);
     const auto left = linear(*expr.args[0]);
     const auto right = linear(*expr.args[1]);
@@ -338,8 +338,7 @@ Formula Reasoner::read(const Expr& expr) {
         case ExprKind::binary:
             return read_binary(expr);
         case ExprKind::if_then_else:
-            return combined(Formula::Form::choice,
-                            {read(*expr.args[0]), read(*expr.args[1]), read(*expr.args[2])});
+            return combined(Formula::Form::choice, {read(*expr.args[0]), read(*expr.args[1]), read(*expr.args[2])});
         case ExprKind::name:
             return named(expr);
         default:

@@ -16,8 +16,8 @@ namespace robochart::frontend::logic {
 struct Formula {
     enum class Form { constant, atom, negation, conjunction, disjunction, equivalence, choice };
     Form form = Form::constant;
-    bool value = true;       ///< constant
-    std::size_t atom = 0;    ///< atom
+    bool value = true;           ///< constant
+    std::size_t atom = 0;        ///< atom
     std::vector<Formula> parts;  ///< choice: condition, then, else
 };
 
@@ -32,7 +32,9 @@ enum class Answer { possible, impossible, unknown };
 struct Finding {
     Answer answer = Answer::unknown;
     std::string example;
-    bool trusted = true;  ///< false: the example leans on terms that nothing is known about (calls, quantifiers, …)
+    /// False: the example leans on terms that nothing is known about (calls, quantifiers, …), or on several relations
+    /// between terms (`t >= m`, `t < n`), where who wrote it may know how m and n relate.
+    bool trusted = true;
 };
 
 /// coefficient * term + … + constant; terms by their text.

@@ -59,7 +59,9 @@ public:
     Finding run() {
         Finding result;
         const Truth found = step(0);
-        result.answer = found == Truth::yes ? Answer::possible : found == Truth::no ? Answer::impossible : Answer::unknown;
+        result.answer = found == Truth::yes  ? Answer::possible
+                        : found == Truth::no ? Answer::impossible
+                                             : Answer::unknown;
         if (found == Truth::yes) describe(result);
         return result;
     }
@@ -295,8 +297,10 @@ private:
     void describe(Finding& finding) const {
         std::vector<std::string> parts;
         const std::set<std::string> shared = shared_terms();
+        std::size_t relations = 0;
         for (const std::size_t i : order_) {
             if (!values_[i].chosen) continue;
+            if (reasoner_.keys_[i].form.size() > 1 && ++relations > 1) finding.trusted = false;
             describe_key(i, shared, parts);
             if (reasoner_.keys_[i].opaque) finding.trusted = false;
         }

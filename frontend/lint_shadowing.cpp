@@ -52,8 +52,9 @@ private:
     void enter_foreign(const Variable& variable, const Context& interface, const InterfaceClause& clause) {
         const auto [first, fresh] = visible_.emplace(variable.name, &variable);
         if (fresh || first->second == &variable) return;
-        auto& finding = out_.report(rules::w_hidden_member, clause.name.span,
-                                    {variable.name, interface.name, std::string(to_text(first->second->kind)), context_.name});
+        auto& finding =
+            out_.report(rules::w_hidden_member, clause.name.span,
+                        {variable.name, interface.name, std::string(to_text(first->second->kind)), context_.name});
         finding.notes.push_back({first->second->name_span, fmt::format("`{}` means this one", variable.name)});
         finding.notes.push_back({variable.name_span, "this one is hidden"});
     }

@@ -14,34 +14,24 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Source, trigger, conditions: what decides whether a transition can be taken.
-std::string enabling(const Transition& transition) {
-    std::string text = transition.source->name + "\n";
+std::string as_text(const Transition& transition) {
+    std::string text = transition.source->name + "\n" + transition.target->name + "\n";
     if (transition.trigger) text += to_text(*transition.trigger);
-    text += "\n";
-    if (transition.condition) text += to_text(strip(*transition.condition));
-    return text;
-}
-
-std::string effect(const Transition& transition) {
-    std::string text = transition.target->name + "\n";
-    if (transition.action) text += to_text(*transition.action);
-    for (const auto& reset : transition.resets) text += "\n" + reset.name.text();
+    for (const auto& reset : transition.resets) text += "\n#" + reset.name.text();
     if (transition.deadline) text += "\n<{" + to_text(*transition.deadline);
+    if (transition.condition) text += "\ncondition " + to_text(strip(*transition.condition));
+    if (transition.action) text += "\naction " + to_text(*transition.action);
     return text;
 }
 
-/// RC-W14: the second of two transitions that are always enabled together.
-void check_twins(const NodeContainer& container, Diagnostics& out) {
+/// RC-W14. Transitions that are enabled together but do different things are a way to leave a choice open.
+void check_copies(const NodeContainer& container, Diagnostics& out) {
     std::map<std::string, const Transition*> seen;
     for (const auto& transition : container.transitions) {
-        if (transition->source == nullptr || transition->target == nullptr || transition->probability ||
-            transition->otherwise)
-            continue;
-        const auto [first, fresh] = seen.emplace(enabling(*transition), transition.get());
+        if (transition->source == nullptr || transition->target == nullptr || transition->probability) continue;
+        const auto [first, fresh] = seen.emplace(as_text(*transition), transition.get());
         if (fresh) continue;
-        const bool same = effect(*first->second) == effect(*transition);
-        out.report(same ? rules::w_copy : rules::w_twin, transition->name_span, {transition->name, first->second->name})
+        out.report(rules::w_copy, transition->name_span, {transition->name, first->second->name})
             .notes.push_back({first->second->name_span, "the other one"});
     }
 }
@@ -65,7 +55,7 @@ double least_time(const Stmt& statement) {
     return sum;
 }
 
-/// RC-W17.
+/// RC-W16.
 void check_deadline(const Stmt& statement, Diagnostics& out) {
     if (statement.kind != StmtKind::deadline || !statement.value || statement.body.empty()) return;
     const auto bound = number(*statement.value);
@@ -73,7 +63,7 @@ void check_deadline(const Stmt& statement, Diagnostics& out) {
     out.report(rules::w_deadline, statement.span, {to_text(*statement.body.front()), to_text(*statement.value)});
 }
 
-/// RC-W16.
+/// RC-W15.
 void check_assignment(const Stmt& statement, Diagnostics& out) {
     if (statement.kind != StmtKind::assignment || !statement.target || !statement.value) return;
     const std::string target = to_text(strip(*statement.target));
@@ -84,7 +74,7 @@ void check_assignment(const Stmt& statement, Diagnostics& out) {
 }  // namespace
 
 void lint_statements(const Machine& machine, Diagnostics& out) {
-    walk(machine, [&](const NodeContainer& container) { check_twins(container, out); });
+    walk(machine, [&](const NodeContainer& container) { check_copies(container, out); });
     for_actions(machine, [&](const Stmt& action) {
         walk(action, [&](const Stmt& statement) {
             check_deadline(statement, out);

@@ -31,7 +31,8 @@ namespace {
 /// `wait(0)` and `wait([0,0])` take no time.
 bool takes_time(const Stmt& wait) {
     const Expr* longest = wait.upper ? wait.upper.get() : wait.value.get();
-    return longest == nullptr || longest->kind != ExprKind::integer || longest->text.find_first_not_of('0') != std::string::npos;
+    return longest == nullptr || longest->kind != ExprKind::integer ||
+           longest->text.find_first_not_of('0') != std::string::npos;
 }
 
 void add_effect(const Stmt& statement, Effects& effects) {
@@ -79,7 +80,8 @@ void add_effects(const State& state, bool during, Effects& effects) {
 
 bool mentions(const Expr& expr, const std::unordered_set<const Declaration*>& declarations) {
     bool found = false;
-    walk(expr, [&](const Expr& part) { found = found || (part.target != nullptr && declarations.contains(part.target)); });
+    walk(expr,
+         [&](const Expr& part) { found = found || (part.target != nullptr && declarations.contains(part.target)); });
     return found;
 }
 

@@ -14,9 +14,9 @@ namespace {
 
 struct Use {
     std::size_t reads = 0;
-    std::size_t others = 0;              ///< received into, reset, communicated on, connected
-    const Stmt* assignment = nullptr;    ///< the first
-    Span reset;                          ///< of a clock, the first
+    std::size_t others = 0;            ///< received into, reset, communicated on, connected
+    const Stmt* assignment = nullptr;  ///< the first
+    Span reset;                        ///< of a clock, the first
 };
 
 class Uses {
@@ -165,7 +165,7 @@ public:
         if (interface && (uses_.given_out().contains(&context) || !uses_.used_interfaces().contains(&context))) return;
         for (const auto& variable : context.variables) check_variable(*variable);
         for (const auto& clock : context.clocks) check_clock(*clock);
-        if (!interface)
+        if (!interface && context.kind != DeclKind::platform)  // a platform's loose events are RC-W01
             for (const auto& event : context.events) check_event(*event);
         const auto* machine = dynamic_cast<const Machine*>(&context);
         if (machine != nullptr && machine->has_body && !machine->nodes.empty())
@@ -180,7 +180,8 @@ private:
             out_.report(rules::w_unread, variable.name_span, {variable.name})
                 .notes.push_back({use.assignment->span, "assigned here"});
         } else {
-            out_.report(rules::w_unused, variable.name_span, {std::string(to_text(variable.kind)), variable.name, "used"});
+            out_.report(rules::w_unused, variable.name_span,
+                        {std::string(to_text(variable.kind)), variable.name, "used"});
         }
     }
 

@@ -67,12 +67,13 @@ void lint_loops(const Machine& machine, const Never& never, Diagnostics& out);
 void lint_arithmetic(const Machine& machine, Diagnostics& out);
 /// RC-W12.
 void lint_shadowing(const File& file, const Context& context, const Names& names, Diagnostics& out);
-/// RC-W14, RC-W15, RC-W16, RC-W17.
+/// RC-W14, RC-W15, RC-W16.
 void lint_statements(const Machine& machine, Diagnostics& out);
 /// RC-W07, RC-W08: over the whole project.
 void lint_unused(const Model& model, Diagnostics& out);
-/// RC-W01, RC-W18, RC-W13: what a controller or module makes of its parts.
+/// RC-W01, RC-W17: events that get no further than a part of a controller or module.
 void lint_events(const Component& component, Diagnostics& out);
+/// RC-W13.
 void lint_operations(const Component& controller, Diagnostics& out);
 
 }  // namespace robochart::frontend

@@ -31,7 +31,7 @@ extern const Rule initial_type, assignment_type, if_type, condition_type, wait_t
 // rules_lints.cpp
 extern const Rule w_loose_machine, w_loose_controller, w_loose_platform, w_stuck, w_unreachable, w_never, w_else_never,
     w_always, w_unset, w_unused, w_unread, w_loop, w_negative, w_zero, w_maybe_zero, w_shadows, w_hidden_member,
-    w_endless, w_twin, w_copy, w_self, w_deadline, w_deaf;
+    w_endless, w_copy, w_self, w_deadline, w_deaf;
 
 [[nodiscard]] const std::vector<const Rule*>& of_names();
 [[nodiscard]] const std::vector<const Rule*>& of_nodes();

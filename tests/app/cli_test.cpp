@@ -46,6 +46,30 @@ TEST(Cli, MalformedOptionValuesAreSaid) {
     EXPECT_EQ(run({"check", model, "--const", "NoSuchConstant=3"}).exit, 2);
 }
 
+TEST(Cli, WarningsCanBeLeftOutOrDenied) {
+    const TemporaryFile model("careless.rct",
+                              "stm S {\n var v : nat\n initial i\n state A { }\n transition t0 { from i to A }\n}\n");
+    const std::vector<std::string> emit{"emit", "csp", model.path()};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), emit.begin(), emit.end());
+        return run(more);
+    };
+    EXPECT_THAT(with({}).err, HasSubstr("warning[RC-W07]"));
+    EXPECT_EQ(with({}).exit, 0);
+    const Ran denied = with({"--deny-warnings"});
+    EXPECT_EQ(denied.exit, 2);
+    EXPECT_THAT(denied.err, AllOf(HasSubstr("warning[RC-W07]"), HasSubstr("--deny-warnings")));
+    EXPECT_THAT(with({"--deny-warnings", "--format", "json"}).out, HasSubstr("\"code\":\"RC-W07\""));
+    const Ran allowed = with({"--deny-warnings", "--allow", "RC-W02", "--allow", "rc-w07"});
+    EXPECT_EQ(allowed.exit, 0);
+    EXPECT_THAT(allowed.err, Not(HasSubstr("RC-W07")));
+    for (const char* code : {"RC-N01", "nonsense"}) {
+        const Ran wrong = with({"--allow", code});
+        EXPECT_EQ(wrong.exit, 4) << wrong.err;
+        EXPECT_THAT(wrong.err, HasSubstr("is no code of a warning"));
+    }
+}
+
 TEST(Cli, AnUnknownComponentIsSaid) {
     const Ran ran = run({"conform", repository("corpus/aggregation"), "--component", "NoSuch"});
     EXPECT_EQ(ran.exit, 2);

@@ -51,7 +51,7 @@ std::string errors(const std::string& text, bool is_assertions, bool resolve) {
     const auto id = sources.add(is_assertions ? "t.assertions" : "t.rct", text);
     model.files.push_back(frontend::parse(sources, id, is_assertions, findings));
     if (resolve) frontend::resolve(model, findings);
-    return findings.empty() ? "" : diagnostics::render_text(sources, findings);
+    return findings.ok() ? "" : diagnostics::render_text(sources, findings);
 }
 
 /// Where each snippet of models belongs, `%` standing for it.

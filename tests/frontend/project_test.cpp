@@ -80,7 +80,8 @@ TEST_F(Project, GarbageIsAnError) {
 
 TEST_F(Project, AFileBringsWhatItNeedsOfItsFolder) {
     write("main.rct",
-          "package main import lib::* stm S { var v:T initial i state s { } transition t { from i to s } }");
+          "package main import lib::* interface M { var v:T } stm S { initial i state s { } transition t { from i to s "
+          "} }");
     write("lib.rct", "package lib import deep::* type T interface I { var d:D }");
     write("deep.rct", "package deep type D");
     write("other.rct", "package other type T stm S { nonsense }");

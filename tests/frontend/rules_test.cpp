@@ -34,11 +34,13 @@ std::multiset<std::string> expectations(const std::string& text) {
     return result;
 }
 
-std::multiset<std::string> findings(const testing::Reading& reading) {
+/// Advice beyond the published rules (RC-W) may be given on any fixture; it is looked at in its own folders only.
+std::multiset<std::string> findings(const testing::Reading& reading, bool advice) {
     std::multiset<std::string> result;
     for (const auto& d : reading.findings.sorted())
-        result.insert(std::to_string(reading.sources.position(d.span.source, d.span.begin).line) + " " +
-                      std::string(d.rule->code));
+        if (advice || !d.rule->code.starts_with("RC-W"))
+            result.insert(std::to_string(reading.sources.position(d.span.source, d.span.begin).line) + " " +
+                          std::string(d.rule->code));
     return result;
 }
 
@@ -67,7 +69,7 @@ TEST_P(Fixture, IsJudgedAsItSays) {
         const std::string text = testing::slurp(path);
         const auto reading = testing::resolved(text, path.extension() == ".assertions");
         const auto expected = expectations(text);
-        EXPECT_EQ(findings(*reading), expected) << path << "\n" << reading->report();
+        EXPECT_EQ(findings(*reading, code.starts_with("RC-W")), expected) << path << "\n" << reading->report();
         const bool names_it = std::any_of(expected.begin(), expected.end(),
                                           [&](const std::string& e) { return e.substr(e.find(' ') + 1) == code; });
         EXPECT_EQ(names_it, path.filename().string().starts_with("bad")) << path;
