@@ -16,7 +16,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double tolerance = 1e-9;
 constexpr std::size_t max_steps = 4'000;
-constexpr std::size_t max_constraints = 400;
+constexpr std::size_t max_constraints = 64;
+constexpr std::size_t max_eliminations = 32;  ///< whole systems of constraints looked at
 
 enum class Truth { no, yes, open };
 
@@ -83,7 +84,7 @@ private:
     }
 
     Truth step(std::size_t depth) {
-        if (++steps_ > max_steps) return Truth::open;
+        if (++steps_ > max_steps || eliminations_ > max_eliminations) return Truth::open;
         const Truth truth = evaluate(formula_);
         if (truth == Truth::no) return Truth::no;
         if (truth == Truth::yes) return fits_together();
@@ -244,8 +245,9 @@ private:
         return result;
     }
 
-    [[nodiscard]] Truth fits_together() const {
+    Truth fits_together() {
         if (shared_terms().empty()) return Truth::yes;
+        if (++eliminations_ > max_eliminations) return Truth::open;
         std::vector<Constraint> open = constraints();
         while (true) {
             std::vector<Constraint> next;
@@ -259,12 +261,12 @@ private:
             }
             if (term.empty()) return Truth::yes;
             for (const Constraint& a : open) {
+                if (next.size() > max_constraints) return Truth::open;
                 if (!a.terms.contains(term)) next.push_back(a);
                 if (!a.terms.contains(term) || a.terms.at(term) < 0) continue;
                 for (const Constraint& b : open)
                     if (b.terms.contains(term) && b.terms.at(term) < 0) next.push_back(eliminated(a, b, term));
             }
-            if (next.size() > max_constraints) return Truth::open;
             open = std::move(next);
         }
     }
@@ -314,6 +316,7 @@ private:
     std::vector<std::size_t> order_;
     std::vector<Value> values_;
     std::size_t steps_ = 0;
+    std::size_t eliminations_ = 0;
 };
 
 Finding Reasoner::decide(const Formula& formula) const {

@@ -1,5 +1,6 @@
 // Nodes that no path from the initial junction of their container leads to. The choice among enabled transitions is
 // free (semantics 3.4), so only transitions that can never be taken break a path.
+#include <algorithm>
 #include <unordered_set>
 
 #include "frontend/lints.hpp"
@@ -26,6 +27,8 @@ public:
                 add_from(*node, reached_);
             }
         if (!begins) return;
+        for (const auto& node : container_.nodes)
+            if (!covered(*node) && cut_off(*node)) add_from(*node, told_);
         // First those that nothing at all leads to, then islands that are only reached from themselves.
         for (const auto& node : container_.nodes)
             if (!covered(*node) && is_root(*node)) report(*node, out);
@@ -55,14 +58,20 @@ private:
         return true;
     }
 
+    /// A transition that is never taken is told itself (RC-W04); that is enough.
+    [[nodiscard]] bool cut_off(const State& node) const {
+        const auto& ways = graph_.in(node);
+        return std::any_of(ways.begin(), ways.end(), [&](const Transition* way) {
+            return never_.contains(way) && reached_.contains(way->source);
+        });
+    }
+
     void report(const State& node, Diagnostics& out) {
         add_from(node, told_);
         auto& finding = out.report(rules::w_unreachable, node.name_span, {std::string(to_text(node.kind)), node.name});
         for (const Transition* way : graph_.in(node)) {
             if (way->source == &node) continue;
-            const char* why = never_.contains(way) ? "this transition leads to it, but is never taken"
-                                                   : "this transition leads to it, but its source is not reached";
-            finding.notes.push_back({way->name_span, why});
+            finding.notes.push_back({way->name_span, "this transition leads to it, but its source is not reached"});
             return;
         }
     }
