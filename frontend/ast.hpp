@@ -418,12 +418,22 @@ enum class AssertionKind {
 enum class AssertionTime { both, timed, untimed };
 enum class AssertionModel { failures_divergences, traces, failures, tick_tock };
 
+struct CspBlock;
+
+/// Where the name of a component leads: the declarations on the way. References stand for themselves, so that the
+/// names of the steps make the path `M::ctrl_ref::stm_ref`; what is behind them is the step's `Reference::target`.
+struct ComponentPath {
+    std::vector<const Declaration*> steps;  ///< outermost first; empty: not found, or a csp process
+    const CspBlock* process = nullptr;      ///< the name is that of a csp block
+};
+
 struct AssertionParameter {
     bool constant = true;  ///< `constant v of ctx`; false: `parameter p of op`
     QualifiedName name;
     QualifiedName context;
     ExprPtr value;
-    const Declaration* target = nullptr;
+    ComponentPath context_path;           ///< filled by resolve; a platform stands for its module
+    const Declaration* target = nullptr;  ///< filled by resolve: Variable
 };
 
 struct Assertion final {
@@ -436,6 +446,12 @@ struct Assertion final {
     QualifiedName other;    ///< Y of refines/equals; state of reachable; clock
     std::optional<AssertionModel> model;
     std::vector<AssertionParameter> parameters;
+    ComponentPath subject_path;  ///< filled by resolve; of the component X
+    /// Filled by resolve. refines, equals: Y; reachable: the machine with the state, through the subject;
+    /// clock_initialised: the machine with the clock.
+    ComponentPath other_path;
+    const State* state = nullptr;  ///< filled by resolve: reachable
+    const Clock* clock = nullptr;  ///< filled by resolve: clock_initialised
 };
 
 /// `csp NAME associated to X csp-begin … csp-end`.
@@ -444,6 +460,7 @@ struct CspBlock final {
     Span span;
     AssertionTime time = AssertionTime::both;
     std::vector<QualifiedName> associated;
+    std::vector<ComponentPath> associated_paths;  ///< filled by resolve: one for each name
     std::string text;  ///< verbatim, between csp-begin and csp-end
     Span text_span;
 };

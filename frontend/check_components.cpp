@@ -106,6 +106,18 @@ void check_controller(const Component& controller, Diagnostics& out) {
     }
 }
 
+/// M1, pointing at the platforms after the first.
+void report_platforms(const Component& module, std::size_t platforms, Diagnostics& out) {
+    auto& finding =
+        out.report(rules::m1, module.name_span, {module.name, platforms == 0 ? "no" : std::to_string(platforms)});
+    std::size_t seen = 0;
+    for (const Declaration* part : module.order) {
+        const Declaration* behind = follow(part);
+        if (behind != nullptr && behind->kind == DeclKind::platform && ++seen > 1)
+            finding.notes.push_back({part->name_span, "another platform"});
+    }
+}
+
 void check_module(const Component& module, Diagnostics& out) {
     std::size_t platforms = module.platforms.size();
     std::size_t controllers = module.controllers.size();
@@ -115,8 +127,7 @@ void check_module(const Component& module, Diagnostics& out) {
         if (reference->refers_to == DeclKind::state_machine)
             out.report(rules::m_machine, reference->name_span, {module.name, reference->name});
     }
-    if (platforms != 1)
-        out.report(rules::m1, module.name_span, {module.name, platforms == 0 ? "no" : std::to_string(platforms)});
+    if (platforms != 1) report_platforms(module, platforms, out);
     if (controllers == 0) out.report(rules::m_controller, module.name_span, {module.name});
     for (const auto& machine : module.machines)
         out.report(rules::m_machine, machine->name_span, {module.name, machine->name});

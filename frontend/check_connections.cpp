@@ -4,6 +4,7 @@
 #include <map>
 
 #include "frontend/checks.hpp"
+#include "frontend/print.hpp"
 #include "frontend/rules.hpp"
 #include "frontend/scopes.hpp"
 #include "frontend/types.hpp"
@@ -16,10 +17,23 @@ std::string carries(const Event& event) {
     return event.type_expr ? "values of type " + to_string(event.type) : "no value";
 }
 
+/// Cn4: broadcast goes with broadcast, and from one level to another.
+void check_broadcast(const Connection& connection, const Event& from, const Event& to, Diagnostics& out) {
+    const Event& plain = from.broadcast ? to : from;
+    if (from.broadcast != to.broadcast) {
+        out.report(rules::cn4, connection.span, {from.broadcast ? from.name : to.name, plain.name})
+            .notes.push_back({plain.name_span, fmt::format("`{}` is declared here without `_broadcast`", plain.name)});
+        return;
+    }
+    const Declaration* a = follow(connection.from.node_target);
+    const Declaration* b = follow(connection.to.node_target);
+    const bool parts =
+        a != nullptr && b != nullptr && a->kind == b->kind && connection.from.node_target != connection.to.node_target;
+    if (from.broadcast && parts) out.report(rules::cn4_relay, connection.span, {std::string(to_text(a->kind))});
+}
+
 void check_events(const Connection& connection, const Event& from, const Event& to, Diagnostics& out) {
-    if (from.broadcast != to.broadcast)
-        out.report(rules::cn4, connection.span,
-                   {from.broadcast ? from.name : to.name, from.broadcast ? to.name : from.name});
+    check_broadcast(connection, from, to, out);
     const bool both_typed = from.type_expr && to.type_expr;
     const bool none_typed = !from.type_expr && !to.type_expr;
     const bool fit = none_typed || (both_typed && (!from.type || !to.type || compatible(from.type, to.type)));

@@ -69,7 +69,7 @@ private:
     Traffic traffic_;
 };
 
-/// Cn8, Cn9: one-way connections of machines run the way the machines communicate.
+/// Cn9, Cn8: one-way connections of machines run the way the machines communicate.
 void check_machine_end(TrafficReader& reader, const Connection& connection, const Connection::End& end, bool beginning,
                        Diagnostics& out) {
     const auto* machine = followed<Machine>(end.node_target);
@@ -78,7 +78,7 @@ void check_machine_end(TrafficReader& reader, const Connection& connection, cons
     const auto& wrong = beginning ? traffic.receives : traffic.sends;
     const auto found = wrong.find(end.event_target->name);
     if (found == wrong.end()) return;
-    out.report(beginning ? rules::cn8 : rules::cn9, end.event.span,
+    out.report(beginning ? rules::cn9 : rules::cn8, end.event.span,
                {end.event.text(), end.node.text(), machine->name, found->second});
 }
 
@@ -122,19 +122,17 @@ void check_controller_end(Insides& insides, const Connection& connection, const 
     if (controller == nullptr || controller->kind != DeclKind::controller || end.event_target == nullptr) return;
     const Inside found = insides.of(*controller, end.event.text());
     const bool connected = found.from != nullptr || found.to != nullptr || found.both != nullptr;
-    const std::string way = beginning ? "starts" : "ends";
-    const auto report = [&](const Rule& rule, std::vector<std::string> arguments, const Connection* other) {
-        auto& finding = out.report(rule, end.event.span, std::move(arguments));
-        if (other != nullptr) finding.notes.push_back({other->span, "the connection inside"});
+    const auto report = [&](const Rule& rule, const Connection& other) {
+        out.report(rule, end.event.span, {end.event.text(), end.node.text()})
+            .notes.push_back({other.span, "the connection inside"});
     };
     if (connection.multiple) {
-        if (connected && found.both == nullptr)
-            report(rules::cn5, {end.event.text(), end.node.text()}, found.from != nullptr ? found.from : found.to);
+        if (connected && found.both == nullptr) report(rules::cn5, found.from != nullptr ? *found.from : *found.to);
         return;
     }
-    if (found.both != nullptr) report(rules::cn6, {way, end.event.text(), end.node.text()}, found.both);
+    if (found.both != nullptr) report(beginning ? rules::cn7 : rules::cn6, *found.both);
     const Connection* against = beginning ? found.from : found.to;
-    if (against != nullptr) report(rules::cn7, {way, end.event.text(), end.node.text()}, against);
+    if (against != nullptr) report(beginning ? rules::cn7_direction : rules::cn6_direction, *against);
 }
 
 }  // namespace

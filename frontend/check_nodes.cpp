@@ -46,10 +46,14 @@ std::size_t count(const NodeContainer& container, DeclKind kind) {
 
 void check_actions(const State& state, Diagnostics& out) {
     constexpr std::string_view words[] = {"entry", "during", "exit"};
+    const Action* first[] = {nullptr, nullptr, nullptr};
     std::size_t seen[] = {0, 0, 0};
     for (const Action& action : state.actions) {
         const auto kind = static_cast<std::size_t>(action.kind);
-        if (++seen[kind] == 2) out.report(rules::s2, action.span, {state.name, std::string(words[kind])});
+        if (first[kind] == nullptr) first[kind] = &action;
+        if (++seen[kind] == 2)
+            out.report(rules::s2, action.span, {state.name, std::string(words[kind])})
+                .notes.push_back({first[kind]->span, "the first one"});
     }
 }
 
@@ -61,10 +65,16 @@ void check_final(const State& state, Diagnostics& out) {
 
 // ---------------------------------------------------------------- probabilities
 
-/// The value of an expression over literals.
-std::optional<double> constant_value(const Expr& expr) {
-    const auto arg = [&](std::size_t i) { return constant_value(*expr.args[i]); };
+/// The value of an expression over literals and constants with such values. Constants may refer to each other in a
+/// circle, so only so many are followed.
+std::optional<double> constant_value(const Expr& expr, int constants = 20) {
+    const auto arg = [&](std::size_t i) { return constant_value(*expr.args[i], constants); };
     if (expr.kind == ExprKind::parenthesised) return arg(0);
+    if (expr.kind == ExprKind::name) {
+        const auto* named = dynamic_cast<const Variable*>(expr.target);
+        const bool known = named != nullptr && named->kind == DeclKind::constant && named->initial && constants > 0;
+        return known ? constant_value(*named->initial, constants - 1) : std::nullopt;
+    }
     if (expr.kind == ExprKind::integer || expr.kind == ExprKind::real) return std::strtod(expr.text.c_str(), nullptr);
     if (expr.kind == ExprKind::unary && *expr.unary == UnaryOp::negate) {
         const auto value = arg(0);
@@ -105,10 +115,16 @@ void check_probability(const Transition& transition, Diagnostics& out) {
 
 void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out) {
     double sum = 0;
+    bool known = true;
     for (const Transition* transition : outgoing(ways, node)) {
-        const auto value = transition->probability ? constant_value(*transition->probability) : std::nullopt;
-        if (!value) return;
-        sum += *value;
+        if (!transition->probability) return;  // PJ1
+        const auto value = constant_value(*transition->probability);
+        known = known && value;
+        sum += value.value_or(0);
+    }
+    if (!known) {
+        out.report(rules::pj3_unknown, node.name_span, {node.name});
+        return;
     }
     constexpr double tolerance = 1e-9;
     if (std::abs(sum - 1) > tolerance) out.report(rules::pj3, node.name_span, {node.name, fmt::format("{:g}", sum)});
@@ -156,22 +172,39 @@ void check_transition(const Transition& transition, Diagnostics& out) {
     check_probability(transition, out);
 }
 
+/// STM3: points at the initial junctions after the first.
+void wrong_initials(const NodeContainer& container, const Rule& rule, const Declaration& owner,
+                    std::vector<std::string> arguments, Diagnostics& out) {
+    auto& finding = out.report(rule, owner.name_span, std::move(arguments));
+    std::size_t seen = 0;
+    for (const auto& node : container.nodes)
+        if (node->kind == DeclKind::initial && ++seen > 1)
+            finding.notes.push_back({node->name_span, "another initial junction"});
+}
+
+void check_stm4(const NodeContainer& container, const Declaration& owner, const std::string& kind, Diagnostics& out) {
+    if (!container.nodes.empty() && count(container, DeclKind::state) + count(container, DeclKind::final) == 0)
+        out.report(rules::stm4, owner.name_span, {kind, owner.name});
+}
+
 void check_inner(const State& state, Diagnostics& out) {
     if (state.kind != DeclKind::state || (state.nodes.empty() && state.transitions.empty())) return;
     const std::size_t initials = count(state, DeclKind::initial);
-    if (initials != 1)
-        out.report(rules::stm3_inner, state.name_span, {"composite state", state.name, std::to_string(initials)});
-    if (count(state, DeclKind::state) + count(state, DeclKind::final) == 0)
-        out.report(rules::stm4, state.name_span, {state.name});
+    const std::string number = initials == 0 ? "no" : std::to_string(initials);
+    if (initials != 1) wrong_initials(state, rules::stm3_inner, state, {"composite state", state.name, number}, out);
+    check_stm4(state, state, "composite state", out);
 }
 
 void check_top(const Machine& machine, Diagnostics& out) {
+    const bool operation = machine.kind == DeclKind::operation;
+    check_stm4(machine, machine, operation ? "operation" : "state machine", out);
     const std::size_t initials = count(machine, DeclKind::initial);
-    if (initials == 1) return;
-    if (machine.kind == DeclKind::state_machine)
-        out.report(rules::stm3, machine.name_span, {machine.name, initials == 0 ? "no" : std::to_string(initials)});
-    else if (!machine.nodes.empty())
-        out.report(rules::stm3_inner, machine.name_span, {"operation", machine.name, std::to_string(initials)});
+    const std::string number = initials == 0 ? "no" : std::to_string(initials);
+    if (initials == 1 || (operation && machine.nodes.empty())) return;
+    if (operation)
+        wrong_initials(machine, rules::stm3_inner, machine, {"operation", machine.name, number}, out);
+    else
+        wrong_initials(machine, rules::stm3, machine, {machine.name, number}, out);
 }
 
 }  // namespace

@@ -74,14 +74,23 @@ void check_entries(const NodeContainer& container, const Expr& expr, Diagnostics
     });
 }
 
+/// TE1: nothing but the condition of a transition reads clocks.
+void check_untimed(const ExprPtr& expr, const std::string& what, Diagnostics& out) {
+    if (!expr) return;
+    walk(*expr, [&](const Expr& part) {
+        if (is_timed(part)) out.report(rules::te1_elsewhere, part.span, {to_text(part), what});
+    });
+}
+
 void check_transition(const NodeContainer& container, const Transition& transition, Diagnostics& out) {
     if (transition.deadline && !transition.trigger && !transition.legacy_trigger)
         out.report(rules::tt1, transition.deadline->span, {transition.name});
-    for (const ExprPtr* expr : {&transition.condition, &transition.deadline, &transition.probability}) {
-        if (!*expr) continue;
-        check_condition(**expr, out);
-        check_entries(container, **expr, out);
-    }
+    check_untimed(transition.deadline, "a deadline", out);
+    check_untimed(transition.probability, "a probability", out);
+    if (transition.trigger) check_untimed(transition.trigger->predicate, "what a trigger accepts", out);
+    if (!transition.condition) return;
+    check_condition(*transition.condition, out);
+    check_entries(container, *transition.condition, out);
 }
 
 /// TE1: actions do not read clocks.
@@ -93,6 +102,12 @@ void check_action(const Stmt& action, Diagnostics& out) {
             });
         });
     });
+}
+
+void check_declarations(const Machine& machine, Diagnostics& out) {
+    for (const auto& variable : machine.variables) check_untimed(variable->initial, "an initial value", out);
+    for (const ExprPtr& condition : machine.preconditions) check_untimed(condition, "a precondition", out);
+    for (const ExprPtr& condition : machine.postconditions) check_untimed(condition, "a postcondition", out);
 }
 
 }  // namespace
@@ -107,6 +122,7 @@ void check_time(const Machine& machine, Diagnostics& out) {
         }
     });
     for_actions(machine, [&](const Stmt& action) { check_action(action, out); });
+    check_declarations(machine, out);
     if (first_timed != nullptr) out.report(rules::untimed, first_timed->span, {machine.name});
 }
 

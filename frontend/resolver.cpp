@@ -11,7 +11,7 @@ namespace robochart::frontend {
 void Resolver::run() {
     each(&Resolver::header);
     each(&Resolver::body);
-    for (auto& file : model_.files) assertions(*file);
+    resolve_assertions(model_, finder_, typer_);
 }
 
 void Resolver::each(void (Resolver::*visit)(File&, Declaration&)) {

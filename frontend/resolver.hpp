@@ -44,11 +44,14 @@ private:
     void connection_end(Connection::End& end, Ends& ends);
     void connection_event(Connection::End& end, Ends& ends);
     void wrong_node(Connection::End& end, const Ends& ends);
-    void assertions(File& file);
 
     Model& model_;
     Finder& finder_;
     Typer typer_;
 };
+
+/// Assertions and csp blocks: components along paths, states, clocks, constants (resolver_assertions.cpp). Comes after
+/// the declarations of all files.
+void resolve_assertions(Model& model, Finder& finder, Typer& typer);
 
 }  // namespace robochart::frontend

@@ -150,13 +150,4 @@ void Resolver::connection_event(Connection::End& end, Ends& ends) {
     if (!meant.empty()) finding.fixes.push_back({end.event.span, meant, "did you mean"});
 }
 
-/// Values may use literals and functions; what the parameters belong to is found along paths by the semantics.
-void Resolver::assertions(File& file) {
-    for (Assertion& assertion : file.assertions)
-        for (AssertionParameter& parameter : assertion.parameters) {
-            Surroundings around{{&file, nullptr}, nullptr, nullptr, nullptr, {}};
-            if (parameter.value) typer_.type(*parameter.value, around);
-        }
-}
-
 }  // namespace robochart::frontend

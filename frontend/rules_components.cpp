@@ -17,7 +17,12 @@ const Rule stm7{
 const Rule stm8{"STM8", error, "`{}` calls `{}` but does not provide the variable{} it requires: {}",
                 "An operation works on the variables that it requires; its caller must have them, by name and with a "
                 "compatible type."};
-const Rule stm9{"STM9", error, "operation `{}` uses event `{}`, which `{}` does not have",
+const Rule stm8_required{
+    "STM8", warning,
+    "`{}` requires operation `{}`, whose callers need {}; it never calls it, but RoboTool refuses this",
+    "Whoever requires an operation should have the variables, events and clocks that the operation takes from its "
+    "caller. Without a call nothing is missing yet."};
+const Rule stm9{"STM9", error, "operation `{}` uses event `{}`, which `{}` does not have{}",
                 "The events of an operation are those of the machine that calls it."};
 const Rule stm10{"STM10", error, "operation `{}` requires clock `{}`, which `{}` does not have",
                  "The clocks that an operation requires are those of the machine that calls it."};
@@ -75,13 +80,17 @@ const Rule m2_variables{
 const Rule m2_operations{"M2", error,
                          "the platform of module `{}` does not provide the operation{} that `{}` requires: {}",
                          "What a controller requires must be offered by the module's platform."};
-const Rule dt{"DT", error, "datatype `{}` has no field", "A datatype is made of its fields: `datatype Point { x : real y : real }`."};
+const Rule dt{"DT", error, "datatype `{}` has no field",
+              "A datatype is made of its fields: `datatype Point { x : real y : real }`."};
 
 const std::vector<const Rule*>& of_components() {
     static const std::vector<const Rule*> rules = {
-        &stm1, &stm6, &stm7,    &stm8, &stm9,         &stm10,     &rp1,          &rp2,           &rp3, &o1,
-        &i1,   &i2,   &i_mixed, &c1,   &c2,           &c3,        &c4,           &c4_operation,  &c7,  &c8,
-        &c9,   &c10,  &c11,     &m1,   &m_controller, &m_machine, &m2_variables, &m2_operations, &dt};
+        &stm1,         &stm6,      &stm7,         &stm8,          &stm8_required,
+        &stm9,         &stm10,     &rp1,          &rp2,           &rp3,
+        &o1,           &i1,        &i2,           &i_mixed,       &c1,
+        &c2,           &c3,        &c4,           &c4_operation,  &c7,
+        &c8,           &c9,        &c10,          &c11,           &m1,
+        &m_controller, &m_machine, &m2_variables, &m2_operations, &dt};
     return rules;
 }
 

@@ -23,7 +23,8 @@ const std::vector<const Rule*>& of_names() {
 
 std::vector<const Rule*> all() {
     std::vector<const Rule*> result;
-    for (const auto* group : {&of_names(), &of_nodes(), &of_components(), &of_connections(), &of_time(), &of_types(), &of_lints()})
+    for (const auto* group : {&of_names(), &of_nodes(), &of_components(), &of_connections(), &of_time(), &of_types(),
+                              &of_assertions(), &of_lints()})
         result.insert(result.end(), group->begin(), group->end());
     return result;
 }

@@ -40,9 +40,13 @@ const Rule pj2{"PJ2", error, "transition `{}` starts in the probabilistic juncti
                "The choice at a probabilistic junction is made by probability alone."};
 const Rule pj3{"PJ3", warning, "the probabilities of the transitions from `{}` add up to {}, not to 1",
                "The ways out of a probabilistic junction must cover all cases."};
+const Rule pj3_unknown{"PJ3", warning, "the probabilities of the transitions from `{}` cannot be added up here",
+                       "Some of them are not constant; make sure that they add up to 1."};
 const Rule pt1{"PT1", error, "transition `{}` has a probability but starts in `{}`, which is no probabilistic junction",
                "Only the ways out of a probabilistic junction carry probabilities."};
-const Rule pt2{"PT2", error, "the probability {} is not between 0 and 1", "A probability is a number from 0 to 1, for example `probability 0.5`; those of one junction add up to 1."};
+const Rule pt2{
+    "PT2", error, "the probability {} is not between 0 and 1",
+    "A probability is a number from 0 to 1, for example `probability 0.5`; those of one junction add up to 1."};
 const Rule pt2_unknown{"PT2", warning,
                        "this probability cannot be computed here; make sure that it lies between 0 and 1",
                        "The expression is not constant, so its range was not checked."};
@@ -52,17 +56,18 @@ const Rule stm3_inner{
     "STM3", warning, "{} `{}` has {} initial junctions, it should have exactly one",
     "A composite state or operation with nodes begins at its only initial junction; without one it can never be "
     "entered properly."};
-const Rule stm4{"STM4", error, "composite state `{}` has no state and no final state",
-                "A state with an initial junction inside needs a state for it to lead to."};
+const Rule stm4{
+    "STM4", error, "{} `{}` has no state and no final state",
+    "An initial junction needs a state to lead to: a machine, composite state or operation with nodes has a "
+    "state or a final state."};
 const Rule parameter_assigned{
     "PARAM", error, "parameter `{}` cannot be assigned",
     "The parameters of an operation are fixed for the whole call. Declare a variable in the operation instead."};
 
 const std::vector<const Rule*>& of_nodes() {
     static const std::vector<const Rule*> rules = {
-        &s2,  &ij1, &ij2,         &fs1,  &fs2,        &fs3,  &j1,
-        &j2,  &j3,  &t1,          &t2,   &pj1,        &pj2,  &pj3,
-        &pt1, &pt2, &pt2_unknown, &stm3, &stm3_inner, &stm4, &parameter_assigned};
+        &s2,  &ij1, &ij2, &fs1,         &fs2, &fs3, &j1,          &j2,   &j3,         &t1,   &t2,
+        &pj1, &pj2, &pj3, &pj3_unknown, &pt1, &pt2, &pt2_unknown, &stm3, &stm3_inner, &stm4, &parameter_assigned};
     return rules;
 }
 

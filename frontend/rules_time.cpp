@@ -11,6 +11,8 @@ const Rule tt1{
     "wait for."};
 const Rule te1{"TE1", error, "`{}` cannot stand in an action",
                "Clocks are read in conditions only. Measure in the condition of a transition instead."};
+const Rule te1_elsewhere{"TE1", error, "`{}` cannot stand in {}",
+                         "Clocks are read in the conditions of transitions only."};
 const Rule te2{"TE2", error, "clock `{}` does not belong to {} `{}`",
                "A clock is declared by the machine that reads it, or by an interface that it uses or requires."};
 const Rule te3{
@@ -31,7 +33,8 @@ const Rule untimed{
     "such conditions. Timed checks decide them."};
 
 const std::vector<const Rule*>& of_time() {
-    static const std::vector<const Rule*> rules = {&tt1, &te1, &te2, &te3, &te4, &te4_type, &te5, &ts1, &untimed};
+    static const std::vector<const Rule*> rules = {&tt1, &te1,      &te1_elsewhere, &te2, &te3,
+                                                   &te4, &te4_type, &te5,           &ts1, &untimed};
     return rules;
 }
 

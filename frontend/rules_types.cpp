@@ -12,9 +12,12 @@ const Rule assignment_type{
     "RC-T02", error, "`{}` has type {}, but the value assigned has type {}",
     "The value must fit the variable's type: nat fits int, int fits real, never the other way. The difference of "
     "two nats is an int."};
-const Rule if_type{"RC-T03", error, "the condition of `if` must be boolean, this is {}", "Only booleans decide which branch of `if` runs: write a comparison, as in `if x > 0 then ... end`."};
-const Rule condition_type{"RC-T04", error, "the condition of a transition must be boolean, this is {}",
-                          "A guard is true or false: write a comparison, as in `condition x > 0`, or a boolean variable."};
+const Rule if_type{
+    "RC-T03", error, "the condition of `if` must be boolean, this is {}",
+    "Only booleans decide which branch of `if` runs: write a comparison, as in `if x > 0 then ... end`."};
+const Rule condition_type{
+    "RC-T04", error, "the condition of a transition must be boolean, this is {}",
+    "A guard is true or false: write a comparison, as in `condition x > 0`, or a boolean variable."};
 const Rule wait_type{"RC-T05", error, "`wait` takes an integer or a set of integers, this is {}",
                      "Time passes in whole units: `wait(2)` takes two, `wait([1,3])` one to three."};
 const Rule call_count{"RC-T06", error, "operation `{}` takes {} argument{}, this call has {}",
@@ -66,13 +69,21 @@ const Rule mixed_types{
 const Rule size_value{"RC-T27", error,
                       "the size of a vector or matrix is a positive integer or a constant, this is `{}`",
                       "Sizes are known before the model runs: `vector(real, 3)`, or a constant with a value."};
-const Rule condition_boolean{"RC-T28", error, "{} must be boolean, this is {}", "Conditions, preconditions and operands of logical operators are true or false: write a comparison."};
+const Rule condition_boolean{
+    "RC-T28", error, "{} must be boolean, this is {}",
+    "Conditions, preconditions and operands of logical operators are true or false: write a comparison."};
 const Rule deadline_type{"RC-T29", error, "a deadline is a number of time units, this is {}",
                          "A deadline counts whole time units: `e <{ 3 }` gives three of them."};
-const Rule not_assignable{"RC-T30", error, "`{}` is a {} and cannot be assigned", "The left side of an assignment is a variable, or a field or element of one: `x = 1`, `p.x = 1`, `a[1] = 1`."};
+const Rule not_assignable{
+    "RC-T30", error, "`{}` is a {} and cannot be assigned",
+    "The left side of an assignment is a variable, or a field or element of one: `x = 1`, `p.x = 1`, `a[1] = 1`."};
 const Rule comm_narrow{
     "RC-T31", warning, "event `{}` carries {}, and variable `{}` of type {} cannot hold every such value",
     "The reading is accepted as RoboTool accepts it; a value that does not fit is outside the variable's type."};
+const Rule range_bounds{"RC-T33", error, "the bounds of a range are numbers, this is {}",
+                        "`{a to b}`, `[a, b]` and their like mean all numbers between two bounds."};
+const Rule index_type{"RC-T34", error, "an index is a whole number, this is {}",
+                      "Sequences, vectors and matrices number their elements from 1."};
 
 const std::vector<const Rule*>& of_types() {
     static const std::vector<const Rule*> rules = {&initial_type, &assignment_type,   &if_type,        &condition_type,
@@ -83,7 +94,7 @@ const std::vector<const Rule*>& of_types() {
                                                    &no_field,     &field_type,        &field_missing,  &cast_type,
                                                    &operand_type, &unary_type,        &compare_type,   &mixed_types,
                                                    &size_value,   &condition_boolean, &deadline_type,  &not_assignable,
-                                                   &comm_narrow};
+                                                   &comm_narrow,  &range_bounds,      &index_type};
     return rules;
 }
 

@@ -67,6 +67,15 @@ std::vector<const Variable*> visible_variables(const Context& context) {
     return result;
 }
 
+std::vector<const Variable*> offered_variables(const Context& platform) {
+    std::vector<const Variable*> result = visible_variables(platform);
+    for_interfaces(platform, [&](const Context& i, InterfaceUse use) {
+        if (use != InterfaceUse::provides) return;
+        for (const auto& variable : i.variables) result.push_back(variable.get());
+    });
+    return result;
+}
+
 std::vector<const Variable*> required_variables(const Context& context) {
     std::vector<const Variable*> result;
     for_interfaces(context, [&](const Context& i, InterfaceUse use) {

@@ -35,6 +35,8 @@ template <class Kind>
 
 /// Own variables and those of used and required interfaces, in textual order.
 [[nodiscard]] std::vector<const Variable*> visible_variables(const Context& context);
+/// All variables of a platform: own ones and those of used and provided interfaces.
+[[nodiscard]] std::vector<const Variable*> offered_variables(const Context& platform);
 /// Variables and constants of required interfaces.
 [[nodiscard]] std::vector<const Variable*> required_variables(const Context& context);
 /// Operations of required interfaces.

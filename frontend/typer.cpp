@@ -95,12 +95,25 @@ void Typer::boolean(const ExprPtr& expr, Surroundings& around, const std::string
 
 /// Tuples keep the types of their parts; sets, sequences and ranges have one type for all.
 TypePtr Typer::elements(Expr& expr, Surroundings& around) {
+    if (expr.kind == ExprKind::set_range || expr.kind == ExprKind::range) return range(expr, around);
     if (expr.kind != ExprKind::tuple)
         return type_all(expr, around, expr.kind == ExprKind::sequence ? TypeForm::sequence : TypeForm::set);
     std::vector<TypePtr> parts;
     bool known = true;
     for (const ExprPtr& arg : expr.args) known = (parts.emplace_back(type(arg, around)) != nullptr) && known;
     return known ? make_type(TypeForm::product, std::move(parts)) : nullptr;
+}
+
+/// All numbers between two: a set of the wider type of the two.
+TypePtr Typer::range(Expr& expr, Surroundings& around) {
+    TypePtr both = make_type(TypeForm::nat);
+    for (const ExprPtr& arg : expr.args) {
+        const TypePtr bound = simplify(type(arg, around));
+        if (bound && !is_number(bound) && bound->form != TypeForm::any)
+            finder_.out().report(rules::range_bounds, arg->span, {to_string(bound)});
+        both = both && is_number(bound) ? joined(both, bound) : nullptr;
+    }
+    return both ? make_type(TypeForm::set, {both}) : nullptr;
 }
 
 TypePtr Typer::type_all(Expr& expr, Surroundings& around, TypeForm collection) {
@@ -140,8 +153,11 @@ TypePtr Typer::matrix(Expr& expr, Surroundings& around) {
     const TypePtr operand = type(expr.args[0], around);
     if (!operand) return nullptr;
     const bool transposes = expr.kind == ExprKind::transpose;
-    if (operand->form == TypeForm::vector && transposes) return make_matrix(operand->args[0], operand->sizes[0], 1);
-    if (operand->form != TypeForm::matrix) {
+    // A vector is a column: transposed it is one row.
+    if (operand->form == TypeForm::vector && transposes) return make_matrix(operand->args[0], 1, operand->sizes[0]);
+    const bool square = operand->form == TypeForm::matrix &&
+                        (operand->sizes[0] < 0 || operand->sizes[1] < 0 || operand->sizes[0] == operand->sizes[1]);
+    if (operand->form != TypeForm::matrix || (!transposes && !square)) {
         finder_.out().report(rules::unary_type, expr.span, {transposes ? "transpose" : "inverse", to_string(operand)});
         return nullptr;
     }
@@ -182,7 +198,7 @@ TypePtr Typer::bound_body(Expr& expr, Surroundings& around, const TypePtr& varia
         case ExprKind::lambda:
             return variables && body ? make_type(TypeForm::function, {variables, body}) : nullptr;
         case ExprKind::the:
-            return body;
+            return expr.args[1] ? body : simplify(variables);
         case ExprKind::set_comprehension: {
             const TypePtr element = expr.args[1] ? body : simplify(variables);
             return element ? make_type(TypeForm::set, {element}) : nullptr;

@@ -68,6 +68,8 @@ private:
     TypePtr let(Expr& expr, Surroundings& around);
     TypePtr cast(Expr& expr, Surroundings& around);
     TypePtr elements(Expr& expr, Surroundings& around);
+    TypePtr range(Expr& expr, Surroundings& around);
+    void indices(const Expr& expr);
     TypePtr matrix(Expr& expr, Surroundings& around);
 
     TypePtr call(Expr& expr, Surroundings& around);

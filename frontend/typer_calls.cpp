@@ -116,7 +116,17 @@ TypePtr Typer::index(Expr& expr, Surroundings& around) {
             {to_string(owner), std::to_string(wanted), wanted == 1 ? "ex" : "ices", std::to_string(given)});
         return nullptr;
     }
-    return owner->form == TypeForm::product ? tuple_part(expr, owner) : owner->args[0];
+    if (owner->form == TypeForm::product) return tuple_part(expr, owner);
+    indices(expr);
+    return owner->args[0];
+}
+
+void Typer::indices(const Expr& expr) {
+    for (std::size_t i = 1; i < expr.args.size(); ++i) {
+        const TypePtr place = simplify(expr.args[i]->type);
+        if (place && !compatible(place, make_type(TypeForm::integer)))
+            finder_.out().report(rules::index_type, expr.args[i]->span, {to_string(place)});
+    }
 }
 
 /// The parts of a tuple have types of their own, so the place must be a literal.

@@ -25,8 +25,8 @@ std::string described(const Declaration* component) {
     return component != nullptr ? fmt::format("{} `{}`", to_text(component->kind), component->name) : "this file";
 }
 
-/// The names of states nested in a container, outermost first.
-const State* breadth_first(const NodeContainer& top, const QualifiedName& name) {
+/// The state or final state below a container that a name leads to, outermost first.
+const State* breadth_first(const NodeContainer& top, const QualifiedName& name, DeclKind kind) {
     std::deque<const NodeContainer*> level{&top};
     while (!level.empty()) {
         const NodeContainer* container = level.front();
@@ -40,7 +40,7 @@ const State* breadth_first(const NodeContainer& top, const QualifiedName& name) 
                     if (child->name == name.parts[i]) inner = child.get();
                 state = inner;
             }
-            if (state != nullptr) return state;
+            if (state != nullptr && state->kind == kind) return state;
         }
         for (const auto& node : container->nodes) level.push_back(node.get());
     }
@@ -118,14 +118,15 @@ TypePtr Typer::since(Expr& expr, Surroundings& around) {
 }
 
 TypePtr Typer::since_entry(Expr& expr, Surroundings& around) {
-    const State* state = around.machine != nullptr ? breadth_first(*around.machine, expr.name) : nullptr;
-    const bool is_state = state != nullptr && state->kind == DeclKind::state;
-    if (is_state) {
-        expr.target = state;
-    } else {
+    const auto find = [&](DeclKind kind) {
+        return around.machine != nullptr ? breadth_first(*around.machine, expr.name, kind) : nullptr;
+    };
+    expr.target = find(DeclKind::state);
+    if (expr.target == nullptr) {
+        const State* final_state = find(DeclKind::final);
         const Declaration* component = component_around(around.place.inside);
         const std::string kind(component != nullptr ? to_text(component->kind) : "package");
-        const std::string why = state != nullptr ? fmt::format(", this is a {}", to_text(state->kind)) : "";
+        const std::string why = final_state != nullptr ? ", this is a final state" : "";
         finder_.out().report(rules::te3, expr.span,
                              {expr.name.text(), kind, component != nullptr ? component->name : "", why});
     }

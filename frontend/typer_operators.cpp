@@ -1,4 +1,5 @@
-// Types of operators: `nat - nat` is an int, `/` always real, comparisons on reals, `*` of vectors the dot product.
+// Types of operators: `nat - nat` is an int, `/` always real, `%` keeps the type of its operands, comparisons are on
+// reals, `*` of vectors is the dot product.
 #include "frontend/print.hpp"
 #include "frontend/rules.hpp"
 #include "frontend/typer.hpp"
@@ -39,9 +40,11 @@ TypePtr product(const TypePtr& left, const TypePtr& right) {
     if (!left_block) return nullptr;
     const bool left_vector = is_form(left, TypeForm::vector);
     const bool right_vector = is_form(right, TypeForm::vector);
-    if (!sizes_match(left->sizes.back(), right->sizes.front())) return nullptr;
+    // A vector is a column, n rows of one entry; the product of two is the dot product.
+    const bool column_first = left_vector && !right_vector;
+    if (!sizes_match(column_first ? 1 : left->sizes.back(), right->sizes.front())) return nullptr;
     if (left_vector && right_vector) return element;
-    if (left_vector) return make_vector(element, right->sizes[1]);
+    if (left_vector) return make_matrix(element, left->sizes[0], right->sizes[1]);
     if (right_vector) return make_vector(element, left->sizes[0]);
     return make_matrix(element, left->sizes[0], right->sizes[1]);
 }
@@ -62,7 +65,7 @@ TypePtr Typer::unary(Expr& expr, Surroundings& around) {
     const bool negates = *expr.unary == UnaryOp::negate;
     if (!operand || is_free(operand)) return negates ? operand : make_type(TypeForm::boolean);
     const bool block = is_form(operand, TypeForm::vector) || is_form(operand, TypeForm::matrix);
-    const bool fits = negates ? is_number(operand) || block : fits_boolean(operand);
+    const bool fits = negates ? is_number(operand) || (block && is_number(operand->args[0])) : fits_boolean(operand);
     if (!fits) finder_.out().report(rules::unary_type, expr.span, {negates ? "-" : "not", to_string(operand)});
     if (!negates) return make_type(TypeForm::boolean);
     if (!fits) return nullptr;
@@ -134,7 +137,7 @@ TypePtr Typer::arithmetic(Expr& expr, const TypePtr& left, const TypePtr& right)
     if (*expr.binary == BinaryOp::minus) result = sum(left, right, true);
     if (*expr.binary == BinaryOp::times) result = product(left, right);
     if (*expr.binary == BinaryOp::divide && numbers) result = make_type(TypeForm::real);
-    if (*expr.binary == BinaryOp::modulus && numbers) result = make_type(TypeForm::integer);
+    if (*expr.binary == BinaryOp::modulus && numbers) result = joined(left, right);
     return result ? result : mismatch(expr, left, right);
 }
 

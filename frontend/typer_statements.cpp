@@ -56,14 +56,19 @@ void Typer::assignment(Stmt& statement, Surroundings& around) {
         root = root->args[0].get();
     const Declaration* assigned = root->target;
     if (assigned != nullptr && assigned->kind == DeclKind::parameter) {
-        finder_.out().report(rules::parameter_assigned, statement.span, {assigned->name});
+        finder_.out()
+            .report(rules::parameter_assigned, statement.span, {assigned->name})
+            .notes.push_back({assigned->name_span, "the parameter is declared here"});
     } else if (assigned != nullptr && assigned->kind != DeclKind::variable) {
-        finder_.out().report(rules::not_assignable, statement.span,
-                             {assigned->name, std::string(to_text(assigned->kind))});
+        finder_.out()
+            .report(rules::not_assignable, statement.span, {assigned->name, std::string(to_text(assigned->kind))})
+            .notes.push_back({assigned->name_span, "it is declared here"});
     }
-    if (target && value && !compatible(value, target))
-        finder_.out().report(rules::assignment_type, statement.value->span,
-                             {to_text(*statement.target), to_string(target), to_string(value)});
+    if (!target || !value || compatible(value, target)) return;
+    auto& finding = finder_.out().report(rules::assignment_type, statement.value->span,
+                                         {to_text(*statement.target), to_string(target), to_string(value)});
+    if (assigned != nullptr)
+        finding.notes.push_back({assigned->name_span, fmt::format("`{}` is declared here", assigned->name)});
 }
 
 void Typer::call(Stmt& statement, Surroundings& around) {
@@ -85,8 +90,10 @@ void Typer::call(Stmt& statement, Surroundings& around) {
         const TypePtr& formal = signature.parameters[i]->type;
         const TypePtr& actual = statement.args[i]->type;
         if (actual && formal && !compatible(actual, formal))
-            finder_.out().report(rules::call_type, statement.args[i]->span,
-                                 {std::to_string(i + 1), signature.name, to_string(formal), to_string(actual)});
+            finder_.out()
+                .report(rules::call_type, statement.args[i]->span,
+                        {std::to_string(i + 1), signature.name, to_string(formal), to_string(actual)})
+                .notes.push_back({signature.parameters[i]->name_span, "the parameter is declared here"});
     }
 }
 
@@ -198,8 +205,10 @@ void Typer::communicated(Communication& communication, const Event& event, Surro
         return;
     }
     if (communication.value->type && !compatible(communication.value->type, event.type))
-        finder_.out().report(rules::comm_value, communication.value->span,
-                             {event.name, to_string(event.type), to_string(communication.value->type)});
+        finder_.out()
+            .report(rules::comm_value, communication.value->span,
+                    {event.name, to_string(event.type), to_string(communication.value->type)})
+            .notes.push_back({event.name_span, "the event is declared here"});
 }
 
 }  // namespace robochart::frontend

@@ -27,19 +27,7 @@ const Rule unresolved{
     "RC-S05", Severity::error, "{} does not lead to a declaration",
     "A name that name resolution should have followed was left open, so the element that uses it has no meaning. "
     "Mend the errors reported before this one."};
-const Rule unknown_component{
-    "RC-S06", Severity::error, "'{}' is neither a component of the model nor a csp block{}",
-    "An assertion speaks of a module, controller, state machine, operation or csp block. Components are named by their "
-    "path through references (`Module::controller_ref::machine_ref`), with the package in front unless it is imported "
-    "or the file's own. Example: `assertion A : mod::ctrl_ref0::stm_ref0 is deadlock-free`."};
-const Rule not_a_state{
-    "RC-S07", Severity::error, "'{}' is not a state of {}{}",
-    "`S is reachable in X` names a state below the component X, by its path from the top of its machine or by the full "
-    "path through X. Initial nodes and junctions are left at once and cannot be asked for."};
-const Rule not_a_constant{
-    "RC-S08", Severity::error, "{} has no {} named '{}'{}",
-    "`with constant c of X set to e` names a constant that X declares, uses or requires; `with parameter p of O` a "
-    "parameter of the operation O."};
+// RC-S06 to RC-S08 are retired: name resolution finds what assertions speak of (RC-Q01 to RC-Q05).
 const Rule unknown_constant_option{
     "RC-S10", Severity::error, "--const {}: the model has no constant of this name{}",
     "Name a constant by its own name, which sets all constants of that name, or by its path: `--const stm::limit=3`."};
@@ -86,14 +74,11 @@ const Rule ambiguous_constant{
     "their own, the operation would need one process for each; give it a parameter instead."};
 
 namespace {
-const std::array<const Rule*, 18> table{&unsupported_construct,
+const std::array<const Rule*, 15> table{&unsupported_construct,
                                         &recursive_operation,
                                         &number_too_large,
                                         &too_deep,
                                         &unresolved,
-                                        &unknown_component,
-                                        &not_a_state,
-                                        &not_a_constant,
                                         &unknown_constant_option,
                                         &bad_constant_value,
                                         &unknown_range_option,

@@ -12,9 +12,6 @@ extern const diagnostics::Rule recursive_operation;          // RC-S02
 extern const diagnostics::Rule number_too_large;             // RC-S03
 extern const diagnostics::Rule too_deep;                     // RC-S04
 extern const diagnostics::Rule unresolved;                   // RC-S05
-extern const diagnostics::Rule unknown_component;            // RC-S06
-extern const diagnostics::Rule not_a_state;                  // RC-S07
-extern const diagnostics::Rule not_a_constant;               // RC-S08
 extern const diagnostics::Rule unknown_constant_option;      // RC-S10
 extern const diagnostics::Rule bad_constant_value;           // RC-S11
 extern const diagnostics::Rule unknown_range_option;         // RC-S12

@@ -46,7 +46,7 @@ protected:
 TEST_F(Project, AFolderIsAProjectWithAllBelowIt) {
     write("b.rct", "type B");
     write("inner/a.rct", "type A");
-    write("a.assertions", "assertion A1: S terminates");
+    write("a.assertions", "csp S csp-begin csp-end assertion A1: S terminates");
     write(".hidden/x.rct", "type A");
     write("notes.txt", "not read");
     EXPECT_EQ(load(), "a.assertions b.rct a.rct ");

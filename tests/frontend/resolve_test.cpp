@@ -27,7 +27,7 @@ TEST(Types, OfOperators) {
     EXPECT_EQ(type_of("1 - 2"), "int");
     EXPECT_EQ(type_of("-1"), "int");
     EXPECT_EQ(type_of("1 / 2"), "real");
-    EXPECT_EQ(type_of("7 % 2"), "int");
+    EXPECT_EQ(type_of("7 % 2"), "nat");
     EXPECT_EQ(type_of("1 * 0.5"), "real");
     EXPECT_EQ(type_of("1 < 2"), "boolean");
     EXPECT_EQ(type_of("v * v", "const v : vector(nat, 3)"), "nat");

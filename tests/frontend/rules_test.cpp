@@ -1,5 +1,6 @@
-// Every rule has fixtures/CODE/bad*.rct, which it alone refuses where a comment says so (`// expect: CODE …` on the
-// line of the finding), and fixtures/CODE/good.rct, which just passes.
+// The pages of the rules (docs/rules) are their first fixtures; tests/rules runs them. Here are the further variants,
+// fixtures/CODE/bad_*.rct and good_*.rct: a bad one gives exactly the findings that its comments announce
+// (`// expect: CODE …` on the line of the finding), a good one none of its folder's code.
 #include "frontend/rules.hpp"
 
 #include <gtest/gtest.h>
@@ -50,10 +51,6 @@ std::vector<const diagnostics::Rule*> all_rules() {
     return result;
 }
 
-/// Rules about input that no readable fixture holds: parser_test and project_test have them.
-const std::set<std::string_view> tested_elsewhere = {"RC-P02", "RC-P08", "RC-P14", "RC-P23", "RC-F01",
-                                                     "RC-F02", "RC-F03", "RC-F04"};
-
 std::vector<fs::path> files_of(const fs::path& folder) {
     std::vector<fs::path> result;
     for (const auto& entry : fs::directory_iterator(folder)) result.push_back(entry.path());
@@ -89,27 +86,6 @@ std::string as_identifier(const ::testing::TestParamInfo<std::string>& folder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rules, Fixture, ::testing::ValuesIn(folders()), as_identifier);
-
-TEST(Rules, EachHasFixtures) {
-    for (const auto* rule : all_rules()) {
-        if (tested_elsewhere.contains(rule->code)) continue;
-        const fs::path folder = fixtures / std::string(rule->code);
-        EXPECT_TRUE(fs::exists(folder / "bad.rct") || fs::exists(folder / "bad.assertions")) << rule->code;
-        EXPECT_TRUE(fs::exists(folder / "good.rct") || fs::exists(folder / "good.assertions")) << rule->code;
-    }
-}
-
-TEST(Rules, EachRowIsTriggeredBySomeFixture) {
-    std::set<const diagnostics::Rule*> triggered;
-    for (const std::string& code : folders())
-        for (const fs::path& path : files_of(fixtures / code))
-            for (const auto& d :
-                 testing::resolved(testing::slurp(path), path.extension() == ".assertions")->findings.sorted())
-                triggered.insert(d.rule);
-    for (const auto* rule : all_rules())
-        EXPECT_TRUE(triggered.contains(rule) || tested_elsewhere.contains(rule->code))
-            << rule->code << ": " << rule->message;
-}
 
 TEST(Rules, HaveMessagesAndExplanationsAndOneMeaningPerRow) {
     std::set<std::pair<std::string_view, std::string_view>> seen;
