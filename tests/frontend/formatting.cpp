@@ -2,6 +2,7 @@
 #include "formatting.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "fixture.hpp"
 #include "frontend/format.hpp"
@@ -79,6 +80,29 @@ void add_examples(std::vector<Example>& examples, const fs::path& folder) {
     }
 }
 
+/// The examples on the pages of the rules: their fenced blocks.
+void add_pages(std::vector<Example>& examples, const fs::path& folder) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        std::istringstream page(slurp(entry.path()));
+        std::string language;
+        std::string text;
+        std::size_t number = 0;
+        for (std::string line; std::getline(page, line);) {
+            if (!line.starts_with("```")) {
+                text += line + "\n";
+                continue;
+            }
+            const bool closes = !language.empty() && line == "```";
+            const bool is_assertions = language.starts_with("assertions");
+            const Example example{entry.path().string() + " " + std::to_string(++number), text, is_assertions};
+            const bool model = language.starts_with("robochart") || is_assertions;
+            if (closes && model && is_correct(example)) examples.push_back(example);
+            language = closes ? "" : line.substr(3);
+            text.clear();
+        }
+    }
+}
+
 /// The words of a text, with what they are views of.
 struct Words {
     explicit Words(const Example& example) {
@@ -118,6 +142,7 @@ const std::vector<Example>& examples() {
                                       {"every assertion", every_assertion, true}};
         const fs::path root = ROBOCHART_SOURCE_DIR;
         for (const char* folder : {"corpus", "tests", "frontend/library", "docs"}) add_examples(found, root / folder);
+        add_pages(found, root / "docs/rules");
         if (const fs::path shared = shared_folder(); !shared.empty()) {
             add_examples(found, shared / "suite");
             add_examples(found, shared / "bench");
