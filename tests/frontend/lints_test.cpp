@@ -301,12 +301,14 @@ TEST(Lints, CanBeSwitchedOff) {
     EXPECT_EQ(reading.findings.warnings(), 1U);
 }
 
-/// Our own models have nothing to be warned of, apart from the note that untimed checks ignore clocks.
+/// Our own models have nothing to be warned of, apart from the note that untimed checks ignore clocks, and that the
+/// published swarm model has one interface for all operations, which those require that call none of them.
 TEST(Lints, HaveNothingToSayAboutTheCorpus) {
     std::size_t models = 0;
     for (const auto& entry : std::filesystem::directory_iterator(std::string(ROBOCHART_SOURCE_DIR) + "/corpus")) {
         testing::Reading reading;
         reading.findings.allow("RC-U01");
+        reading.findings.allow("STM8");
         const auto model = load_project(reading.sources, entry.path().string(), reading.findings);
         if (!reading.findings.ok()) continue;  // assertions about models of another folder
         ++models;
