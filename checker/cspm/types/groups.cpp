@@ -17,7 +17,7 @@ public:
                 if (used->owner != nullptr && used->owner->list == &list) edges.push_back(used->owner->index);
             }
             std::ranges::sort(edges);
-            edges.erase(std::ranges::unique(edges).begin(), edges.end());
+            edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
         }
     }
 

@@ -63,7 +63,8 @@ void Inference::check_group(Group group, ListKind kind) {
         const Module& original = *instance->module->original;
         throw TypeFault{&rules::module_cycle, {original.name, instance->module->name}, {}, instance->span};
     }
-    std::ranges::stable_partition(group, [](const Declaration* each) { return each->kind == DeclKind::datatype; });
+    std::stable_partition(group.begin(), group.end(),
+                          [](const Declaration* each) { return each->kind == DeclKind::datatype; });
     if (has_datatypes(group)) {
         check_datatypes_with(group, kind);
     } else {

@@ -198,7 +198,7 @@ std::vector<TypeId> TypeStore::open_variables(TypeId type) {
     std::vector<TypeId> result;
     gather_open(type, result);
     std::ranges::sort(result);
-    result.erase(std::ranges::unique(result).begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }
 

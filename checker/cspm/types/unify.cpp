@@ -191,10 +191,14 @@ void Unifier::set_arguments(TypeId variable, TypeId arguments) {
     variable = store_.head(variable);
     const TypeNode node = store_.node(variable);
     if (node.kind == TypeKind::complete && arguments == variable) return;
-    const bool bindable = node.kind == TypeKind::variable && !node.rigid;
-    if (!bindable || store_.visit(arguments, variable, node.level)) {
-        TypeWriter writer(store_);
-        throw TypeFault{&rules::fixed_extension, {node.rigid ? store_.rigid_name(variable) : "it"}, {}, here_};
+    TypeWriter writer(store_);
+    if (node.kind != TypeKind::variable || node.rigid) {
+        const std::string name = node.rigid ? store_.rigid_name(variable) : "the rest";
+        throw TypeFault{&rules::fixed_extension, {name}, {}, here_};
+    }
+    if (store_.visit(arguments, variable, node.level)) {
+        std::vector<std::string> shown{writer.text(variable), writer.text(arguments)};
+        throw TypeFault{&rules::infinite_type, std::move(shown), {}, here_};
     }
     store_.bind(variable, arguments);
 }

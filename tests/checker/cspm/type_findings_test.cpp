@@ -93,6 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Dots, Finding,
                                            Wrong{"", "channel c : {}\nP = c!1 -> STOP\nc :: Int => Event"},
                                            Wrong{"CSPM-T16@2", "datatype D = A.{0..1}\nsubtype S = A.{0}.{0}"},
                                            Wrong{"", "datatype D = A.{0..1}.Bool\nsubtype S = A.{0}"},
+                                           Wrong{"CSPM-T12@1", "f(y) = {| y, y.y.y |}"},
                                            Wrong{"CSPM-T17@2", "f :: (a =>* Event) -> {Event}\nf(c) = {| c.1 |}"}));
 
 INSTANTIATE_TEST_SUITE_P(
