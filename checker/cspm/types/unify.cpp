@@ -197,7 +197,9 @@ void Unifier::set_arguments(TypeId variable, TypeId arguments) {
         throw TypeFault{&rules::fixed_extension, {name}, {}, here_};
     }
     if (store_.visit(arguments, variable, node.level)) {
-        std::vector<std::string> shown{writer.text(variable), writer.text(arguments)};
+        const bool several = store_.node(arguments).kind == TypeKind::dotable;
+        const TypeId first = several ? store_.argument(arguments, 0) : arguments;
+        std::vector<std::string> shown{writer.text(variable), writer.text(first)};
         throw TypeFault{&rules::infinite_type, std::move(shown), {}, here_};
     }
     store_.bind(variable, arguments);
