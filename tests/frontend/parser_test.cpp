@@ -44,6 +44,15 @@ TEST(Lexer, ReservedWordsAreSorted) {
     EXPECT_FALSE(is_reserved("sinceentry"));
 }
 
+TEST(Lexer, RefusesFilesOfTooManyWords) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics findings;
+    const auto source = sources.add("t.rct", std::string(max_tokens + 1, ';'));
+    EXPECT_LE(tokenize(sources, source, false, findings).tokens.size(), max_tokens + 1);  // and the end
+    ASSERT_EQ(findings.errors(), 1U);
+    EXPECT_EQ(findings.sorted().front().rule->code, "RC-P23");
+}
+
 TEST(Lexer, KeepsPlacesOfComments) {
     const auto reading = read("// one\ntype A /* two\n lines */ type B\n");
     EXPECT_TRUE(reading->findings.empty()) << reading->report();

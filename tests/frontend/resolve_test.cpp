@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "fixture.hpp"
 #include "frontend/names.hpp"
@@ -33,6 +34,10 @@ TEST(Types, OfOperators) {
     EXPECT_EQ(type_of("v * v", "const v : vector(nat, 3)"), "nat");
     EXPECT_EQ(type_of("m * v", "const v : vector(int, 3) const m : matrix(nat, 2, 3)"), "vector(int, 2)");
     EXPECT_EQ(type_of("m * m", "const m : matrix(nat, 2, 2)"), "matrix(nat, 2, 2)");
+    EXPECT_EQ(type_of("-7 % 2"), "int");
+    EXPECT_EQ(type_of("v * m", "const v : vector(nat, 3) const m : matrix(int, 1, 2)"), "matrix(int, 3, 2)");
+    EXPECT_EQ(type_of("transpose(v)", "const v : vector(nat, 3)"), "matrix(nat, 1, 3)");
+    EXPECT_EQ(type_of("-v", "const v : vector(int, 3)"), "vector(int, 3)");
     EXPECT_EQ(type_of("2 * v", "const v : vector(real, 3)"), "vector(real, 3)");
     EXPECT_EQ(type_of("< 1 > cat < -1 >"), "Seq(int)");
 }
@@ -49,12 +54,117 @@ TEST(Types, OfForms) {
     EXPECT_EQ(type_of("{ x:nat, y:real }"), "Set(nat * real)");
     EXPECT_EQ(type_of("let a == 1, b == a + 0.5 @ b"), "real");
     EXPECT_EQ(type_of("the x:nat | x > 1 @ x"), "nat");
+    EXPECT_EQ(type_of("[ 1, 2.5 ]"), "Set(real)");
     EXPECT_EQ(type_of("if true then 1 else 0.5 end"), "real");
     EXPECT_EQ(type_of("1 as real"), "real");
     EXPECT_EQ(type_of("d.x", "const d : D", "datatype D { x:boolean }"), "boolean");
     EXPECT_EQ(type_of("D(| x = true |)", "", "datatype D { x:boolean }"), "D");
     EXPECT_EQ(type_of("E::L", "", "enumeration E { L }"), "E");
     EXPECT_EQ(type_of("L", "", "enumeration E { L }"), "E");
+}
+
+// ---------------------------------------------------------------- compat(a, b)
+
+/// Types without type variables and with known sizes, smaller ones more often.
+class RandomTypes {
+public:
+    TypePtr next(int depth = 3) {
+        constexpr TypeForm base[] = {TypeForm::nat, TypeForm::integer, TypeForm::real, TypeForm::boolean};
+        const auto pick = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); };
+        if (depth == 0 || pick(3) == 0) return make_type(base[pick(4)]);
+        const auto inner = [&] { return next(depth - 1); };
+        switch (pick(6)) {
+            case 0:
+                return make_type(TypeForm::set, {inner()});
+            case 1:
+                return make_type(TypeForm::sequence, {inner()});
+            case 2:
+                return make_type(TypeForm::relation, {inner(), inner()});
+            case 3:
+                return make_type(TypeForm::function, {inner(), inner()});
+            case 4:
+                return make_type(TypeForm::product, {inner(), inner()});
+            default:
+                return make_vector(inner(), 2);
+        }
+    }
+
+private:
+    std::mt19937 random_{1};
+};
+
+/// A wider type or one of another form for the same values, or the type itself.
+TypePtr widened(const TypePtr& type) {
+    if (type->form == TypeForm::nat) return make_type(TypeForm::integer);
+    if (type->form == TypeForm::integer) return make_type(TypeForm::real);
+    if (type->form == TypeForm::sequence || type->form == TypeForm::function || type->form == TypeForm::relation)
+        return as_set(type);
+    if (type->form == TypeForm::vector) return as_product(type);
+    auto result = std::make_shared<Type>(*type);
+    for (TypePtr& arg : result->args) arg = widened(arg);
+    return result;
+}
+
+TEST(Compatibility, IsReflexiveAndWidens) {
+    RandomTypes types;
+    for (int i = 0; i < 2000; ++i) {
+        const TypePtr type = types.next();
+        EXPECT_TRUE(compatible(type, type)) << to_string(type);
+        EXPECT_TRUE(compatible(type, widened(type))) << to_string(type) << " to " << to_string(widened(type));
+    }
+}
+
+TEST(Compatibility, IsTransitive) {
+    RandomTypes types;
+    for (int i = 0; i < 2000; ++i) {
+        const TypePtr a = types.next();
+        const TypePtr b = widened(a);
+        const TypePtr c = widened(b);
+        EXPECT_TRUE(compatible(a, c)) << to_string(a) << ", " << to_string(b) << ", " << to_string(c);
+        const TypePtr other = types.next();
+        EXPECT_TRUE(!compatible(b, other) || compatible(a, other)) << to_string(a) << ", " << to_string(other);
+    }
+}
+
+TEST(Compatibility, OfNumbersGoesOneWay) {
+    const TypeForm forms[] = {TypeForm::nat, TypeForm::integer, TypeForm::real};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) EXPECT_EQ(compatible(make_type(forms[i]), make_type(forms[j])), i <= j);
+    EXPECT_FALSE(compatible(make_type(TypeForm::boolean), make_type(TypeForm::nat)));
+    EXPECT_FALSE(compatible(make_type(TypeForm::string), make_type(TypeForm::boolean)));
+}
+
+TEST(Compatibility, SequencesAndFunctionsAreRelationsAndRelationsAreSets) {
+    const TypePtr nat = make_type(TypeForm::nat);
+    const TypePtr truth = make_type(TypeForm::boolean);
+    const TypePtr relation = make_type(TypeForm::relation, {nat, truth});
+    const TypePtr pairs = make_type(TypeForm::set, {make_type(TypeForm::product, {nat, truth})});
+    const TypePtr function = make_type(TypeForm::function, {nat, truth});
+    const TypePtr sequence = make_type(TypeForm::sequence, {truth});
+    for (const TypePtr& from : {relation, pairs, function, sequence})
+        for (const TypePtr& to : {relation, pairs}) EXPECT_TRUE(compatible(from, to)) << to_string(from);
+    EXPECT_FALSE(compatible(relation, function));
+    EXPECT_FALSE(compatible(relation, sequence));
+    EXPECT_FALSE(compatible(make_type(TypeForm::set, {truth}), relation));
+}
+
+TEST(Compatibility, OfVectorsLooksAtSizesAndProducts) {
+    const TypePtr nat = make_type(TypeForm::nat);
+    const TypePtr real = make_type(TypeForm::real);
+    EXPECT_TRUE(compatible(make_vector(nat, 2), make_vector(real, 2)));
+    EXPECT_FALSE(compatible(make_vector(nat, 2), make_vector(nat, 3)));
+    EXPECT_TRUE(compatible(make_vector(nat, 2), make_vector(nat, -1)));  // a constant without value
+    EXPECT_TRUE(compatible(make_vector(nat, 2), make_type(TypeForm::product, {nat, real})));
+    EXPECT_TRUE(compatible(make_type(TypeForm::product, {nat, nat}), make_vector(real, 2)));
+    EXPECT_FALSE(compatible(make_type(TypeForm::product, {nat, nat, nat}), make_vector(nat, 2)));
+    EXPECT_FALSE(compatible(make_matrix(nat, 2, 3), make_matrix(nat, 3, 2)));
+}
+
+TEST(Compatibility, EmptyCollectionsFitAny) {
+    const TypePtr empty = make_type(TypeForm::set, {make_type(TypeForm::any)});
+    EXPECT_TRUE(compatible(empty, make_type(TypeForm::set, {make_type(TypeForm::string)})));
+    EXPECT_TRUE(compatible(make_type(TypeForm::set, {make_type(TypeForm::string)}), empty));
+    EXPECT_FALSE(compatible(empty, make_type(TypeForm::nat)));
 }
 
 TEST(Types, OfGenericCalls) {

@@ -21,7 +21,8 @@ const T& find(const std::vector<T>& items, const std::string& what, const Match&
 
 std::vector<std::string> Lowered::codes() const {
     std::vector<std::string> codes;
-    for (const auto& item : diagnostics.sorted()) codes.emplace_back(item.rule->code);
+    for (const auto& item : diagnostics.sorted())
+        if (!item.rule->code.starts_with("RC-W")) codes.emplace_back(item.rule->code);
     return codes;
 }
 

@@ -19,7 +19,7 @@ struct Lowered {
     frontend::Model model;
     System system;
 
-    [[nodiscard]] std::vector<std::string> codes() const;  ///< of all diagnostics, in order of place
+    [[nodiscard]] std::vector<std::string> codes() const;  ///< of all diagnostics but advice (RC-W), by place
     [[nodiscard]] std::string messages() const;
     [[nodiscard]] const Machine& machine(const std::string& path) const;
     [[nodiscard]] const Controller& controller(const std::string& path) const;
