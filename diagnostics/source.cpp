@@ -82,6 +82,12 @@ std::optional<SourceId> SourceManager::load(const std::string& path, std::string
     return add(path, std::move(text));
 }
 
+void SourceManager::replace(SourceId id, std::string text) {
+    File& file = files_.at(static_cast<std::size_t>(id));
+    file.line_starts = find_line_starts(text);
+    file.text = std::move(text);
+}
+
 std::string_view SourceManager::text(SourceId id) const {
     return files_.at(static_cast<std::size_t>(id)).text;
 }

@@ -33,7 +33,7 @@ struct Position {
     std::uint32_t column = 1;
 };
 
-/// Owns source texts for the life of a run. References and views it hands out stay valid.
+/// Owns source texts for the life of a run. References and views it hands out stay valid until the text is replaced.
 class SourceManager {
 public:
     /// Largest text accepted, in bytes; larger files are refused by `load`.
@@ -44,6 +44,8 @@ public:
     /// Reads a file. On failure returns nothing and sets `error` to the cause in words
     /// (missing, a folder, unreadable, too large). Any bytes are accepted here; readers judge them.
     std::optional<SourceId> load(const std::string& path, std::string& error);
+    /// Puts another text in place of one, under the same id; views of the old text end. For editors.
+    void replace(SourceId id, std::string text);
 
     [[nodiscard]] std::string_view text(SourceId id) const;
     [[nodiscard]] const std::string& path(SourceId id) const;

@@ -126,7 +126,7 @@ struct Expr {
     ExprKind kind = ExprKind::error;
     Span span;
     std::string text;  ///< literal as written; member name
-    QualifiedName name;
+    QualifiedName name;  ///< member: the field's name and its place
     std::optional<BinaryOp> binary;
     std::optional<UnaryOp> unary;
     std::vector<ExprPtr> args;  ///< may hold nulls where the grammar has an optional part
@@ -156,6 +156,7 @@ struct Communication {
     ExprPtr predicate;                             ///< [| pred |]
     const Declaration* event_target = nullptr;     ///< filled by resolve: Event
     const Declaration* variable_target = nullptr;  ///< filled by resolve: Variable
+    const Declaration* from_target = nullptr;      ///< filled by resolve: Variable of `from_variable`
 };
 
 enum class StmtKind {
@@ -457,7 +458,7 @@ struct Assertion final {
 /// `csp NAME associated to X csp-begin … csp-end`.
 struct CspBlock final {
     std::string name;
-    Span span;
+    Span name_span, span;
     AssertionTime time = AssertionTime::both;
     std::vector<QualifiedName> associated;
     std::vector<ComponentPath> associated_paths;  ///< filled by resolve: one for each name

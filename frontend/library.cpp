@@ -15,9 +15,27 @@ bool imports(const File& file, std::string_view package) {
                        [&](const Import& import) { return import.name.parts.front() == package; });
 }
 
+/// The source of a toolkit, added once.
+diagnostics::SourceId text_of(const Toolkit& toolkit, diagnostics::SourceManager& sources) {
+    const std::string path = "<library>/" + std::string(toolkit.package) + ".rct";
+    for (std::uint32_t i = 0; i < sources.size(); ++i)
+        if (sources.path(diagnostics::SourceId{i}) == path) return diagnostics::SourceId{i};
+    return sources.add(path, std::string(toolkit.text));
+}
+
+std::vector<std::unique_ptr<File>> take_libraries(Model& model) {
+    const auto first = std::stable_partition(model.files.begin(), model.files.end(),
+                                             [](const auto& file) { return !file->is_library; });
+    std::vector<std::unique_ptr<File>> taken(std::make_move_iterator(first),
+                                             std::make_move_iterator(model.files.end()));
+    model.files.erase(first, model.files.end());
+    return taken;
+}
+
 }  // namespace
 
 void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics::Diagnostics& out) {
+    std::vector<std::unique_ptr<File>> had = take_libraries(model);
     std::set<std::string_view> added;
     for (const auto& file : model.files)
         for (const Toolkit& toolkit : toolkits())
@@ -26,9 +44,10 @@ void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics
     for (std::size_t i = 0; i < model.files.size(); ++i)
         for (const Toolkit& toolkit : toolkits()) {
             if (!imports(*model.files[i], toolkit.package) || !added.insert(toolkit.package).second) continue;
-            const auto source =
-                sources.add("<library>/" + std::string(toolkit.package) + ".rct", std::string(toolkit.text));
-            model.files.push_back(parse(sources, source, false, out));
+            const auto kept = std::find_if(had.begin(), had.end(),
+                                           [&](const auto& f) { return f && f->package.text() == toolkit.package; });
+            model.files.push_back(kept != had.end() ? std::move(*kept)
+                                                    : parse(sources, text_of(toolkit, sources), false, out));
             model.files.back()->is_library = true;
         }
 }

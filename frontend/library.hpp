@@ -19,7 +19,8 @@ inline constexpr std::string_view core_package = "core";
 
 [[nodiscard]] const std::vector<Toolkit>& toolkits();
 
-/// Adds core, the toolkits that files of the model import, and those that they import in turn.
+/// Makes the model's toolkits core, those that its files import, and those that they import in turn. Trees of toolkits
+/// that the model has already are kept, so that it may be called again after a change.
 void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics::Diagnostics& out);
 
 }  // namespace robochart::frontend

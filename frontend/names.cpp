@@ -33,7 +33,7 @@ void adopt_nodes(NodeContainer& container, const Declaration& parent) {
 
 }  // namespace
 
-Names::Names(Model& model) {
+Names::Names(const Model& model) {
     for (const auto& file : model.files) enter_file(*file);
     for (const auto& [full, declarations] : by_name_)
         for (const Declaration* declaration : declarations) by_simple_name_[declaration->name].push_back(declaration);

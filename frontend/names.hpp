@@ -33,7 +33,7 @@ struct Place {
 class Names {
 public:
     /// Enters every file and sets the `parent` of every declaration.
-    explicit Names(Model& model);
+    explicit Names(const Model& model);
 
     /// What a name stands for at a place: the enclosing declarations, the package, its imports, unnamed packages.
     /// Null if there is nothing of these kinds.

@@ -87,7 +87,9 @@ void Parser::csp_block(File& file, AssertionTime time) {
     block.time = time;
     block.span = peek().span;
     expect_word("csp");
-    block.name = simple_name("the block's name").text();
+    const QualifiedName name = simple_name("the block's name");
+    block.name = name.text();
+    block.name_span = name.span;
     if (accept_word("associated")) {
         expect_word("to");
         do block.associated.push_back(qualified_name("the name of a component"));

@@ -313,7 +313,8 @@ ExprPtr Parser::steps(ExprPtr left, bool assigned) {
         const Span begin = left->span;
         step->args.push_back(std::move(left));
         if (accept(".")) {
-            step->text = simple_name("the name of a field").parts.front();
+            step->name = simple_name("the name of a field");
+            step->text = step->name.parts.front();
         } else {
             expect("[");
             do step->args.push_back(expression());

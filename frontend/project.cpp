@@ -170,6 +170,16 @@ void report_empty(const File& file, const SourceManager& sources, Diagnostics& o
 
 }  // namespace
 
+std::vector<std::string> project_files(const std::string& folder, bool deep) {
+    std::vector<std::string> result;
+    for (const fs::path& path : files_of(folder, deep)) result.push_back(path.string());
+    return result;
+}
+
+void update_toolkits(SourceManager& sources, Model& model, Diagnostics& out) {
+    add_toolkits(sources, model, out);
+}
+
 std::unique_ptr<Model> load_project(SourceManager& sources, const std::vector<std::string>& inputs, Diagnostics& out) {
     auto model = std::make_unique<Model>();
     const std::vector<fs::path> paths = files_of_inputs(inputs, out);

@@ -16,8 +16,16 @@ namespace robochart::frontend {
                                           diagnostics::Diagnostics&);
 
 /// Resolves names over all files of the model, computes types and checks the well-formedness rules.
-/// Fills the "filled by" fields; call once. Order of files does not matter.
+/// Fills the "filled by" fields anew; may be called again after files of the model were replaced. Order of files does
+/// not matter.
 void resolve(Model&, diagnostics::Diagnostics&);
+
+/// Makes the toolkits in the model those that its files import. Belongs before `resolve` where files are changed one by
+/// one (editors); unchanged toolkits are not read again.
+void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnostics&);
+
+/// Model and assertion files of a folder, sorted by path, hidden ones left out; with `deep` those of its subfolders too.
+[[nodiscard]] std::vector<std::string> project_files(const std::string& folder, bool deep);
 
 /// Loads a project: a folder (all `.rct` and `.assertions` below it, sorted by path) or one file
 /// (with the other files of its folder, so that imports work; assertions only of the named file

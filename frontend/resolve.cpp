@@ -3,6 +3,7 @@
 #include "frontend/checks.hpp"
 #include "frontend/lints.hpp"
 #include "frontend/project.hpp"
+#include "frontend/reset.hpp"
 #include "frontend/resolver.hpp"
 
 namespace robochart::frontend {
@@ -30,6 +31,7 @@ void check(const Declaration& declaration, Diagnostics& out) {
 }  // namespace
 
 void resolve(Model& model, diagnostics::Diagnostics& out) {
+    reset(model);
     const Names names(model);
     Finder finder(names, out);
     Resolver(model, finder).run();

@@ -167,7 +167,8 @@ const Variable* Typer::stored_into(const QualifiedName& name, Surroundings& arou
 void Typer::communication(Communication& communication, Surroundings& around, bool) {
     const Event* event = this->event(communication, around);
     communication.event_target = event;
-    if (!communication.from_variable.empty()) stored_into(communication.from_variable, around);
+    if (!communication.from_variable.empty())
+        communication.from_target = stored_into(communication.from_variable, around);
     if (communication.predicate) boolean(communication.predicate, around, "what stands in `[| |]`");
     if (communication.kind == CommKind::input)
         communication.variable_target = stored_into(communication.variable, around);
