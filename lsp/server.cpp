@@ -1,0 +1,169 @@
+// See server.hpp.
+#include "lsp/server.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "lsp/capabilities.hpp"
+#include "lsp/documents.hpp"
+#include "lsp/features.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+struct RequestRow {
+    std::string_view method;
+    Json (*answer)(Session&, const Json&);
+};
+struct NotificationRow {
+    std::string_view method;
+    void (*handle)(Session&, const Json&);
+};
+
+constexpr std::array requests = {
+    RequestRow{"textDocument/codeAction", code_actions},
+    RequestRow{"textDocument/completion", completion},
+    RequestRow{"textDocument/declaration", definition},
+    RequestRow{"textDocument/definition", definition},
+    RequestRow{"textDocument/documentHighlight", highlights},
+    RequestRow{"textDocument/documentSymbol", document_symbols},
+    RequestRow{"textDocument/foldingRange", folding_ranges},
+    RequestRow{"textDocument/hover", hover},
+    RequestRow{"textDocument/prepareRename", prepare_rename},
+    RequestRow{"textDocument/references", references},
+    RequestRow{"textDocument/rename", rename},
+    RequestRow{"textDocument/semanticTokens/full", semantic_tokens},
+    RequestRow{"textDocument/signatureHelp", signature_help},
+    RequestRow{"workspace/symbol", workspace_symbols},
+};
+
+constexpr std::array notifications = {
+    NotificationRow{"initialized", did_initialize},
+    NotificationRow{"textDocument/didOpen", did_open},
+    NotificationRow{"textDocument/didChange", did_change},
+    NotificationRow{"textDocument/didClose", did_close},
+    NotificationRow{"textDocument/didSave", did_save},
+    NotificationRow{"workspace/didChangeWatchedFiles", did_change_watched_files},
+    NotificationRow{"workspace/didChangeWorkspaceFolders", did_change_folders},
+};
+
+template <class Rows>
+auto row_of(const Rows& rows, std::string_view method) {
+    return std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.method == method; });
+}
+
+bool is_id(const Json& id) {
+    return id.is_text() || id.is_number();
+}
+
+}  // namespace
+
+Server::Server(std::function<void(const std::string&)> send) {
+    session_.send = [send = std::move(send)](const Json& message) { send(message.write()); };
+}
+
+void Server::receive(std::string text) {
+    Message message;
+    message.json = read_json(text, message.fault);
+    queue_.push_back(std::move(message));
+}
+
+void Server::receive_fault(const std::string& what) {
+    queue_.push_back({nullptr, what});
+}
+
+void Server::step() {
+    const Message message = std::move(queue_.front());
+    queue_.pop_front();
+    if (exit_code_) return;
+    if (!message.fault.empty()) return fail(nullptr, ErrorCode::parse_error, message.fault);
+    handle(message.json);
+}
+
+void Server::idle() {
+    if (phase_ == Phase::running && !exit_code_) publish(session_);
+}
+
+void Server::handle(const Json& message) {
+    if (!message.is_object()) return fail(nullptr, ErrorCode::invalid_request, "a message must be an object");
+    const bool is_response = !message.has("method") && message.has("id");
+    if (is_response) return;
+    if (!message["method"].is_text()) return fail(nullptr, ErrorCode::invalid_request, "a message without a method");
+    if (message.has("id")) return request(message);
+    notification(message["method"].text(), message["params"]);
+}
+
+bool Server::is_cancelled(const Json& id) const {
+    return std::any_of(queue_.begin(), queue_.end(), [&](const Message& m) {
+        return m.json["method"].text() == "$/cancelRequest" && m.json["params"]["id"] == id;
+    });
+}
+
+void Server::request(const Json& message) {
+    const Json& id = message["id"];
+    if (!is_id(id)) return fail(nullptr, ErrorCode::invalid_request, "an id must be a number or a string");
+    if (is_cancelled(id)) return fail(id, ErrorCode::request_cancelled, "cancelled");
+    try {
+        respond(id, answer(message["method"].text(), message["params"]));
+    } catch (const Refusal& refusal) {
+        fail(id, refusal.code(), refusal.what());
+    } catch (const std::exception& error) {
+        fail(id, ErrorCode::internal_error, fmt::format("a fault of this program: {}", error.what()));
+    }
+}
+
+Json Server::answer(const std::string& method, const Json& params) {
+    if (method == "initialize") return initialize(params);
+    if (phase_ == Phase::fresh) throw Refusal(ErrorCode::not_initialized, "the first request must be `initialize`");
+    if (phase_ == Phase::shut_down) throw Refusal(ErrorCode::invalid_request, "after `shutdown` only `exit` may come");
+    if (method == "shutdown") {
+        phase_ = Phase::shut_down;
+        return nullptr;
+    }
+    const auto row = row_of(requests, method);
+    if (row == requests.end()) throw Refusal(ErrorCode::method_not_found, fmt::format("no method `{}`", method));
+    return row->answer(session_, params);
+}
+
+Json Server::initialize(const Json& params) {
+    if (phase_ != Phase::fresh) throw Refusal(ErrorCode::invalid_request, "`initialize` may come once");
+    session_.client = client_of(params["capabilities"]);
+    for (const std::string& folder : folders_of(params)) session_.workspace.add_folder(folder);
+    phase_ = Phase::running;
+    return server_capabilities(session_.client);
+}
+
+/// Notifications are never answered, so faults in them go no further than the editor's log.
+void Server::notification(const std::string& method, const Json& params) {
+    if (method == "exit") {
+        exit_code_ = phase_ == Phase::shut_down ? 0 : 1;
+        return;
+    }
+    const auto row = row_of(notifications, method);
+    if (phase_ != Phase::running || row == notifications.end()) return;
+    try {
+        row->handle(session_, params);
+    } catch (const std::exception& error) {
+        constexpr int error_type = 1;
+        session_.send(Json::object(
+            {{"jsonrpc", "2.0"},
+             {"method", "window/logMessage"},
+             {"params",
+              Json::object({{"type", error_type}, {"message", fmt::format("{}: {}", method, error.what())}})}}));
+    }
+}
+
+void Server::respond(const Json& id, Json result) {
+    session_.send(Json::object({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}}));
+}
+
+void Server::fail(const Json& id, ErrorCode code, const std::string& why) {
+    session_.send(Json::object({{"jsonrpc", "2.0"},
+                                {"id", id},
+                                {"error", Json::object({{"code", static_cast<int>(code)}, {"message", why}})}}));
+}
+
+}  // namespace robochart::lsp

@@ -1,0 +1,31 @@
+#include "lsp/session.hpp"
+
+#include <fmt/format.h>
+
+namespace robochart::lsp {
+
+Target target_of(Session& session, const Json& params) {
+    const Json& uri = params["textDocument"]["uri"];
+    if (!uri.is_text()) throw Refusal(ErrorCode::invalid_params, "textDocument.uri is missing");
+    const Workspace::Place place = session.workspace.find(uri.text());
+    if (!place) throw Refusal(ErrorCode::invalid_params, fmt::format("no such document: {}", uri.text()));
+    const Json& at = params["position"];
+    const std::uint32_t offset =
+        at.is_null() ? 0 : offset_of(place.project->sources(), place.document->source, at, session.client.encoding);
+    return {*place.project, *place.document, offset};
+}
+
+std::vector<diagnostics::Diagnostic> findings_about(const Target& target) {
+    std::vector<diagnostics::Diagnostic> result = target.document.findings.sorted();
+    for (diagnostics::Diagnostic& finding : target.project.findings().sorted())
+        if (finding.span.source == target.document.source) result.push_back(std::move(finding));
+    return result;
+}
+
+Json location(const Session& session, Project& project, Span span) {
+    const Document* document = span.known() ? project.find(span.source) : nullptr;
+    if (document == nullptr) return {};
+    return Json::object({{"uri", document->uri}, {"range", range(project.sources(), span, session.client.encoding)}});
+}
+
+}  // namespace robochart::lsp

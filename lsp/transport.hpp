@@ -1,0 +1,42 @@
+// Messages on a byte stream (LSP 3.17, base protocol): `Content-Length: N`, an empty line, N bytes.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+namespace robochart::lsp {
+
+/// Largest message accepted, in bytes.
+inline constexpr std::size_t max_message = 64U << 20U;
+
+/// What the stream held next.
+struct Frame {
+    enum class Kind { message, fault, end };
+    Kind kind = Kind::end;
+    std::string text;  ///< the message; of a fault, what was wrong
+};
+
+/// Takes a stream apart. After a fault reading goes on at the next header; bytes between are dropped.
+class FrameReader {
+public:
+    explicit FrameReader(std::istream& in) : in_(in) {}
+    [[nodiscard]] Frame next();
+
+private:
+    enum class Line { text, empty, end };
+    Line read_line(std::string& line);
+    /// Looks at one header line; sets `fault` if it is wrong.
+    void header(const std::string& line, std::string& fault);
+    [[nodiscard]] Frame body();
+
+    std::istream& in_;
+    std::size_t length_ = 0;
+    bool has_length_ = false;
+    bool lost_ = false;  ///< after a fault: looking for the next header
+};
+
+/// Writes one message and flushes.
+void write_frame(std::ostream& out, std::string_view text);
+
+}  // namespace robochart::lsp
