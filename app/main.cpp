@@ -15,6 +15,7 @@ using robochart::app::Exit;
 Exit run(const robochart::app::Options& options) {
     using robochart::app::Verb;
     if (options.verb == Verb::cspm) return robochart::app::run_cspm(options);
+    if (options.verb == Verb::lsp) return robochart::app::run_lsp();
     if (options.verb == Verb::explain) return robochart::app::run_explain(options);
     if (options.verb == Verb::format) return robochart::app::run_format(options);
     return robochart::app::run_model(options);

@@ -35,7 +35,7 @@ struct VerbRow {
     const char* help;
     const char* input;
 };
-constexpr std::array<VerbRow, 8> verbs{{
+constexpr std::array<VerbRow, 9> verbs{{
     {Verb::verify, "verify", "", "all of it: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL"},
     {Verb::check, "check", "", "read the model and decide its assertions", "MODEL"},
     {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL"},
@@ -44,6 +44,7 @@ constexpr std::array<VerbRow, 8> verbs{{
     {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT"},
     {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "CODE"},
     {Verb::format, "format", "", "lay out model and assertion files in the house style, in place", "FILE"},
+    {Verb::lsp, "lsp", "", "serve an editor over standard input and output (Language Server Protocol)", ""},
 }};
 
 const CLI::AsSizeValue as_size(false);
@@ -123,6 +124,10 @@ void add_format(CLI::App& app, Options& o) {
 }
 
 void add_options(CLI::App& app, const VerbRow& row, Options& o) {
+    if (row.verb == Verb::lsp) {
+        app.add_flag("--stdio", "what editors' libraries say of their own accord; it is the only way to talk");
+        return;
+    }
     auto* inputs = app.add_option("inputs", o.inputs, "")->option_text(fmt::format("{}...", row.input));
     if (row.verb == Verb::explain) return add_color(app, o);
     inputs->required();

@@ -21,7 +21,7 @@ enum class Exit : int {
     internal = 70,     ///< a fault of ours
 };
 
-enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain, format };
+enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain, format, lsp };
 enum class Format { text, json };
 enum class Color { automatic, always, never };
 enum class Times { both, timed, untimed };

@@ -11,6 +11,7 @@ Exit run_model(const Options&);    ///< verify, check, emit csp, emit cpp, confo
 Exit run_cspm(const Options&);
 Exit run_explain(const Options&);
 Exit run_format(const Options&);
+Exit run_lsp();                    ///< serves an editor on stdin and stdout until it leaves
 
 /// Decides the model's assertions in the times asked for.
 void check_assertions(Project&, const Options&, Report&);

@@ -8,6 +8,7 @@
 #include "frontend/names.hpp"
 #include "frontend/scopes.hpp"
 #include "frontend/traversal.hpp"
+#include "frontend/types.hpp"
 
 namespace robochart::frontend {
 
@@ -168,9 +169,10 @@ public:
     void visit(const TypeExpr& type) {
         if (type.kind == TypeKind::variable) return add({type.name.span, NameKind::type_variable});
         if (type.kind != TypeKind::name || type.name.empty()) return;
-        if (type.target != nullptr || !type.type) return path(type.name, type.target);
+        const bool is_core = type.type && type.type->declaration == nullptr;
+        if (!is_core) return path(type.name, type.target);
         if (type.name.parts.size() > 1) add({type.name.spans.front(), NameKind::package, nullptr, "core"});
-        add({type.name.spans.back(), NameKind::core_type});
+        add({type.name.spans.back(), NameKind::core_type, type.target});
     }
     void visit(const Expr& expr) {
         if (expr.name.empty()) return;

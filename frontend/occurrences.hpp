@@ -12,7 +12,7 @@ namespace robochart::frontend {
 enum class NameKind {
     declaration,    ///< `target`
     package,        ///< a package or the first parts of its name: `text` is the name so far, `A::B`
-    core_type,      ///< nat, int, real, boolean, string
+    core_type,      ///< nat, int, real, boolean, string: `target` in package core
     type_variable,  ///< ?X
     assertion,      ///< the name of an assertion: `text`
     process,        ///< a CSP process or block: `text`

@@ -200,7 +200,7 @@ private:
     }
 
     [[nodiscard]] Wanted wanted(std::size_t end) {
-        if (end == 0) return Wanted::member;
+        if (end == 0 || ends_import(end)) return Wanted::member;
         const Token& token = last(end);
         if (const auto fixed = by_word(end, token)) return *fixed;
         if (in_type(end)) return Wanted::type;
@@ -215,6 +215,9 @@ private:
         if (is_operand_end(token)) return after_operand(end);
         return Wanted::expression;
     }
+
+    /// `import p::*`
+    [[nodiscard]] bool ends_import(std::size_t end) const { return last(end).is("*") && last(end, 2).is("::"); }
 
     /// Words that settle it alone.
     [[nodiscard]] std::optional<Wanted> by_word(std::size_t end, const Token& token) {
@@ -299,7 +302,7 @@ private:
     }
 
     [[nodiscard]] Wanted in_assertions(std::size_t end) const {
-        if (end == 0) return Wanted::member;
+        if (end == 0 || ends_import(end)) return Wanted::member;
         const Token& token = last(end);
         if (token.kind == TokenKind::csp_code) return Wanted::member;
         if (word(token, {"import"})) return Wanted::import;

@@ -70,6 +70,14 @@ std::string reference(const Reference& reference) {
     return fmt::format("{} {} = {}", word, reference.name, reference.target_name.text());
 }
 
+/// The word that begins the declaration.
+std::string_view keyword(DeclKind kind) {
+    if (kind == DeclKind::state_machine) return "stm";
+    if (kind == DeclKind::platform) return "robotic platform";
+    const std::string_view words = to_text(kind);
+    return words.substr(0, words.find(' '));
+}
+
 }  // namespace
 
 std::string signature(const Declaration& declaration) {
@@ -90,7 +98,7 @@ std::string signature(const Declaration& declaration) {
     }
     const auto* machine = dynamic_cast<const Machine*>(&declaration);
     const bool operation = machine != nullptr && machine->kind == DeclKind::operation;
-    return fmt::format("{} {}{}", to_text(declaration.kind), declaration.name,
+    return fmt::format("{} {}{}", keyword(declaration.kind), declaration.name,
                        operation ? parameter_list(machine->parameters) : "");
 }
 
@@ -141,6 +149,11 @@ std::string words_of(std::string_view comment) {
     return std::string(trimmed(out));
 }
 
+bool ends_its_line(const SourceManager& sources, Span span) {
+    const std::string_view rest = sources.text(span.source).substr(span.end);
+    return trimmed(rest.substr(0, rest.find_first_of("\r\n"))).empty();
+}
+
 bool begins_its_line(const SourceManager& sources, Span span) {
     const std::string_view text = sources.text(span.source);
     std::size_t at = span.begin;
@@ -158,7 +171,8 @@ std::string comment_about(const SourceManager& sources, const File& file, Span n
     std::uint32_t wanted = line;
     for (auto comment = file.comments.rbegin(); comment != file.comments.rend(); ++comment) {
         const std::string_view text = sources.text(file.source).substr(comment->begin, comment->end - comment->begin);
-        if (comment->begin >= name.end && line_of(comment->begin) == line) behind = words_of(text);
+        if (comment->begin >= name.end && line_of(comment->begin) == line && ends_its_line(sources, *comment))
+            behind = words_of(text);
         if (comment->end > name.begin || line_of(comment->end) + 1 != wanted || !begins_its_line(sources, *comment))
             continue;
         above = words_of(text) + (above.empty() ? "" : "\n" + above);

@@ -19,12 +19,14 @@ std::size_t step(std::string_view text) {
     return std::max<std::size_t>(1, diagnostics::utf8_length(text));
 }
 
-std::size_t count(std::string_view text, Encoding encoding) {
+/// Code units of the characters that end by `end`: a place inside a character is its beginning.
+std::size_t count(std::string_view line, std::size_t end, Encoding encoding) {
     std::size_t total = 0;
-    while (!text.empty()) {
-        const std::size_t bytes = step(text);
+    for (std::size_t at = 0; at < line.size();) {
+        const std::size_t bytes = step(line.substr(at));
+        at += bytes;
+        if (at > end) break;
         total += units(bytes, encoding);
-        text.remove_prefix(bytes);
     }
     return total;
 }
@@ -46,10 +48,10 @@ std::size_t bytes_before(std::string_view line, std::int64_t column, Encoding en
 
 Json position(const SourceManager& sources, SourceId id, std::uint32_t offset, Encoding encoding) {
     const std::uint32_t line = sources.position(id, offset).line;
-    const std::string_view text = sources.text(id);
-    const auto begin = static_cast<std::size_t>(sources.line(id, line).data() - text.data());
-    const std::size_t end = std::clamp<std::size_t>(offset, begin, text.size());
-    return Json::object({{"line", line - 1}, {"character", count(text.substr(begin, end - begin), encoding)}});
+    const std::string_view content = sources.line(id, line);
+    const auto begin = static_cast<std::size_t>(content.data() - sources.text(id).data());
+    const std::size_t column = count(content, std::max<std::size_t>(offset, begin) - begin, encoding);
+    return Json::object({{"line", line - 1}, {"character", column}});
 }
 
 Json range(const SourceManager& sources, Span span, Encoding encoding) {

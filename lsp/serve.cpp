@@ -59,23 +59,19 @@ int serve(std::istream& in, std::ostream& out) {
     Inbox inbox;
     std::thread reader([&] { read_all(in, inbox); });
     bool ended = false;
-    while (!server.exit_code() && (!ended || server.has_work())) {
-        const bool resting = !server.has_work() && !ended;
-        for (Frame& frame : inbox.take(resting)) {
+    const auto receive = [&](bool wait) {
+        for (Frame& frame : inbox.take(wait)) {
             if (frame.kind == Frame::Kind::message) server.receive(std::move(frame.text));
             if (frame.kind == Frame::Kind::fault) server.receive_fault(frame.text);
             ended = ended || frame.kind == Frame::Kind::end;
         }
+    };
+    while (!server.exit_code() && (!ended || server.has_work())) {
+        receive(!server.has_work() && !ended);
         if (server.has_work()) server.step();
-        if (!server.has_work() && !ended) {
-            // More may have come meanwhile; diagnostics of a text that is already old help nobody.
-            for (Frame& frame : inbox.take(false)) {
-                if (frame.kind == Frame::Kind::message) server.receive(std::move(frame.text));
-                if (frame.kind == Frame::Kind::fault) server.receive_fault(frame.text);
-                ended = ended || frame.kind == Frame::Kind::end;
-            }
-            if (!server.has_work()) server.idle();
-        }
+        // More may have come meanwhile; diagnostics of a text that is already old help nobody.
+        receive(false);
+        if (!server.has_work() && !ended) server.idle();
     }
     reader.join();
     return server.exit_code().value_or(1);

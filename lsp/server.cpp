@@ -31,6 +31,7 @@ constexpr std::array requests = {
     RequestRow{"textDocument/documentHighlight", highlights},
     RequestRow{"textDocument/documentSymbol", document_symbols},
     RequestRow{"textDocument/foldingRange", folding_ranges},
+    RequestRow{"textDocument/formatting", formatting},
     RequestRow{"textDocument/hover", hover},
     RequestRow{"textDocument/prepareRename", prepare_rename},
     RequestRow{"textDocument/references", references},
@@ -84,7 +85,12 @@ void Server::step() {
 }
 
 void Server::idle() {
-    if (phase_ == Phase::running && !exit_code_) publish(session_);
+    if (phase_ != Phase::running || exit_code_) return;
+    try {
+        publish(session_);
+    } catch (const std::exception& error) {
+        log("diagnostics", error.what());
+    }
 }
 
 void Server::handle(const Json& message) {
@@ -147,13 +153,14 @@ void Server::notification(const std::string& method, const Json& params) {
     try {
         row->handle(session_, params);
     } catch (const std::exception& error) {
-        constexpr int error_type = 1;
-        session_.send(Json::object(
-            {{"jsonrpc", "2.0"},
-             {"method", "window/logMessage"},
-             {"params",
-              Json::object({{"type", error_type}, {"message", fmt::format("{}: {}", method, error.what())}})}}));
+        log(method, error.what());
     }
+}
+
+void Server::log(const std::string& where, const char* what) {
+    constexpr int error_type = 1;
+    const Json params = Json::object({{"type", error_type}, {"message", fmt::format("{}: {}", where, what)}});
+    session_.send(Json::object({{"jsonrpc", "2.0"}, {"method", "window/logMessage"}, {"params", params}}));
 }
 
 void Server::respond(const Json& id, Json result) {

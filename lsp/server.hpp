@@ -43,6 +43,7 @@ private:
     [[nodiscard]] Json answer(const std::string& method, const Json& params);
     [[nodiscard]] Json initialize(const Json& params);
     [[nodiscard]] bool is_cancelled(const Json& id) const;
+    void log(const std::string& where, const char* what);
     void respond(const Json& id, Json result);
     void fail(const Json& id, ErrorCode code, const std::string& why);
 

@@ -63,7 +63,7 @@ void FrameReader::header(const std::string& line, std::string& fault) {
         const std::string type = lower(line);
         if (type.find("charset") != std::string::npos && type.find("utf-8") == std::string::npos &&
             type.find("utf8") == std::string::npos)
-            fault = fmt::format("the charset must be utf-8: `{}`", shown(line));
+            rejected_ = fmt::format("the charset must be utf-8: `{}`", shown(line));
     }
 }
 
@@ -88,16 +88,19 @@ Frame FrameReader::next() {
     std::string line;
     std::string fault;
     has_length_ = false;
+    rejected_.clear();
     bool any = false;
     while (fault.empty()) {
         switch (read_line(line)) {
             case Line::end:
-                if (any && !lost_) return {Frame::Kind::fault, "the stream ended inside a header"};
+                if ((any || !line.empty()) && !lost_) return {Frame::Kind::fault, "the stream ended inside a header"};
                 return {};
             case Line::empty:
                 if (has_length_) {
                     lost_ = false;
-                    return body();
+                    Frame frame = body();
+                    if (!rejected_.empty()) return {Frame::Kind::fault, rejected_};
+                    return frame;
                 }
                 if (any && !lost_) fault = "a header without Content-Length";
                 break;

@@ -33,7 +33,8 @@ private:
     std::istream& in_;
     std::size_t length_ = 0;
     bool has_length_ = false;
-    bool lost_ = false;  ///< after a fault: looking for the next header
+    std::string rejected_;  ///< why a whole message is not to be read
+    bool lost_ = false;     ///< after a fault: looking for the next header
 };
 
 /// Writes one message and flushes.

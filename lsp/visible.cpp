@@ -104,6 +104,7 @@ std::vector<std::string> packages_behind(const Model& model, const std::vector<s
     std::set<std::string> names;
     for (const auto& file : model.files) {
         const auto& parts = file->package.parts;
+        if (qualifier.empty() && file->package.text() == "core") continue;  // it needs no naming
         if (parts.size() > qualifier.size() && std::equal(qualifier.begin(), qualifier.end(), parts.begin()))
             names.insert(parts[qualifier.size()]);
     }
