@@ -21,9 +21,9 @@ public:
         if (*kind != '\0') fold.set("kind", kind);
         result_.push(std::move(fold));
     }
-    void braces(const std::deque<Token>& tokens) {
+    void braces(const frontend::TokenStream& stream) {
         std::vector<std::uint32_t> open;
-        for (const Token& token : tokens) {
+        for (const Token& token : stream.tokens) {
             if (token.is("{") || token.is("<{")) open.push_back(token.span.begin);
             if (token.is("}") && !open.empty()) {
                 add(open.back(), token.span.begin, "", true);
@@ -63,7 +63,7 @@ Json folding_ranges(Session& session, const Json& params) {
     const frontend::TokenStream stream =
         frontend::tokenize(sources, target.document.source, target.document.is_assertions, ignored);
     Folds folds(sources, target.document.source);
-    folds.braces(stream.tokens);
+    folds.braces(stream);
     folds.comments(stream.comments);
     folds.imports(target.project.tree(target.document));
     return folds.take();

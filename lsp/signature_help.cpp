@@ -24,17 +24,17 @@ Call call_at(const SourceManager& sources, const Document& document, std::uint32
     diagnostics::Diagnostics ignored;
     const TokenStream stream = tokenize(sources, document.source, document.is_assertions, ignored);
     std::vector<Call> open;
-    const Token* before = nullptr;
+    Token before;
     for (const Token& token : stream.tokens) {
         if (token.span.begin >= offset) break;
         const bool opens = token.is("(") || token.is("[") || token.is("{") || token.is("(|") || token.is("[|") ||
                            token.is("Set(") || token.is("Seq(") || token.is("<{");
         const bool closes = token.is(")") || token.is("]") || token.is("}") || token.is("|)") || token.is("|]");
-        const bool called = before != nullptr && before->kind == TokenKind::identifier && token.is("(");
-        if (opens) open.push_back({called ? std::string(before->text) : std::string(), 0});
+        const bool called = before.kind == TokenKind::identifier && token.is("(");
+        if (opens) open.push_back({called ? std::string(before.text) : std::string(), 0});
         if (closes && !open.empty()) open.pop_back();
         if (token.is(",") && !open.empty()) ++open.back().argument;
-        before = &token;
+        before = token;
     }
     return open.empty() ? Call() : open.back();
 }

@@ -171,15 +171,15 @@ std::string uncovered(const std::string& path) {
     for (const auto& file : model->files) {
         if (file->is_library || file->has_syntax_errors) continue;
         diagnostics::Diagnostics ignored;
-        const Token* before = nullptr;
+        Token before;
         const TokenStream stream = tokenize(sources, file->source, file->is_assertions, ignored);
         for (const Token& token : stream.tokens) {
-            const bool diagram = before != nullptr && before->is("diagram");
+            const bool diagram = before.is("diagram");
             const bool word = file->is_assertions && is_assertion_word(token.text);
             if (token.kind == TokenKind::identifier && !diagram && !word &&
                 !covered.contains({file->source, token.span.begin}))
                 missing += sources.place(token.span) + " " + std::string(token.text) + "\n";
-            before = &token;
+            before = token;
         }
     }
     return missing;
