@@ -38,15 +38,10 @@ std::string about_declaration(Project& project, const frontend::Declaration& dec
 std::string about(Project& project, const Occurrence& name, bool markdown) {
     switch (name.kind) {
         case NameKind::declaration:
-            return about_declaration(project, *name.target, markdown);
+        case NameKind::core_type:
+            return name.target != nullptr ? about_declaration(project, *name.target, markdown) : std::string();
         case NameKind::package:
             return code_block("package " + name.text, markdown);
-        case NameKind::core_type: {
-            const std::string_view text = project.sources().text(name.span.source);
-            return code_block(fmt::format("type {}", text.substr(name.span.begin, name.span.end - name.span.begin)),
-                              markdown) +
-                   "\nof package `core`, known everywhere";
-        }
         case NameKind::process:
             return code_block("csp " + name.text, markdown);
         case NameKind::assertion: {

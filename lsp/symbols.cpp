@@ -40,12 +40,19 @@ std::vector<const Declaration*> inner(const Declaration& declaration) {
     return list;
 }
 
+/// The declaration with all that is inside it: in broken text a part may reach behind the end of the whole.
+Span extent(const Declaration& declaration) {
+    Span result = join(declaration.span, declaration.name_span);
+    for (const Declaration* each : inner(declaration)) result = join(result, extent(*each));
+    return result;
+}
+
 /// Depth is bounded by the parser.
 Json symbol(const SourceManager& sources, const Declaration& declaration, Encoding encoding) {
     Json result = Json::object({{"name", declaration.name},
                                 {"detail", detail(declaration)},
                                 {"kind", symbol_kind(declaration)},
-                                {"range", range(sources, join(declaration.span, declaration.name_span), encoding)},
+                                {"range", range(sources, extent(declaration), encoding)},
                                 {"selectionRange", range(sources, declaration.name_span, encoding)}});
     Json children = Json::array();
     for (const Declaration* each : inner(declaration)) children.push(symbol(sources, *each, encoding));

@@ -18,7 +18,7 @@ TEST(Published, WhileTyping) {
     EXPECT_EQ(client.codes(), "RC-N01@1");
     client.change(uri, "interface I { var x : nat }\n");
     EXPECT_EQ(client.diagnostics(), Json::array());
-    client.change(uri, "interface I { var x : }\n");
+    client.change(uri, "interface I { var x nat }\n");
     EXPECT_EQ(client.codes(), "RC-P01@1");
 }
 
