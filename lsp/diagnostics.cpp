@@ -1,4 +1,6 @@
 // Findings of the rules as an editor shows them.
+#include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 
@@ -25,6 +27,14 @@ std::string message_of(const Diagnostic& finding) {
     return text;
 }
 
+constexpr int unnecessary_tag = 1;  // DiagnosticTag.Unnecessary
+
+/// Warnings about what could as well be left out: never reached, taken, used or read, a copy (rules RC-W…).
+bool is_unneeded(std::string_view code) {
+    constexpr std::array<std::string_view, 5> codes = {"RC-W03", "RC-W04", "RC-W07", "RC-W08", "RC-W14"};
+    return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
 Json related(const Session& session, Project& project, const Diagnostic& finding) {
     Json list = Json::array();
     for (const diagnostics::Note& note : finding.notes) {
@@ -42,6 +52,7 @@ Json diagnostic(const Session& session, Project& project, const Diagnostic& find
                                 {"message", message_of(finding)}});
     Json notes = related(session, project, finding);
     if (!notes.items().empty()) result.set("relatedInformation", std::move(notes));
+    if (is_unneeded(finding.rule->code)) result.set("tags", Json::array({unnecessary_tag}));
     return result;
 }
 

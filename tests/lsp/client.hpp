@@ -155,13 +155,24 @@ public:
                 last = message["params"]["diagnostics"];
         return last;
     }
-    /// "CODE@line" of each, lines from 1.
+    /// "CODE@line" of each error, lines from 1.
     [[nodiscard]] std::string codes(const std::string& uri = "file:///p/a.rct") const {
+        constexpr std::int64_t error = 1;
+        return codes_up_to(error, uri);
+    }
+    /// Those of warnings too.
+    [[nodiscard]] std::string all_codes(const std::string& uri = "file:///p/a.rct") const {
+        constexpr std::int64_t information = 3;
+        return codes_up_to(information, uri);
+    }
+    [[nodiscard]] std::string codes_up_to(std::int64_t severity, const std::string& uri) const {
         std::string out;
         const Json list = diagnostics(uri);
-        for (const Json& each : list.items())
+        for (const Json& each : list.items()) {
+            if (each["severity"].number() > severity) continue;
             out += (out.empty() ? "" : " ") + each["code"].text() + "@" +
                    std::to_string(each["range"]["start"]["line"].number() + 1);
+        }
         return out;
     }
 

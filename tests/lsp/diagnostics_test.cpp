@@ -36,6 +36,19 @@ TEST(Published, WithEverythingThatIsKnown) {
     EXPECT_NE(found[0]["relatedInformation"][0]["message"].text(), "");
 }
 
+/// LSP 3.17, DiagnosticTag.Unnecessary: shown faded.
+TEST(Published, WithATagForWhatCouldBeLeftOut) {
+    Client client;
+    client.open(uri,
+                "stm S {\n  initial i\n  state A { }\n  state B { }\n  transition t { from i to A }\n"
+                "  transition u { from A to A }\n}\n");
+    bool tagged = false;
+    const Json found = client.diagnostics();
+    for (const Json& each : found.items())
+        if (each["code"].text() == "RC-W03") tagged = each["tags"] == Json::array({1});
+    EXPECT_TRUE(tagged) << found.write();
+}
+
 TEST(Published, WithTheVersionOfTheText) {
     Client client;
     client.open(uri, "interface I { var x : nta }\n");
