@@ -36,7 +36,7 @@ struct VerbRow {
     const char* help;
     const char* input;
 };
-constexpr std::array<VerbRow, 9> verbs{{
+constexpr std::array<VerbRow, 10> verbs{{
     {Verb::verify, "verify", "", "all of it: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL"},
     {Verb::check, "check", "", "read the model and decide its assertions", "MODEL"},
     {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL"},
