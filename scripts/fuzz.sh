@@ -89,6 +89,7 @@ for target in "${targets[@]}"; do
       status=1
       break
     fi
+    echo "$target: $spent of $seconds CPU seconds, $executions executions" >&2
   done
   echo "$target: $executions executions in $spent CPU seconds," \
     "$(grep -oE 'cov: [0-9]+ ft: [0-9]+ corp: [0-9]+' "build/fuzz/$target.log" | tail -1)"
