@@ -135,7 +135,7 @@ void add_format(CLI::App& app, Options& o) {
 
 void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     if (row.verb == Verb::lsp) {
-        app.add_flag("--stdio", "what editors' libraries say of their own accord; it is the only way to talk");
+        app.add_flag_callback("--stdio", [] {}, "what editors' libraries say of their own accord; it is the only way to talk");
         return;
     }
     auto* inputs = app.add_option("inputs", o.inputs, "")->option_text(fmt::format("{}...", row.input));
