@@ -15,7 +15,7 @@ bool overlaps(Span a, Span b) {
 }
 
 std::string title_of(const FixIt& fix, std::string_view replaced) {
-    if (fix.title != "did you mean") return fix.title;
+    if (replaced.empty() || fix.replacement.empty()) return fix.title;
     return fmt::format("Change `{}` to `{}`", replaced, fix.replacement);
 }
 

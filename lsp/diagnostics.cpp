@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "diagnostics/fixes.hpp"
 #include "lsp/features.hpp"
 
 namespace robochart::lsp {
@@ -23,7 +24,8 @@ std::string message_of(const Diagnostic& finding) {
     for (const diagnostics::Note& note : finding.notes)
         if (!note.span.known()) text += "\n" + note.message;
     for (const diagnostics::FixIt& fix : finding.fixes)
-        if (fix.title == "did you mean") text += "\ndid you mean `" + fix.replacement + "`?";
+        if (!fix.replacement.empty())
+            text += "\n" + fix.title + " `" + fix.replacement + (diagnostics::is_certain(fix) ? "`" : "`?");
     return text;
 }
 

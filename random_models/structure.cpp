@@ -104,7 +104,7 @@ void Structure::expr(const ExprPtr& owned) {
     else
         open(word(expr_words, expr.kind));
     if (!expr.text.empty()) name(expr.text);
-    if (!expr.name.empty()) name(expr.name);
+    if (!expr.name.empty() && expr.kind != ExprKind::member) name(expr.name);  // a member's is its text, with a place
     if (expr.binary) add(word(operator_words, *expr.binary));
     if (expr.unary) add(*expr.unary == UnaryOp::negate ? "negate" : "not");
     if (expr.kind == ExprKind::range) {

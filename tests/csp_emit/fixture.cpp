@@ -29,7 +29,8 @@ std::string Model::messages() const {
 
 std::vector<std::string> Model::codes() const {
     std::vector<std::string> result;
-    for (const auto& diagnostic : diagnostics.sorted()) result.emplace_back(diagnostic.rule->code);
+    for (const auto& diagnostic : diagnostics.sorted())
+        if (!diagnostic.rule->code.starts_with("RC-W")) result.emplace_back(diagnostic.rule->code);
     return result;
 }
 

@@ -18,7 +18,7 @@ struct Model {
     ir::Instantiation instantiation;
 
     [[nodiscard]] std::string messages() const;
-    [[nodiscard]] std::vector<std::string> codes() const;
+    [[nodiscard]] std::vector<std::string> codes() const;  ///< of all findings but advice (RC-W)
     [[nodiscard]] Emission emit(Time time, bool core = false);
 };
 

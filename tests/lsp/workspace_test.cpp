@@ -113,7 +113,7 @@ TEST_F(OnDisk, FoldersMayComeAndGo) {
     };
     event("added", "removed");
     EXPECT_EQ(client.codes(uri("one/a.rct")), "RC-N01@1");
-    client.open(uri("one/a.rct"), "interface I { var x : lost var y : lost }\n");
+    client.open(uri("one/a.rct"), "interface I { var x : lost var y : gone }\n");
     EXPECT_EQ(client.codes(uri("one/a.rct")), "RC-N01@1 RC-N01@1");
     event("removed", "added");
     EXPECT_EQ(client.codes(uri("one/a.rct")), "RC-N01@1 RC-N01@1") << "it is still open";
