@@ -17,6 +17,7 @@ Exit run(const robochart::app::Options& options) {
     if (options.verb == Verb::cspm) return robochart::app::run_cspm(options);
     if (options.verb == Verb::explain) return robochart::app::run_explain(options);
     if (options.verb == Verb::format) return robochart::app::run_format(options);
+    if (options.verb == Verb::validate) return robochart::app::run_validate(options);
     return robochart::app::run_model(options);
 }
 

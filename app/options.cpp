@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdlib>
 
 #include "app/interrupt.hpp"
 #include "app/rules.hpp"
@@ -35,7 +36,7 @@ struct VerbRow {
     const char* help;
     const char* input;
 };
-constexpr std::array<VerbRow, 8> verbs{{
+constexpr std::array<VerbRow, 9> verbs{{
     {Verb::verify, "verify", "", "all of it: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL"},
     {Verb::check, "check", "", "read the model and decide its assertions", "MODEL"},
     {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL"},
@@ -43,6 +44,7 @@ constexpr std::array<VerbRow, 8> verbs{{
     {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL"},
     {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT"},
     {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "CODE"},
+    {Verb::validate, "validate", "", "read the model and report what is wrong with it, nothing else", "MODEL"},
     {Verb::format, "format", "", "lay out model and assertion files in the house style, in place", "FILE"},
 }};
 
@@ -52,6 +54,14 @@ void add_color(CLI::App& app, Options& o) {
     const std::map<std::string, Color> colors{
         {"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}};
     app.add_option("--color", o.color, "auto, always or never")->transform(CLI::CheckedTransformer(colors))->option_text("WHEN [auto]");
+}
+
+void add_validate(CLI::App& app, Options& o) {
+    const std::map<std::string, Format> formats{{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}};
+    add_color(app, o);
+    app.add_option("--format", o.format, "text, json or sarif")->transform(CLI::CheckedTransformer(formats))->option_text("FORMAT [text]");
+    app.add_flag("--fix", o.fix, "write mends that are certain to the files, then report what is left");
+    app.add_flag("-q,--quiet", o.quiet, "print only what is wrong");
 }
 
 void add_common(CLI::App& app, Options& o) {
@@ -126,6 +136,7 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     auto* inputs = app.add_option("inputs", o.inputs, "")->option_text(fmt::format("{}...", row.input));
     if (row.verb == Verb::explain) return add_color(app, o);
     inputs->required();
+    if (row.verb == Verb::validate) return add_validate(app, o);
     if (row.verb == Verb::format) return add_format(app, o);
     add_common(app, o);
     if (row.verb == Verb::cspm) return add_script(app, o);
@@ -218,7 +229,8 @@ ir::InstantiationOptions instantiation_options(const Options& o, std::string& er
 
 bool color_wanted(Color color, int descriptor) {
     if (color != Color::automatic) return color == Color::always;
-    return isatty(descriptor) == 1;
+    const char* refused = std::getenv("NO_COLOR");  // no-color.org: set and not empty
+    return isatty(descriptor) == 1 && (refused == nullptr || *refused == '\0');
 }
 
 refine::Limits limits(const Options& o) {

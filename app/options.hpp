@@ -21,10 +21,13 @@ enum class Exit : int {
     internal = 70,     ///< a fault of ours
 };
 
-enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain, format };
-enum class Format { text, json };
+enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain, format, validate };
+enum class Format { text, json, sarif };
 enum class Color { automatic, always, never };
 enum class Times { both, timed, untimed };
+
+/// What `--version` says behind the name.
+inline constexpr const char* program_version = "0.1.0";
 
 struct Options {
     Verb verb = Verb::verify;
@@ -34,6 +37,7 @@ struct Options {
     Format format = Format::text;
     Color color = Color::automatic;
     bool quiet = false;
+    bool fix = false;                     ///< validate: write certain mends to the files
     bool show_internal = false;           ///< --trace: raw event traces beside the told counterexample
     Times times = Times::both;
     bool core = false;

@@ -10,6 +10,7 @@ namespace robochart::app {
 Exit run_model(const Options&);    ///< verify, check, emit csp, emit cpp, conform
 Exit run_cspm(const Options&);
 Exit run_explain(const Options&);
+Exit run_validate(const Options&);
 Exit run_format(const Options&);
 
 /// Decides the model's assertions in the times asked for.

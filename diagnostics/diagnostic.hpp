@@ -26,11 +26,12 @@ struct Note {
     std::string message;
 };
 
-/// A certain mend: replace the span's text.
+/// A mend: replace the span's text.
 struct FixIt {
     Span span;
     std::string replacement;
     std::string title;
+    bool certain = true;  ///< false: a suggestion, not to be applied without asking
 };
 
 /// One finding. `rule` is never null.

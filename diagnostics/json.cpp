@@ -83,8 +83,8 @@ std::string json_diagnostic(const SourceManager& sources, const Diagnostic& diag
         return fmt::format(R"({{"message":{}{}}})", json_string(n.message), place_members(sources, n.span));
     };
     const auto fix = [&](const FixIt& f) {
-        return fmt::format(R"({{"title":{},"replacement":{}{}}})", json_string(f.title), json_string(f.replacement),
-                           place_members(sources, f.span));
+        return fmt::format(R"({{"title":{},"replacement":{},"certain":{}{}}})", json_string(f.title),
+                           json_string(f.replacement), f.certain, place_members(sources, f.span));
     };
     return fmt::format(R"({{"code":{},"severity":"{}","message":{}{},"notes":{},"fixes":{}}})",
                        json_string(diagnostic.rule->code), severity_name(diagnostic.rule->severity),

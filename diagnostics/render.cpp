@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "diagnostics/excerpt.hpp"
 
 namespace robochart::diagnostics {
@@ -57,13 +59,40 @@ std::string draw_note(const SourceManager& sources, const Note& note, const Text
                        draw_place(sources, note.span, style, as_note.color));
 }
 
-std::string draw_fix(const FixIt& fix) {
-    if (fix.replacement.empty()) return fmt::format("   = help: {}\n", fix.title);
-    return fmt::format("   = help: {}: `{}`\n", fix.title, fix.replacement);
+/// What to do, and the line as it will be.
+std::string draw_fix(const SourceManager& sources, const FixIt& fix, const TextStyle& style) {
+    const bool removes = fix.replacement.empty();
+    std::string out = fmt::format("   = help: {}{}\n", fix.title, removes ? "" : ": `" + fix.replacement + "`");
+    if (!fix.span.known() || fix.replacement.find_first_of("\r\n") != std::string::npos) return out;
+    const Position begin = sources.position(fix.span.source, fix.span.begin);
+    if (sources.position(fix.span.source, fix.span.end).line != begin.line) return out;
+    const std::string_view line = sources.line(fix.span.source, begin.line);
+    const auto start = static_cast<std::size_t>(line.data() - sources.text(fix.span.source).data());
+    // Only the surroundings of the mend, so that a line of many megabytes is not copied.
+    const std::size_t from = std::min<std::size_t>(fix.span.begin - start, line.size());
+    const std::size_t to = std::min<std::size_t>(fix.span.end - start, line.size());
+    constexpr std::size_t reach = 1000;
+    const std::size_t cut = from > reach ? from - reach : 0;
+    const std::string mended =
+        fmt::format("{}{}{}", line.substr(cut, from - cut), fix.replacement, line.substr(to, reach));
+    const Excerpt excerpt = make_excerpt(mended, from - cut, from - cut + fix.replacement.size(), style.max_width);
+    const std::string number = std::to_string(begin.line);
+    const std::string margin(number.size(), ' ');
+    const std::string mark = removes ? ""
+                                     : std::string(excerpt.mark_begin + 1, ' ') +
+                                           paint(style, "\x1b[1;32m", std::string(excerpt.mark_width, '+'));
+    return out + fmt::format("{0}  |\n {1} | {2}\n{0}  |{3}\n", margin, number, excerpt.text, mark);
+}
+
+/// 1,324
+std::string grouped(std::size_t n) {
+    std::string digits = std::to_string(n);
+    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+    return digits;
 }
 
 std::string count(std::size_t n, std::string_view noun) {
-    return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+    return fmt::format("{} {}{}", grouped(n), noun, n == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -76,7 +105,7 @@ std::string render_text(const SourceManager& sources, const Diagnostic& diagnost
     if (diagnostic.span.known()) out += draw_place(sources, diagnostic.span, style, severity.color);
     for (const Note& note : diagnostic.notes)
         if (!note.span.known()) out += draw_note(sources, note, style);
-    for (const FixIt& fix : diagnostic.fixes) out += draw_fix(fix);
+    for (const FixIt& fix : diagnostic.fixes) out += draw_fix(sources, fix, style);
     for (const Note& note : diagnostic.notes)
         if (note.span.known()) out += draw_note(sources, note, style);
     return out;
@@ -86,7 +115,10 @@ std::string render_text(const SourceManager& sources, const Diagnostics& diagnos
     if (diagnostics.empty()) return {};
     std::string out;
     for (const Diagnostic& diagnostic : diagnostics.sorted()) out += render_text(sources, diagnostic, style) + "\n";
-    if (diagnostics.dropped() > 0) out += fmt::format("{} more not shown\n", diagnostics.dropped());
+    if (diagnostics.dropped() > 0) {
+        const std::size_t counted = diagnostics.errors() + diagnostics.warnings();
+        out += fmt::format("{} shown of {}\n", grouped(counted - diagnostics.dropped()), grouped(counted));
+    }
     return out +
            fmt::format("{}, {}\n", count(diagnostics.errors(), "error"), count(diagnostics.warnings(), "warning"));
 }

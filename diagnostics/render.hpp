@@ -22,7 +22,10 @@ struct TextStyle {
 [[nodiscard]] std::string render_text(const SourceManager&, const Diagnostic&, const TextStyle& = {});
 /// All of them in sorted order, then a closing count ("2 errors, 1 warning"); "" if there are none.
 [[nodiscard]] std::string render_text(const SourceManager&, const Diagnostics&, const TextStyle& = {});
-/// {"schema":"robochart-verify/diagnostics/1","diagnostics":[{code,severity,message,file,line,column,endLine,endColumn,notes,fixes}]}
+/// {"schema":"robochart-verify/diagnostics/1","diagnostics":[{code,severity,message,file,line,column,endLine,endColumn,notes,fixes}]};
+/// docs/cli.md has the fields
 [[nodiscard]] std::string render_json(const SourceManager&, const Diagnostics&);
+/// SARIF 2.1.0: one run with the rules that occur, regions with columns, related places, mends.
+[[nodiscard]] std::string render_sarif(const SourceManager&, const Diagnostics&, std::string_view version);
 
 }  // namespace robochart::diagnostics

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "frontend/lexer.hpp"
 #include "frontend/print.hpp"
@@ -18,6 +19,22 @@ constexpr DeclKind all_kinds[] = {DeclKind::primitive_type, DeclKind::record_typ
                                   DeclKind::platform,       DeclKind::operation,   DeclKind::state_machine,
                                   DeclKind::controller,     DeclKind::module,      DeclKind::reference};
 
+/// Names of other languages for the types of core; "" if it is none of them.
+std::string core_meant(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> others = {{{"bool", "boolean"},
+                                                                                      {"Boolean", "boolean"},
+                                                                                      {"integer", "int"},
+                                                                                      {"Integer", "int"},
+                                                                                      {"natural", "nat"},
+                                                                                      {"float", "real"},
+                                                                                      {"double", "real"},
+                                                                                      {"Real", "real"},
+                                                                                      {"String", "string"}}};
+    for (const auto& [other, own] : others)
+        if (other == name) return std::string(own);
+    return {};
+}
+
 const Declaration* find_other_kind(const Names& names, const Place& place, const QualifiedName& name) {
     for (const DeclKind kind : all_kinds)
         if (const Declaration* found = names.find(place, name, {kind})) return found;
@@ -29,6 +46,7 @@ const Declaration* find_other_kind(const Names& names, const Place& place, const
 const Declaration* Finder::find(const Place& place, const QualifiedName& name, const Kinds& kinds,
                                 std::string_view what) {
     if (const Declaration* found = names_.find(place, name, kinds)) return found;
+    if (names_.is_lost(name)) return nullptr;
     if (const Declaration* other = find_other_kind(names_, place, name)) {
         diagnostics::Diagnostic& finding =
             out_.report(rules::ambiguous_kind, name.span,
@@ -55,11 +73,21 @@ std::vector<std::string> Finder::candidates(const Kinds& kinds) const {
 
 diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                          const std::vector<std::string>& candidates) {
+    const bool told = !told_.insert(std::string(what) + "\n" + name.text() + "\n" + std::string(where)).second;
+    if (told || names_.is_lost(name)) {
+        untold_ = {};
+        return untold_;
+    }
     diagnostics::Diagnostic& finding =
         out_.report(rules::unknown_name, name.span, {std::string(what), shorten(name.text()), std::string(where)});
     if (out_.errors() > diagnostics::Diagnostics::max_kept) return finding;
-    const std::string meant = nearest(name.parts.back(), candidates);
-    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, "did you mean"});
+    const std::string& written = name.parts.back();
+    std::string meant = what == "type" && name.parts.size() == 1 ? core_meant(written) : std::string();
+    const bool is_core = !meant.empty();
+    if (!is_core) meant = nearest(written, candidates);
+    if (!meant.empty())
+        finding.fixes.push_back(
+            {name.spans.back(), meant, "did you mean", is_core || is_certain(written, meant, candidates)});
     return finding;
 }
 

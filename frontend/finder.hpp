@@ -1,6 +1,7 @@
 // Finding names and saying well that there are none (private to the front end).
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,9 @@ public:
 
     /// A name of the project; reported if there is none.
     const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds, std::string_view what);
-    /// Reports an unknown name with the nearest candidate as a mend. `where` completes "there is no X `x` …".
+    /// Reports an unknown name with the nearest candidate as a mend, once at each place that `where` names. Nothing is
+    /// reported where the declaration may have been in text that was not understood. `where` completes "there is no X
+    /// `x` …".
     diagnostics::Diagnostic& unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                      const std::vector<std::string>& candidates);
     /// Simple names of these kinds for a suggestion; none once nobody will see it.
@@ -35,6 +38,8 @@ public:
 private:
     const Names& names_;
     diagnostics::Diagnostics& out_;
+    std::set<std::string> told_;      ///< unknown names reported already: kind, name, place
+    diagnostics::Diagnostic untold_;  ///< takes the notes of what is not reported
 };
 
 }  // namespace robochart::frontend

@@ -43,6 +43,8 @@ Names::Names(Model& model) {
 void Names::enter_file(File& file) {
     const std::string package = file.package.text();
     entering_ = &file;
+    lost_.insert(file.lost_names.begin(), file.lost_names.end());
+    lost_declarations_ = lost_declarations_ || file.lost_declarations;
     packages_.push_back(package);
     for (auto& declaration : file.declarations) enter(*declaration, nullptr, package);
 }
@@ -144,6 +146,12 @@ std::string Names::full_name(const Declaration* declaration) const {
     return found != full_names_.end() ? found->second : declaration->name;
 }
 
+bool Names::is_lost(const QualifiedName& name) const {
+    if (lost_declarations_) return true;
+    return std::any_of(name.parts.begin(), name.parts.end(),
+                       [&](const std::string& part) { return part.starts_with('?') || lost_.contains(part); });
+}
+
 bool Names::has_package(const std::string& name) const {
     return std::binary_search(packages_.begin(), packages_.end(), name);
 }
@@ -186,6 +194,14 @@ std::string nearest(std::string_view name, const std::vector<std::string>& candi
         }
     }
     return result;
+}
+
+bool is_certain(std::string_view name, std::string_view meant, const std::vector<std::string>& candidates) {
+    const std::size_t best = distance(name, meant);
+    if (meant.empty() || best > 2 || best * 2 >= name.size()) return false;
+    return std::none_of(candidates.begin(), candidates.end(), [&](const std::string& other) {
+        return other != meant && other.size() <= name.size() + best && distance(name, other) <= best;
+    });
 }
 
 }  // namespace robochart::frontend

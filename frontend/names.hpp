@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,8 @@ public:
     [[nodiscard]] std::string full_name(const Declaration* declaration) const;
     /// Is there a file of this package?
     [[nodiscard]] bool has_package(const std::string& name) const;
+    /// May it be declared in text that was not understood? Then nothing is known about it.
+    [[nodiscard]] bool is_lost(const QualifiedName& name) const;
     [[nodiscard]] const std::map<std::string, std::vector<const Declaration*>>& entries() const { return by_name_; }
 
 private:
@@ -63,9 +66,14 @@ private:
     std::map<const Declaration*, const File*> files_;
     const File* entering_ = nullptr;
     std::vector<std::string> packages_;
+    std::set<std::string, std::less<>> lost_;
+    bool lost_declarations_ = false;
 };
 
 /// The candidate nearest to a misspelt name, if it is near enough to be meant; "" otherwise.
 [[nodiscard]] std::string nearest(std::string_view name, const std::vector<std::string>& candidates);
+/// Is it certain that `meant` was meant: at most two letters away, and nothing else as near?
+[[nodiscard]] bool is_certain(std::string_view name, std::string_view meant,
+                              const std::vector<std::string>& candidates);
 
 }  // namespace robochart::frontend

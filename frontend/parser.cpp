@@ -315,9 +315,11 @@ std::string_view Parser::meant_word() {
 void Parser::wrong_word(std::string_view what) {
     const Span span = peek().span;
     const std::string_view meant = meant_word();
+    const std::vector<std::string> words(member_words.begin(), member_words.end());
+    const bool certain = is_certain(peek().text, meant, words);
     diagnostics::Diagnostic* finding = report(syntax::unexpected, span, {std::string(what), found()});
     if (finding == nullptr || meant.empty()) throw SyntaxError{};
-    finding->fixes.push_back({span, std::string(meant), "did you mean"});
+    finding->fixes.push_back({span, std::string(meant), "did you mean", certain});
     tokens_.mend(at_, TokenKind::keyword, meant);
     quiet_until_ = 0;
     mended_ = true;

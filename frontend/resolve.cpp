@@ -1,5 +1,8 @@
-// Resolution as a whole: names, then types, then rules. Rules about absent things stay silent about files that could
-// not be read completely: what seems absent may just not have been understood.
+// Resolution as a whole: names, then types, then rules. A declaration with a mistake of syntax in it is not held to the
+// rules, since what seems absent may just not have been understood; nor is anything held to rules about others while
+// some file could not be read completely.
+#include <algorithm>
+
 #include "frontend/checks.hpp"
 #include "frontend/lints.hpp"
 #include "frontend/project.hpp"
@@ -9,22 +12,30 @@ namespace robochart::frontend {
 
 namespace {
 
-void check(const Declaration& declaration, Diagnostics& out) {
+/// Rules that look into the declaration alone.
+void check_inside(const Declaration& declaration, Diagnostics& out) {
     if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declaration)) check_type(*type, out);
     if (const auto* machine = dynamic_cast<const Machine*>(&declaration)) {
         check_nodes(*machine, out);
         check_time(*machine, out);
     }
-    if (const auto* context = dynamic_cast<const Context*>(&declaration)) check_component(*context, out);
-    if (const auto* component = dynamic_cast<const Component*>(&declaration)) {
-        for (const auto& part : component->platforms) check(*part, out);
-        for (const auto& part : component->controllers) check(*part, out);
-        for (const auto& part : component->machines) check(*part, out);
-        for (const auto& part : component->operations) check(*part, out);
-        check_provision(*component, out);
-        check_connections(*component, out);
-        check_directions(*component, out);
-    }
+}
+
+/// `whole`: every file was understood.
+void check(const Declaration& declaration, bool whole, Diagnostics& out) {
+    if (!declaration.broken) check_inside(declaration, out);
+    const auto* context = dynamic_cast<const Context*>(&declaration);
+    if (context != nullptr && whole) check_component(*context, out);
+    const auto* component = dynamic_cast<const Component*>(&declaration);
+    if (component == nullptr) return;
+    for (const auto& part : component->platforms) check(*part, whole, out);
+    for (const auto& part : component->controllers) check(*part, whole, out);
+    for (const auto& part : component->machines) check(*part, whole, out);
+    for (const auto& part : component->operations) check(*part, whole, out);
+    if (!whole) return;
+    check_provision(*component, out);
+    check_connections(*component, out);
+    check_directions(*component, out);
 }
 
 }  // namespace
@@ -34,10 +45,11 @@ void resolve(Model& model, diagnostics::Diagnostics& out) {
     Finder finder(names, out);
     Resolver(model, finder).run();
     check_unique(names, out);
+    const bool whole =
+        std::none_of(model.files.begin(), model.files.end(), [](const auto& file) { return file->has_syntax_errors; });
     for (const auto& file : model.files) {
         check_unique(*file, out);
-        if (file->has_syntax_errors) continue;
-        for (const auto& declaration : file->declarations) check(*declaration, out);
+        for (const auto& declaration : file->declarations) check(*declaration, whole, out);
     }
     lint(model, names, out);
 }

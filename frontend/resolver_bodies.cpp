@@ -79,6 +79,7 @@ const State* Resolver::node(const QualifiedName& name, const Transition& transit
                                         [&](const auto& n) { return n->name == name.parts.front(); });
         if (elsewhere == nullptr && found != other.nodes.end()) elsewhere = found->get();
     });
+    if (machine.broken && elsewhere != nullptr) return nullptr;  // its braces may not be where they belong
     if (elsewhere != nullptr) {
         finder_.out()
             .report(rules::t1, name.span, {std::string(role), name.text(), transition.name})
@@ -145,9 +146,12 @@ void Resolver::connection_event(Connection::End& end, Ends& ends) {
         end.event_target = found->second;
         return;
     }
+    if (behind->broken || finder_.names().is_lost(end.event)) return;
     auto& finding = finder_.out().report(rules::cn10, end.event.span, {end.node.text(), end.event.text()});
-    const std::string meant = nearest(end.event.text(), finder_.keys(scope.events));
-    if (!meant.empty()) finding.fixes.push_back({end.event.span, meant, "did you mean"});
+    const std::vector<std::string> events = finder_.keys(scope.events);
+    const std::string meant = nearest(end.event.text(), events);
+    if (!meant.empty())
+        finding.fixes.push_back({end.event.span, meant, "did you mean", is_certain(end.event.text(), meant, events)});
 }
 
 }  // namespace robochart::frontend

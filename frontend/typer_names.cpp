@@ -101,13 +101,16 @@ const Clock* Typer::clock(const QualifiedName& name, Surroundings& around, const
         const auto found = around.scope->clocks.find(name.parts.front());
         if (found != around.scope->clocks.end()) return found->second;
     }
+    if (finder_.names().is_lost(name)) return nullptr;
     const Declaration* component = component_around(around.place.inside);
     const std::string kind(component != nullptr ? to_text(component->kind) : "package");
     auto& finding =
         finder_.out().report(rule, name.span, {name.text(), kind, component != nullptr ? component->name : ""});
     if (around.scope != nullptr) {
-        const std::string meant = nearest(name.parts.front(), finder_.keys(around.scope->clocks));
-        if (!meant.empty()) finding.fixes.push_back({name.span, meant, "did you mean"});
+        const std::vector<std::string> clocks = finder_.keys(around.scope->clocks);
+        const std::string meant = nearest(name.parts.front(), clocks);
+        if (!meant.empty())
+            finding.fixes.push_back({name.span, meant, "did you mean", is_certain(name.parts.front(), meant, clocks)});
     }
     return nullptr;
 }
@@ -122,7 +125,7 @@ TypePtr Typer::since_entry(Expr& expr, Surroundings& around) {
         return around.machine != nullptr ? breadth_first(*around.machine, expr.name, kind) : nullptr;
     };
     expr.target = find(DeclKind::state);
-    if (expr.target == nullptr) {
+    if (expr.target == nullptr && !finder_.names().is_lost(expr.name)) {
         const State* final_state = find(DeclKind::final);
         const Declaration* component = component_around(around.place.inside);
         const std::string kind(component != nullptr ? to_text(component->kind) : "package");

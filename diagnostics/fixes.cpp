@@ -1,0 +1,37 @@
+// See fixes.hpp.
+#include "diagnostics/fixes.hpp"
+
+#include <algorithm>
+
+namespace robochart::diagnostics {
+
+std::vector<FixIt> certain_fixes(const Diagnostics& diagnostics, SourceId source) {
+    std::vector<FixIt> all;
+    for (const Diagnostic& finding : diagnostics.sorted())
+        if (!finding.fixes.empty() && finding.fixes.front().certain && finding.fixes.front().span.source == source)
+            all.push_back(finding.fixes.front());
+    std::stable_sort(all.begin(), all.end(),
+                     [](const FixIt& a, const FixIt& b) { return a.span.begin < b.span.begin; });
+    std::vector<FixIt> chosen;
+    for (FixIt& fix : all) {
+        // Two insertions at one place would have an order that nobody chose.
+        const bool free = chosen.empty() || fix.span.begin > chosen.back().span.end ||
+                          (fix.span.begin == chosen.back().span.end && fix.span.end > fix.span.begin &&
+                           chosen.back().span.end > chosen.back().span.begin);
+        if (free) chosen.push_back(std::move(fix));
+    }
+    return chosen;
+}
+
+std::string apply_fixes(std::string_view text, const std::vector<FixIt>& fixes) {
+    std::string out;
+    std::size_t at = 0;
+    for (const FixIt& fix : fixes) {
+        out += text.substr(at, fix.span.begin - at);
+        out += fix.replacement;
+        at = fix.span.end;
+    }
+    return out.append(text.substr(at));
+}
+
+}  // namespace robochart::diagnostics

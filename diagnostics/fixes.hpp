@@ -1,0 +1,18 @@
+// Applying mends to texts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::diagnostics {
+
+/// The certain mends of one source in the order of the text, no two of them touching the same place: the first mend of
+/// each finding, earlier ones first.
+[[nodiscard]] std::vector<FixIt> certain_fixes(const Diagnostics&, SourceId source);
+
+/// The text with the mends in it; they are sorted and do not overlap.
+[[nodiscard]] std::string apply_fixes(std::string_view text, const std::vector<FixIt>& fixes);
+
+}  // namespace robochart::diagnostics

@@ -1,0 +1,111 @@
+// One mistake, one message: every word of real models is left out, doubled by a stranger or replaced by one, and the
+// errors counted, those of resolution included.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "fixture.hpp"
+#include "frontend/lexer.hpp"
+
+namespace robochart::frontend {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Count {
+    std::size_t mutations = 0;
+    std::size_t above_one = 0;
+    std::size_t above_two = 0;
+    std::size_t most = 0;
+    std::string worst;
+
+    void add(std::size_t errors, const std::string& what) {
+        ++mutations;
+        above_one += errors > 1 ? 1U : 0U;
+        above_two += errors > 2 ? 1U : 0U;
+        if (errors <= most) return;
+        most = errors;
+        worst = what;
+    }
+    [[nodiscard]] double share(std::size_t part) const {
+        return mutations == 0 ? 1.0 : static_cast<double>(part) / static_cast<double>(mutations);
+    }
+};
+
+std::vector<fs::path> models() {
+    std::vector<fs::path> result;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ROBOCHART_SOURCE_DIR) / "corpus"))
+        if (entry.path().extension() == ".rct") result.push_back(entry.path());
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+std::size_t errors_of(const std::string& text) {
+    return testing::resolved(text)->findings.errors();
+}
+
+constexpr std::array<const char*, 12> strangers = {"}", "{", "(", ")", ";", ":", "=", ",", "state", "x", "42", "from"};
+
+/// Errors that a text has beyond those of the text it was made from.
+std::size_t new_errors(const std::string& text, std::size_t before) {
+    const std::size_t errors = errors_of(text);
+    return errors > before ? errors - before : 0;
+}
+
+TEST(Mutations, GiveOneMessageOrTwo) {
+    Count deleted;
+    Count inserted;
+    Count replaced;
+    std::size_t turn = 0;
+    for (const fs::path& path : models()) {
+        const std::string text = testing::slurp(path);
+        const std::size_t before = errors_of(text);
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics ignored;
+        const auto source = sources.add("m.rct", text);
+        const TokenStream stream = tokenize(sources, source, false, ignored);
+        for (const Token& token : stream.tokens) {
+            if (token.kind == TokenKind::end) break;
+            // A name put for another is no mistake of syntax, and may be wrong in as many places as it is used.
+            const std::string place = path.filename().string() + ":" +
+                                      std::to_string(sources.position(source, token.span.begin).line) + " `" +
+                                      std::string(token.text) + "`";
+            const std::size_t length = token.span.end - token.span.begin;
+            const std::string stranger = strangers.at(turn++ % strangers.size());
+            deleted.add(new_errors(std::string(text).erase(token.span.begin, length), before), place + " left out");
+            inserted.add(new_errors(std::string(text).insert(token.span.begin, stranger + " "), before),
+                         place + " after " + stranger);
+            if (token.kind == TokenKind::identifier && stranger == "x") continue;
+            replaced.add(new_errors(std::string(text).replace(token.span.begin, length, stranger + " "), before),
+                         place + " replaced by " + stranger);
+        }
+    }
+    for (const auto& [name, count] :
+         {std::pair("left out", deleted), std::pair("inserted", inserted), std::pair("replaced", replaced)}) {
+        RecordProperty(name, std::to_string(count.mutations));
+        std::printf("%-9s %6zu words: %.2f%% more than one message, %.2f%% more than two, at most %zu (%s)\n", name,
+                    count.mutations, 100 * count.share(count.above_one), 100 * count.share(count.above_two), count.most,
+                    count.worst.c_str());
+        EXPECT_LE(count.share(count.above_two), 0.02) << name;
+        EXPECT_LE(count.most, 5U) << name << ": " << count.worst;
+    }
+    EXPECT_GT(deleted.mutations, 500U);
+}
+
+/// What is wrong elsewhere is still found.
+TEST(Mutations, DoNotHideOtherMistakes) {
+    for (const char* mistake : {"interface J { event e : }", "stm A { state s { entry = } initial i }", "type",
+                                "} type B", "stm { initial i }", "interface J { var v nat }",
+                                "function f(x:) : nat { }", "controller C { connection a on }", "foo B { x }"}) {
+        const auto reading = testing::resolved(std::string(mistake) +
+                                               "\nstm S {\n  var v:nat\n  initial i\n  state s { entry v = true }\n"
+                                               "  junction j\n  transition t { from i to s }\n}\n");
+        EXPECT_NE(reading->codes().find("RC-T02@5"), std::string::npos) << reading->report();
+        EXPECT_NE(reading->codes().find("J1@6"), std::string::npos) << reading->report();
+        EXPECT_LE(reading->findings.errors(), 4U) << reading->report();
+    }
+}
+
+}  // namespace
+}  // namespace robochart::frontend
