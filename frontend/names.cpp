@@ -38,6 +38,17 @@ Names::Names(Model& model) {
     for (const auto& [full, declarations] : by_name_)
         for (const Declaration* declaration : declarations) by_simple_name_[declaration->name].push_back(declaration);
     std::sort(packages_.begin(), packages_.end());
+    // A clause that was not understood may have named an interface: what it declares is lost with it.
+    const auto lost = lost_;
+    for (const std::string& name : lost)
+        if (const auto* interface = dynamic_cast<const Context*>(anywhere(name, {DeclKind::interface}))) lose(*interface);
+}
+
+void Names::lose(const Context& interface) {
+    for (const auto& variable : interface.variables) lost_.insert(variable->name);
+    for (const auto& event : interface.events) lost_.insert(event->name);
+    for (const auto& clock : interface.clocks) lost_.insert(clock->name);
+    for (const auto& signature : interface.signatures) lost_.insert(signature->name);
 }
 
 void Names::enter_file(File& file) {

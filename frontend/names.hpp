@@ -55,6 +55,7 @@ public:
 
 private:
     void enter_file(File& file);
+    void lose(const Context& interface);
     void enter(Declaration& declaration, const Declaration* parent, const std::string& prefix);
     void enter_type(TypeDeclaration& type, const std::string& prefix);
     void enter_component(Component& component, const std::string& full);

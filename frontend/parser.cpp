@@ -283,13 +283,14 @@ std::size_t Parser::indentation(std::size_t token) const {
 
 /// With more closing braces than opening ones: is this one in the middle of a body that goes on behind it?
 bool Parser::stray_brace(std::size_t open) const {
-    if (surplus_ >= 0 || peek().first_on_line) return false;
+    if (surplus_ >= 0) return false;
     const std::string_view body =
         sources_.text(source_).substr(0, peek().span.begin).substr(tokens_.at(open).span.begin);
     if (body.find('\n') == std::string_view::npos) return false;
     const Token next = peek(1);
     if (next.is("}") || next.kind == TokenKind::end) return false;
-    return !next.first_on_line || indentation(at_ + 1) > indentation(open);
+    if (!next.first_on_line) return true;
+    return !peek().first_on_line && indentation(at_ + 1) > indentation(open);
 }
 
 void Parser::pass_stray_brace() {

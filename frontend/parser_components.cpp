@@ -24,6 +24,7 @@ void Parser::interface_clause(Context& context) {
     const std::string_view word = previous().text;
     for (;;) {
         clause.name = qualified_name("the name of an interface");
+        if (clause.name.parts.front().starts_with('?')) lost_declarations_ = true;  // and what it declares
         context.interfaces.push_back(clause);
         if (!at(",")) return;
         old_list(peek().span, word);
