@@ -26,12 +26,11 @@ struct Note {
     std::string message;
 };
 
-/// A mend: replace the span's text.
+/// A certain mend: replace the span's text.
 struct FixIt {
     Span span;
     std::string replacement;
     std::string title;
-    bool certain = true;  ///< false: a suggestion, not to be applied without asking
 };
 
 /// One finding. `rule` is never null.

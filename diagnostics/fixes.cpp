@@ -5,10 +5,14 @@
 
 namespace robochart::diagnostics {
 
+bool is_certain(const FixIt& fix) {
+    return fix.title != suggestion_title;
+}
+
 std::vector<FixIt> certain_fixes(const Diagnostics& diagnostics, SourceId source) {
     std::vector<FixIt> all;
     for (const Diagnostic& finding : diagnostics.sorted())
-        if (!finding.fixes.empty() && finding.fixes.front().certain && finding.fixes.front().span.source == source)
+        if (!finding.fixes.empty() && is_certain(finding.fixes.front()) && finding.fixes.front().span.source == source)
             all.push_back(finding.fixes.front());
     std::stable_sort(all.begin(), all.end(),
                      [](const FixIt& a, const FixIt& b) { return a.span.begin < b.span.begin; });

@@ -2,11 +2,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "diagnostics/diagnostic.hpp"
 
 namespace robochart::diagnostics {
+
+/// Title of a mend that is a guess; every other mend is certain.
+inline constexpr std::string_view suggestion_title = "did you mean";
+
+/// May it be applied without asking?
+[[nodiscard]] bool is_certain(const FixIt&);
 
 /// The certain mends of one source in the order of the text, no two of them touching the same place: the first mend of
 /// each finding, earlier ones first.

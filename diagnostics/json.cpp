@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnostics/fixes.hpp"
 #include "diagnostics/render.hpp"
 #include "diagnostics/utf8.hpp"
 
@@ -84,7 +85,7 @@ std::string json_diagnostic(const SourceManager& sources, const Diagnostic& diag
     };
     const auto fix = [&](const FixIt& f) {
         return fmt::format(R"({{"title":{},"replacement":{},"certain":{}{}}})", json_string(f.title),
-                           json_string(f.replacement), f.certain, place_members(sources, f.span));
+                           json_string(f.replacement), is_certain(f), place_members(sources, f.span));
     };
     return fmt::format(R"({{"code":{},"severity":"{}","message":{}{},"notes":{},"fixes":{}}})",
                        json_string(diagnostic.rule->code), severity_name(diagnostic.rule->severity),

@@ -87,7 +87,7 @@ diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_
     if (!is_core) meant = nearest(written, candidates);
     if (!meant.empty())
         finding.fixes.push_back(
-            {name.spans.back(), meant, "did you mean", is_core || is_certain(written, meant, candidates)});
+            {name.spans.back(), meant, suggested(is_core || is_certain(written, meant, candidates))});
     return finding;
 }
 

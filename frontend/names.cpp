@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "diagnostics/fixes.hpp"
+
 namespace robochart::frontend {
 
 namespace {
@@ -41,7 +43,8 @@ Names::Names(Model& model) {
     // A clause that was not understood may have named an interface: what it declares is lost with it.
     const auto lost = lost_;
     for (const std::string& name : lost)
-        if (const auto* interface = dynamic_cast<const Context*>(anywhere(name, {DeclKind::interface}))) lose(*interface);
+        if (const auto* interface = dynamic_cast<const Context*>(anywhere(name, {DeclKind::interface})))
+            lose(*interface);
 }
 
 void Names::lose(const Context& interface) {
@@ -213,6 +216,10 @@ bool is_certain(std::string_view name, std::string_view meant, const std::vector
     return std::none_of(candidates.begin(), candidates.end(), [&](const std::string& other) {
         return other != meant && other.size() <= name.size() + best && distance(name, other) <= best;
     });
+}
+
+std::string suggested(bool certain) {
+    return certain ? "write" : std::string(diagnostics::suggestion_title);
 }
 
 }  // namespace robochart::frontend

@@ -76,5 +76,7 @@ private:
 /// Is it certain that `meant` was meant: at most two letters away, and nothing else as near?
 [[nodiscard]] bool is_certain(std::string_view name, std::string_view meant,
                               const std::vector<std::string>& candidates);
+/// The title of a mend by another name.
+[[nodiscard]] std::string suggested(bool certain);
 
 }  // namespace robochart::frontend

@@ -320,7 +320,7 @@ void Parser::wrong_word(std::string_view what) {
     const bool certain = is_certain(peek().text, meant, words);
     diagnostics::Diagnostic* finding = report(syntax::unexpected, span, {std::string(what), found()});
     if (finding == nullptr || meant.empty()) throw SyntaxError{};
-    finding->fixes.push_back({span, std::string(meant), "did you mean", certain});
+    finding->fixes.push_back({span, std::string(meant), suggested(certain)});
     tokens_.mend(at_, TokenKind::keyword, meant);
     quiet_until_ = 0;
     mended_ = true;

@@ -151,7 +151,7 @@ void Resolver::connection_event(Connection::End& end, Ends& ends) {
     const std::vector<std::string> events = finder_.keys(scope.events);
     const std::string meant = nearest(end.event.text(), events);
     if (!meant.empty())
-        finding.fixes.push_back({end.event.span, meant, "did you mean", is_certain(end.event.text(), meant, events)});
+        finding.fixes.push_back({end.event.span, meant, suggested(is_certain(end.event.text(), meant, events))});
 }
 
 }  // namespace robochart::frontend

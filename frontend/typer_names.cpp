@@ -110,7 +110,7 @@ const Clock* Typer::clock(const QualifiedName& name, Surroundings& around, const
         const std::vector<std::string> clocks = finder_.keys(around.scope->clocks);
         const std::string meant = nearest(name.parts.front(), clocks);
         if (!meant.empty())
-            finding.fixes.push_back({name.span, meant, "did you mean", is_certain(name.parts.front(), meant, clocks)});
+            finding.fixes.push_back({name.span, meant, suggested(is_certain(name.parts.front(), meant, clocks))});
     }
     return nullptr;
 }

@@ -14,7 +14,7 @@ class Fixes : public ::testing::Test {
 protected:
     void add(std::uint32_t begin, std::uint32_t end, std::string text, bool certain = true) {
         findings_.report(rule, {source_, begin, end})
-            .fixes.push_back({{source_, begin, end}, std::move(text), "write", certain});
+            .fixes.push_back({{source_, begin, end}, std::move(text), certain ? "write" : "did you mean"});
     }
     [[nodiscard]] std::string mended() const {
         return apply_fixes(sources_.text(source_), certain_fixes(findings_, source_));

@@ -376,6 +376,25 @@ TEST(Parser, RefusesWhatIsNoText) {
     EXPECT_LE(noise->findings.errors(), 100'000U);
 }
 
+TEST(Parser, OddTextsGiveOneMessageOrNone) {
+    const Mistake odd[] = {{"", ""},
+                           {"\xEF\xBB\xBFtype A", ""},
+                           {"type A\r\ntype B\r\n", ""},
+                           {"type A\rtype B", ""},
+                           {"// nothing but this", ""},
+                           {"/* nothing but this */", ""},
+                           {"/*", "RC-P03@1"},
+                           {"type A /* /* */ type B", ""},
+                           {"type A\xEF\xBB\xBF", "RC-P05@1"},
+                           {"type \xED\xA0\x80", "RC-P05@1"},
+                           {"type A\n\xFF\xFE\n", "RC-P05@2"},
+                           {"\f", "RC-P05@1"},
+                           {"csp P csp-begin", "RC-P13@1", true},
+                           {"csp P csp-begin csp-end", "", true},
+                           {"csp P csp-end", "RC-P01@1", true}};
+    for (const Mistake& text : odd) EXPECT_EQ(read(text.text, text.is_assertions)->codes(), text.codes) << text.text;
+}
+
 TEST(Parser, ReadsALineOfTenMegabytesQuickly) {
     for (const std::string& text :
          {"type " + std::string(10'000'000, 'x') + " )", std::string(10'000'000, '9'), std::string(10'000'000, '{'),

@@ -1,0 +1,68 @@
+// The verb `validate` as a user runs it: outcomes, formats, mends.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+
+namespace robochart::app {
+namespace {
+
+using testing::run;
+using testing::TemporaryFile;
+
+constexpr const char* good =
+    "stm S {\n  var n : nat\n  initial i\n  state s { entry n = 1 }\n  transition t { from i to s }\n}\n";
+/// `bool`, `=` for `==`, `&&`, a misspelt variable and a trailing `;`.
+constexpr const char* bad =
+    "stm S {\n  var counter : nat, b : bool\n  initial i\n  state s { entry countr = 1; }\n  transition t { from i to "
+    "s }\n"
+    "  transition u { from s to s condition counter = 1 && true }\n}\n";
+
+std::string contents(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Validate, SaysNothingIsWrong) {
+    const TemporaryFile file("m.rct", good);
+    const auto ran = run({"validate", file.path()});
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_EQ(ran.out, "valid\n");
+}
+
+TEST(Validate, ReportsInEveryFormat) {
+    const TemporaryFile file("m.rct", bad);
+    const auto text = run({"validate", file.path()});
+    EXPECT_EQ(text.exit, 2);
+    EXPECT_NE(text.err.find("error[RC-P21]"), std::string::npos) << text.err;
+    EXPECT_EQ(text.err.find('\x1b'), std::string::npos);
+    EXPECT_EQ(text.out, "");
+    const auto json = run({"validate", "--format", "json", file.path()});
+    EXPECT_EQ(json.exit, 2);
+    EXPECT_EQ(nlohmann::json::parse(json.out).at("schema"), "robochart-verify/diagnostics/1");
+    const auto sarif = run({"validate", "--format", "sarif", file.path()});
+    EXPECT_EQ(sarif.exit, 2);
+    EXPECT_EQ(nlohmann::json::parse(sarif.out).at("version"), "2.1.0");
+    EXPECT_EQ(run({"validate"}).exit, 4);
+    EXPECT_EQ(run({"validate", "/nowhere"}).exit, 2);
+}
+
+TEST(Validate, FixMendsWhatIsCertainAndReportsTheRest) {
+    const TemporaryFile file("m.rct", bad);
+    auto ran = run({"validate", "--fix", file.path()});
+    // What the syntax hid shows after the first round.
+    ran = run({"validate", "--fix", file.path()});
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_EQ(contents(file.path()),
+              "stm S {\n  var counter : nat, b : boolean\n  initial i\n  state s { entry counter = 1 }\n"
+              "  transition t { from i to s }\n  transition u { from s to s condition counter == 1 /\\ true }\n}\n");
+    const std::string before = contents(file.path());
+    EXPECT_EQ(run({"validate", "--fix", file.path()}).exit, 0);
+    EXPECT_EQ(contents(file.path()), before);
+}
+
+}  // namespace
+}  // namespace robochart::app
