@@ -46,6 +46,10 @@ Parser::Parser(const diagnostics::SourceManager& sources, diagnostics::SourceId 
     tokens_ = std::move(stream.tokens);
     comments_ = std::move(stream.comments);
     lexical_errors_ = out.errors() > errors;
+    if (lexical_errors_)
+        for (const diagnostics::Diagnostic& finding : out.sorted())
+            if (finding.span.source == source && finding.rule == &syntax::strange_character)
+                strange_.push_back(finding.span.begin);
     for (const Token& token : tokens_) {
         if (token.kind != TokenKind::symbol) continue;
         if (token.text == "{" || token.text == "<{") ++surplus_;
@@ -199,7 +203,7 @@ std::string Parser::found() const {
 
 diagnostics::Diagnostic* Parser::report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
     ++failures_;
-    if (at_ < quiet_until_) {
+    if (at_ < quiet_until_ || behind_strange_characters()) {
         // What was put in did not help: the mend was none.
         if (inserted_ != nullptr) inserted_->fixes.clear();
         inserted_ = nullptr;
@@ -212,6 +216,13 @@ diagnostics::Diagnostic* Parser::report(const diagnostics::Rule& rule, Span span
         throw GiveUp{};
     }
     return &out_.report(rule, span, std::move(arguments));
+}
+
+/// Where characters were left out that belong to no word, the message about them is enough.
+bool Parser::behind_strange_characters() const {
+    const std::uint32_t from = at_ > 0 ? previous().span.end : 0;
+    const auto first = std::lower_bound(strange_.begin(), strange_.end(), from);
+    return first != strange_.end() && *first < std::max(from + 1, peek().span.begin);
 }
 
 void Parser::fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
@@ -294,11 +305,11 @@ bool Parser::stray_brace(std::size_t open) const {
 }
 
 void Parser::pass_stray_brace() {
-    quiet_until_ = 0;
     if (diagnostics::Diagnostic* finding = report(syntax::stray_bracket, peek().span))
         finding->fixes.push_back({peek().span, "", "remove it"});
     ++surplus_;
     advance();
+    quiet_until_ = at_ + 3;
 }
 
 /// The word of the grammar that a misspelt name is near to; "" if there is none.

@@ -88,6 +88,7 @@ private:
     diagnostics::Diagnostic* missing(std::string_view what);
     [[nodiscard]] Span missing_place() const;
     void needs_parentheses(std::string_view what, Span span);
+    [[nodiscard]] bool behind_strange_characters() const;
     void forget(std::size_t begin, std::size_t end);
     bool neural_construct();
     [[nodiscard]] std::size_t indentation(std::size_t token) const;
@@ -258,9 +259,11 @@ private:
     std::size_t forgotten_ = 0;  ///< mistakes whose surroundings are among the lost names
     std::vector<std::string> lost_names_;
     bool lost_declarations_ = false;
+    bool orphans_ = false;  ///< the last member of the file belonged into a body
     long surplus_ = 0;  ///< opening braces without a closing one; negative: closing ones too many
     diagnostics::Diagnostic* inserted_ = nullptr;  ///< the mistake that was mended by taking a word for written
     bool lexical_errors_ = false;
+    std::vector<std::uint32_t> strange_;  ///< places of characters that belong to no word
     bool mended_ = false;  ///< the word here was misspelt and is now right
 };
 

@@ -1,6 +1,8 @@
 // Files, packages, imports, types, functions, interfaces, platforms (RoboChart.xtext: RCPackage to RoboticPlatform).
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "frontend/parser.hpp"
 #include "frontend/syntax_rules.hpp"
 
@@ -31,6 +33,11 @@ void Parser::diagram(File& file) {
 /// One member of a file; skips to the next declaration after a mistake.
 void Parser::top_level(File& file) {
     const std::size_t start = at_;
+    const bool orphan =
+        at("}") || (at_member_word() && !at("stm") && !at("operation") && !at("controller") && !at("robotic"));
+    // The members of one body that was closed too early are one mistake.
+    if (orphan && orphans_) quiet_until_ = std::max(quiet_until_, at_ + 1);
+    orphans_ = orphan;
     const bool read = guarded([&] {
         if (at("import")) return import(file);
         if (at("diagram")) return diagram(file);

@@ -19,14 +19,18 @@ struct Count {
     std::size_t above_two = 0;
     std::size_t most = 0;
     std::string worst;
+    std::string report;
 
-    void add(std::size_t errors, const std::string& what) {
+    void add(const std::string& text, std::size_t before, const std::string& what) {
+        const auto reading = testing::resolved(text);
+        const std::size_t errors = reading->findings.errors() - std::min(before, reading->findings.errors());
         ++mutations;
         above_one += errors > 1 ? 1U : 0U;
         above_two += errors > 2 ? 1U : 0U;
         if (errors <= most) return;
         most = errors;
         worst = what;
+        report = reading->report();
     }
     [[nodiscard]] double share(std::size_t part) const {
         return mutations == 0 ? 1.0 : static_cast<double>(part) / static_cast<double>(mutations);
@@ -46,12 +50,6 @@ std::size_t errors_of(const std::string& text) {
 }
 
 constexpr std::array<const char*, 12> strangers = {"}", "{", "(", ")", ";", ":", "=", ",", "state", "x", "42", "from"};
-
-/// Errors that a text has beyond those of the text it was made from.
-std::size_t new_errors(const std::string& text, std::size_t before) {
-    const std::size_t errors = errors_of(text);
-    return errors > before ? errors - before : 0;
-}
 
 TEST(Mutations, GiveOneMessageOrTwo) {
     Count deleted;
@@ -73,11 +71,11 @@ TEST(Mutations, GiveOneMessageOrTwo) {
                                       std::string(token.text) + "`";
             const std::size_t length = token.span.end - token.span.begin;
             const std::string stranger = strangers.at(turn++ % strangers.size());
-            deleted.add(new_errors(std::string(text).erase(token.span.begin, length), before), place + " left out");
-            inserted.add(new_errors(std::string(text).insert(token.span.begin, stranger + " "), before),
+            deleted.add(std::string(text).erase(token.span.begin, length), before, place + " left out");
+            inserted.add(std::string(text).insert(token.span.begin, stranger + " "), before,
                          place + " after " + stranger);
             if (token.kind == TokenKind::identifier && stranger == "x") continue;
-            replaced.add(new_errors(std::string(text).replace(token.span.begin, length, stranger + " "), before),
+            replaced.add(std::string(text).replace(token.span.begin, length, stranger + " "), before,
                          place + " replaced by " + stranger);
         }
     }
@@ -88,7 +86,7 @@ TEST(Mutations, GiveOneMessageOrTwo) {
                     count.mutations, 100 * count.share(count.above_one), 100 * count.share(count.above_two), count.most,
                     count.worst.c_str());
         EXPECT_LE(count.share(count.above_two), 0.02) << name;
-        EXPECT_LE(count.most, 5U) << name << ": " << count.worst;
+        EXPECT_LE(count.most, 5U) << name << ": " << count.worst << "\n" << count.report;
     }
     EXPECT_GT(deleted.mutations, 500U);
 }

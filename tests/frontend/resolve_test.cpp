@@ -272,8 +272,8 @@ TEST(Names, SuggestsWhatWasMeant) {
 TEST(Names, ManyUnknownNamesStayCheap) {
     std::string text = "interface I {\n";
     for (int i = 0; i < 5'000; ++i)
-        text +=
-            "var v" + std::to_string(i) + " : T" + std::to_string(i) + " const c" + std::to_string(i) + " : nat = q\n";
+        text += "var v" + std::to_string(i) + " : T" + std::to_string(i) + " const c" + std::to_string(i) +
+                " : nat = q" + std::to_string(i) + "\n";
     EXPECT_EQ(resolved(text + "}")->findings.errors(), 10'000U);
 }
 
