@@ -14,6 +14,13 @@ std::string qualified(const std::string& prefix, std::string_view name) {
     return prefix.empty() ? std::string(name) : prefix + "::" + std::string(name);
 }
 
+std::size_t parts_of(std::string_view full_name) {
+    std::size_t parts = 1;
+    for (std::size_t at = full_name.find("::"); at != std::string_view::npos; at = full_name.find("::", at + 2))
+        ++parts;
+    return parts;
+}
+
 void adopt_context(Context& context) {
     for (auto& variable : context.variables) variable->parent = &context;
     for (auto& event : context.events) event->parent = &context;
@@ -40,6 +47,8 @@ Names::Names(const Model& model) {
     for (const auto& [full, declarations] : by_name_)
         for (const Declaration* declaration : declarations) by_simple_name_[declaration->name].push_back(declaration);
     std::sort(packages_.begin(), packages_.end());
+    for (const auto& [full, declarations] : by_name_) most_parts_ = std::max(most_parts_, parts_of(full));
+    for (const std::string& package : packages_) most_parts_ = std::max(most_parts_, parts_of(package));
     // A clause that was not understood may have named an interface: what it declares is lost with it.
     const auto lost = lost_;
     for (const std::string& name : lost)

@@ -51,6 +51,8 @@ public:
     [[nodiscard]] bool has_package(const std::string& name) const;
     /// May it be declared in text that was not understood? Then nothing is known about it.
     [[nodiscard]] bool is_lost(const QualifiedName& name) const;
+    /// Parts of the longest full name or package: what is written with more names no declaration as a whole.
+    [[nodiscard]] std::size_t most_parts() const { return most_parts_; }
     [[nodiscard]] const std::map<std::string, std::vector<const Declaration*>>& entries() const { return by_name_; }
 
 private:
@@ -69,6 +71,7 @@ private:
     std::vector<std::string> packages_;
     std::set<std::string, std::less<>> lost_;
     bool lost_declarations_ = false;
+    std::size_t most_parts_ = 0;
 };
 
 /// The candidate nearest to a misspelt name, if it is near enough to be meant; "" otherwise.

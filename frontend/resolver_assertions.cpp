@@ -156,7 +156,8 @@ Way AssertionResolver::way(const QualifiedName& name) const {
         Way found = walk({{{top}, nullptr}, 0}, name, parts);
         if (found.used > best.used) best = std::move(found);
     };
-    for (std::size_t parts = 1; parts <= name.parts.size(); ++parts)
+    const std::size_t most = std::min(name.parts.size(), finder_.names().most_parts());
+    for (std::size_t parts = 1; parts <= most; ++parts)
         try_top(finder_.names().find({file_, nullptr}, first_parts(name, parts), component_kinds), parts);
     if (best.used == 0 && !name.empty()) try_top(in_some_package(name.parts.front()), 1);
     return best;
@@ -216,7 +217,7 @@ void AssertionResolver::unknown(const QualifiedName& name, const Way& way) {
     }
     // The first part after a package is the one that is wrong.
     std::size_t wrong = 0;
-    for (std::size_t parts = 1; parts < name.parts.size(); ++parts)
+    for (std::size_t parts = 1; parts < std::min(name.parts.size(), finder_.names().most_parts() + 1); ++parts)
         if (finder_.names().has_package(first_parts(name, parts).text())) wrong = parts;
     auto& finding =
         finder_.out().report(rules::unknown_component, name.span, {"component or csp process", name.text(), ""});

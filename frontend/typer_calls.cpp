@@ -94,7 +94,9 @@ TypePtr Typer::member(Expr& expr, Surroundings& around) {
         }
     auto& finding = finder_.out().report(rules::no_field, expr.span, {to_string(owner), expr.text});
     const std::string meant = nearest(expr.text, fields);
-    if (!meant.empty()) finding.notes.push_back({{}, fmt::format("did you mean `{}`?", meant)});
+    const auto written = static_cast<std::uint32_t>(expr.text.size());
+    if (!meant.empty())
+        finding.fixes.push_back({{expr.span.source, expr.span.end - written, expr.span.end}, meant, "did you mean"});
     return nullptr;
 }
 
