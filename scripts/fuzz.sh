@@ -85,7 +85,7 @@ for target in "${targets[@]}"; do
   executions=0
   while [ "$((seconds - spent))" -gt 5 ]; do
     if ! run "$target" "$((seconds - spent))"; then
-      echo "$target: FOUND something, see build/fuzz/$target.log and build/fuzz/found/$target" >&2
+      echo "$target: NOT WELL: see the end of build/fuzz/$target.log, and the input in build/fuzz/found/$target" >&2
       status=1
       break
     fi
