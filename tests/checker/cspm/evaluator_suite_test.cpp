@@ -1,9 +1,7 @@
 // The evaluator on the published scripts: names that begin with `test` are true; faulty scripts give an error.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "checker/cspm/build.hpp"
 #include "checker/cspm/session.hpp"
@@ -14,16 +12,8 @@ namespace {
 
 std::vector<std::string> files_expected(const std::filesystem::path& suite, const std::string& verdict) {
     std::vector<std::string> result;
-    std::ifstream table(suite / "EXPECTED.tsv");
-    std::string line;
-    while (std::getline(table, line)) {
-        std::istringstream row(line);
-        std::string phase, expectation, file;
-        std::getline(row, phase, '\t');
-        std::getline(row, expectation, '\t');
-        std::getline(row, file, '\t');
-        if (phase == "evaluator" && expectation == verdict) result.push_back(file);
-    }
+    for (const PublishedScript& script : published_scripts(suite))
+        if (script.phase == "evaluator" && script.expectation == verdict) result.push_back(script.file);
     return result;
 }
 

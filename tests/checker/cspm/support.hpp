@@ -1,8 +1,12 @@
 // Helpers for the tests of the CSPM language.
 #pragma once
 
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "checker/cspm/reader.hpp"
 #include "diagnostics/diagnostic.hpp"
@@ -34,6 +38,29 @@ inline std::filesystem::path shared_folder() {
     const std::filesystem::path worktree = std::filesystem::path(ROBOCHART_SOURCE_DIR) / ".." / ".." / "shared";
     if (std::filesystem::exists(beside)) return beside;
     return std::filesystem::exists(worktree) ? worktree : std::filesystem::path();
+}
+
+/// A row of suite/cspm/EXPECTED.tsv.
+struct PublishedScript {
+    std::string phase;        ///< parser, typechecker, evaluator …
+    std::string expectation;  ///< accept or reject
+    std::string file;         ///< below suite/cspm
+};
+
+/// All rows, in order; the heading is left out.
+inline std::vector<PublishedScript> published_scripts(const std::filesystem::path& suite) {
+    std::vector<PublishedScript> result;
+    std::ifstream table(suite / "EXPECTED.tsv");
+    std::string line;
+    std::getline(table, line);
+    while (std::getline(table, line)) {
+        std::istringstream row(line);
+        PublishedScript& script = result.emplace_back();
+        std::getline(row, script.phase, '\t');
+        std::getline(row, script.expectation, '\t');
+        std::getline(row, script.file, '\t');
+    }
+    return result;
 }
 
 }  // namespace robochart::cspm::test
