@@ -92,15 +92,6 @@ constexpr std::array rows{
     Row{"dbisim", "(Proc) -> Proc"},
 };
 
-TypeKind named(std::string_view name) {
-    if (name == "Int") return TypeKind::integer;
-    if (name == "Bool") return TypeKind::boolean;
-    if (name == "Char") return TypeKind::character;
-    if (name == "Proc") return TypeKind::process;
-    if (name == "Event") return TypeKind::event;
-    return TypeKind::variable;
-}
-
 // A closed type: its variables become quantified ones.
 class Builder {
 public:
@@ -123,7 +114,7 @@ private:
     }
 
     TypeId name(const std::string& name) {
-        if (const TypeKind kind = named(name); kind != TypeKind::variable) return store_.atom(kind);
+        if (const TypeKind kind = primitive_kind(name); kind != TypeKind::variable) return store_.atom(kind);
         for (const auto& [known, variable] : variables_) {
             if (known == name) return variable;
         }

@@ -206,19 +206,6 @@ TypeVariable* NameResolver::type_variable(const std::string& name, Annotation& i
     return nullptr;
 }
 
-namespace {
-
-TypeKind named_kind(const std::string& name) {
-    if (name == "Int") return TypeKind::integer;
-    if (name == "Bool") return TypeKind::boolean;
-    if (name == "Char") return TypeKind::character;
-    if (name == "Proc") return TypeKind::process;
-    if (name == "Event") return TypeKind::event;
-    return TypeKind::variable;
-}
-
-}  // namespace
-
 TypeTerm NameResolver::named_type(const WrittenType& written, Annotation& into) {
     TypeTerm result;
     if (written.name.find("::") != std::string::npos) {
@@ -238,7 +225,7 @@ TypeTerm NameResolver::named_type(const WrittenType& written, Annotation& into) 
         result.kind = TypeKind::datatype;
         return result;
     }
-    result.kind = named_kind(written.name);
+    result.kind = primitive_kind(written.name);
     if (result.kind == TypeKind::variable) result.variable = type_variable(written.name, into, true);
     return result;
 }

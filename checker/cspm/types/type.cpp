@@ -10,6 +10,15 @@ namespace {
 constexpr auto kinds = static_cast<std::uint32_t>(TypeKind::complete) + 1;
 }
 
+TypeKind primitive_kind(std::string_view name) {
+    if (name == "Int") return TypeKind::integer;
+    if (name == "Bool") return TypeKind::boolean;
+    if (name == "Char") return TypeKind::character;
+    if (name == "Proc") return TypeKind::process;
+    if (name == "Event") return TypeKind::event;
+    return TypeKind::variable;
+}
+
 // The first nodes are the atoms, at the index of their kind.
 TypeStore::TypeStore() {
     for (std::uint32_t kind = 0; kind < kinds; ++kind) {

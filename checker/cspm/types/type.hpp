@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,9 @@ enum class TypeKind : std::uint8_t {
     extendable,  ///< result, variable that gathers the arguments
     complete,    ///< in place of an extendable's variable: no more arguments
 };
+
+/// The type that CSPM names so: Int, Bool, Char, Proc or Event; `variable` for any other name.
+[[nodiscard]] TypeKind primitive_kind(std::string_view name);
 
 /// Constraints on a type, a set of bits. Eq implies Set.
 using Constraints = std::uint8_t;
