@@ -222,7 +222,7 @@ void AssertionResolver::unknown(const QualifiedName& name, const Way& way) {
     auto& finding =
         finder_.out().report(rules::unknown_component, name.span, {"component or csp process", name.text(), ""});
     const std::string meant = nearest(name.parts[wrong], known_names());
-    if (!meant.empty()) finding.fixes.push_back({name.spans[wrong], meant, "did you mean"});
+    if (!meant.empty()) finding.fixes.push_back({name.spans[wrong], meant, suggested(false)});
 }
 
 void AssertionResolver::unknown_part(const QualifiedName& name, const Way& way) {
@@ -241,7 +241,7 @@ void AssertionResolver::unknown_part(const QualifiedName& name, const Way& way) 
         for (const Declaration* part : component->order)
             if (is_component(part)) candidates.push_back(part->name);
     const std::string meant = nearest(name.parts[way.used], candidates);
-    if (!meant.empty()) finding.fixes.push_back({name.spans[way.used], meant, "did you mean"});
+    if (!meant.empty()) finding.fixes.push_back({name.spans[way.used], meant, suggested(false)});
     finding.notes.push_back({behind->name_span, fmt::format("`{}` is declared here", behind->name)});
 }
 
@@ -286,7 +286,7 @@ void AssertionResolver::reachable(Assertion& assertion) {
     if (const auto* machine = followed<Machine>(assertion.subject_path.steps.back()))
         collect_states(*machine, candidates);
     const std::string meant = nearest(assertion.other.parts.back(), candidates);
-    if (!meant.empty()) finding.fixes.push_back({assertion.other.spans.back(), meant, "did you mean"});
+    if (!meant.empty()) finding.fixes.push_back({assertion.other.spans.back(), meant, suggested(false)});
 }
 
 /// `clock X::S::C is initialised`
@@ -307,7 +307,7 @@ void AssertionResolver::clock(Assertion& assertion) {
     }
     auto& finding = finder_.out().report(rules::no_clock, name.span, {name.text()});
     const std::string meant = nearest(name.parts.back(), candidates);
-    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, "did you mean"});
+    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, suggested(false)});
 }
 
 // ---------------------------------------------------------------- constants
@@ -345,7 +345,7 @@ const Variable* AssertionResolver::constant(const AssertionParameter& parameter,
                                          {std::string(to_text(context.kind)), context.name,
                                           parameter.constant ? "constant" : "parameter", parameter.name.text()});
     const std::string meant = nearest(parameter.name.parts.back(), candidates);
-    if (!meant.empty()) finding.fixes.push_back({parameter.name.spans.back(), meant, "did you mean"});
+    if (!meant.empty()) finding.fixes.push_back({parameter.name.spans.back(), meant, suggested(false)});
     finding.notes.push_back({context.name_span, fmt::format("`{}` is declared here", context.name)});
     return nullptr;
 }

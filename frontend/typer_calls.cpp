@@ -96,7 +96,7 @@ TypePtr Typer::member(Expr& expr, Surroundings& around) {
     const std::string meant = nearest(expr.text, fields);
     const auto written = static_cast<std::uint32_t>(expr.text.size());
     if (!meant.empty())
-        finding.fixes.push_back({{expr.span.source, expr.span.end - written, expr.span.end}, meant, "did you mean"});
+        finding.fixes.push_back({{expr.span.source, expr.span.end - written, expr.span.end}, meant, suggested(false)});
     return nullptr;
 }
 
