@@ -51,9 +51,9 @@ bool is_kind(const Connection::End& end, DeclKind kind) {
 void check_asynchrony(const Component& component, const Connection& connection, Diagnostics& out) {
     const bool platform = is_kind(connection.from, DeclKind::platform) || is_kind(connection.to, DeclKind::platform);
     if (component.kind == DeclKind::module && platform && !connection.async) {
-        const Span end{connection.span.source, connection.span.end, connection.span.end};
+        const Span& event = connection.to.event.span;  // `[mult]` may follow
         out.report(rules::cn2, connection.span, {connection.from.node.text(), connection.to.node.text()})
-            .fixes.push_back({end, " (_async)", "append"});
+            .fixes.push_back({{event.source, event.end, event.end}, " (_async)", "insert"});
     }
     const bool machines =
         is_kind(connection.from, DeclKind::state_machine) && is_kind(connection.to, DeclKind::state_machine);

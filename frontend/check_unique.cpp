@@ -1,4 +1,8 @@
-// Declarations that share a name (published as RP3, I3, C5, STM5, O1): a warning at each but the first.
+// Declarations that share a name (published as RP3, I3, C5, STM5, O1): one warning a name, at the second place,
+// with notes to the others.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
 
 #include "frontend/checks.hpp"
@@ -9,20 +13,36 @@ namespace robochart::frontend {
 
 namespace {
 
+/// The places where one name is declared, the first of them first.
+using Places = std::vector<Span>;
+
+void report(std::string_view name, const Places& places, Diagnostics& out) {
+    constexpr std::size_t max_shown = 8;
+    if (places.size() < 2) return;
+    auto& finding = out.report(rules::not_unique, places[1], {std::string(name)});
+    finding.notes.push_back({places[0], "first declared here"});
+    for (std::size_t i = 2; i < std::min(places.size(), max_shown); ++i)
+        finding.notes.push_back({places[i], "declared again here"});
+    if (places.size() > max_shown)
+        finding.notes.push_back({{}, fmt::format("and at {} more places", places.size() - max_shown)});
+}
+
+/// Names as they are declared; told once each, in the order of names.
 class Seen {
 public:
     explicit Seen(Diagnostics& out) : out_(out) {}
-
-    void add(const Declaration& declaration) {
-        const auto [first, fresh] = first_.emplace(declaration.name, &declaration);
-        if (fresh) return;
-        out_.report(rules::not_unique, declaration.name_span, {declaration.name})
-            .notes.push_back({first->second->name_span, "first declared here"});
+    ~Seen() {
+        for (const auto& [name, places] : places_) report(name, places, out_);
     }
+    Seen(const Seen&) = delete;
+    Seen& operator=(const Seen&) = delete;
+
+    void add(std::string_view name, const Span& place) { places_[name].push_back(place); }
+    void add(const Declaration& declaration) { add(declaration.name, declaration.name_span); }
 
 private:
     Diagnostics& out_;
-    std::map<std::string_view, const Declaration*> first_;
+    std::map<std::string_view, Places> places_;
 };
 
 void check_members(const Context& context, Diagnostics& out) {
@@ -59,24 +79,57 @@ bool clash(const Declaration& a, const Declaration& b) {
 }  // namespace
 
 void check_unique(const File& file, Diagnostics& out) {
-    std::map<std::string_view, const Assertion*> seen;
-    for (const Assertion& assertion : file.assertions) {
-        const auto [first, fresh] = seen.emplace(assertion.name, &assertion);
-        if (fresh) continue;
-        out.report(rules::not_unique, assertion.name_span, {assertion.name})
-            .notes.push_back({first->second->name_span, "first declared here"});
+    Seen assertions(out);
+    for (const Assertion& assertion : file.assertions) assertions.add(assertion.name, assertion.name_span);
+}
+
+namespace {
+
+/// Declarations under one full name: each kind of them is told by itself.
+void check_entry(const Names& names, const std::string& full, const std::vector<const Declaration*>& declarations,
+                 Diagnostics& out) {
+    std::vector<std::vector<const Declaration*>> groups;
+    for (const Declaration* declaration : declarations) {
+        // A literal is entered twice when its enumeration has its own name.
+        if (declaration->kind == DeclKind::enum_literal && full != names.full_name(declaration)) continue;
+        const auto group =
+            std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return clash(*g.front(), *declaration); });
+        if (group == groups.end())
+            groups.push_back({declaration});
+        else if (std::find(group->begin(), group->end(), declaration) == group->end())
+            group->push_back(declaration);
+    }
+    for (const auto& group : groups) {
+        Places places;
+        for (const Declaration* declaration : group) places.push_back(declaration->name_span);
+        report(group.front()->name, places, out);
     }
 }
 
-void check_unique(const Names& names, Diagnostics& out) {
+/// The csp blocks of all files are parts of one script. A name may stand for a timed and for an untimed process.
+void check_blocks(const Model& model, Diagnostics& out) {
+    std::map<std::string_view, std::vector<const CspBlock*>> blocks;
+    for (const auto& file : model.files)
+        for (const CspBlock& block : file->csp_blocks) blocks[block.name].push_back(&block);
+    const auto meet = [](const CspBlock& a, const CspBlock& b) {
+        return a.time == b.time || a.time == AssertionTime::both || b.time == AssertionTime::both;
+    };
+    for (const auto& [name, all] : blocks) {
+        Places places;
+        for (const CspBlock* block : all)
+            if (std::any_of(all.begin(), all.end(),
+                            [&](const CspBlock* other) { return other != block && meet(*block, *other); }))
+                places.push_back(block->name_span);
+        report(name, places, out);
+    }
+}
+
+}  // namespace
+
+void check_unique(const Model& model, const Names& names, Diagnostics& out) {
+    check_blocks(model, out);
     for (const auto& [full, declarations] : names.entries()) {
-        for (std::size_t i = 1; i < declarations.size(); ++i) {
-            // A literal is entered twice when its enumeration has its own name.
-            if (declarations[i] == declarations[0] || !clash(*declarations[0], *declarations[i])) continue;
-            if (declarations[i]->kind == DeclKind::enum_literal && full != names.full_name(declarations[i])) continue;
-            out.report(rules::not_unique, declarations[i]->name_span, {declarations[i]->name})
-                .notes.push_back({declarations[0]->name_span, "first declared here"});
-        }
+        check_entry(names, full, declarations, out);
         for (const Declaration* declaration : declarations) {
             if (const auto* context = dynamic_cast<const Context*>(declaration)) check_members(*context, out);
             if (const auto* machine = dynamic_cast<const Machine*>(declaration)) check_node_names(*machine, out);

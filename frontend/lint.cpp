@@ -64,12 +64,13 @@ private:
         for (const auto& part : component.operations) declaration(file, *part);
         if (!whole_) return;
         lint_events(component, out_);
-        if (component.kind == DeclKind::controller) lint_operations(component, out_);
+        if (component.kind == DeclKind::controller) lint_operations(component, told_, out_);
     }
 
     WrittenBy written_by_;
     const Names& names_;
     Diagnostics& out_;
+    Told told_;
     bool whole_;  ///< no file has errors
 };
 

@@ -30,7 +30,8 @@ bool can_end(const Machine& operation) {
 
 class Calls {
 public:
-    Calls(const std::map<std::string_view, const Machine*>& endless, Diagnostics& out) : endless_(endless), out_(out) {}
+    Calls(const std::map<std::string_view, const Machine*>& endless, Told& told, Diagnostics& out)
+        : endless_(endless), told_(told), out_(out) {}
 
     void check(const NodeContainer& container) {
         for (const auto& node : container.nodes) {
@@ -47,24 +48,25 @@ private:
         walk(action, [&](const Stmt& statement) {
             if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
             const auto called = endless_.find(statement.declaration->name);
-            if (called == endless_.end()) return;
+            if (called == endless_.end() || !told_.insert(&statement).second) return;
             out_.report(rules::w_endless, statement.span, {statement.declaration->name})
                 .notes.push_back({called->second->name_span, "defined here, without a final state that is reached"});
         });
     }
 
     const std::map<std::string_view, const Machine*>& endless_;
+    Told& told_;
     Diagnostics& out_;
 };
 
 }  // namespace
 
-void lint_operations(const Component& controller, Diagnostics& out) {
+void lint_operations(const Component& controller, Told& told, Diagnostics& out) {
     std::map<std::string_view, const Machine*> endless;
     for (const Machine* operation : defined_operations(controller))
         if (!operation->nodes.empty() && !can_end(*operation)) endless.emplace(operation->name, operation);
     if (endless.empty()) return;
-    Calls calls(endless, out);
+    Calls calls(endless, told, out);
     for (const Declaration* part : controller.order)
         if (const auto* machine = followed<Machine>(part)) calls.check(*machine);
 }

@@ -73,7 +73,8 @@ void lint_statements(const Machine& machine, Diagnostics& out);
 void lint_unused(const Model& model, Diagnostics& out);
 /// RC-W01, RC-W17: events that get no further than a part of a controller or module.
 void lint_events(const Component& component, Diagnostics& out);
-/// RC-W13.
-void lint_operations(const Component& controller, Diagnostics& out);
+/// RC-W13. Machines that several controllers refer to are looked at in each; `told` are the calls reported so far.
+using Told = std::unordered_set<const Stmt*>;
+void lint_operations(const Component& controller, Told& told, Diagnostics& out);
 
 }  // namespace robochart::frontend

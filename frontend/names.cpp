@@ -179,6 +179,12 @@ bool Names::has_package(const std::string& name) const {
     return std::binary_search(packages_.begin(), packages_.end(), name);
 }
 
+bool Names::leads_to_package(const std::string& name) const {
+    if (has_package(name)) return true;
+    const auto inner = std::lower_bound(packages_.begin(), packages_.end(), name + "::");
+    return inner != packages_.end() && inner->starts_with(name + "::");
+}
+
 namespace {
 
 /// Edit distance with transpositions of neighbours (optimal string alignment).

@@ -49,6 +49,10 @@ public:
     [[nodiscard]] std::string full_name(const Declaration* declaration) const;
     /// Is there a file of this package?
     [[nodiscard]] bool has_package(const std::string& name) const;
+    /// Is it a package, or does one begin with it (`A` of `A::B`)?
+    [[nodiscard]] bool leads_to_package(const std::string& name) const;
+    /// The packages that have files, sorted; "" is the unnamed one.
+    [[nodiscard]] const std::vector<std::string>& packages() const { return packages_; }
     /// May it be declared in text that was not understood? Then nothing is known about it.
     [[nodiscard]] bool is_lost(const QualifiedName& name) const;
     /// Parts of the longest full name or package: what is written with more names no declaration as a whole.

@@ -163,6 +163,7 @@ void Parser::add_part(QualifiedName& result, std::string_view what) {
     if (reserved && followed && !at_follower()) {
         if (diagnostics::Diagnostic* finding = report(syntax::reserved_name, span, {part}))
             finding->fixes.push_back({span, "^" + part, "escape it"});
+        lost_names_.push_back(part);  // that there is nothing of this name is no second mistake
     } else if (token.kind != TokenKind::identifier) {
         span = missing_place();
         span.end = span.begin;
@@ -180,6 +181,9 @@ void Parser::add_part(QualifiedName& result, std::string_view what) {
 bool Parser::at_follower() const {
     constexpr std::array<std::string_view, 8> followers = {"to",        "on",     "from", "trigger",
                                                            "condition", "action", "is",   "in"};
+    constexpr std::array<std::string_view, 8> members = {"var",  "const",    "event",    "clock",
+                                                         "uses", "requires", "provides", "transition"};
+    if (among(peek(), members) && peek(1).kind == TokenKind::identifier && !peek(1).first_on_line) return true;
     return among(peek(), followers) && (peek(1).kind == TokenKind::identifier || peek(1).kind == TokenKind::keyword);
 }
 

@@ -46,7 +46,8 @@ void resolve(Model& model, diagnostics::Diagnostics& out) {
     const Names names(model);
     Finder finder(names, out);
     Resolver(model, finder).run();
-    check_unique(names, out);
+    check_unique(model, names, out);
+    check_imports(model, names, out);
     const bool whole =
         std::none_of(model.files.begin(), model.files.end(), [](const auto& file) { return file->has_syntax_errors; });
     for (const auto& file : model.files) {

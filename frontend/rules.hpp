@@ -12,7 +12,7 @@ namespace robochart::frontend::rules {
 using diagnostics::Rule;
 
 // rules_names.cpp
-extern const Rule unknown_name, ambiguous_kind, not_unique;
+extern const Rule unknown_name, ambiguous_kind, not_unique, unknown_import;
 // rules_nodes.cpp
 extern const Rule s2, ij1, ij2, fs1, fs2, fs3, j1, j2, j3, t1, t2, pj1, pj2, pj3, pj3_unknown, pt1, pt2, pt2_unknown,
     stm3, stm3_inner, stm4, parameter_assigned;
@@ -29,7 +29,7 @@ extern const Rule initial_type, assignment_type, if_type, condition_type, wait_t
     comm_input, comm_value, literal_count, literal_bare, literal_type, function_count, function_type, not_callable,
     tuple_index, index_count, not_indexable, no_field, field_type, field_missing, cast_type, operand_type, unary_type,
     compare_type, mixed_types, size_value, condition_boolean, deadline_type, not_assignable, comm_narrow, range_bounds,
-    index_type;
+    index_type, function_bare;
 
 // rules_assertions.cpp
 extern const Rule unknown_component, not_a_component, no_state, no_clock, no_constant, constant_type, constant_twice,

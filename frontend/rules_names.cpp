@@ -15,9 +15,13 @@ const Rule not_unique{
     "RC-N03", warning, "`{}` is declared more than once",
     "Two declarations of the same kind share one name; a reference to it means the first. Published as RP3, I3, "
     "C5, STM5 and O1."};
+const Rule unknown_import{
+    "RC-N04", warning, "the import of `{}` brings nothing: there is {}",
+    "An import names a package of the project or a toolkit, or one declaration of these. What is not there is not "
+    "missed before one of its names is used; often the package is misspelt, or its files lie in another folder."};
 
 const std::vector<const Rule*>& of_names() {
-    static const std::vector<const Rule*> rules = {&unknown_name, &ambiguous_kind, &not_unique};
+    static const std::vector<const Rule*> rules = {&unknown_name, &ambiguous_kind, &not_unique, &unknown_import};
     return rules;
 }
 

@@ -84,6 +84,8 @@ const Rule range_bounds{"RC-T33", error, "the bounds of a range are numbers, thi
                         "`{a to b}`, `[a, b]` and their like mean all numbers between two bounds."};
 const Rule index_type{"RC-T34", error, "an index is a whole number, this is {}",
                       "Sequences, vectors and matrices number their elements from 1."};
+const Rule function_bare{"RC-T35", error, "function `{}` is called without `()`",
+                         "A function without parameters is called with an empty list of arguments, `f()`."};
 
 const std::vector<const Rule*>& of_types() {
     static const std::vector<const Rule*> rules = {&initial_type, &assignment_type,   &if_type,        &condition_type,
@@ -94,7 +96,7 @@ const std::vector<const Rule*>& of_types() {
                                                    &no_field,     &field_type,        &field_missing,  &cast_type,
                                                    &operand_type, &unary_type,        &compare_type,   &mixed_types,
                                                    &size_value,   &condition_boolean, &deadline_type,  &not_assignable,
-                                                   &comm_narrow,  &range_bounds,      &index_type};
+                                                   &comm_narrow,  &range_bounds,      &index_type,     &function_bare};
     return rules;
 }
 

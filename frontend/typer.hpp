@@ -48,6 +48,7 @@ private:
     TypePtr named_type(TypeExpr& written, Surroundings& around);
 
     TypePtr name(Expr& expr, Surroundings& around);
+    TypePtr bare_function(const Expr& expr, const Function& function);
     TypePtr since(Expr& expr, Surroundings& around);
     TypePtr since_entry(Expr& expr, Surroundings& around);
     const Declaration* value_named(const QualifiedName& name, Surroundings& around);
@@ -55,6 +56,7 @@ private:
 
     TypePtr unary(Expr& expr, Surroundings& around);
     TypePtr binary(Expr& expr, Surroundings& around);
+    diagnostics::Diagnostic& report_mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right);
     TypePtr mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right);
     TypePtr logical(Expr& expr, const TypePtr& left, const TypePtr& right);
     TypePtr comparison(Expr& expr, const TypePtr& left, const TypePtr& right);

@@ -80,6 +80,15 @@ void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
     }
 }
 
+/// A function as a value; without parameters it would be of a type that nothing has, so its result was meant.
+TypePtr Typer::bare_function(const Expr& expr, const Function& function) {
+    if (!function.parameters.empty()) return function_value(function);
+    auto& finding = finder_.out().report(rules::function_bare, expr.span, {function.name});
+    finding.fixes.push_back({{expr.span.source, expr.span.end, expr.span.end}, "()", "insert"});
+    finding.notes.push_back({function.name_span, "the function is declared here"});
+    return function.result;
+}
+
 TypePtr Typer::name(Expr& expr, Surroundings& around) {
     expr.target = value_named(expr.name, around);
     if (expr.target == nullptr) {
@@ -87,7 +96,7 @@ TypePtr Typer::name(Expr& expr, Surroundings& around) {
         return nullptr;
     }
     if (const auto* variable = dynamic_cast<const Variable*>(expr.target)) return variable->type;
-    if (const auto* function = dynamic_cast<const Function*>(expr.target)) return function_value(*function);
+    if (const auto* function = dynamic_cast<const Function*>(expr.target)) return bare_function(expr, *function);
     const auto& literal = static_cast<const EnumLiteral&>(*expr.target);
     if (!literal.arguments.empty())
         finder_.out().report(

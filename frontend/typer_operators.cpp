@@ -72,9 +72,13 @@ TypePtr Typer::unary(Expr& expr, Surroundings& around) {
     return is_form(operand, TypeForm::nat) ? make_type(TypeForm::integer) : operand;
 }
 
+diagnostics::Diagnostic& Typer::report_mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right) {
+    return finder_.out().report(rules::operand_type, expr.span,
+                                {std::string(to_text(*expr.binary)), to_string(left), to_string(right)});
+}
+
 TypePtr Typer::mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right) {
-    finder_.out().report(rules::operand_type, expr.span,
-                         {std::string(to_text(*expr.binary)), to_string(left), to_string(right)});
+    report_mismatch(expr, left, right);
     return nullptr;
 }
 
@@ -125,7 +129,14 @@ TypePtr Typer::membership(Expr& expr, const TypePtr& left, const TypePtr& right)
     const TypePtr boolean = make_type(TypeForm::boolean);
     if (!left || !right || is_free(right)) return boolean;
     const TypePtr set = as_set(right);
-    if (!set || (!compatible(left, set->args[0]) && !compatible(set->args[0], left))) mismatch(expr, left, right);
+    if (set && (compatible(left, set->args[0]) || compatible(set->args[0], left))) return boolean;
+    auto& finding = report_mismatch(expr, left, right);
+    if (!is_form(right, TypeForm::sequence) || !compatible(left, right->args[0])) return boolean;
+    // A sequence is the set of its pairs of place and element; the element alone was meant to be looked for.
+    finding.notes.push_back({{},
+                             "a sequence is a set of pairs `(| place, element |)`; `ran` of relation_toolkit is the "
+                             "set of its elements"});
+    finding.fixes.push_back({expr.args[1]->span, "ran(" + to_text(strip(*expr.args[1])) + ")", suggested(false)});
     return boolean;
 }
 

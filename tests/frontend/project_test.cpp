@@ -108,9 +108,23 @@ TEST_F(Project, ToolkitsComeWhenImported) {
     EXPECT_EQ(load("", true), "core.rct ");
 }
 
-TEST_F(Project, AMissingPackageIsNoMistakeByItself) {
+TEST_F(Project, AMissingPackageIsAWarning) {
     write("a.rct", "import Nowhere::* type A");
-    EXPECT_EQ(load(), "a.rct ");
+    EXPECT_EQ(load(), "a.rct RC-N04 ");
+    EXPECT_TRUE(reading_->findings.ok());
+}
+
+TEST_F(Project, APackageOfAnotherFileIsKnown) {
+    write("a.rct", "import inner::* import inner::b::B import inner::b type A");
+    write("b.rct", "package inner::b type B");
+    write("c.rct", "package inner type C");
+    EXPECT_EQ(load(), "a.rct b.rct c.rct ");
+}
+
+TEST_F(Project, APackageThatWasNotReadIsNotMissed) {
+    write("a.rct", "import inner::* type A");
+    write("b.rct", "package :: type B");
+    EXPECT_EQ(load(), "a.rct b.rct RC-P01 ");
 }
 
 TEST_F(Project, AnUnreadableFileDoesNotHideTheOthers) {

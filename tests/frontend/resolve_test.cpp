@@ -234,7 +234,7 @@ TEST(Names, PackagesNeedImportsUnnamedOnesDoNot) {
     EXPECT_EQ(codes_of({importer, "package L type T"}), "");
     EXPECT_EQ(codes_of({"package L type T", importer}), "");
     EXPECT_EQ(codes_of({"package U import L::T interface I { var v : T }", "package L type T"}), "");
-    EXPECT_EQ(codes_of({"package U import L::S interface I { var v : T }", "package L type T"}), "RC-N01@1");
+    EXPECT_EQ(codes_of({"package U import L::S interface I { var v : T }", "package L type T"}), "RC-N04@1 RC-N01@1");
     EXPECT_EQ(codes_of({"package U interface I { var v : A::B::T }", "package A::B type T"}), "");
 }
 
