@@ -52,6 +52,9 @@ public:
     [[nodiscard]] std::size_t width() const override { return 1; }
     void initial(std::span<Word> state) override { state[0] = 0; }
     void successors(StateView state, SuccessorSink& sink) override;
+    [[nodiscard]] std::unique_ptr<TransitionSystem> another() const override {
+        return std::make_unique<GraphSystem>(graph_, events_);
+    }
     [[nodiscard]] const process::EventTable& events() const override { return events_; }
     [[nodiscard]] std::string describe(StateView state) const override;
 

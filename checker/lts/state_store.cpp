@@ -1,87 +1,83 @@
-// Linear probing; a slot's home is its tag scaled to the segment's length, so that a segment may have any length.
 #include "checker/lts/state_store.hpp"
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
 namespace robochart::lts {
-namespace {
 
-constexpr std::size_t first_length = 8;
-
-std::uint64_t hash_of(StateView state) {
+std::uint64_t StateStore::hash(StateView state) {
+    constexpr std::uint64_t factor = 0x9E3779B97F4A7C15ULL;
     std::uint64_t hash = 0x2545F4914F6CDD1DULL;
-    for (Word word : state) {
-        hash = (hash ^ word) * 0x9E3779B97F4A7C15ULL;
+    std::size_t i = 0;
+    for (; i + 1 < state.size(); i += 2) {
+        hash = (hash ^ (state[i] | std::uint64_t{state[i + 1]} << 32U)) * factor;
+        hash ^= hash >> 32U;
+    }
+    if (i < state.size()) {
+        hash = (hash ^ state[i]) * factor;
         hash ^= hash >> 32U;
     }
     hash *= 0xD6E8FEB86659FD93ULL;
-    return hash ^ (hash >> 29U);
+    return hash ^ (hash >> 32U);
 }
-
-std::size_t home(std::uint32_t tag, std::size_t length) {
-    return static_cast<std::size_t>((static_cast<std::uint64_t>(tag) * length) >> 32U);
-}
-
-std::size_t next(std::size_t slot, std::size_t length) {
-    return slot + 1 == length ? 0 : slot + 1;
-}
-
-}  // namespace
 
 StateStore::StateStore(std::size_t width) : width_(width) {}
 
-StateView StateStore::operator[](StateIndex index) const {
-    return {&chunks_[index / states_per_chunk][(index % states_per_chunk) * width_], width_};
+bool StateStore::equal(StateIndex index, StateView state) const {
+    const Word* const words = row(index);
+    for (std::size_t i = 0; i < width_; ++i)
+        if (words[i] != state[i]) return false;
+    return true;
 }
 
-std::size_t StateStore::find_slot(const Segment& segment, std::uint32_t tag, StateView state) const {
-    const std::size_t length = segment.slots.size();
-    std::size_t slot = home(tag, length);
-    for (;; slot = next(slot, length)) {
-        const Slot& candidate = segment.slots[slot];
-        if (candidate.index == no_state) return slot;
-        if (candidate.tag != tag) continue;
-        const StateView other = (*this)[candidate.index];
-        if (std::equal(state.begin(), state.end(), other.begin())) return slot;
+/// Makes the table anew from the states in their order, so that old and new table need not stand beside each other.
+void StateStore::grow(std::uint64_t states) {
+    constexpr std::size_t ahead = 16;
+    std::array<std::uint64_t, ahead> hashes{};
+    bool complete = false;
+    for (std::uint64_t wanted = states; !complete; wanted += wanted / 2) {
+        table_.grow(wanted);
+        complete = true;
+        for (std::uint64_t next = 0; complete && next < size_ + ahead; ++next) {
+            std::uint64_t& slot = hashes[next % ahead];
+            if (next >= ahead) complete = table_.add(slot, static_cast<StateIndex>(next - ahead));
+            if (next >= size_) continue;
+            slot = hash((*this)[static_cast<StateIndex>(next)]);
+            table_.prefetch(slot);
+        }
     }
 }
 
-void StateStore::grow(Segment& segment) {
-    std::vector<Slot> larger(std::max(first_length, segment.slots.size() * 3 / 2));
-    for (const Slot& slot : segment.slots) {
-        if (slot.index == no_state) continue;
-        std::size_t place = home(slot.tag, larger.size());
-        while (larger[place].index != no_state) place = next(place, larger.size());
-        larger[place] = slot;
+void StateStore::make_chunks(std::uint64_t states) {
+    if (states > no_state) throw std::length_error("more than 2^32 states");
+    while ((first_chunk << chunk_count_) - first_chunk < states) {
+        const std::size_t words = (first_chunk << chunk_count_) * width_;
+        chunks_[chunk_count_] = zeroed_pages(std::max<std::size_t>(words, 1) * sizeof(Word));
+        ++chunk_count_;
     }
-    segment.slots.swap(larger);
 }
 
-StateIndex StateStore::append(StateView state) {
-    if (size_ >= no_state) throw std::length_error("more than 2^32 states");
-    if (size_ % states_per_chunk == 0) chunks_.push_back(std::make_unique<Word[]>(states_per_chunk * width_));
-    std::copy(state.begin(), state.end(), &chunks_.back()[(size_ % states_per_chunk) * width_]);
-    return static_cast<StateIndex>(size_++);
+StateStore::Insertion StateStore::insert(StateView state, std::uint64_t hash) {
+    const auto same = [&](StateIndex index) { return equal(index, state); };
+    IndexTable::Slot slot = table_.find(hash, same);
+    if (slot.taken()) return {slot.get(), false};
+    if (size_ >= table_.capacity() || !IndexTable::has_room(slot)) {
+        grow(size_ + 1);
+        slot = table_.find(hash, same);
+        if (!IndexTable::has_room(slot)) throw std::bad_alloc();
+    }
+    make_chunks(size_ + 1);
+    const auto index = static_cast<StateIndex>(size_);
+    std::copy(state.begin(), state.end(), row(index));
+    IndexTable::put(slot, index);
+    ++size_;
+    return {index, true};
 }
 
-StateStore::Insertion StateStore::insert(StateView state) {
-    const std::uint64_t hash = hash_of(state);
-    Segment& segment = segments_[hash >> (64U - segment_bits)];
-    const auto tag = static_cast<std::uint32_t>(hash);
-    if (segment.used * 5 >= segment.slots.size() * 4) grow(segment);
-    Slot& slot = segment.slots[find_slot(segment, tag, state)];
-    if (slot.index != no_state) return {slot.index, false};
-    slot = {append(state), tag};
-    ++segment.used;
-    return {slot.index, true};
-}
-
-StateIndex StateStore::find(StateView state) const {
-    const std::uint64_t hash = hash_of(state);
-    const Segment& segment = segments_[hash >> (64U - segment_bits)];
-    if (segment.slots.empty()) return no_state;
-    return segment.slots[find_slot(segment, static_cast<std::uint32_t>(hash), state)].index;
+StateIndex StateStore::find(StateView state, std::uint64_t hash) const {
+    const IndexTable::Slot slot = table_.find(hash, [&](StateIndex index) { return equal(index, state); });
+    return slot.taken() ? slot.get() : no_state;
 }
 
 }  // namespace robochart::lts

@@ -1,19 +1,14 @@
-// The visited set: exact packed states of one width, numbered in the order of insertion. Open addressing over slots of
-// (index, 32 hash bits) in independent segments, so that growth copies one segment at a time; a hit compares the state.
+// The visited set: exact packed states of one width, numbered in the order of insertion. The states lie in that order
+// in chunks that never move; a table of hash bits finds them, and every hit compares the whole state.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <limits>
-#include <memory>
-#include <vector>
 
+#include "checker/lts/index_table.hpp"
 #include "checker/lts/transition_system.hpp"
 
 namespace robochart::lts {
-
-using StateIndex = std::uint32_t;
-inline constexpr StateIndex no_state = std::numeric_limits<StateIndex>::max();
 
 class StateStore {
 public:
@@ -23,32 +18,43 @@ public:
         StateIndex index;
         bool fresh;
     };
-    Insertion insert(StateView state);
-    [[nodiscard]] StateIndex find(StateView state) const;  ///< no_state if it is not there
+    Insertion insert(StateView state) { return insert(state, hash(state)); }
+    [[nodiscard]] StateIndex find(StateView state) const { return find(state, hash(state)); }  ///< or no_state
     /// The view stays valid while states are added.
-    [[nodiscard]] StateView operator[](StateIndex index) const;
+    [[nodiscard]] StateView operator[](StateIndex index) const { return {row(index), width_}; }
     [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] std::size_t width() const { return width_; }
+
+    // Many states at a time: hash and prefetch one, go on with others, come back to it when memory has answered.
+    [[nodiscard]] static std::uint64_t hash(StateView state);
+    void prefetch(std::uint64_t hash) const { table_.prefetch(hash); }
+    /// After prefetch: the state that probably is the one with this hash.
+    void prefetch_state(std::uint64_t hash) const {
+        const StateIndex likely = table_.likely(hash);
+        if (likely != no_state) __builtin_prefetch(row(likely));
+    }
+    Insertion insert(StateView state, std::uint64_t hash);
+    [[nodiscard]] StateIndex find(StateView state, std::uint64_t hash) const;
 
 private:
-    struct Slot {
-        StateIndex index = no_state;
-        std::uint32_t tag = 0;
-    };
-    struct Segment {
-        std::vector<Slot> slots;
-        std::size_t used = 0;
-    };
-    static constexpr std::size_t segment_bits = 6;
-    static constexpr std::size_t states_per_chunk = 4096;
+    // Chunk k holds first_chunk * 2^k states.
+    static constexpr std::uint64_t first_chunk = 1024;
+    static constexpr std::size_t most_chunks = 23;
 
-    [[nodiscard]] std::size_t find_slot(const Segment& segment, std::uint32_t tag, StateView state) const;
-    static void grow(Segment& segment);
-    StateIndex append(StateView state);
+    [[nodiscard]] Word* row(StateIndex index) const {
+        const std::uint64_t place = index + first_chunk;
+        const auto chunk = static_cast<std::size_t>(std::bit_width(place) - std::bit_width(first_chunk));
+        return static_cast<Word*>(chunks_[chunk].get()) + (place - (first_chunk << chunk)) * width_;
+    }
+    void make_chunks(std::uint64_t states);
+    void grow(std::uint64_t states);
+    [[nodiscard]] bool equal(StateIndex index, StateView state) const;
 
     std::size_t width_;
     std::size_t size_ = 0;
-    std::array<Segment, std::size_t{1} << segment_bits> segments_;
-    std::vector<std::unique_ptr<Word[]>> chunks_;
+    std::size_t chunk_count_ = 0;
+    IndexTable table_;
+    std::array<Pages, most_chunks> chunks_;
 };
 
 }  // namespace robochart::lts

@@ -32,6 +32,9 @@ public:
     [[nodiscard]] virtual std::size_t width() const = 0;
     virtual void initial(std::span<Word> state) = 0;
     virtual void successors(StateView state, SuccessorSink& sink) = 0;
+    /// The same system once more, for use in another thread at the same time; its states are the same words. Null where
+    /// that is not possible.
+    [[nodiscard]] virtual std::unique_ptr<TransitionSystem> another() const { return nullptr; }
     /// Names of events; systems that are compared share one table.
     [[nodiscard]] virtual const process::EventTable& events() const = 0;
     /// `poll` is called now and then during long work inside the system, and may throw to stop it. Empty: none.

@@ -17,6 +17,9 @@ public:
     [[nodiscard]] std::size_t width() const override { return combined_->words; }
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> another() const override {
+        return std::make_unique<SupercombinatorSystem>(combined_, terms_);
+    }
     [[nodiscard]] const process::EventTable& events() const override { return terms_.events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
 

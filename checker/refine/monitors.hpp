@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "checker/refine/monitor.hpp"
 #include "checker/refine/normal_form.hpp"
-#include "checker/refine/search.hpp"
 
 namespace robochart::refine {
 
@@ -28,6 +28,7 @@ public:
     Node start() override { return 0; }
     Advance advance(Node node, process::Event /*event*/) override { return {Effect::follow, node}; }
     std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
+    [[nodiscard]] bool watches_states_only() const override { return true; }
 
 private:
     bool forbid_deadlock_;

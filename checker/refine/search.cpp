@@ -1,5 +1,4 @@
-// The product search. One pass over the successors of each pair inserts the targets, gathers the offer for the
-// monitor, and, where divergence matters, keeps the tau edges for the cycle search afterwards.
+// The product search, level by level. Where divergence matters, the tau edges are kept for the cycle search afterwards.
 #include "checker/refine/search.hpp"
 
 #include <algorithm>
@@ -13,71 +12,80 @@ using lts::StateIndex;
 using lts::StateView;
 using process::Event;
 
+namespace {
+
+constexpr std::size_t rows_at_once = 256;
+
+}  // namespace
+
 Search::Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool keep_taus)
     : system_(system),
       monitor_(monitor),
       budget_(budget),
-      pairs_(system.width() + 1),
+      nodes_(!monitor.watches_states_only()),
+      pairs_(system.width() + (nodes_ ? 1 : 0)),
       keep_taus_(keep_taus),
-      buffer_(system.width() + 1) {}
+      expander_(system, monitor, pairs_) {}
 
 void Search::begin() {
-    buffer_[0] = monitor_.start();
-    system_.initial(std::span(buffer_).subspan(1));
-    pairs_.insert(buffer_);
-    parents_.push_back(lts::no_state);
+    std::vector<lts::Word> first(pairs_.width());
+    if (nodes_) first[0] = monitor_.start();
+    system_.initial(std::span(first).subspan(nodes_ ? 1 : 0));
+    pairs_.insert(first);
+    ahead_ = system_.another() != nullptr;
 }
 
 std::optional<Finding> Search::first_violation() {
     begin();
-    std::size_t level_end = pairs_.size();
-    for (StateIndex pair = 0; pair < pairs_.size(); ++pair) {
-        if (pair == level_end) {
-            if (forbidden_) return forbidden_;
-            level_end = pairs_.size();
-            ++depth_;
-        }
-        if (const std::optional<Finding> finding = expand(pair)) return finding;
+    for (StateIndex first = 0; first != pairs_.size();) {
+        const auto end = static_cast<StateIndex>(pairs_.size());
+        if (const std::optional<Finding> finding = search_level(first, end)) return finding;
+        if (forbidden_) return forbidden_;
+        if (pairs_.size() != end) ++depth_;
+        first = end;
     }
     if (keep_taus_) first_tau_.push_back(tau_targets_.size());
-    return forbidden_;
-}
-
-std::optional<Finding> Search::expand(StateIndex pair) {
-    budget_.charge();
-    current_ = pair;
-    offer_.tau = false;
-    offer_.events.clear();
-    if (keep_taus_) first_tau_.push_back(tau_targets_.size());
-    system_.successors(state(pair), *this);
-    budget_.states(pairs_.size());
-    std::sort(offer_.events.begin(), offer_.events.end());
-    offer_.events.erase(std::unique(offer_.events.begin(), offer_.events.end()), offer_.events.end());
-    if (const std::optional<ViolationKind> kind = monitor_.examine(node(pair), offer_)) return Finding{*kind, pair};
     return std::nullopt;
 }
 
-void Search::add(Event event, StateView target, Event /*revealed*/) {
-    ++transitions_;
-    if (event == process::tau) {
-        offer_.tau = true;
-        visit(node(current_), target, event);
-        return;
+std::optional<Finding> Search::search_level(StateIndex first, StateIndex end) {
+    while (first != end) {
+        expander_.expand(first, ahead_ ? end : first + 1, rows_at_once, expansion_);
+        if (const std::optional<Finding> finding = take(expansion_, first)) return finding;
+        first += static_cast<StateIndex>(expansion_.pairs.size());
     }
-    if (offer_.events.empty() || offer_.events.back() != event) offer_.events.push_back(event);
-    if (forbidden_) return;
-    const Monitor::Advance next = monitor_.advance(node(current_), event);
-    if (next.effect == Monitor::Effect::violation) forbidden_ = Finding{ViolationKind::trace, current_, event};
-    if (next.effect == Monitor::Effect::follow) visit(next.node, target, event);
+    return std::nullopt;
 }
 
-void Search::visit(Monitor::Node node, StateView target, Event event) {
-    if (forbidden_) return;  // only this level's states are still examined
-    buffer_[0] = node;
-    std::copy(target.begin(), target.end(), buffer_.begin() + 1);
-    const lts::StateStore::Insertion insertion = pairs_.insert(buffer_);
-    if (insertion.fresh) parents_.push_back(current_);
-    if (keep_taus_ && event == process::tau) tau_targets_.push_back(insertion.index);
+/// Enters what the pairs from `first` on have given.
+std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first) {
+    std::size_t row = 0;
+    for (const Expansion::Pair& pair : expansion.pairs) {
+        budget_.charge();
+        transitions_ += pair.transitions;
+        if (!forbidden_) insert(expansion, row, pair.end_row);  // after it only this level's states are still examined
+        row = pair.end_row;
+        budget_.states(pairs_.size());
+        if (pair.fault) return Finding{*pair.fault, first};
+        if (pair.forbidden && !forbidden_) forbidden_ = Finding{ViolationKind::trace, first, *pair.forbidden};
+        ++first;
+    }
+    if (expansion.error) std::rethrow_exception(expansion.error);
+    return std::nullopt;
+}
+
+/// The targets of one pair. Their lines have been asked for; those of the states behind them are, some rows ahead.
+void Search::insert(const Expansion& expansion, std::size_t first, std::size_t end) {
+    constexpr std::size_t lead = 16;
+    if (keep_taus_) first_tau_.push_back(tau_targets_.size());
+    std::uint32_t found = 0;
+    for (std::size_t i = first; i < end; ++i) {
+        if (i + lead < expansion.size()) pairs_.prefetch_state(expansion.hash(i + lead));
+        const lts::StateStore::Insertion insertion = pairs_.insert(expansion.row(i), expansion.hash(i));
+        if (insertion.fresh) ++found;
+        if (keep_taus_ && expansion.by_tau(i)) tau_targets_.push_back(insertion.index);
+    }
+    lineage_.expanded(found);
 }
 
 namespace {
@@ -126,7 +134,8 @@ std::vector<StateIndex> Search::tau_cycle(StateIndex pair) {
 
 std::vector<StateIndex> Search::path_to(StateIndex pair) const {
     std::vector<StateIndex> path;
-    for (; pair != lts::no_state; pair = parents_[pair]) path.push_back(pair);
+    for (; pair != 0; pair = lineage_.parent(pair)) path.push_back(pair);
+    path.push_back(0);
     std::reverse(path.begin(), path.end());
     return path;
 }

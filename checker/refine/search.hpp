@@ -8,27 +8,12 @@
 #include "checker/lts/chunked_vector.hpp"
 #include "checker/lts/state_store.hpp"
 #include "checker/refine/budget.hpp"
+#include "checker/refine/expansion.hpp"
+#include "checker/refine/lineage.hpp"
+#include "checker/refine/monitor.hpp"
 #include "checker/refine/run.hpp"
-#include "checker/refine/stability.hpp"
 
 namespace robochart::refine {
-
-/// What a question watches: nodes advance by visible events and tick; taus keep the node.
-class Monitor {
-public:
-    using Node = lts::Word;
-    enum class Effect { follow, ignore, violation };
-    struct Advance {
-        Effect effect;
-        Node node = 0;
-    };
-
-    virtual ~Monitor() = default;
-    virtual Node start() = 0;
-    virtual Advance advance(Node node, process::Event event) = 0;
-    /// What is wrong with a run that ends in this node and can go on like this.
-    virtual std::optional<ViolationKind> examine(Node node, const Offer& offer) = 0;
-};
 
 /// A violation: the pair where the run ends, and for a forbidden event the event after it.
 struct Finding {
@@ -37,7 +22,7 @@ struct Finding {
     process::Event event = process::tau;
 };
 
-class Search final : private lts::SuccessorSink {
+class Search {
 public:
     Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool keep_taus = false);
 
@@ -51,8 +36,10 @@ public:
 
     /// The run by which the pair was found.
     [[nodiscard]] std::vector<lts::StateIndex> path_to(lts::StateIndex pair) const;
-    [[nodiscard]] Monitor::Node node(lts::StateIndex pair) const { return pairs_[pair][0]; }
-    [[nodiscard]] lts::StateView state(lts::StateIndex pair) const { return pairs_[pair].subspan(1); }
+    [[nodiscard]] Monitor::Node node(lts::StateIndex pair) const { return nodes_ ? pairs_[pair][0] : 0; }
+    [[nodiscard]] lts::StateView state(lts::StateIndex pair) const {
+        return nodes_ ? pairs_[pair].subspan(1) : pairs_[pair];
+    }
     /// The run along these pairs, the first of which is where it starts.
     [[nodiscard]] Run run_along(const std::vector<lts::StateIndex>& pairs, bool by_taus_alone = false);
 
@@ -61,26 +48,27 @@ public:
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
 
 private:
-    void add(process::Event event, lts::StateView target, process::Event revealed) override;
     void begin();
-    std::optional<Finding> expand(lts::StateIndex pair);
-    void visit(Monitor::Node node, lts::StateView target, process::Event event);
+    std::optional<Finding> search_level(lts::StateIndex first, lts::StateIndex end);
+    std::optional<Finding> take(const Expansion& expansion, lts::StateIndex first);
+    void insert(const Expansion& expansion, std::size_t first, std::size_t end);
 
     lts::TransitionSystem& system_;
     Monitor& monitor_;
     Budget& budget_;
+    const bool nodes_;  // pairs begin with the monitor's node
     lts::StateStore pairs_;
-    lts::ChunkedVector<lts::StateIndex> parents_;
+    Lineage lineage_;
     bool keep_taus_;
     lts::ChunkedVector<std::uint64_t> first_tau_;  // per pair, where its targets begin; one more at the end
     lts::ChunkedVector<lts::StateIndex> tau_targets_;
     std::uint64_t transitions_ = 0;
     std::uint64_t depth_ = 0;
 
-    lts::StateIndex current_ = 0;  // the pair being expanded
-    Offer offer_;
+    Expander expander_;
+    Expansion expansion_;
+    bool ahead_ = false;                // several pairs may be expanded before the first one's targets are known
     std::optional<Finding> forbidden_;  // the first forbidden event, while its level is finished
-    std::vector<lts::Word> buffer_;
 };
 
 }  // namespace robochart::refine

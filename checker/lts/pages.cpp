@@ -1,0 +1,50 @@
+#include "checker/lts/pages.hpp"
+
+#include <sys/mman.h>
+
+#include <cstdint>
+#include <cstring>
+#include <new>
+
+namespace robochart::lts {
+namespace {
+
+constexpr std::size_t huge_page = std::size_t{1} << 21U;
+constexpr std::size_t cache_line = 64;
+
+std::size_t rounded(std::size_t bytes) {
+    return (bytes + huge_page - 1) & ~(huge_page - 1);
+}
+
+/// Maps a huge page too much and gives back what sticks out at both ends.
+void* map(std::size_t bytes) {
+    const std::size_t length = rounded(bytes);
+    void* const mapped =
+        mmap(nullptr, length + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (mapped == MAP_FAILED) throw std::bad_alloc();
+    char* const begin = static_cast<char*>(mapped);
+    const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(begin) % huge_page) % huge_page;
+    if (before != 0) munmap(begin, before);
+    munmap(begin + before + length, huge_page - before);
+#ifdef MADV_HUGEPAGE
+    madvise(begin + before, length, MADV_HUGEPAGE);  // advice: refusal changes nothing but the speed
+#endif
+    return begin + before;
+}
+
+}  // namespace
+
+void FreePages::operator()(void* memory) const {
+    if (bytes >= huge_page)
+        munmap(memory, rounded(bytes));
+    else
+        ::operator delete (memory, std::align_val_t{cache_line});
+}
+
+Pages zeroed_pages(std::size_t bytes) {
+    if (bytes >= huge_page) return {map(bytes), FreePages{bytes}};
+    void* const memory = ::operator new (bytes, std::align_val_t{cache_line});
+    return {std::memset(memory, 0, bytes), FreePages{bytes}};
+}
+
+}  // namespace robochart::lts

@@ -1,0 +1,29 @@
+// Who was found from whom, in two bits a state. States are numbered in the order in which they are found and expanded
+// in the same order, so it is enough to know how many each one found: a one for each state found, a zero after each
+// state expanded. The parent of a state is the number of zeros before its one.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "checker/lts/index_table.hpp"
+
+namespace robochart::refine {
+
+class Lineage {
+public:
+    /// The next state has been expanded and has found so many new ones.
+    void expanded(std::uint32_t found);
+    /// Of any state that was found, that is, of all but state 0.
+    [[nodiscard]] lts::StateIndex parent(lts::StateIndex state) const;
+
+private:
+    void append(bool bit);
+
+    std::vector<std::uint64_t> words_;
+    std::vector<std::uint64_t> ones_before_;  // each block of words
+    std::uint64_t size_ = 0;
+    std::uint64_t ones_ = 0;
+};
+
+}  // namespace robochart::refine
