@@ -1,7 +1,10 @@
 // What the predefined names do (FDR manual, chapter CSPM, Built-In Definitions).
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "checker/cspm/evaluator_internal.hpp"
+#include "checker/process/priority_order.hpp"
 
 namespace robochart::cspm {
 
@@ -87,7 +90,7 @@ Value Evaluator::call_builtin(Value builtin, Values arguments, Span span) {
         case Builtin::show:
             return store_.text(text(arguments[0]));
         case Builtin::mtransclose:
-            not_supported("'mtransclose'", span);
+            return representatives(arguments[0], arguments[1], span);
         case Builtin::relational_image:
         case Builtin::relational_inverse_image:
             return store_.make(Kind::builtin, static_cast<std::int64_t>(which), {arguments[0]});
@@ -247,6 +250,32 @@ Value Evaluator::relation_builtin(Builtin which, const Values& arguments, Span s
     return store_.set(std::move(result));
 }
 
+// mtransclose(R, S): the classes of R's symmetric and transitive closure, as pairs (representative, x) of members of S,
+// without (x, x). Which member of a class represents it is nowhere laid down: ours is the least one in S.
+Value Evaluator::representatives(Value relation, Value set, Span span) {
+    std::map<Value, Values> related;
+    for (const Value pair : elements(relation, span)) {
+        related[pair->items.at(0)].push_back(pair->items.at(1));
+        related[pair->items.at(1)].push_back(pair->items.at(0));
+    }
+    std::set<Value> seen;
+    Values result;
+    for (const Value representative : elements(set, span)) {
+        if (!related.contains(representative) || !seen.insert(representative).second) continue;
+        Values work{representative};
+        while (!work.empty()) {
+            const Value next = work.back();
+            work.pop_back();
+            for (const Value each : related[next]) {
+                if (!seen.insert(each).second) continue;
+                work.push_back(each);
+                if (member_of(each, set, span)) result.push_back(store_.tuple({representative, each}));
+            }
+        }
+    }
+    return store_.set(std::move(result));
+}
+
 namespace {
 
 std::uint32_t compression(Builtin which) {
@@ -278,6 +307,39 @@ std::uint32_t compression(Builtin which) {
 
 }  // namespace
 
+/// BUFFER(capacity, {(input, output)}), empty.
+process::TermId Evaluator::buffer(const Values& arguments, Span span) {
+    const Value bound = arguments[0];
+    if (bound->kind != Kind::integer || bound->number < 1)
+        fail("a buffer's capacity is at least 1, not " + text(bound), span);
+    std::set<process::Event> used;
+    for (const Value pair : elements(arguments[1], span))
+        for (const Value each : pair->items)
+            if (!used.insert(event(each, span)).second)
+                fail("the event " + text(each) + " is given to a buffer twice", span);
+    return prefix_term(PrefixKind::buffer, {bound, explicit_set(arguments[1], span), store_.sequence({})});
+}
+
+/// The order of prioritisepo(P, prioritised, pairs, maximal).
+process::RenamingId Evaluator::partial_order(const Values& arguments, Span span) {
+    std::vector<process::EventPair> pairs;
+    for (const Value pair : elements(arguments[2], span))
+        pairs.emplace_back(event(pair->items.at(0), span), event(pair->items.at(1), span));
+    auto order = process::priority_order(event_set(arguments[1], span), pairs, event_set(arguments[3], span));
+    if (const auto* fault = std::get_if<process::OrderFault>(&order)) {
+        const std::string name = events_.name(fault->event);
+        switch (fault->kind) {
+            case process::OrderFault::Kind::missing:
+                fail("prioritisepo: " + name + " is not among the prioritised events", span);
+            case process::OrderFault::Kind::cyclic:
+                fail("prioritisepo: the order is cyclic, " + name + " lies above itself", span);
+            case process::OrderFault::Kind::not_maximal:
+                fail("prioritisepo: " + name + " is given as maximal, but lies below another event", span);
+        }
+    }
+    return terms_.renaming(std::get<process::Renaming>(std::move(order)));
+}
+
 Value Evaluator::process_builtin(Builtin which, Value builtin, const Values& arguments, Span span) {
     using process::Op;
     const auto made = [this](process::TermId id) {
@@ -307,17 +369,21 @@ Value Evaluator::process_builtin(Builtin which, Value builtin, const Values& arg
             if (order.empty()) fail("prioritise needs at least one set", span);
             return made(make(Op::prioritise, {term(arguments[0], span)}, id(terms_.order(std::move(order)))));
         }
+        case Builtin::prioritisepo: {
+            const process::RenamingId order = partial_order(arguments, span);
+            return made(make(Op::prioritise_order, {term(arguments[0], span)}, id(order)));
+        }
         case Builtin::chase:
         case Builtin::chase_nocache:
             return made(make(Op::chase, {term(arguments[0], span)}));
         case Builtin::loop:
             return made(call_term(builtin, arguments));
         case Builtin::buffer:
+            return made(buffer(arguments, span));
         case Builtin::weak_buffer:
         case Builtin::signal_buffer:
         case Builtin::failure_watchdog:
         case Builtin::trace_watchdog:
-        case Builtin::prioritisepo:
             not_supported("'" + std::string(builtin_name(which).name) + "'", span);
         default:
             return made(make(Op::compress, {term(arguments[0], span)}, compression(which)));

@@ -26,7 +26,7 @@ void Evaluator::fail(const std::string& message, Span span) const {
 }
 
 void Evaluator::not_supported(const std::string& what, Span span) const {
-    fail(what + " is not supported yet", span);
+    fail(what + " is not supported", span);
 }
 
 // A question from outside. What was made for the moment goes when the outermost one is answered.
@@ -157,6 +157,9 @@ std::vector<process::Branch> Evaluator::branches(std::uint32_t prefix) {
             case PrefixKind::skipping:  // SKIP of a timed section: SKIP [] tock -> itself
                 result = {{static_cast<process::Event>(key->items[0]->number),
                            make(process::Op::external_choice, {self, make(process::Op::skip)})}};
+                break;
+            case PrefixKind::buffer:
+                result = buffer_branches(key);
                 break;
         }
         // A prefix in a timed section lets time pass (semantics 3.10).

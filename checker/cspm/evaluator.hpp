@@ -133,6 +133,9 @@ private:
     Value sequence_builtin(Builtin which, const Values& arguments, Span span);
     Value map_builtin(Builtin which, const Values& arguments, Span span);
     Value process_builtin(Builtin which, Value builtin, const Values& arguments, Span span);
+    process::RenamingId partial_order(const Values& arguments, Span span);
+    process::TermId buffer(const Values& arguments, Span span);
+    Value representatives(Value relation, Value set, Span span);
     Value relation_builtin(Builtin which, const Values& arguments, Span span);
     Value builtin_value(Builtin which, const TimedSection* timed);
     const Values& sequence(Value value, Span span);
@@ -164,7 +167,7 @@ private:
     process::TermId make(process::Op op, std::vector<process::TermId> children = {}, std::uint32_t payload = 0);
 
     // prefixes.cpp
-    enum class PrefixKind : std::uint8_t { script = 2, chosen = 3, waiting = 4, stopped = 5, skipping = 6 };
+    enum class PrefixKind : std::uint8_t { script = 2, chosen = 3, waiting = 4, stopped = 5, skipping = 6, buffer = 7 };
     process::TermId prefix(const Code& code, Frame& frame);
     process::TermId prefix_term(PrefixKind kind, Values key);
     void choose_fields(const Code& code, std::size_t field, Value base, Frame& frame,
@@ -176,6 +179,7 @@ private:
                      const Reach& reach);
     std::vector<process::Branch> script_branches(Value key);
     std::vector<process::Branch> chosen_branches(Value key);
+    std::vector<process::Branch> buffer_branches(Value key);
 
     // print.cpp
     [[nodiscard]] std::string text(Value value) const;

@@ -117,4 +117,25 @@ std::vector<Branch> Evaluator::chosen_branches(Value key) {
     return result;
 }
 
+// BUFFER(n, pairs) with its contents: while it holds less than n it takes any input, while it holds something it gives
+// the oldest one's output (FDR manual, BUFFER).
+std::vector<Branch> Evaluator::buffer_branches(Value key) {
+    const Value bound = key->items[0];
+    const Value pairs = key->items[1];
+    const Values contents = key->items[2]->items;
+    const auto holding = [&](Values items) {
+        return prefix_term(PrefixKind::buffer, {bound, pairs, store_.sequence(std::move(items))});
+    };
+    std::vector<Branch> result;
+    if (static_cast<std::int64_t>(contents.size()) < bound->number)
+        for (const Value pair : pairs->items) {
+            Values more = contents;
+            more.push_back(pair->items[1]);
+            result.push_back({event(pair->items[0], {}), holding(std::move(more))});
+        }
+    if (!contents.empty())
+        result.push_back({event(contents.front(), {}), holding({contents.begin() + 1, contents.end()})});
+    return result;
+}
+
 }  // namespace robochart::cspm

@@ -138,6 +138,24 @@ void FiringRules::prioritise(const Term& term, List& list) {
     }
 }
 
+// FDR manual, prioritisepo(P, E, O, M), and UCS 20.2: as prioritise, by the partial order that the pairs of O span over
+// the events of E; τ and ✓ lie above all events of E but the maximal ones, M.
+//   P --x--> P',  no y with (y,x) in the order and P --y-->
+//   prioritisepo(P,E,O,M) --x--> prioritisepo(P',E,O,M)
+void FiringRules::prioritise_order(const Term& term, List& list) {
+    const Renaming& order = terms_[RenamingId{term.payload}];
+    const std::span<const Transition> steps = known_.of(term.children[0]);
+    const auto prevented = [&](Event event) {
+        return std::any_of(steps.begin(), steps.end(), [&](const Transition& other) {
+            return std::binary_search(order.begin(), order.end(), EventPair{other.event, event});
+        });
+    };
+    for (const Transition& step : steps)
+        if (!prevented(step.event))
+            list.push_back(
+                {step.event, step.revealed, step.event == tick ? omega_ : with_operand(term, 0, step.target)});
+}
+
 const std::vector<std::uint32_t>& FiringRules::levels(OrderId id) {
     const auto index = static_cast<std::uint32_t>(id);
     if (index >= levels_.size()) levels_.resize(index + 1U);

@@ -52,6 +52,7 @@ public:
             case Op::hide:
             case Op::rename:
             case Op::prioritise:
+            case Op::prioritise_order:
             case Op::chase:
             case Op::machine:
             case Op::compress:

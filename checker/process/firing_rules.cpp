@@ -117,6 +117,7 @@ void FiringRules::fire(const Term& term, List& list) {
         case Op::hide:
         case Op::rename:
         case Op::prioritise:
+        case Op::prioritise_order:
         case Op::chase:
         case Op::machine:
         case Op::compress:
@@ -208,6 +209,9 @@ void FiringRules::unary_family(const Term& term, List& list) {
             break;
         case Op::prioritise:
             prioritise(term, list);
+            break;
+        case Op::prioritise_order:
+            prioritise_order(term, list);
             break;
         case Op::chase:
             chase(term, list);

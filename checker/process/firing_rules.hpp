@@ -55,6 +55,7 @@ private:
     void hide(const Term&, List&);
     void rename(const Term&, List&);
     void prioritise(const Term&, List&);
+    void prioritise_order(const Term&, List&);
     void chase(const Term&, List&);
 
     [[nodiscard]] bool performs(TermId, Event) const;

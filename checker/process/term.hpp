@@ -58,9 +58,10 @@ enum class Op : std::uint8_t {
     parallel,         ///< n children, all synchronise on `set` and on tick (interleaving: empty set)
     alphabetised,     ///< n children, `sets` one alphabet each; event needs all whose alphabet has it; tick needs all
     hide,
-    rename,       ///< one child; set / renaming
-    prioritise,   ///< one child; order
-    chase,        ///< one child: every tau is followed at once, the first of several
+    rename,            ///< one child; set / renaming
+    prioritise,        ///< one child; order
+    prioritise_order,  ///< one child; payload: the pairs (higher, lower) of priority_order, kept as a renaming
+    chase,             ///< one child: every tau is followed at once, the first of several
     compress,     ///< one child; payload: Compression. Meaning: the child's, up to the models the compression keeps
     machine,      ///< a state of a compressed machine; one child: a term it stands for; made by the semantics only
     chaos_offer,  ///< set: the state of chaos(set) that offers the whole set; made by the firing rules only

@@ -4,60 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "checker/cspm/build.hpp"
-#include "tests/checker/cspm/support.hpp"
+#include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {
 namespace {
-
-std::vector<refine::Outcome> outcomes(const std::string& text) {
-    const Reading reading(text);
-    EXPECT_TRUE(reading.ok()) << reading.report();
-    std::vector<refine::Outcome> result;
-    try {
-        Session session(reading.script);
-        for (const DeclPtr& assertion : session.assertions()) {
-            result.push_back(session.check(*assertion, {}).verdict.outcome);
-        }
-    } catch (const EvaluationError& error) {
-        ADD_FAILURE() << reading.sources.place(error.span) << " " << error.what();
-    }
-    return result;
-}
-
-// Marks: h holds, f fails.
-void expect_outcomes(const std::string& text, const std::string& marks) {
-    std::string found;
-    for (const refine::Outcome each : outcomes(text)) {
-        found += each == refine::Outcome::holds ? 'h' : (each == refine::Outcome::fails ? 'f' : '?');
-    }
-    EXPECT_EQ(found, marks) << text;
-}
-
-struct Failure {
-    std::string message;
-    std::size_t stack = 0;
-};
-
-Failure failure(const std::string& text, const std::string& name) {
-    const Reading reading(text);
-    EXPECT_TRUE(reading.ok()) << reading.report();
-    try {
-        Session session(reading.script);
-        return {"no error: " + session.evaluate(build::name(name)), 0};
-    } catch (const EvaluationError& error) {
-        return {error.what(), error.stack.size()};
-    }
-}
-
-std::string value(const std::string& text) {
-    const Reading reading("x = " + text + "\n");
-    EXPECT_TRUE(reading.ok()) << reading.report();
-    try {
-        return Session(reading.script).evaluate(build::name("x"));
-    } catch (const EvaluationError& error) {
-        return std::string("error: ") + error.what();
-    }
-}
 
 TEST(SessionTest, RefinementInEachModel) {
     expect_outcomes(R"(channel a, b
@@ -207,8 +157,6 @@ TEST(SessionTest, FaultsAreNamed) {
     EXPECT_EQ(failure("x = x\n", "x").message, "'x' is defined by itself");
     EXPECT_EQ(failure("x = card(Int)\n", "x").message, "the set Int is infinite");
     EXPECT_EQ(failure("x = 9223372036854775807 + 1\n", "x").message, "the number does not fit in 64 bits");
-    EXPECT_EQ(failure("external mtransclose\nx = mtransclose({}, {})\n", "x").message,
-              "'mtransclose' is not supported yet");
     EXPECT_EQ(failure("x = diamond(STOP)\n", "x").message, "'diamond' must be declared transparent before use");
     EXPECT_EQ(failure("f(n) = 1 + f(n+1)\nx = f(0)\n", "x").message, "evaluation nests too deeply: runaway recursion?");
     EXPECT_EQ(failure("channel c : {0,1}\nx = c.2\n", "x").message,

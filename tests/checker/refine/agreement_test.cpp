@@ -1,14 +1,15 @@
-// The checker against the naive reference on random processes over all operators, in every model. The number of
-// random pairs comes from RC_PARAMS (max_success); each gives thirteen checks, by every engine.
+// The checker against the naive reference on random processes over all operators, in every model, by every engine.
+// ROBOCHART_RANDOM_CHECKS and ROBOCHART_RANDOM_SEED ask for more and for others (docs/testing.md).
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
+#include <iostream>
 #include <map>
 
 #include "checker/machine/compiler.hpp"
 #include "checker/refine/check.hpp"
 #include "naive.hpp"
+#include "random_cases.hpp"
 #include "random_process.hpp"
 #include "translate.hpp"
 
@@ -18,10 +19,6 @@ namespace {
 using naive::Behaviour;
 using naive::Semantics;
 
-constexpr std::size_t largest_graph = 120;
-constexpr auto models = {std::pair{Semantics::T, Model::traces}, std::pair{Semantics::F, Model::failures},
-                         std::pair{Semantics::FD, Model::failures_divergences}};
-
 /// How often each answer was seen, so that the test cannot become empty.
 struct Seen {
     int checks = 0;
@@ -30,65 +27,64 @@ struct Seen {
     void count(bool held) { ++checks, ++(held ? holds : fails); }
 };
 
-struct Pair;
+enum class Engine { terms, compressing_terms, machines };
 
-class Agreement : public testing::Test {
-protected:
-    void expect(const Verdict& verdict, bool holds, const char* question) {
-        seen_[question].count(holds);
-        RC_LOG() << question << (holds ? ": should hold" : ": should fail") << std::endl;
-        RC_ASSERT(verdict.outcome == (holds ? Outcome::holds : Outcome::fails));
-        RC_ASSERT(verdict.counterexample.has_value() == !holds);
-    }
-    enum class Engine { terms, compressing_terms, machines };
-    void compare(const Pair& pair, Engine engine);
-    std::unique_ptr<lts::TransitionSystem> system(Translation& translation, const naive::Process& process,
-                                                  Engine engine);
-    std::map<std::string, Seen> seen_;
-    int plain_ = 0;
-    int compressed_ = 0;
-    int compiled_ = 0;
-    int left_as_terms_ = 0;
-};
-
-/// Whether the process uses the operator anywhere, its definitions left aside: those use neither of the two asked for.
 bool uses(const naive::Process& process, naive::Kind kind) {
     if (process->kind == kind) return true;
     return std::any_of(process->operands.begin(), process->operands.end(),
                        [kind](const naive::Process& operand) { return uses(operand, kind); });
 }
 
-/// One random pair of processes, and what the definitions say of them.
-struct Pair {
-    naive::Script script;
-    naive::Graph first;
-    naive::Graph second;
-    std::vector<naive::Letter> trace;
-
-    [[nodiscard]] Behaviour a() const { return {first, naive::letters_used}; }
-    [[nodiscard]] Behaviour b() const { return {second, naive::letters_used}; }
-    /// Compressions may change what chase follows.
-    [[nodiscard]] bool compressible() const {
-        const bool chases = uses(script.mains[0], naive::Kind::chase) || uses(script.mains[1], naive::Kind::chase);
-        return !chases &&
-               (uses(script.mains[0], naive::Kind::compress) || uses(script.mains[1], naive::Kind::compress));
-    }
-};
-
-Pair random_pair() {
-    const std::vector<unsigned> list = *rc::gen::container<std::vector<unsigned>>(rc::gen::inRange<unsigned>(0, 2520));
-    naive::Script script = naive::Decoder(list).script(2);
-    // A quarter of the pairs are related, so that refinements hold often enough.
-    if (!list.empty() && list[0] % 4 == 0)
-        script.mains[0] = std::make_shared<const naive::Tree>(
-            naive::Tree{naive::Kind::internal, {script.mains[0], script.mains[1]}, {}, {}, {}, {}, 0});
-    auto first = naive::explore(script, script.mains[0], largest_graph);
-    auto second = naive::explore(script, script.mains[1], largest_graph);
-    RC_PRE(first && second);
-    RC_LOG() << show(script) << std::endl;
-    return {
-        script, *first, *second, {static_cast<int>(list.size() % 3), list.empty() ? 0 : static_cast<int>(list[0] % 3)}};
+bool uses(const naive::Script& script, naive::Kind kind) {
+    const auto somewhere = [kind](const std::vector<naive::Process>& list) {
+        return std::any_of(list.begin(), list.end(), [kind](const auto& each) { return uses(each, kind); });
+    };
+    return somewhere(script.definitions) || somewhere(script.mains);
 }
+
+/// Compressions may change what chase follows.
+bool compressible(const naive::Script& script) {
+    return !uses(script, naive::Kind::chase) && uses(script, naive::Kind::compress);
+}
+
+Model model(Semantics semantics) {
+    if (semantics == Semantics::T) return Model::traces;
+    return semantics == Semantics::F ? Model::failures : Model::failures_divergences;
+}
+
+Verdict ask(const Question& question, lts::TransitionSystem& left, lts::TransitionSystem& right,
+            const std::vector<process::Event>& trace) {
+    const Limits limits{};
+    switch (question.kind) {
+        case Question::Kind::refinement:
+            return refines(left, right, model(question.semantics), limits);
+        case Question::Kind::deadlock_free:
+            return deadlock_free(left, model(question.semantics), limits);
+        case Question::Kind::divergence_free:
+            return divergence_free(left, limits);
+        case Question::Kind::deterministic:
+            return deterministic(left, model(question.semantics), limits);
+        case Question::Kind::has_trace:
+            return has_trace(left, trace, model(question.semantics), limits);
+    }
+    return {};
+}
+
+class Agreement : public testing::Test {
+protected:
+    /// The first question that the engine answers otherwise than the definitions say, in words; none if there is none.
+    std::optional<std::string> disagreement(const Case& asked, const Graphs& graphs, Engine engine, bool counted);
+    std::unique_ptr<lts::TransitionSystem> system(Translation& translation, const naive::Process& process,
+                                                  Engine engine);
+    bool agrees(const RandomCases::Explored& each, Engine engine);
+
+    std::map<std::string, Seen> seen_;
+    int checks_ = 0;
+    int plain_ = 0;
+    int compressed_ = 0;
+    int compiled_ = 0;
+    int left_as_terms_ = 0;
+};
 
 std::unique_ptr<lts::TransitionSystem> Agreement::system(Translation& translation, const naive::Process& process,
                                                          Engine engine) {
@@ -100,55 +96,105 @@ std::unique_ptr<lts::TransitionSystem> Agreement::system(Translation& translatio
     return std::make_unique<lts::TermSystem>(translation.system(process));
 }
 
-void Agreement::compare(const Pair& pair, Engine engine) {
+/// What is wrong with the verdict, if anything.
+std::optional<std::string> fault(const Question& question, const Verdict& verdict, const Graphs& graphs, bool holds,
+                                 bool compressing) {
+    if (verdict.outcome != (holds ? Outcome::holds : Outcome::fails)) return holds ? "should hold" : "should fail";
+    if (verdict.counterexample.has_value() == holds) return "has a counterexample too many or too few";
+    const bool measured = question.kind == Question::Kind::refinement && question.semantics != Semantics::FD;
+    if (holds || compressing || !measured) return std::nullopt;
+    const Behaviour left(graphs.graphs[question.left], naive::letters_used);
+    const Behaviour right(graphs.graphs[question.right], naive::letters_used);
+    const auto shortest = naive::shortest_violation(left, right, question.semantics);
+    return verdict.counterexample->steps.size() == shortest ? std::nullopt
+                                                            : std::optional<std::string>("has no shortest run");
+}
+
+std::optional<std::string> Agreement::disagreement(const Case& asked, const Graphs& graphs, Engine engine,
+                                                   bool counted) {
     const bool compressing = engine == Engine::compressing_terms;
-    RC_LOG() << (compressing ? "with compressions" : engine == Engine::terms ? "as terms" : "compiled") << std::endl;
-    const Behaviour a = pair.a();
-    const Behaviour b = pair.b();
-    Translation translation(pair.script, compressing);
-    const auto first = system(translation, pair.script.mains[0], engine);
-    const auto second = system(translation, pair.script.mains[1], engine);
-    lts::TransitionSystem& sa = *first;
-    lts::TransitionSystem& sb = *second;
-    const Limits limits{};
-    for (const auto& [semantics, model] : models) {
-        const char* const name = semantics == Semantics::T ? "[T=" : semantics == Semantics::F ? "[F=" : "[FD=";
-        const Verdict forth = refines(sa, sb, model, limits);
-        expect(forth, naive::refines(a, b, semantics), name);
-        expect(refines(sb, sa, model, limits), naive::refines(b, a, semantics), name);
-        if (!compressing && semantics != Semantics::FD && forth.counterexample)
-            RC_ASSERT(forth.counterexample->steps.size() == *naive::shortest_violation(a, b, semantics));
-        if (semantics == Semantics::T) continue;
-        expect(deadlock_free(sb, model, limits), naive::deadlock_free(b, semantics), "deadlock free");
-        expect(deterministic(sb, model, limits), naive::deterministic(b, semantics), "deterministic");
+    Translation translation(asked.script, compressing);
+    const std::unique_ptr<lts::TransitionSystem> systems[] = {system(translation, asked.script.mains[0], engine),
+                                                              system(translation, asked.script.mains[1], engine)};
+    std::vector<process::Event> trace;
+    for (naive::Letter each : asked.trace) trace.push_back(translation.event(each));
+    for (const Question& question : questions()) {
+        const bool holds = expected(question, graphs, asked.trace);
+        const Verdict verdict = ask(question, *systems[question.left], *systems[question.right], trace);
+        if (const auto wrong = fault(question, verdict, graphs, holds, compressing))
+            return assertion(question, asked.trace) + " " + *wrong;
+        if (!counted) continue;
+        ++checks_;
+        seen_[topic(question)].count(holds);
     }
-    expect(divergence_free(sb, limits), naive::divergence_free(b), "divergence free");
-    expect(has_trace(sb, {translation.event(pair.trace[0]), translation.event(pair.trace[1])}, Model::traces, limits),
-           naive::has_trace(b, pair.trace), "has trace");
-    expect(refines(sb, sb, Model::failures_divergences, limits), true, "reflexive");
-    ++(compressing ? compressed_ : plain_);
+    if (counted) ++(compressing ? compressed_ : plain_);
+    return std::nullopt;
+}
+
+/// Shrinks and prints a case on which the engine is wrong.
+bool Agreement::agrees(const RandomCases::Explored& each, Engine engine) {
+    if (!disagreement(each.asked, each.graphs, engine, true)) return true;
+    const auto wrong = [&](const Case& asked) -> std::optional<std::string> {
+        const auto graphs = explore(asked, largest_graph);
+        if (!graphs) return std::nullopt;
+        return disagreement(asked, *graphs, engine, false);
+    };
+    const Case least = shrink(each.asked, [&](const Case& asked) { return wrong(asked).has_value(); });
+    const char* const name = engine == Engine::terms      ? "as terms"
+                             : engine == Engine::machines ? "compiled"
+                                                          : "with compressions";
+    ADD_FAILURE() << name << ": " << wrong(least).value_or("?") << "\n" << show(least.script);
+    return false;
 }
 
 TEST_F(Agreement, OnRandomProcesses) {
-    const bool agreed = rc::check("the checker agrees with the definitions", [this] {
-        const Pair pair = random_pair();
-        compare(pair, Engine::terms);
-        compare(pair, Engine::machines);
-        if (pair.compressible()) compare(pair, Engine::compressing_terms);
-    });
-    EXPECT_TRUE(agreed);
-    int checks = 0;
+    const int wanted = wanted_checks(12'000);
+    RandomCases cases(1);
+    bool agreed = true;
+    while (agreed && checks_ < wanted) {
+        const RandomCases::Explored each = cases.next();
+        agreed = agrees(each, Engine::terms) && agrees(each, Engine::machines);
+        if (agreed && compressible(each.asked.script)) agreed = agrees(each, Engine::compressing_terms);
+    }
+    ASSERT_TRUE(agreed);
+    std::cout << checks_ << " random checks agree\n";
+    RecordProperty("checks", checks_);
     for (const auto& [question, seen] : seen_) {
-        checks += seen.checks;
         RecordProperty(question, std::to_string(seen.holds) + " hold, " + std::to_string(seen.fails) + " fail");
         EXPECT_GT(seen.holds * 20, seen.checks) << question << " held too rarely to be tested: " << seen.holds;
-        if (question != "reflexive") {
-            EXPECT_GT(seen.fails * 20, seen.checks) << question << " failed too rarely to be tested: " << seen.fails;
-        }
+        EXPECT_GT(seen.fails * 20, seen.checks) << question << " failed too rarely to be tested: " << seen.fails;
     }
-    EXPECT_GE(checks, 5000);
+    EXPECT_GE(checks_, 5000);
     EXPECT_GT(compiled_ * 15, left_as_terms_) << "too few processes were compiled: " << compiled_;
-    EXPECT_GT(compressed_ * 30, plain_) << "too few pairs with compressions: " << compressed_;
+    EXPECT_GT(compressed_ * 10, plain_) << "too few pairs with compressions: " << compressed_;
+}
+
+// A checker that takes external for internal choice is found out, and by a case as small as they come.
+TEST_F(Agreement, AFaultIsFoundAndShrunk) {
+    const std::function<naive::Process(const naive::Process&)> confused = [&](const naive::Process& process) {
+        naive::Tree tree = *process;
+        for (naive::Process& operand : tree.operands) operand = confused(operand);
+        if (tree.kind == naive::Kind::internal) tree.kind = naive::Kind::external;
+        return std::make_shared<const naive::Tree>(std::move(tree));
+    };
+    const auto wrong = [&](const Case& asked) {
+        Case other = asked;
+        for (naive::Process& main : other.script.mains) main = confused(main);
+        for (naive::Process& definition : other.script.definitions) definition = confused(definition);
+        const auto graphs = explore(asked, largest_graph);
+        const auto others = explore(other, largest_graph);
+        if (!graphs || !others) return false;
+        return std::any_of(questions().begin(), questions().end(), [&](const Question& question) {
+            return expected(question, *graphs, asked.trace) != expected(question, *others, asked.trace);
+        });
+    };
+    RandomCases cases(2);
+    Case found = cases.next().asked;
+    while (!wrong(found)) found = cases.next().asked;
+    const Case least = shrink(found, wrong);
+    // M0 = STOP, M1 = a choice of two different leaves, or an even smaller one.
+    EXPECT_TRUE(uses(least.script, naive::Kind::internal)) << show(least.script);
+    for (const naive::Process& main : least.script.mains) EXPECT_LE(show(main).size(), 40U) << show(least.script);
 }
 
 }  // namespace

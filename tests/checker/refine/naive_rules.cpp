@@ -73,12 +73,17 @@ private:
                 return parallel(p);
             case Kind::alphabetised:
                 return alphabetised(p);
+            case Kind::linked:
+                return linked(p);
             case Kind::hide:
+            case Kind::project:
                 return hide(p);
             case Kind::rename:
                 return rename(p);
             case Kind::prioritise:
-                return prioritise(p);
+                return prioritise(p, above);
+            case Kind::prioritise_order:
+                return prioritise(p, above_in_order);
             case Kind::chase:
                 return chase(p);
             case Kind::compress:
@@ -216,11 +221,32 @@ private:
         }
         return result;
     }
+    /// A linked event of one side happens only with its partner of the other, unseen; what is not linked is free.
+    Moves linked(const Process& p) const {
+        const Moves left = moves(p->operands[0]);
+        const Moves right = moves(p->operands[1]);
+        Moves result = together(p, everyone(p), tick);
+        const auto free = [&](Letter l, bool first) {
+            return l != tick && std::none_of(p->renaming.begin(), p->renaming.end(),
+                                             [&](const auto& link) { return l == (first ? link.first : link.second); });
+        };
+        for (const Move& m : left)
+            if (free(m.letter, true)) result.push_back({m.letter, with(p, 0, m.target)});
+        for (const Move& m : right)
+            if (free(m.letter, false)) result.push_back({m.letter, with(p, 1, m.target)});
+        for (const auto& [one, other] : p->renaming)
+            for (const Move& l : left)
+                for (const Move& r : right)
+                    if (l.letter == one && r.letter == other)
+                        result.push_back({tau, with(with(p, 0, l.target), 1, r.target)});
+        return result;
+    }
     Moves hide(const Process& p) const {
         Moves result;
-        for (const Move& m : moves(p->operands[0]))
-            result.push_back(
-                {p->set.contains(m.letter) ? tau : m.letter, m.letter == tick ? omega : with(p, 0, m.target)});
+        for (const Move& m : moves(p->operands[0])) {
+            const bool hidden = m.letter >= 0 && p->set.contains(m.letter) == (p->kind == Kind::hide);
+            result.push_back({hidden ? tau : m.letter, m.letter == tick ? omega : with(p, 0, m.target)});
+        }
         return result;
     }
     Moves rename(const Process& p) const {
@@ -245,12 +271,22 @@ private:
         };
         return level(high) >= 0 && level(low) >= 0 && level(high) < level(low);
     }
-    Moves prioritise(const Process& p) const {
+    /// prioritisepo: by a chain of pairs, or tau and tick over all that take part but the maximal.
+    static bool above_in_order(const Process& p, Letter high, Letter low) {
+        std::set<Letter> lower{high};
+        for (std::size_t round = 0; round <= p->renaming.size(); ++round)
+            for (const auto& [more, less] : p->renaming)
+                if (lower.contains(more)) lower.insert(less);
+        if (high < 0) return p->set.contains(low) && !p->sets[0].contains(low);
+        return low != high && lower.contains(low);
+    }
+    using Above = bool (*)(const Process&, Letter, Letter);
+    Moves prioritise(const Process& p, Above higher) const {
         const Moves all = moves(p->operands[0]);
         Moves result;
         for (const Move& m : all) {
             const bool cut =
-                std::any_of(all.begin(), all.end(), [&](const Move& o) { return above(p, o.letter, m.letter); });
+                std::any_of(all.begin(), all.end(), [&](const Move& o) { return higher(p, o.letter, m.letter); });
             if (!cut) result.push_back({m.letter, m.letter == tick ? omega : with(p, 0, m.target)});
         }
         return result;

@@ -1,8 +1,10 @@
-// Printing of test processes.
+// Test processes printed as CSPM.
 #include "process_tree.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <array>
 
 namespace robochart::refine::naive {
 namespace {
@@ -26,21 +28,36 @@ std::string joined(const Process& process, const std::string& separator) {
 std::string prefix(const Process& process) {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < process->letters.size(); ++i)
-        parts.push_back(letter(process->letters[i]) + "->" + show(process->operands[i]));
-    return fmt::format("({})", fmt::join(parts, " | "));
+        parts.push_back(letter(process->letters[i]) + " -> " + show(process->operands[i]));
+    return fmt::format("({})", fmt::join(parts, " [] "));
 }
 
 std::string levels(const Process& process) {
     std::vector<std::string> parts;
     for (const auto& set : process->sets) parts.push_back(letters(set));
-    return fmt::format("<{}>", fmt::join(parts, ","));
+    return fmt::format("{}", fmt::join(parts, ","));
 }
 
-std::string renaming(const Process& process) {
+std::string pairs(const Process& process, const char* pattern) {
     std::vector<std::string> parts;
-    for (const auto& [from, to] : process->renaming) parts.push_back(letter(from) + "<-" + letter(to));
-    return fmt::format("[[{}]]", fmt::join(parts, ","));
+    for (const auto& [from, to] : process->renaming)
+        parts.push_back(fmt::format(fmt::runtime(pattern), letter(from), letter(to)));
+    return fmt::format("{}", fmt::join(parts, ", "));
 }
+
+/// Parallel does not associate in CSPM: of three the replicated form is needed.
+std::string replicated(const Process& process) {
+    return fmt::format("([|{}|] i:{{0..2}} @ (if i == 0 then {} else if i == 1 then {} else {}))",
+                       letters(process->set), show(process->operands[0]), show(process->operands[1]),
+                       show(process->operands[2]));
+}
+
+std::string applied(const std::string& function, const Process& process, const std::string& more = "") {
+    return function + "(" + show(process->operands[0]) + more + ")";
+}
+
+constexpr std::array compressions{"normal",          "sbisim",         "dbisim",    "wbisim", "diamond",
+                                  "tau_loop_factor", "model_compress", "explicate", "deter",  "lazyenumerate"};
 
 }  // namespace
 
@@ -56,9 +73,9 @@ std::string show(const Process& process) {
         case Kind::omega:
             return "OMEGA";
         case Kind::run:
-            return "RUN" + set;
+            return "RUN(" + set + ")";
         case Kind::chaos:
-            return "CHAOS" + set;
+            return "CHAOS(" + set + ")";
         case Kind::call:
             return fmt::format("P{}", process->name);
         case Kind::prefix:
@@ -80,28 +97,38 @@ std::string show(const Process& process) {
         case Kind::sync_interrupt:
             return joined(process, " /+" + set + "+\\ ");
         case Kind::parallel:
+            if (process->operands.size() == 3) return replicated(process);
             return joined(process, " [|" + set + "|] ");
         case Kind::alphabetised:
-            return joined(process, " " + levels(process) + "|| ");
+            return joined(process, fmt::format(" [{} || {}] ", letters(process->sets[0]), letters(process->sets[1])));
+        case Kind::linked:
+            return joined(process, " [" + pairs(process, "{} <-> {}") + "] ");
         case Kind::hide:
-            return joined(process, "") + "\\" + set;
+            return "(" + show(process->operands[0]) + " \\ " + set + ")";
+        case Kind::project:
+            return "(" + show(process->operands[0]) + " |\\ " + set + ")";
         case Kind::rename:
-            return joined(process, "") + renaming(process);
+            return show(process->operands[0]) + "[[" + pairs(process, "{} <- {}") + "]]";
         case Kind::prioritise:
-            return "prioritise" + joined(process, "") + levels(process);
+            return applied("prioritise", process, ", <" + levels(process) + ">");
+        case Kind::prioritise_order:
+            return applied("prioritisepo", process,
+                           fmt::format(", {}, {{{}}}, {}", set, pairs(process, "({}, {})"), letters(process->sets[0])));
         case Kind::chase:
-            return "chase" + joined(process, "");
+            return applied("chase", process);
         case Kind::compress:
-            return fmt::format("compress{}{}", process->name, joined(process, ""));
+            return applied(compressions.at(static_cast<std::size_t>(process->name)), process);
     }
     return "?";
 }
 
 std::string show(const Script& script) {
-    std::string text;
+    std::string text =
+        "transparent normal, sbisim, dbisim, wbisim, diamond, tau_loop_factor, model_compress, explicate, "
+        "lazyenumerate, chase\nexternal prioritise, prioritisepo\nchannel a, b, c\n";
     for (std::size_t i = 0; i < script.definitions.size(); ++i)
         text += fmt::format("P{} = {}\n", i, show(script.definitions[i]));
-    for (const Process& main : script.mains) text += "main: " + show(main) + "\n";
+    for (std::size_t i = 0; i < script.mains.size(); ++i) text += fmt::format("M{} = {}\n", i, show(script.mains[i]));
     return text;
 }
 

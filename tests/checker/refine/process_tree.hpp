@@ -1,4 +1,4 @@
-// Processes of tests as plain trees: input both to the checker, through terms, and to the naive reference.
+// Processes of tests as plain trees: input to the checker, through terms or as CSPM text, and to the naive reference.
 #pragma once
 
 #include <memory>
@@ -28,9 +28,12 @@ enum class Kind {
     sync_interrupt,
     parallel,
     alphabetised,
+    linked,
     hide,
+    project,
     rename,
     prioritise,
+    prioritise_order,
     chase,
     compress
 };
@@ -44,11 +47,11 @@ inline constexpr Letter tick = -2;
 struct Tree {
     Kind kind = Kind::stop;
     std::vector<Process> operands;
-    std::vector<Letter> letters;  ///< prefix: one per operand
-    std::set<Letter> set;
-    std::vector<std::set<Letter>> sets;  ///< alphabets or priority levels
-    std::vector<std::pair<Letter, Letter>> renaming;
-    int name = 0;  ///< call: the definition; compress: which compression
+    std::vector<Letter> letters;                      ///< prefix: one per operand
+    std::set<Letter> set;                             ///< prioritise_order: the events in the order
+    std::vector<std::set<Letter>> sets;               ///< alphabets or priority levels; prioritise_order: the maximal
+    std::vector<std::pair<Letter, Letter>> renaming;  ///< linked: the links; prioritise_order: (higher, lower)
+    int name = 0;                                     ///< call: the definition; compress: which compression
 };
 
 /// Named processes; main may call them.
@@ -57,8 +60,9 @@ struct Script {
     std::vector<Process> mains;
 };
 
-/// For failure messages, in CSPM's manner.
+/// In CSPM; OMEGA, which CSPM cannot write, is what a terminated process has become.
 std::string show(const Process& process);
+/// A whole script in CSPM: the mains are M0, M1 ...
 std::string show(const Script& script);
 
 }  // namespace robochart::refine::naive

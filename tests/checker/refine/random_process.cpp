@@ -34,7 +34,7 @@ Script Decoder::script(int mains) {
 }
 
 Process Decoder::sequential_leaf(bool guarded) {
-    if (guarded && definitions_ > 0 && take(3) > 0) {
+    if (guarded && definitions_ > 0 && take(5) > 0) {
         Tree call{Kind::call, {}, {}, {}, {}, {}, static_cast<int>(take(definition_count))};
         return std::make_shared<const Tree>(call);
     }
@@ -42,7 +42,7 @@ Process Decoder::sequential_leaf(bool guarded) {
 }
 
 Process Decoder::static_leaf() {
-    switch (take(8)) {
+    switch (take(9)) {
         case 0:
             return make(Kind::stop);
         case 1:
@@ -52,6 +52,7 @@ Process Decoder::static_leaf() {
         case 4:
             return make(Kind::div);
         case 5:
+        case 8:
             return make(Kind::run, {}, set());
         case 6:
             return make(Kind::chaos, {}, set());
@@ -78,7 +79,7 @@ Process Decoder::closed(int depth) {
 
 Process Decoder::sequential(int depth, bool guarded) {
     if (depth <= 0) return sequential_leaf(guarded);
-    switch (take(14)) {
+    switch (take(15)) {
         case 0:
         case 1:
             return sequential_leaf(guarded);
@@ -98,14 +99,57 @@ Process Decoder::sequential(int depth, bool guarded) {
             return make(Kind::sync_external, {closed(depth - 1), closed(depth - 1)}, set());
         case 9:
             return make(Kind::sync_interrupt, {closed(depth - 1), closed(depth - 1)}, set());
+        case 10:
+            return compressed(closed(depth - 1));
         default:
             return prefix(depth);
     }
 }
 
-Process Decoder::with_levels(Kind kind, std::vector<Process> operands) {
+Process Decoder::with_levels(Kind kind, std::vector<Process> operands, unsigned sets) {
     Tree tree{kind, std::move(operands), {}, {}, {}, {}, 0};
-    tree.sets = {set(), set()};
+    while (tree.sets.size() < sets) tree.sets.push_back(set());
+    return std::make_shared<const Tree>(std::move(tree));
+}
+
+/// Several names for one letter, and several letters with one name, included.
+Process Decoder::renamed(int depth) {
+    Tree tree{Kind::rename, {composite(depth - 1)}, {}, {}, {}, {}, 0};
+    for (unsigned pairs = 1 + take(3); pairs > 0; --pairs) {
+        const Letter from = letter();
+        tree.renaming.emplace_back(from, letter());
+    }
+    return std::make_shared<const Tree>(std::move(tree));
+}
+
+/// No letter is linked twice on one side: FDR refuses that.
+Process Decoder::linked(int depth) {
+    Tree tree{Kind::linked, {composite(depth - 1), composite(depth - 1)}, {}, {}, {}, {}, 0};
+    tree.renaming.emplace_back(letter(), letter());
+    const auto [from, to] = tree.renaming.front();
+    if (take(2) == 1) tree.renaming.emplace_back((from + 1) % letters_used, (to + 2) % letters_used);
+    return std::make_shared<const Tree>(std::move(tree));
+}
+
+/// An order without cycles whose maximal events lie below none: what prioritisepo asks for.
+Process Decoder::ordered(int depth) {
+    Tree tree{Kind::prioritise_order, {composite(depth - 1)}, {}, {0, 1, 2}, {}, {}, 0};
+    const Letter first = letter();
+    const auto ranked = [&](int rank) { return (first + rank) % letters_used; };
+    std::set<Letter> maximal = set();
+    for (const auto& [high, low] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
+        if (take(2) == 0) continue;
+        tree.renaming.emplace_back(ranked(high), ranked(low));
+        maximal.erase(ranked(low));
+    }
+    tree.sets = {maximal};
+    return std::make_shared<const Tree>(std::move(tree));
+}
+
+Process Decoder::compressed(Process operand) {
+    constexpr int deter = 8;
+    Tree tree{Kind::compress, {std::move(operand)}, {}, {}, {}, {}, static_cast<int>(take(9))};
+    if (tree.name == deter) tree.name = deter + 1;  // it is refused: it may change the meaning
     return std::make_shared<const Tree>(std::move(tree));
 }
 
@@ -115,7 +159,7 @@ Process Decoder::composite(int depth) {
         return std::make_shared<const Tree>(call);
     }
     const auto part = [&] { return composite(depth - 1); };
-    switch (take(23)) {
+    switch (take(26)) {
         case 0:
         case 1:
             return composite(0);
@@ -129,16 +173,10 @@ Process Decoder::composite(int depth) {
         case 6:
         case 7:
             return make(Kind::hide, {part()}, set());
-        case 8: {
-            Tree tree{Kind::rename, {part()}, {}, {}, {}, {}, 0};
-            for (unsigned pairs = 1 + take(3); pairs > 0; --pairs) {
-                const Letter from = letter();
-                tree.renaming.emplace_back(from, letter());
-            }
-            return std::make_shared<const Tree>(std::move(tree));
-        }
+        case 8:
+            return renamed(depth);
         case 9:
-            return with_levels(Kind::prioritise, {part()});
+            return with_levels(Kind::prioritise, {part()}, 1 + take(3));
         case 10:
             return make(Kind::chase, {part()});
         case 11:
@@ -157,11 +195,14 @@ Process Decoder::composite(int depth) {
             return make(Kind::internal, {part(), part()});
         case 18:
             return make(Kind::sliding, {part(), part()});
-        default: {
-            Tree tree{Kind::compress, {part()}, {}, {}, {}, {}, 0};
-            tree.name = static_cast<int>(take(8));  // any but deter and lazyenumerate
-            return std::make_shared<const Tree>(std::move(tree));
-        }
+        case 19:
+            return linked(depth);
+        case 20:
+            return ordered(depth);
+        case 21:
+            return make(Kind::project, {part()}, set());
+        default:
+            return compressed(part());
     }
 }
 

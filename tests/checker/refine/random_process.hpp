@@ -29,7 +29,11 @@ private:
     Process closed(int depth);
     Process static_leaf();
     Process composite(int depth);
-    Process with_levels(Kind kind, std::vector<Process> operands);
+    Process with_levels(Kind kind, std::vector<Process> operands, unsigned sets = 2);
+    Process renamed(int depth);
+    Process linked(int depth);
+    Process ordered(int depth);
+    Process compressed(Process operand);
 
     const std::vector<unsigned>& numbers_;
     std::size_t next_ = 0;

@@ -1,5 +1,7 @@
 #include "translate.hpp"
 
+#include "checker/process/priority_order.hpp"
+
 namespace robochart::refine {
 
 using naive::Kind;
@@ -100,12 +102,46 @@ TermId Translation::composite(const naive::Tree& tree, std::vector<TermId> opera
             for (const auto& [from, to] : tree.renaming) renaming.emplace_back(event(from), event(to));
             return make(Op::rename, static_cast<std::uint32_t>(scripted_.store.renaming(renaming)));
         }
+        case Kind::linked:
+            return linked(tree, operands);
+        case Kind::project: {
+            std::set<Letter> others;
+            for (Letter l = 0; l < 6; ++l)
+                if (!tree.set.contains(l)) others.insert(l);
+            return make(Op::hide, set_of(others));
+        }
+        case Kind::prioritise_order: {
+            std::vector<process::EventPair> pairs;
+            for (const auto& [high, low] : tree.renaming) pairs.emplace_back(event(high), event(low));
+            const auto order = process::priority_order(events_of(tree.set), pairs, events_of(tree.sets[0]));
+            return make(Op::prioritise_order,
+                        static_cast<std::uint32_t>(scripted_.store.renaming(std::get<process::Renaming>(order))));
+        }
         default: {
             process::PriorityOrder order;
             for (const auto& level : tree.sets) order.push_back(events_of(level));
             return make(Op::prioritise, static_cast<std::uint32_t>(scripted_.store.order(order)));
         }
     }
+}
+
+/// Both ends of a link become one event of its own, which the two share and which is hidden.
+TermId Translation::linked(const naive::Tree& tree, const std::vector<TermId>& operands) {
+    process::Renaming left;
+    process::Renaming right;
+    process::EventSet links;
+    for (const auto& [from, to] : tree.renaming) {
+        links.push_back(scripted_.event("link" + std::to_string(from) + std::to_string(to)));
+        left.emplace_back(event(from), links.back());
+        right.emplace_back(event(to), links.back());
+    }
+    const auto renamed = [&](TermId operand, process::Renaming names) {
+        return scripted_.op(Op::rename, {operand},
+                            static_cast<std::uint32_t>(scripted_.store.renaming(std::move(names))));
+    };
+    const auto set = static_cast<std::uint32_t>(scripted_.store.set(links));
+    const TermId both = scripted_.op(Op::parallel, {renamed(operands[0], left), renamed(operands[1], right)}, set);
+    return scripted_.op(Op::hide, {both}, set);
 }
 
 }  // namespace robochart::refine

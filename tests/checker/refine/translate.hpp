@@ -24,6 +24,7 @@ public:
 private:
     process::TermId leaf_or_choice(const naive::Tree& tree, std::vector<process::TermId> operands);
     process::TermId composite(const naive::Tree& tree, std::vector<process::TermId> operands);
+    process::TermId linked(const naive::Tree& tree, const std::vector<process::TermId>& operands);
     std::uint32_t set_of(const std::set<naive::Letter>& letters);
     process::EventSet events_of(const std::set<naive::Letter>& letters);
 

@@ -1,0 +1,59 @@
+#include "checker/process/priority_order.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace robochart::process {
+namespace {
+
+using Below = std::map<Event, std::set<Event>>;
+
+bool contains(const EventSet& set, Event event) {
+    return std::binary_search(set.begin(), set.end(), event);
+}
+
+/// The events that chains of pairs lead to.
+std::set<Event> reached(const Below& direct, Event from) {
+    std::set<Event> found;
+    std::vector<Event> work{from};
+    while (!work.empty()) {
+        const auto next = direct.find(work.back());
+        work.pop_back();
+        if (next == direct.end()) continue;
+        for (Event lower : next->second)
+            if (found.insert(lower).second) work.push_back(lower);
+    }
+    return found;
+}
+
+}  // namespace
+
+std::variant<Renaming, OrderFault> priority_order(const EventSet& prioritised, const std::vector<EventPair>& pairs,
+                                                  const EventSet& maximal) {
+    using Kind = OrderFault::Kind;
+    Below direct;
+    for (const auto& [higher, lower] : pairs) {
+        for (Event each : {higher, lower})
+            if (!contains(prioritised, each)) return OrderFault{Kind::missing, each};
+        direct[higher].insert(lower);
+    }
+    for (Event each : maximal)
+        if (!contains(prioritised, each)) return OrderFault{Kind::missing, each};
+    Renaming result;
+    for (Event each : prioritised)
+        if (!contains(maximal, each)) {
+            result.emplace_back(tau, each);
+            result.emplace_back(tick, each);
+        }
+    for (const auto& [higher, lower] : direct)
+        for (Event each : reached(direct, higher)) {
+            if (each == higher) return OrderFault{Kind::cyclic, each};
+            if (contains(maximal, each)) return OrderFault{Kind::not_maximal, each};
+            result.emplace_back(higher, each);
+        }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+}  // namespace robochart::process

@@ -1,0 +1,27 @@
+// The partial orders of prioritisepo (FDR manual, "prioritisepo"; Roscoe, UCS 20.2: prioritise by a partial order).
+#pragma once
+
+#include <variant>
+
+#include "checker/process/term.hpp"
+
+namespace robochart::process {
+
+/// Why events and pairs are no order that prioritisepo takes.
+struct OrderFault {
+    enum class Kind {
+        missing,      ///< the event is in a pair or maximal, but not among the prioritised events
+        cyclic,       ///< the event lies above itself
+        not_maximal,  ///< the event is called maximal and lies below another
+    };
+    Kind kind;
+    Event event;
+};
+
+/// All pairs (higher, lower), ascending: chains of the given ones; tau and tick lie above every prioritised event that
+/// is not maximal. The sets are ascending.
+[[nodiscard]] std::variant<Renaming, OrderFault> priority_order(const EventSet& prioritised,
+                                                                const std::vector<EventPair>& pairs,
+                                                                const EventSet& maximal);
+
+}  // namespace robochart::process

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# The refinement checker against the naive one of the tests, on random processes (docs/testing.md):
+#   scripts/random_checks.sh [CHECKS [SEED]]     default: 100000 checks by the engines, as many by whole scripts
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export ROBOCHART_RANDOM_CHECKS="${1:-100000}"
+export ROBOCHART_RANDOM_SEED="${2:-$(date +%s)}"
+cmake --preset release -DROBOCHART_TESTS=ON
+cmake --build --preset release --target tests_refine tests_cspm
+echo "seed $ROBOCHART_RANDOM_SEED"
+build/release/tests/checker/refine/tests_refine --gtest_filter='Agreement.*:Compressions.*'
+build/release/tests/checker/cspm/tests_cspm --gtest_filter='RandomScripts*'

@@ -1,0 +1,77 @@
+// Asking small scripts: the outcomes of their assertions, values, faults.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "checker/cspm/build.hpp"
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/types.hpp"
+#include "tests/checker/cspm/support.hpp"
+
+namespace robochart::cspm::test {
+
+inline std::vector<refine::Outcome> outcomes(const std::string& text) {
+    Reading reading(text);
+    (void)check_types(reading.script, reading.diagnostics);
+    EXPECT_TRUE(reading.ok()) << reading.report();
+    std::vector<refine::Outcome> result;
+    try {
+        Session session(reading.script);
+        for (const DeclPtr& assertion : session.assertions()) {
+            result.push_back(session.check(*assertion, {}).verdict.outcome);
+        }
+    } catch (const EvaluationError& error) {
+        ADD_FAILURE() << reading.sources.place(error.span) << " " << error.what();
+    }
+    return result;
+}
+
+// Marks: h holds, f fails.
+inline void expect_outcomes(const std::string& text, const std::string& marks) {
+    std::string found;
+    for (const refine::Outcome each : outcomes(text)) {
+        found += each == refine::Outcome::holds ? 'h' : (each == refine::Outcome::fails ? 'f' : '?');
+    }
+    EXPECT_EQ(found, marks) << text;
+}
+
+struct Failure {
+    std::string message;
+    std::size_t stack = 0;
+};
+
+inline Failure failure(const std::string& text, const std::string& name) {
+    const Reading reading(text);
+    EXPECT_TRUE(reading.ok()) << reading.report();
+    try {
+        Session session(reading.script);
+        return {"no error: " + session.evaluate(build::name(name)), 0};
+    } catch (const EvaluationError& error) {
+        return {error.what(), error.stack.size()};
+    }
+}
+
+/// The fault of looking at the process X.
+inline std::string process_failure(const std::string& text) {
+    const Reading reading(text + "assert X :[deadlock free]\n");
+    EXPECT_TRUE(reading.ok()) << reading.report();
+    try {
+        Session session(reading.script);
+        (void)session.check(*session.assertions().back(), {});
+        return "no error";
+    } catch (const EvaluationError& error) {
+        return error.what();
+    }
+}
+
+inline std::string value(const std::string& text) {
+    const Reading reading("x = " + text + "\n");
+    EXPECT_TRUE(reading.ok()) << reading.report();
+    try {
+        return Session(reading.script).evaluate(build::name("x"));
+    } catch (const EvaluationError& error) {
+        return std::string("error: ") + error.what();
+    }
+}
+
+}  // namespace robochart::cspm::test

@@ -1,0 +1,69 @@
+// Whole scripts against the naive reference: random processes printed as CSPM, read, type checked, evaluated, compiled
+// and compressed as any user's script is, with their assertions decided one by one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/types.hpp"
+#include "tests/checker/cspm/support.hpp"
+#include "tests/checker/refine/random_cases.hpp"
+
+namespace robochart::cspm::test {
+namespace {
+
+using refine::Case;
+using refine::Graphs;
+using refine::Outcome;
+using refine::RandomCases;
+
+/// Compressions may change what chase follows.
+bool has_one_meaning(const Case& asked) {
+    std::string text = show(asked.script);
+    text.erase(0, text.find("channel"));  // what the script declares it need not use
+    const auto used = [&](const std::string& word) { return text.find(word) != std::string::npos; };
+    const std::vector<std::string> compressions{"normal(",  "bisim(",     "diamond(",
+                                                "_factor(", "_compress(", "lazyenumerate("};
+    return !used("chase(") || std::none_of(compressions.begin(), compressions.end(), used);
+}
+
+/// What is wrong with the script's answers, if anything.
+std::optional<std::string> fault(const Case& asked, const Graphs& graphs, int& checks) {
+    Reading reading(refine::cspm(asked));
+    if (reading.ok()) (void)check_types(reading.script, reading.diagnostics);
+    if (!reading.ok()) return reading.report();
+    Session session(reading.script);
+    const std::vector<DeclPtr> assertions = session.assertions();
+    for (std::size_t i = 0; i < assertions.size(); ++i) {
+        const refine::Question& question = refine::questions()[i];
+        const bool holds = expected(question, graphs, asked.trace);
+        const refine::Verdict verdict = session.check(*assertions[i], {}).verdict;
+        if (verdict.outcome != (holds ? Outcome::holds : Outcome::fails))
+            return assertion(question, asked.trace) + (holds ? " should hold" : " should fail");
+        ++checks;
+    }
+    return std::nullopt;
+}
+
+TEST(RandomScriptsTest, AgreeWithTheDefinitions) {
+    const int wanted = refine::wanted_checks(3'000);
+    RandomCases cases(3);
+    int checks = 0;
+    while (checks < wanted) {
+        const RandomCases::Explored each = cases.next();
+        if (!has_one_meaning(each.asked) || !fault(each.asked, each.graphs, checks)) continue;
+        int ignored = 0;
+        const auto wrong = [&](const Case& asked) -> std::optional<std::string> {
+            const auto graphs = explore(asked, refine::largest_graph);
+            return graphs ? fault(asked, *graphs, ignored) : std::nullopt;
+        };
+        const Case least = refine::shrink(each.asked, [&](const Case& asked) { return wrong(asked).has_value(); });
+        FAIL() << wrong(least).value_or("?") << "\n" << refine::cspm(least);
+    }
+    std::cout << checks << " random checks of scripts agree\n";
+    RecordProperty("checks", checks);
+}
+
+}  // namespace
+}  // namespace robochart::cspm::test

@@ -1,0 +1,173 @@
+#include "questions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "random_process.hpp"
+
+namespace robochart::refine {
+namespace {
+
+using naive::Behaviour;
+using naive::Kind;
+using naive::Process;
+using naive::Semantics;
+using naive::Tree;
+
+const char* model(Semantics semantics) {
+    return semantics == Semantics::T ? "T" : semantics == Semantics::F ? "F" : "FD";
+}
+
+std::vector<Question> all_questions() {
+    using Ask = Question::Kind;
+    std::vector<Question> result;
+    for (const Semantics semantics : {Semantics::T, Semantics::F, Semantics::FD}) {
+        result.push_back({Ask::refinement, semantics, 0, 1});
+        result.push_back({Ask::refinement, semantics, 1, 0});
+        if (semantics == Semantics::T) continue;
+        result.push_back({Ask::deadlock_free, semantics, 1, 1});
+        result.push_back({Ask::deterministic, semantics, 1, 1});
+    }
+    result.push_back({Ask::divergence_free, Semantics::FD, 1, 1});
+    result.push_back({Ask::has_trace, Semantics::T, 1, 1});
+    return result;
+}
+
+std::string events(const std::vector<naive::Letter>& trace) {
+    std::vector<std::string> names;
+    for (naive::Letter l : trace) names.emplace_back(1, static_cast<char>('a' + l));
+    return fmt::format("<{}>", fmt::join(names, ", "));
+}
+
+Process changed(const Process& process, const std::function<void(Tree&)>& change) {
+    Tree tree = *process;
+    change(tree);
+    return std::make_shared<const Tree>(std::move(tree));
+}
+
+/// The process with one of its operands replaced in every smaller way.
+void smaller_operands(const Process& process, std::vector<Process>& out);
+
+/// Every process one step smaller.
+std::vector<Process> smaller(const Process& process) {
+    std::vector<Process> result;
+    const Process stop = std::make_shared<const Tree>();
+    if (process->kind != Kind::stop && process->kind != Kind::skip) result.push_back(stop);
+    result.insert(result.end(), process->operands.begin(), process->operands.end());
+    if (process->kind == Kind::prefix && process->operands.size() > 1)
+        for (std::size_t i = 0; i < process->operands.size(); ++i)
+            result.push_back(changed(process, [&](Tree& tree) {
+                tree.operands.erase(tree.operands.begin() + static_cast<std::ptrdiff_t>(i));
+                tree.letters.erase(tree.letters.begin() + static_cast<std::ptrdiff_t>(i));
+            }));
+    if (process->kind != Kind::prioritise_order)
+        for (const naive::Letter letter : process->set)
+            result.push_back(changed(process, [&](Tree& tree) { tree.set.erase(letter); }));
+    for (std::size_t i = 0; i < process->sets.size(); ++i)
+        for (const naive::Letter letter : process->sets[i])
+            result.push_back(changed(process, [&](Tree& tree) { tree.sets[i].erase(letter); }));
+    for (std::size_t i = 0; i < process->renaming.size() && process->renaming.size() > 1; ++i)
+        result.push_back(changed(
+            process, [&](Tree& tree) { tree.renaming.erase(tree.renaming.begin() + static_cast<std::ptrdiff_t>(i)); }));
+    smaller_operands(process, result);
+    return result;
+}
+
+void smaller_operands(const Process& process, std::vector<Process>& out) {
+    for (std::size_t i = 0; i < process->operands.size(); ++i)
+        for (const Process& next : smaller(process->operands[i]))
+            out.push_back(changed(process, [&](Tree& tree) { tree.operands[i] = next; }));
+}
+
+/// Recursion before any event, which has no meaning: shrinking must not make it.
+bool guarded(const Process& process) {
+    if (process->kind == Kind::call) return false;
+    if (process->kind == Kind::prefix) return true;
+    const bool first_only = process->kind == Kind::sequential || process->kind == Kind::exception;
+    const auto end = process->operands.empty() || !first_only ? process->operands.end() : process->operands.begin() + 1;
+    return std::all_of(process->operands.begin(), end, guarded);
+}
+
+}  // namespace
+
+const std::vector<Question>& questions() {
+    static const std::vector<Question> all = all_questions();
+    return all;
+}
+
+std::string topic(const Question& question) {
+    switch (question.kind) {
+        case Question::Kind::refinement:
+            return fmt::format("[{}=", model(question.semantics));
+        case Question::Kind::deadlock_free:
+            return fmt::format("deadlock free [{}]", model(question.semantics));
+        case Question::Kind::divergence_free:
+            return "divergence free";
+        case Question::Kind::deterministic:
+            return fmt::format("deterministic [{}]", model(question.semantics));
+        case Question::Kind::has_trace:
+            return fmt::format("has trace [{}]", model(question.semantics));
+    }
+    return "?";
+}
+
+std::string assertion(const Question& question, const std::vector<naive::Letter>& trace) {
+    if (question.kind == Question::Kind::refinement)
+        return fmt::format("assert M{} {} M{}", question.left, topic(question), question.right);
+    const bool traced = question.kind == Question::Kind::has_trace;
+    return fmt::format("assert M{} :[{}]{}", question.left, topic(question), traced ? ": " + events(trace) : "");
+}
+
+std::string cspm(const Case& asked) {
+    std::string text = show(asked.script);
+    for (const Question& question : questions()) text += assertion(question, asked.trace) + "\n";
+    return text;
+}
+
+std::optional<Graphs> explore(const Case& asked, std::size_t largest) {
+    const auto first = naive::explore(asked.script, asked.script.mains.at(0), largest);
+    const auto second = naive::explore(asked.script, asked.script.mains.at(1), largest);
+    if (!first || !second) return std::nullopt;
+    return Graphs{{*first, *second}};
+}
+
+bool expected(const Question& question, const Graphs& graphs, const std::vector<naive::Letter>& trace) {
+    const Behaviour left(graphs.graphs[question.left], naive::letters_used);
+    const Behaviour right(graphs.graphs[question.right], naive::letters_used);
+    switch (question.kind) {
+        case Question::Kind::refinement:
+            return naive::refines(left, right, question.semantics);
+        case Question::Kind::deadlock_free:
+            return naive::deadlock_free(left, question.semantics);
+        case Question::Kind::divergence_free:
+            return naive::divergence_free(left);
+        case Question::Kind::deterministic:
+            return naive::deterministic(left, question.semantics);
+        case Question::Kind::has_trace:
+            return naive::has_trace(left, trace);
+    }
+    return false;
+}
+
+std::vector<Case> smaller(const Case& asked) {
+    std::vector<Case> result;
+    for (std::size_t i = 0; i < asked.script.mains.size(); ++i)
+        for (const Process& next : smaller(asked.script.mains[i])) {
+            result.push_back(asked);
+            result.back().script.mains[i] = next;
+        }
+    for (std::size_t i = 0; i < asked.script.definitions.size(); ++i)
+        for (const Process& next : smaller(asked.script.definitions[i])) {
+            if (!guarded(next)) continue;
+            result.push_back(asked);
+            result.back().script.definitions[i] = next;
+        }
+    const auto size = [](const Case& each) { return show(each.script).size(); };
+    std::stable_sort(result.begin(), result.end(), [&](const Case& x, const Case& y) { return size(x) < size(y); });
+    return result;
+}
+
+}  // namespace robochart::refine
