@@ -21,6 +21,10 @@ struct Target {
 [[nodiscard]] std::string run_assertions(std::string_view bytes);
 /// A CSPM script: read, printed, read again.
 [[nodiscard]] std::string run_script(std::string_view bytes);
+/// A session with the language server: the first line says what is asked and typed, the rest is the document.
+[[nodiscard]] std::string run_editor(std::string_view bytes);
+/// The language server's input stream.
+[[nodiscard]] std::string run_stream(std::string_view bytes);
 
 [[nodiscard]] std::span<const Target> targets();
 

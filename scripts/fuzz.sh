@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 seconds="${1:-600}"
 shift || true
 targets=("$@")
-[ "${#targets[@]}" -gt 0 ] || targets=(model assertions script)
+[ "${#targets[@]}" -gt 0 ] || targets=(model assertions script editor stream)
 
 cmake --preset fuzz >/dev/null
 cmake --build --preset fuzz --target "${targets[@]/#/fuzz_}" random_models_tool
@@ -53,6 +53,17 @@ generated() {
   echo "no robochart-verify is built: the scripts of the corpus are left out" >&2
 }
 
+# Sessions with an editor: models under a first line of questions and changes (fuzz/editor.cpp).
+sessions() {
+  mkdir -p "$seeds/editor"
+  for file in "$seeds"/model/*; do
+    {
+      head -n 1 fuzz/regressions/editor/while_typed.txt
+      cat "$file"
+    } >"$seeds/editor/$(basename "$file")"
+  done
+}
+
 gather model rct corpus tests/frontend/fixtures frontend/library
 gather assertions assertions corpus tests/frontend/fixtures
 gather script csp editors/vscode/tests
@@ -62,11 +73,13 @@ for target in "${targets[@]}"; do
 done
 examples
 generated
+sessions
 
 # One run of at most so many seconds; adds its CPU seconds and executions to `spent` and `executions`.
 run() {
   local target="$1" limit="$2" log="build/fuzz/$1.log" dictionary="fuzz/robochart.dict" code=0
   [ "$target" != script ] || dictionary="fuzz/cspm.dict"
+  [ "$target" != stream ] || dictionary="fuzz/protocol.dict"
   TIMEFORMAT=%0U
   local cpu
   cpu="$({ time nice -n 10 "build/fuzz/fuzz/fuzz_$target" -max_len=20000 -timeout=10 -rss_limit_mb=2048 \
