@@ -16,7 +16,7 @@ namespace {
 using robochart::lsp::Json;
 using Clock = std::chrono::steady_clock;
 
-constexpr int machines = 2;  // a file of about 270 lines
+constexpr int machines = 4;  // a file of about 540 lines
 
 std::string interface(int file) {
     return fmt::format(

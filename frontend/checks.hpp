@@ -9,6 +9,9 @@ namespace robochart::frontend {
 using diagnostics::Diagnostics;
 using diagnostics::Rule;
 
+/// Every rule below.
+void check(const Model& model, const Names& names, Diagnostics& out);
+
 /// Nodes, transitions, actions of a machine or operation: S2 to PT2.
 void check_nodes(const Machine& machine, Diagnostics& out);
 /// Contents of interfaces, platforms, machines, operations, controllers, modules: STM1 to M2, DT.

@@ -73,7 +73,8 @@ std::vector<std::string> Finder::candidates(const Kinds& kinds) const {
 
 diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                          const std::vector<std::string>& candidates) {
-    const bool told = !told_.insert(std::string(what) + "\n" + name.text() + "\n" + std::string(where)).second;
+    const std::string key = std::string(what) + "\n" + name.text() + "\n" + std::string(where);
+    const bool told = !told_.emplace(name.span.source, key).second;
     if (told || names_.is_lost(name)) {
         untold_ = {};
         return untold_;

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "diagnostics/diagnostic.hpp"
@@ -17,7 +18,8 @@ public:
 
     /// A name of the project; reported if there is none.
     const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds, std::string_view what);
-    /// Reports an unknown name with the nearest candidate as a mend, once at each place that `where` names. Nothing is
+    /// Reports an unknown name with the nearest candidate as a mend, once in a file for each place that `where`
+    /// names. Nothing is
     /// reported where the declaration may have been in text that was not understood. `where` completes "there is no X
     /// `x` …".
     diagnostics::Diagnostic& unknown(const QualifiedName& name, std::string_view what, std::string_view where,
@@ -38,8 +40,8 @@ public:
 private:
     const Names& names_;
     diagnostics::Diagnostics& out_;
-    std::set<std::string> told_;      ///< unknown names reported already: kind, name, place
-    diagnostics::Diagnostic untold_;  ///< takes the notes of what is not reported
+    std::set<std::pair<diagnostics::SourceId, std::string>> told_;  ///< unknown names reported: kind, name, place
+    diagnostics::Diagnostic untold_;                                ///< takes the notes of what is not reported
 };
 
 }  // namespace robochart::frontend

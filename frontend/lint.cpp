@@ -1,12 +1,12 @@
 // Which lints run on what.
+#include <algorithm>
+
 #include "diagnostics/diagnostic.hpp"
 #include "frontend/lints.hpp"
 #include "frontend/scopes.hpp"
 #include "frontend/walk.hpp"
 
 namespace robochart::frontend {
-
-namespace {
 
 WrittenBy variables_written_by_operations(const Model& model) {
     WrittenBy result;
@@ -29,24 +29,23 @@ WrittenBy variables_written_by_operations(const Model& model) {
     return result;
 }
 
+namespace {
+
+/// Warnings about the components of one file, each by itself.
 class Linter {
 public:
-    Linter(const Model& model, const Names& names, Diagnostics& out)
-        : written_by_(variables_written_by_operations(model)), names_(names), out_(out), whole_(out.ok()) {}
+    Linter(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out)
+        : file_(file), names_(names), written_by_(written_by), out_(out) {}
 
-    void file(const File& file) {
-        for (const auto& declaration : file.declarations) this->declaration(file, *declaration);
-    }
-
-private:
-    void declaration(const File& file, const Declaration& declaration) {
+    void declaration(const Declaration& declaration) {
         if (const auto* machine = dynamic_cast<const Machine*>(&declaration)) this->machine(*machine);
         const auto* context = dynamic_cast<const Context*>(&declaration);
         if (context == nullptr) return;
-        lint_shadowing(file, *context, names_, out_);
-        if (const auto* component = dynamic_cast<const Component*>(context)) this->component(file, *component);
+        lint_shadowing(file_, *context, names_, out_);
+        if (const auto* component = dynamic_cast<const Component*>(context)) parts(*component);
     }
 
+private:
     void machine(const Machine& machine) {
         Never never;
         lint_guards(machine, never, out_);
@@ -57,31 +56,58 @@ private:
         lint_statements(machine, out_);
     }
 
-    void component(const File& file, const Component& component) {
-        for (const auto& part : component.platforms) declaration(file, *part);
-        for (const auto& part : component.controllers) declaration(file, *part);
-        for (const auto& part : component.machines) declaration(file, *part);
-        for (const auto& part : component.operations) declaration(file, *part);
-        if (!whole_) return;
-        lint_events(component, out_);
-        if (component.kind == DeclKind::controller) lint_operations(component, told_, out_);
+    void parts(const Component& component) {
+        for (const auto& part : component.platforms) declaration(*part);
+        for (const auto& part : component.controllers) declaration(*part);
+        for (const auto& part : component.machines) declaration(*part);
+        for (const auto& part : component.operations) declaration(*part);
     }
 
-    WrittenBy written_by_;
+    const File& file_;
     const Names& names_;
+    const WrittenBy& written_by_;
     Diagnostics& out_;
-    Told told_;
-    bool whole_;  ///< no file has errors
 };
+
+/// Warnings about a component and what it refers to.
+void lint_component(const Component& component, Told& told, Diagnostics& out) {
+    for (const auto& part : component.controllers) lint_component(*part, told, out);
+    lint_events(component, out);
+    if (component.kind == DeclKind::controller) lint_operations(component, told, out);
+}
 
 }  // namespace
 
-void lint(const Model& model, const Names& names, Diagnostics& out) {
-    const bool whole = out.ok();
-    Linter linter(model, names, out);
+bool may_lint(const File& file, const Diagnostics& out) {
+    return !file.is_library && !file.has_syntax_errors && !out.has_errors_in(file.source);
+}
+
+bool may_lint_project(const Model& model, const Diagnostics& out) {
+    return out.ok() && std::none_of(model.files.begin(), model.files.end(),
+                                    [](const auto& file) { return file->has_syntax_errors; });
+}
+
+void lint_file(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out) {
+    Linter linter(file, names, written_by, out);
+    for (const auto& declaration : file.declarations) linter.declaration(*declaration);
+}
+
+void lint_project(const Model& model, Diagnostics& out) {
+    Told told;
     for (const auto& file : model.files)
-        if (!file->is_library && !out.has_errors_in(file->source)) linter.file(*file);
-    if (whole) lint_unused(model, out);
+        for (const auto& declaration : file->declarations)
+            if (const auto* component = dynamic_cast<const Component*>(declaration.get());
+                !file->is_library && component != nullptr)
+                lint_component(*component, told, out);
+    lint_unused(model, out);
+}
+
+void lint(const Model& model, const Names& names, Diagnostics& out) {
+    const bool whole = may_lint_project(model, out);
+    const WrittenBy written_by = variables_written_by_operations(model);
+    for (const auto& file : model.files)
+        if (may_lint(*file, out)) lint_file(*file, names, written_by, out);
+    if (whole) lint_project(model, out);
 }
 
 }  // namespace robochart::frontend

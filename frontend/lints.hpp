@@ -20,6 +20,17 @@ using diagnostics::Diagnostics;
 /// without errors.
 void lint(const Model& model, const Names& names, Diagnostics& out);
 
+// The same in parts: each file that may be linted, then the project if it may.
+/// `written_by` tells the variables that operations of a name write.
+using WrittenBy = std::unordered_map<std::string, std::unordered_set<std::string>>;
+[[nodiscard]] WrittenBy variables_written_by_operations(const Model& model);
+[[nodiscard]] bool may_lint(const File& file, const Diagnostics& out);
+[[nodiscard]] bool may_lint_project(const Model& model, const Diagnostics& out);
+/// Components and functions of a file, each looked at by itself.
+void lint_file(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out);
+/// What takes several files to tell.
+void lint_project(const Model& model, Diagnostics& out);
+
 /// The transitions of one container by their ends.
 class Graph {
 public:
@@ -58,8 +69,7 @@ using Never = std::unordered_set<const Transition*>;
 void lint_guards(const Machine& machine, Never& never, Diagnostics& out);
 /// RC-W03.
 void lint_reachability(const Machine& machine, const Never& never, Diagnostics& out);
-/// RC-W06. `written_by` tells the variables that operations of a name write.
-using WrittenBy = std::unordered_map<std::string, std::unordered_set<std::string>>;
+/// RC-W06.
 void lint_flow(const Machine& machine, const WrittenBy& written_by, Diagnostics& out);
 /// RC-W09.
 void lint_loops(const Machine& machine, const Never& never, Diagnostics& out);

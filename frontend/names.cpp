@@ -170,6 +170,7 @@ std::string Names::full_name(const Declaration* declaration) const {
 }
 
 bool Names::is_lost(const QualifiedName& name) const {
+    asked_lost_ = true;
     if (lost_declarations_) return true;
     return std::any_of(name.parts.begin(), name.parts.end(),
                        [&](const std::string& part) { return part.starts_with('?') || lost_.contains(part); });

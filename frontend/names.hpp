@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "frontend/ast.hpp"
@@ -55,6 +56,8 @@ public:
     [[nodiscard]] const std::vector<std::string>& packages() const { return packages_; }
     /// May it be declared in text that was not understood? Then nothing is known about it.
     [[nodiscard]] bool is_lost(const QualifiedName& name) const;
+    /// Was that asked since this was last called?
+    [[nodiscard]] bool take_asked_lost() const { return std::exchange(asked_lost_, false); }
     /// Parts of the longest full name or package: what is written with more names no declaration as a whole.
     [[nodiscard]] std::size_t most_parts() const { return most_parts_; }
     [[nodiscard]] const std::map<std::string, std::vector<const Declaration*>>& entries() const { return by_name_; }
@@ -75,6 +78,7 @@ private:
     std::vector<std::string> packages_;
     std::set<std::string, std::less<>> lost_;
     bool lost_declarations_ = false;
+    mutable bool asked_lost_ = false;
     std::size_t most_parts_ = 0;
 };
 

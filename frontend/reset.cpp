@@ -54,10 +54,13 @@ struct Reset {
 
 }  // namespace
 
-void reset(Model& model) {
+void reset(File& file) {
     Reset visitor;
-    Traversal traversal(visitor);
-    for (auto& file : model.files) traversal.file(*file);
+    Traversal(visitor).file(file);
+}
+
+void reset(Model& model) {
+    for (auto& file : model.files) reset(*file);
 }
 
 }  // namespace robochart::frontend

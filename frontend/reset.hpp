@@ -7,5 +7,6 @@ namespace robochart::frontend {
 
 /// Empties every field that resolution and typing fill, so that both can run again after files were replaced.
 void reset(Model& model);
+void reset(File& file);
 
 }  // namespace robochart::frontend

@@ -41,11 +41,7 @@ void check(const Declaration& declaration, bool whole, Diagnostics& out) {
 
 }  // namespace
 
-void resolve(Model& model, diagnostics::Diagnostics& out) {
-    reset(model);
-    const Names names(model);
-    Finder finder(names, out);
-    Resolver(model, finder).run();
+void check(const Model& model, const Names& names, Diagnostics& out) {
     check_unique(model, names, out);
     check_imports(model, names, out);
     const bool whole =
@@ -54,6 +50,14 @@ void resolve(Model& model, diagnostics::Diagnostics& out) {
         check_unique(*file, out);
         for (const auto& declaration : file->declarations) check(*declaration, whole, out);
     }
+}
+
+void resolve(Model& model, diagnostics::Diagnostics& out) {
+    reset(model);
+    const Names names(model);
+    Finder finder(names, out);
+    Resolver(model, finder).run();
+    check(model, names, out);
     lint(model, names, out);
 }
 

@@ -9,14 +9,17 @@
 namespace robochart::frontend {
 
 void Resolver::run() {
-    each(&Resolver::header);
-    each(&Resolver::body);
+    for (auto& file : model_.files) headers(*file);
+    for (auto& file : model_.files) bodies(*file);
+    assertions();
+}
+
+void Resolver::assertions() {
     resolve_assertions(model_, finder_, typer_);
 }
 
-void Resolver::each(void (Resolver::*visit)(File&, Declaration&)) {
-    for (auto& file : model_.files)
-        for (auto& declaration : file->declarations) each_part(*file, *declaration, visit);
+void Resolver::each(File& file, void (Resolver::*visit)(File&, Declaration&)) {
+    for (auto& declaration : file.declarations) each_part(file, *declaration, visit);
 }
 
 /// The declaration and the components inside it.

@@ -10,9 +10,14 @@ public:
     Resolver(Model& model, Finder& finder) : model_(model), finder_(finder), typer_(finder) {}
     void run();
 
+    // The same in parts: headers of all files come before any bodies, assertions last.
+    void headers(File& file) { each(file, &Resolver::header); }
+    void bodies(File& file) { each(file, &Resolver::body); }
+    void assertions();
+
 private:
     // Declarations (resolver.cpp)
-    void each(void (Resolver::*visit)(File&, Declaration&));
+    void each(File& file, void (Resolver::*visit)(File&, Declaration&));
     void each_part(File& file, Declaration& declaration, void (Resolver::*visit)(File&, Declaration&));
     void header(File& file, Declaration& declaration);
     void body(File& file, Declaration& declaration);

@@ -90,6 +90,7 @@ void Project::refresh(const std::string& path) {
 void Project::drop(Document& document) {
     current_ = false;
     occurrences_.reset();
+    resolution_.forget();
     std::erase_if(model_.files, [&](const auto& file) { return file.get() == document.tree; });
     sources_.replace(document.source, {});
     documents_.erase(std::string(document.path));
@@ -103,8 +104,10 @@ void Project::parse(Document& document) {
     const auto old = std::find_if(model_.files.begin(), model_.files.end(),
                                   [&](const auto& file) { return file.get() == document.tree; });
     if (old != model_.files.end()) {
-        *old = std::move(tree);
+        resolution_.replace(*old, std::move(tree));
+        made = old->get();
     } else {
+        resolution_.forget();
         const auto behind = std::find_if(model_.files.begin(), model_.files.end(), [&](const auto& file) {
             return file->is_library || fs::path(sources_.path(file->source)) > fs::path(document.path);
         });
@@ -120,7 +123,7 @@ void Project::update() {
         if (document->stale) parse(*document);
     findings_ = {};
     frontend::update_toolkits(sources_, model_, findings_);
-    frontend::resolve(model_, findings_);
+    resolution_.resolve(model_, findings_);
     current_ = true;
     news_ = true;
 }

@@ -10,6 +10,7 @@
 
 #include "diagnostics/diagnostic.hpp"
 #include "frontend/ast.hpp"
+#include "frontend/incremental.hpp"
 #include "frontend/occurrences.hpp"
 #include "lsp/positions.hpp"
 
@@ -80,6 +81,7 @@ private:
     std::map<std::string, std::unique_ptr<Document>> documents_;
     std::map<std::string, SourceId> ids_;  ///< of every path ever seen
     frontend::Model model_;
+    frontend::Resolution resolution_;
     diagnostics::Diagnostics findings_;
     std::optional<std::vector<frontend::Occurrence>> occurrences_;
     bool current_ = false;  ///< model_ and findings_ are about the texts as they are
