@@ -8,6 +8,7 @@
 
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
+#include "tests/shared_folder.hpp"
 
 namespace robochart::cpp_emit {
 namespace {
@@ -107,10 +108,8 @@ TEST(Compile, OddMachines) {
 /// RoboTool's own models, where they are at hand.
 TEST(Compile, RoboToolsModels) {
     namespace fs = std::filesystem;
-    const char* const given = std::getenv("ROBOCHART_SHARED");
-    const fs::path suite =
-        fs::path(given != nullptr ? given : std::string(ROBOCHART_SOURCE_DIR) + "/../shared") / "suite/robotool/accept";
-    if (!fs::is_directory(suite)) GTEST_SKIP() << "no models at " << suite;
+    const fs::path suite = robochart::tests::shared_folder() / "suite/robotool/accept";
+    if (!fs::is_directory(suite)) GTEST_SKIP() << "the shared models are absent";
     std::set<fs::path> projects(fs::directory_iterator(suite), fs::directory_iterator{});
     std::size_t generated = 0;
     Folder folder;

@@ -1,12 +1,12 @@
 #include "tests/csp_emit/fixture.hpp"
 
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
 #include "diagnostics/render.hpp"
 #include "frontend/project.hpp"
 #include "semantics/lower.hpp"
+#include "tests/codes.hpp"
 
 namespace robochart::csp_emit::testing {
 namespace {
@@ -18,20 +18,12 @@ void finish(Model& model, frontend::Model& parsed) {
 
 }  // namespace
 
-std::string shared_folder() {
-    const char* chosen = std::getenv("ROBOCHART_SHARED");
-    return chosen != nullptr ? chosen : std::string(ROBOCHART_SOURCE_DIR) + "/../shared";
-}
-
 std::string Model::messages() const {
     return diagnostics::render_text(sources, diagnostics);
 }
 
 std::vector<std::string> Model::codes() const {
-    std::vector<std::string> result;
-    for (const auto& diagnostic : diagnostics.sorted())
-        if (!diagnostic.rule->code.starts_with("RC-W")) result.emplace_back(diagnostic.rule->code);
-    return result;
+    return robochart::tests::codes_but_advice(diagnostics);
 }
 
 Emission Model::emit(Time time, bool core) {

@@ -29,9 +29,6 @@ struct Model {
 /// A file or folder.
 [[nodiscard]] std::unique_ptr<Model> project(const std::string& path);
 
-/// Where the shared reference material is (ROBOCHART_SHARED, or beside the source folder); may not exist.
-[[nodiscard]] std::string shared_folder();
-
 /// Reads CSPM text behind the model's script and decides every assertion in it: "holds", "fails" or the reason why not.
 [[nodiscard]] std::vector<std::string> verdicts(Model&, Time, const std::string& cspm);
 /// The steps of the counterexample to `specification [T= process`: names of events (of the hidden ones too) and of

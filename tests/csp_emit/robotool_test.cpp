@@ -12,6 +12,7 @@
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
 #include "tests/csp_emit/fixture.hpp"
+#include "tests/shared_folder.hpp"
 
 namespace robochart::csp_emit {
 namespace {
@@ -127,7 +128,7 @@ void compare(testing::Model& m, Time time, const std::string& script_path,
 
 TEST_P(RoboTool, AgreesBothWays) {
     const auto& [model, time] = GetParam();
-    const std::string root = testing::shared_folder() + "/suite/robotool-csp/";
+    const std::string root = robochart::tests::shared_folder().string() + "/suite/robotool-csp/";
     if (!std::filesystem::exists(root)) GTEST_SKIP() << "no shared scripts at " << root;
     const auto m = testing::model_file(root + "models/" + model + ".rct");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
@@ -137,7 +138,7 @@ TEST_P(RoboTool, AgreesBothWays) {
 class NewestRoboTool : public ::testing::TestWithParam<Time> {};
 
 TEST_P(NewestRoboTool, AgreesOnTheRangerModel) {
-    const std::string root = testing::shared_folder() + "/suite/robotool-csp-2026/";
+    const std::string root = robochart::tests::shared_folder().string() + "/suite/robotool-csp-2026/";
     if (!std::filesystem::exists(root)) GTEST_SKIP() << "no shared scripts at " << root;
     const auto m = testing::model_file(root + "SimFW.rct");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
@@ -150,7 +151,7 @@ TEST_P(NewestRoboTool, AgreesOnTheRangerModel) {
 INSTANTIATE_TEST_SUITE_P(SharedScripts, NewestRoboTool, ::testing::Values(Time::untimed, Time::timed));
 
 TEST(RangerAssertions, SimplifiedSpecificationsAreEqual) {
-    const std::string root = testing::shared_folder() + "/suite/robotool-csp-2026";
+    const std::string root = robochart::tests::shared_folder().string() + "/suite/robotool-csp-2026";
     if (!std::filesystem::exists(root)) GTEST_SKIP() << "no shared models at " << root;
     const auto m = testing::project(root);
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();

@@ -12,6 +12,7 @@
 #include "csp_emit/rules.hpp"
 #include "tests/csp_emit/fixture.hpp"
 #include "tests/semantics/sample_systems.hpp"
+#include "tests/shared_folder.hpp"
 
 namespace robochart::csp_emit {
 namespace {
@@ -55,7 +56,7 @@ TEST(Script, CorpusReadsBackEqual) {
 }
 
 TEST(Script, SharedRoboToolModelsReadBackEqual) {
-    const std::string shared = testing::shared_folder() + "/suite/robotool-csp-2026";
+    const std::string shared = robochart::tests::shared_folder().string() + "/suite/robotool-csp-2026";
     const auto m = project(shared);
     if (m->system.machines.empty()) GTEST_SKIP() << "no shared models at " << shared;
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();

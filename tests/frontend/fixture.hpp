@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,6 +13,7 @@
 #include "diagnostics/render.hpp"
 #include "frontend/library.hpp"
 #include "frontend/project.hpp"
+#include "tests/shared_folder.hpp"
 
 namespace robochart::frontend::testing {
 
@@ -60,12 +60,6 @@ inline std::string slurp(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The read-only material beside the repository; empty if there is none.
-inline std::filesystem::path shared_folder() {
-    const char* named = std::getenv("ROBOCHART_SHARED");
-    const std::filesystem::path folder =
-        named != nullptr ? named : std::filesystem::path(ROBOCHART_SOURCE_DIR) / ".." / "shared";
-    return std::filesystem::is_directory(folder) ? folder : std::filesystem::path();
-}
+using robochart::tests::shared_folder;
 
 }  // namespace robochart::frontend::testing

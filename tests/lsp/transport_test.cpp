@@ -7,6 +7,7 @@
 #include "lsp/positions.hpp"
 #include "lsp/server.hpp"
 #include "lsp/transport.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::lsp {
 namespace {
@@ -168,7 +169,7 @@ TEST(Stream, AnswersFaultsAndGoesOn) {
 TEST(Stream, SurvivesGarbage) {
     std::mt19937 random(11);
     const std::string valid = initialize + shutdown + leave;
-    for (int round = 0; round < 300; ++round) {
+    for (std::size_t round = 0; round < tests::rounds(300); ++round) {
         std::string bytes;
         for (std::size_t i = 0, n = random() % 400; i < n; ++i) bytes += static_cast<char>(random() % 256);
         EXPECT_EQ(served(bytes).second, 1);

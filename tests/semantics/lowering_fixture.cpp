@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "diagnostics/render.hpp"
+#include "tests/codes.hpp"
 
 namespace robochart::ir::samples {
 namespace {
@@ -20,10 +21,7 @@ const T& find(const std::vector<T>& items, const std::string& what, const Match&
 }  // namespace
 
 std::vector<std::string> Lowered::codes() const {
-    std::vector<std::string> codes;
-    for (const auto& item : diagnostics.sorted())
-        if (!item.rule->code.starts_with("RC-W")) codes.emplace_back(item.rule->code);
-    return codes;
+    return robochart::tests::codes_but_advice(diagnostics);
 }
 
 std::string Lowered::messages() const {

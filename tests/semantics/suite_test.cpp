@@ -2,23 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 
 #include "semantics/instantiation.hpp"
 #include "tests/semantics/lowering_fixture.hpp"
+#include "tests/shared_folder.hpp"
 
 namespace robochart::ir {
 namespace {
 
 using namespace samples;
 namespace fs = std::filesystem;
-
-fs::path shared() {
-    const char* chosen = std::getenv("ROBOCHART_SHARED");
-    return chosen != nullptr ? fs::path(chosen) : fs::path(ROBOCHART_SOURCE_DIR).parent_path() / "shared";
-}
 
 std::unique_ptr<Lowered> read(const fs::path& folder) {
     auto result = std::make_unique<Lowered>();
@@ -29,7 +24,7 @@ std::unique_ptr<Lowered> read(const fs::path& folder) {
 
 std::vector<fs::path> models() {
     std::vector<fs::path> folders;
-    const fs::path accept = shared() / "suite/robotool/accept";
+    const fs::path accept = robochart::tests::shared_folder() / "suite/robotool/accept";
     if (!fs::exists(accept)) return folders;
     for (const auto& entry : fs::directory_iterator(accept))
         if (entry.is_directory()) folders.push_back(entry.path());
@@ -43,7 +38,7 @@ const std::map<std::string, std::string> refused{{"AlphaAlgorithm", "union of se
 
 TEST(Suite, AcceptedModelsLower) {
     const auto folders = models();
-    if (folders.empty()) GTEST_SKIP() << "RoboTool's models are not at " << shared() << " (set ROBOCHART_SHARED)";
+    if (folders.empty()) GTEST_SKIP() << "RoboTool's models are absent (set ROBOCHART_SHARED)";
     for (const auto& folder : folders) {
         const auto lowered = read(folder);
         if (const auto known = refused.find(folder.filename().string()); known != refused.end()) {

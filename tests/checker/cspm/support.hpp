@@ -1,7 +1,6 @@
 // Helpers for the tests of the CSPM language.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include "checker/cspm/reader.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "diagnostics/render.hpp"
+#include "tests/shared_folder.hpp"
 
 namespace robochart::cspm::test {
 
@@ -31,14 +31,7 @@ struct Reading {
     }
 };
 
-/// The folder of scripts laid beside the repository; empty if it is absent.
-inline std::filesystem::path shared_folder() {
-    if (const char* given = std::getenv("ROBOCHART_SHARED")) return given;
-    const std::filesystem::path beside = std::filesystem::path(ROBOCHART_SOURCE_DIR) / ".." / "shared";
-    const std::filesystem::path worktree = std::filesystem::path(ROBOCHART_SOURCE_DIR) / ".." / ".." / "shared";
-    if (std::filesystem::exists(beside)) return beside;
-    return std::filesystem::exists(worktree) ? worktree : std::filesystem::path();
-}
+using tests::shared_folder;
 
 /// A row of suite/cspm/EXPECTED.tsv.
 struct PublishedScript {

@@ -11,6 +11,7 @@
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/refine/random_process.hpp"
 #include "tests/checker/refine/translate.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::machine {
 namespace {
@@ -18,7 +19,8 @@ namespace {
 using process::Op;
 using process::Scripted;
 
-constexpr std::size_t too_many = 20'000;
+/// States of a random composition: larger ones are passed over.
+constexpr std::size_t too_many = robochart::tests::rounds(20'000);
 
 struct TooLarge {};
 

@@ -1,0 +1,19 @@
+// Codes of findings, for tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::tests {
+
+/// Of all findings by place but advice (RC-W): models of tests are small, and seldom use all they declare.
+inline std::vector<std::string> codes_but_advice(const diagnostics::Diagnostics& findings) {
+    std::vector<std::string> result;
+    for (const auto& finding : findings.sorted())
+        if (!finding.rule->code.starts_with("RC-W")) result.emplace_back(finding.rule->code);
+    return result;
+}
+
+}  // namespace robochart::tests

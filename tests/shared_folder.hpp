@@ -1,0 +1,21 @@
+// The read-only material beside the repository, which tests use where it is at hand.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace robochart::tests {
+
+/// The folder that ROBOCHART_SHARED names, or `shared` beside the repository or beside the folder of its worktrees;
+/// empty if there is none.
+inline std::filesystem::path shared_folder() {
+    namespace fs = std::filesystem;
+    const fs::path root = ROBOCHART_SOURCE_DIR;
+    const char* named = std::getenv("ROBOCHART_SHARED");
+    if (named != nullptr) return fs::is_directory(named) ? fs::path(named) : fs::path();
+    for (const fs::path& folder : {root / "../shared", root / "../../shared"})
+        if (fs::is_directory(folder)) return folder;
+    return {};
+}
+
+}  // namespace robochart::tests
