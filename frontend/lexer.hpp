@@ -116,6 +116,8 @@ inline constexpr std::size_t max_tokens = 16'000'000;
 [[nodiscard]] bool is_reserved(std::string_view word);
 /// The reserved words, sorted.
 [[nodiscard]] const std::vector<std::string_view>& reserved_words();
+/// Words that assertion text reserves in some place beside those (Assertions.xtext), sorted.
+[[nodiscard]] std::span<const std::string_view> assertion_words();
 /// The operators and brackets, longest first; the last few are words of the PRISM parts of assertion files alone.
 [[nodiscard]] std::span<const std::string_view> symbol_words();
 

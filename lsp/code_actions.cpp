@@ -1,6 +1,7 @@
 // Mends that rules offer, as quick fixes.
 #include <fmt/format.h>
 
+#include "diagnostics/fixes.hpp"
 #include "lsp/features.hpp"
 
 namespace robochart::lsp {
@@ -15,7 +16,8 @@ bool overlaps(Span a, Span b) {
 }
 
 std::string title_of(const FixIt& fix, std::string_view replaced) {
-    if (replaced.empty() || fix.replacement.empty()) return fix.title;
+    if (replaced.empty()) return fmt::format("Insert `{}`", fix.replacement);
+    if (fix.replacement.empty()) return fmt::format("Remove `{}`", replaced);
     return fmt::format("Change `{}` to `{}`", replaced, fix.replacement);
 }
 
@@ -38,7 +40,7 @@ Json action(const Session& session, const Target& target, const Diagnostic& find
     changes.set(edited != nullptr ? edited->uri : target.document.uri, Json::array({edit}));
     Json result = Json::object({{"title", title_of(fix, replaced)},
                                 {"kind", "quickfix"},
-                                {"isPreferred", finding.fixes.size() == 1},
+                                {"isPreferred", &fix == &finding.fixes.front() && diagnostics::is_certain(fix)},
                                 {"edit", Json::object({{"changes", std::move(changes)}})}});
     Json shown = matching(context, finding, range(sources, finding.span, encoding));
     if (!shown.is_null()) result.set("diagnostics", std::move(shown));

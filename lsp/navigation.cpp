@@ -23,7 +23,8 @@ Json locations(const Session& session, Project& project, const std::vector<const
 
 }  // namespace
 
-/// Of a call, the operation's definitions count beside the signature that was called.
+/// What a library of the language declares lies in its installed file. Of a call, the operation's definitions count
+/// beside the signature that was called.
 Json definition(Session& session, const Json& params) {
     const Target target = target_of(session, params);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
@@ -36,7 +37,11 @@ Json definition(Session& session, const Json& params) {
             if (each.declares && each.target != nullptr && each.target->kind == frontend::DeclKind::operation &&
                 each.target->name == name->target->name)
                 found.push_back(&each);
-    return locations(session, target.project, found);
+    Json result = locations(session, target.project, found);
+    if (!found.empty() || name->target == nullptr) return result;
+    Json library = location(session, target.project, name->target->name_span);
+    if (!library.is_null()) result.push(std::move(library));
+    return result;
 }
 
 Json references(Session& session, const Json& params) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 #include "frontend/lexer.hpp"
@@ -57,18 +56,10 @@ const Occurrence& renamable(const Target& target) {
     return *name;
 }
 
-/// Words that assertion text reserves beside those of models (Assertions.xtext).
-constexpr std::array<std::string_view, 40> assertion_words = {
-    "and",      "assertion",     "assigned",    "associated",  "constant", "constants", "csp",    "deadlock",
-    "defs",     "deterministic", "divergence",  "divergences", "does",     "equal",     "equals", "failures",
-    "formula",  "free",          "initialised", "instantiate", "label",    "model",     "of",     "parameter",
-    "pmodules", "prob",          "reachable",   "refine",      "refines",  "rewards",   "set",    "terminate",
-    "tick",     "timed",         "timelock",    "tock",        "traces",   "untimed",   "value",  "with"};
-
 /// The name as it must be written in a file: with `^` where a word of the grammar would be read.
 std::string written(const std::string& name, bool is_assertions) {
-    const bool word =
-        is_assertions && std::find(assertion_words.begin(), assertion_words.end(), name) != assertion_words.end();
+    const auto& words = frontend::assertion_words();
+    const bool word = is_assertions && std::find(words.begin(), words.end(), name) != words.end();
     const bool collection = name == "Set" || name == "Seq";
     return word || collection || frontend::is_reserved(name) ? "^" + name : name;
 }

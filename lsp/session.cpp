@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "lsp/library_files.hpp"
+
 namespace robochart::lsp {
 
 Target target_of(Session& session, const Json& params) {
@@ -23,9 +25,14 @@ std::vector<diagnostics::Diagnostic> findings_about(const Target& target) {
 }
 
 Json location(const Session& session, Project& project, Span span) {
-    const Document* document = span.known() ? project.find(span.source) : nullptr;
-    if (document == nullptr) return {};
-    return Json::object({{"uri", document->uri}, {"range", range(project.sources(), span, session.client.encoding)}});
+    if (!span.known()) return {};
+    const SourceManager& sources = project.sources();
+    const Document* document = project.find(span.source);
+    const std::string library =
+        document == nullptr ? library_file(sources.path(span.source), sources.text(span.source)) : std::string();
+    if (document == nullptr && library.empty()) return {};
+    return Json::object({{"uri", document != nullptr ? document->uri : uri_of_path(library)},
+                         {"range", range(sources, span, session.client.encoding)}});
 }
 
 }  // namespace robochart::lsp

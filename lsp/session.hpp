@@ -60,7 +60,7 @@ struct Target {
 [[nodiscard]] Target target_of(Session&, const Json& params);
 /// Findings about the target's document, by place; those of reading first.
 [[nodiscard]] std::vector<diagnostics::Diagnostic> findings_about(const Target&);
-/// `{uri, range}` of a span of the project; null if it lies in no document (a toolkit that comes with the tool).
+/// `{uri, range}` of a span of the project; null if it lies in no file.
 [[nodiscard]] Json location(const Session&, Project&, Span);
 
 }  // namespace robochart::lsp

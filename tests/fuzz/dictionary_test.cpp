@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include "checker/cspm/lexer.hpp"
 #include "frontend/lexer.hpp"
@@ -34,6 +36,18 @@ TEST(Dictionaries, RoboChart) {
         EXPECT_TRUE(entries.contains(std::string(symbol))) << symbol;
     for (const std::string& word : editors::assertion_words()) EXPECT_TRUE(entries.contains(word)) << word;
     EXPECT_GT(editors::assertion_words().size(), 40U);
+}
+
+/// The table of words knows what the parser asks for.
+TEST(Dictionaries, WordsOfAssertions) {
+    const auto table = frontend::assertion_words();
+    EXPECT_TRUE(std::is_sorted(table.begin(), table.end()));
+    for (const std::string& joined : editors::assertion_words()) {
+        std::istringstream parts(joined);
+        if (joined == "write") continue;  // the title of a mend
+        for (std::string word; std::getline(parts, word, '-');)
+            EXPECT_TRUE(frontend::is_reserved(word) || std::binary_search(table.begin(), table.end(), word)) << word;
+    }
 }
 
 /// Kinds whose spelling is a description, not their text.

@@ -117,9 +117,24 @@ TEST(QuickFixes, MendTheText) {
     ASSERT_EQ(actions.items().size(), 1U);
     EXPECT_EQ(actions[0]["kind"].text(), "quickfix");
     EXPECT_EQ(actions[0]["title"].text(), "Change `spede` to `speed`");
+    EXPECT_TRUE(actions[0]["isPreferred"].truth()) << "nothing else is as near";
     EXPECT_EQ(actions[0]["diagnostics"][0]["code"].text(), "RC-N01");
     client.change(uri, client.edited(actions[0]["edit"]));
     EXPECT_EQ(client.codes(), "");
+}
+
+/// `speed1` is as near as `speed2`: a guess is offered, but not to be taken unasked.
+TEST(QuickFixes, GuessesAreNotPreferred) {
+    Client client;
+    client.open(uri,
+                "stm S {\n  var speed1 : nat var speed2 : nat\n  initial i\n  state A { entry /*^slip*/speed = speed1 "
+                "+ speed2 }\n"
+                "  transition t { from i to A }\n}\n");
+    Json params = client.at("slip");
+    params.set("range", Json::object({{"start", params["position"]}, {"end", params["position"]}}));
+    const Json actions = client.request("textDocument/codeAction", params);
+    ASSERT_EQ(actions.items().size(), 1U);
+    EXPECT_FALSE(actions[0]["isPreferred"].truth());
 }
 
 TEST(QuickFixes, AreThoseAskedFor) {

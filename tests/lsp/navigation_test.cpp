@@ -1,6 +1,8 @@
 // From names to declarations and back, over files and broken text.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "client.hpp"
 
 namespace robochart::lsp {
@@ -181,8 +183,24 @@ TEST_F(Navigation, HoverOnWhatTheToolBringsAlong) {
     };
     EXPECT_NE(hover("subset").find("function subset("), std::string::npos) << hover("subset");
     EXPECT_NE(hover("nat").find("core"), std::string::npos);
-    EXPECT_EQ(client.request("textDocument/definition", client.at("subset")), Json::array())
-        << "toolkits are inside the program";
+}
+
+/// Libraries are files beside the program; the definition lies where the name stands in them.
+TEST_F(Navigation, DefinitionsOfLibrariesAreInTheirFiles) {
+    client.change("file:///p/a.rct",
+                  "import set_toolkit::*\n"
+                  "interface I { const c : boolean = /*^subset*/subset({1}, {2}) const d : /*^nat*/nat = 1 }\n");
+    for (const std::string name : {"subset", "nat"}) {
+        const Json found = client.request("textDocument/definition", client.at(name));
+        ASSERT_EQ(found.items().size(), 1U) << found.write();
+        const std::string path = path_of_uri(found.items()[0]["uri"].text());
+        EXPECT_TRUE(path.ends_with(name == "nat" ? "/core.rct" : "/set_toolkit.rct")) << path;
+        std::ifstream file(path);
+        std::string line;
+        const Json& begin = found.items()[0]["range"]["start"];
+        for (std::int64_t i = 0; i <= begin["line"].number(); ++i) ASSERT_TRUE(std::getline(file, line)) << path;
+        EXPECT_EQ(line.substr(static_cast<std::size_t>(begin["character"].number()), name.size()), name);
+    }
 }
 
 TEST_F(Navigation, SignatureHelpFollowsTheArguments) {
