@@ -2,6 +2,8 @@
 // stream.
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -15,7 +17,10 @@ namespace {
 
 using lsp::Json;
 
-constexpr std::string_view uri = "untitled:a.rct";
+/// One project; nothing of it is on disk.
+constexpr std::array<std::string_view, 3> uris = {"file:///fuzzed/a.rct", "file:///fuzzed/b.rct",
+                                                  "file:///fuzzed/c.assertions"};
+using Texts = std::array<std::optional<std::string>, uris.size()>;
 
 constexpr std::array<std::string_view, 15> methods = {
     "textDocument/codeAction",          "textDocument/completion",        "textDocument/declaration",
@@ -27,27 +32,31 @@ constexpr std::array<std::string_view, 15> methods = {
 constexpr std::array<std::string_view, 8> pieces = {"",        "}",        "\n", "x",
                                                     "stm X {", "\xC3\xA9", "/*", "\xF0\x9F\x98\x80"};
 
-/// An editor with one document. Notes the first promise that the server breaks.
+/// An editor with a project. Notes the first promise that the server breaks.
 class Editor {
 public:
-    explicit Editor(std::string text) : server_([this](const std::string& message) { sent(message); }) {
+    explicit Editor(const Texts& texts) : server_([this](const std::string& message) { sent(message); }) {
         request("initialize", Json::object({{"capabilities", Json::object({})}}));
         notify("initialized", Json::object({}));
-        const Json document =
-            Json::object({{"uri", uri}, {"languageId", "robochart"}, {"version", 1}, {"text", std::move(text)}});
-        notify("textDocument/didOpen", Json::object({{"textDocument", document}}));
+        for (std::size_t file = 0; file < texts.size(); ++file) {
+            if (!texts[file]) continue;
+            notify("textDocument/didOpen", Json::object({{"textDocument", Json::object({{"uri", uris[file]},
+                                                                                        {"languageId", "robochart"},
+                                                                                        {"version", 1},
+                                                                                        {"text", *texts[file]}})}}));
+        }
     }
 
-    void type(std::string text) {
-        const Json document = Json::object({{"uri", uri}, {"version", ++version_}});
+    void type(std::size_t file, std::string text) {
+        const Json document = Json::object({{"uri", uris[file]}, {"version", ++version_}});
         const Json changes = Json::array({Json::object({{"text", std::move(text)}})});
         notify("textDocument/didChange", Json::object({{"textDocument", document}, {"contentChanges", changes}}));
     }
 
-    void ask(std::string_view method, int line, int character) {
+    void ask(std::string_view method, std::size_t file, int line, int character) {
         const Json position = Json::object({{"line", line}, {"character", character}});
         request(method,
-                Json::object({{"textDocument", Json::object({{"uri", uri}})},
+                Json::object({{"textDocument", Json::object({{"uri", uris[file]}})},
                               {"position", position},
                               {"range", Json::object({{"start", position}, {"end", position}})},
                               {"context", Json::object({{"includeDeclaration", true}, {"diagnostics", Json::array()}})},
@@ -57,15 +66,21 @@ public:
     }
 
     [[nodiscard]] const std::string& complaint() const { return complaint_; }
-    /// The diagnostics shown last.
-    [[nodiscard]] const Json& shown() const { return shown_; }
+    /// The diagnostics shown last, of all files.
+    [[nodiscard]] std::string shown() const {
+        std::string all;
+        for (const auto& [uri, list] : shown_)
+            if (!list.items().empty()) all += uri + ": " + list.write() + "\n";
+        return all;
+    }
 
 private:
     void sent(const std::string& text) {
         std::string error;
         const Json message = lsp::read_json(text, error);
         if (!error.empty()) complain("a message is not JSON: " + error);
-        if (message["method"] == Json("textDocument/publishDiagnostics")) shown_ = message["params"]["diagnostics"];
+        if (message["method"] == Json("textDocument/publishDiagnostics"))
+            shown_[message["params"]["uri"].text()] = message["params"]["diagnostics"];
         if (message["method"] == Json("window/logMessage")) complain("the server has a fault: " + text);
         if (message["error"]["code"] == Json(static_cast<int>(lsp::ErrorCode::internal_error)))
             complain("a request ends in a fault: " + text);
@@ -91,7 +106,7 @@ private:
     }
 
     std::string complaint_;
-    Json shown_ = Json::array();
+    std::map<std::string, Json> shown_;
     std::int64_t last_id_ = 0;
     std::int64_t version_ = 1;
     int answers_ = 0;
@@ -116,6 +131,19 @@ std::size_t character_begin(const std::string& text, std::size_t place) {
     return place;
 }
 
+/// The texts of the files, from the first on; there may be fewer.
+Texts divided(const std::string& text) {
+    Texts texts;
+    std::size_t begin = 0;
+    for (auto& each : texts) {
+        const std::size_t end = text.find('\f', begin);
+        each = text.substr(begin, end - begin);
+        if (end == std::string::npos) break;
+        begin = end + 1;
+    }
+    return texts;
+}
+
 /// What lies on the disk is no part of the input.
 bool may_name_files(std::string_view bytes) {
     constexpr std::array<std::string_view, 7> signs = {"file:", "root", "Folders\":[", "added", "\"/", "\\/", "\\u002"};
@@ -125,28 +153,31 @@ bool may_name_files(std::string_view bytes) {
 
 }  // namespace
 
-/// The first line says what is done, three bytes a step; the rest is the document.
+/// The first line says what is done, three bytes a step; the rest are the documents, divided by form feeds.
 std::string run_editor(std::string_view bytes) {
     constexpr std::size_t most_steps = 24;
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    std::string text = as_text(bytes.substr(std::min(end + 1, bytes.size())));
-    Editor editor(text);
+    Texts texts = divided(as_text(bytes.substr(std::min(end + 1, bytes.size()))));
+    Editor editor(texts);
     for (std::size_t at = 0; at + 3 <= std::min(end, 3 * most_steps); at += 3) {
         const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
+        const std::size_t wanted = byte(0) / 32U % texts.size();
+        const std::size_t file = texts[wanted] ? wanted : 0;
         if (byte(0) % 2 == 0) {
-            editor.ask(methods.at(byte(0) / 2U % methods.size()), byte(1) % 64, byte(2) % 128);
+            editor.ask(methods.at(byte(0) / 2U % methods.size()), file, byte(1) % 64, byte(2) % 128);
             continue;
         }
+        std::string& text = *texts[file];
         const std::size_t place = character_begin(text, (byte(1) * 256U + byte(2)) % (text.size() + 1));
         text.insert(place, pieces.at(byte(0) / 2U % pieces.size()));
         if (byte(0) / 2U % pieces.size() == 0 && is_plain(text, place)) text.erase(place, 1);
-        editor.type(text);
+        editor.type(file, text);
     }
     if (!editor.complaint().empty()) return editor.complaint();
-    const Editor fresh(text);
-    return editor.shown() == fresh.shown() ? ""
-                                           : "diagnostics depend on how the text was typed: " + editor.shown().write() +
-                                                 " / " + fresh.shown().write();
+    const Editor fresh(texts);
+    return editor.shown() == fresh.shown()
+               ? ""
+               : "diagnostics depend on how the text was typed:\n" + editor.shown() + "/\n" + fresh.shown();
 }
 
 /// Every message and every fault of the stream is taken; the server ends with the stream.

@@ -53,14 +53,21 @@ generated() {
   echo "no robochart-verify is built: the scripts of the corpus are left out" >&2
 }
 
-# Sessions with an editor: models under a first line of questions and changes (fuzz/editor.cpp).
+# Sessions with an editor: models under a first line of questions and changes, alone and divided by form feeds from
+# what uses them (fuzz/editor.cpp).
 sessions() {
+  local steps=fuzz/regressions/editor/while_typed.txt file
   mkdir -p "$seeds/editor"
   for file in "$seeds"/model/*; do
+    { head -n 1 "$steps" && cat "$file"; } >"$seeds/editor/$(basename "$file")"
+  done
+  for file in corpus/*/*.rct; do
     {
-      head -n 1 fuzz/regressions/editor/while_typed.txt
+      head -n 1 "$steps"
       cat "$file"
-    } >"$seeds/editor/$(basename "$file")"
+      printf '\finterface Other { var other : nat }\n\f'
+      cat "${file%.rct}.assertions"
+    } >"$seeds/editor/project-$(basename "$file")"
   done
 }
 
