@@ -1,11 +1,12 @@
 // How long an editor waits after a keystroke in a project of 20 files: from `didChange` to the diagnostics, and for a
-// completion after that. Prints the median and the 95th percentile of both.
-//   benchmark_lsp [FILES] [KEYSTROKES]
+// completion after that. Prints medians and percentiles, by the clock and, for machines that are shared, of CPU time.
+//   benchmark_lsp [FILES] [KEYSTROKES] [MACHINES]
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,6 @@ namespace {
 
 using robochart::lsp::Json;
 using Clock = std::chrono::steady_clock;
-
-constexpr int machines = 4;  // a file of about 540 lines
 
 std::string interface(int file) {
     return fmt::format(
@@ -48,7 +47,8 @@ std::string machine(int file, int before, int number) {
     return out + "  transition end { from S9 to f condition flag" + std::to_string(file) + " }\n}\n";
 }
 
-std::string text_of(int file, int files) {
+/// Two machines make a file of about 270 lines.
+std::string text_of(int file, int files, int machines) {
     const int before = (file + files - 1) % files;
     std::string out = fmt::format("package p{}\nimport p{}::*\n", file, before) + interface(file);
     for (int m = 0; m < machines; ++m) out += machine(file, before, m);
@@ -86,18 +86,72 @@ private:
     robochart::lsp::Server server_;
 };
 
-double milliseconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+/// Milliseconds by the clock and of CPU time.
+struct Times {
+    std::vector<double> wall, cpu;
+
+    template <class Work>
+    void measure(const Work& work) {
+        const Clock::time_point begin = Clock::now();
+        const std::clock_t cpu_begin = std::clock();
+        work();
+        cpu.push_back(1000.0 * static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC);
+        wall.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+    }
+};
+
+void report(const char* what, const char* unit, std::vector<double> times) {
+    std::sort(times.begin(), times.end());
+    fmt::print("{:<32} {:<5} median {:7.2f} ms   p95 {:7.2f} ms   worst {:7.2f} ms\n", what, unit,
+               times[times.size() / 2], times[times.size() * 95 / 100], times.back());
 }
 
-void report(const char* what, std::vector<double> times) {
-    std::sort(times.begin(), times.end());
-    fmt::print("{:<44} median {:6.2f} ms   p95 {:6.2f} ms   worst {:6.2f} ms\n", what, times[times.size() / 2],
-               times[times.size() * 95 / 100], times.back());
+void report(const char* what, const Times& times) {
+    report(what, "clock", times.wall);
+    report(what, "CPU", times.cpu);
 }
 
 Json place(std::int64_t line, std::int64_t column) {
     return Json::object({{"line", line}, {"character", column}});
+}
+
+/// A text typed letter by letter at the end of the line that begins like this, in one file after the other, and taken
+/// out again.
+struct Typing {
+    std::string line_begin;
+    std::string typed;
+};
+
+struct Project {
+    std::vector<std::string> texts;
+    Editor editor;
+    std::int64_t version = 1;
+};
+
+void type(Project& project, const Typing& typing, std::size_t keystrokes, Times& diagnostics, Times& completions) {
+    const std::size_t letters = typing.typed.size();
+    for (std::size_t k = 0; k < keystrokes; ++k) {
+        const std::size_t file = k / (letters + 1) % project.texts.size();
+        const std::size_t column = k % (letters + 1);
+        const std::string& text = project.texts[file];
+        const std::size_t found = text.find(typing.line_begin);
+        const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(found), '\n');
+        const std::size_t begin = text.rfind('\n', found) + 1;
+        const std::size_t end = text.find('\n', found) - begin;
+        const bool back = column == letters;
+        const Json document = Json::object({{"uri", uri(static_cast<int>(file))}, {"version", ++project.version}});
+        const auto at = [&](std::size_t offset) { return place(line, static_cast<std::int64_t>(end + offset)); };
+        const Json range = Json::object({{"start", at(back ? 0 : column)}, {"end", at(column)}});
+        const Json change = Json::object({{"range", range}, {"text", back ? "" : typing.typed.substr(column, 1)}});
+        diagnostics.measure([&] {
+            project.editor.say("textDocument/didChange",
+                               Json::object({{"textDocument", document}, {"contentChanges", Json::array({change})}}));
+        });
+        completions.measure([&] {
+            project.editor.call("textDocument/completion",
+                                Json::object({{"textDocument", document}, {"position", at(back ? 0 : column + 1)}}));
+        });
+    }
 }
 
 }  // namespace
@@ -105,39 +159,26 @@ Json place(std::int64_t line, std::int64_t column) {
 int main(int argc, char** argv) {
     const int files = argc > 1 ? std::max(2, std::atoi(argv[1])) : 20;
     const int keystrokes = argc > 2 ? std::max(20, std::atoi(argv[2])) : 400;
-    Editor editor;
-    std::size_t lines = 0;
+    const int machines = argc > 3 ? std::max(1, std::atoi(argv[3])) : 4;
+    Project project;
+    std::int64_t lines = 0;
     for (int f = 0; f < files; ++f) {
-        const std::string text = text_of(f, files);
-        lines += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-        editor.say("textDocument/didOpen",
-                   Json::object({{"textDocument", Json::object({{"uri", uri(f)}, {"version", 1}, {"text", text}})}}));
+        const std::string& text = project.texts.emplace_back(text_of(f, files, machines));
+        lines += std::count(text.begin(), text.end(), '\n');
+        project.editor.say(
+            "textDocument/didOpen",
+            Json::object({{"textDocument", Json::object({{"uri", uri(f)}, {"version", 1}, {"text", text}})}}));
     }
-    fmt::print("{} files, {} lines; {} keystrokes\n", files, lines, keystrokes);
+    fmt::print("{} files, {} lines; {} keystrokes each\n", files, lines, keystrokes);
 
-    // A line is typed letter by letter into machines of all files, and taken out again.
-    const std::string typed = "    condition n > limit \n";
-    std::vector<double> diagnostics;
-    std::vector<double> completions;
-    constexpr std::int64_t line = 15;
-    for (int k = 0; k < keystrokes; ++k) {
-        const int file = k / static_cast<int>(typed.size()) % files;
-        const std::int64_t column = k % static_cast<std::int64_t>(typed.size());
-        const Json document = Json::object({{"uri", uri(file)}, {"version", k + 2}});
-        const bool last = column + 1 == static_cast<std::int64_t>(typed.size());
-        const Json range = Json::object({{"start", place(line, last ? 0 : column)}, {"end", place(line, column)}});
-        const std::string letter = last ? "" : std::string(1, typed[static_cast<std::size_t>(column)]);
-        const Json change = Json::object({{"range", range}, {"text", letter}});
-        const Clock::time_point begin = Clock::now();
-        editor.say("textDocument/didChange",
-                   Json::object({{"textDocument", document}, {"contentChanges", Json::array({change})}}));
-        diagnostics.push_back(milliseconds_since(begin));
-        const Clock::time_point asked = Clock::now();
-        editor.call("textDocument/completion",
-                    Json::object({{"textDocument", document}, {"position", place(line, last ? 0 : column + 1)}}));
-        completions.push_back(milliseconds_since(asked));
+    Times completions;
+    for (const auto& [where, typing] :
+         {std::pair{"typing in a transition", Typing{"    condition ", " /\\ n < limit"}},
+          std::pair{"typing in an interface", Typing{"interface Ops", " interface More { var speed : nat }"}}}) {
+        Times diagnostics;
+        type(project, typing, static_cast<std::size_t>(keystrokes), diagnostics, completions);
+        report(where, diagnostics);
     }
-    report("keystroke to diagnostics", diagnostics);
     report("completion after it", completions);
     return 0;
 }

@@ -35,7 +35,8 @@ struct Document {
 };
 
 /// Files that see each other (language reference 1.3: folder = project), with what is known about them. Asking for the
-/// model brings it up to date: only changed files are read and parsed again, then names are resolved anew.
+/// model brings it up to date: only changed files are read and parsed again, and what they
+/// touch is resolved anew.
 class Project {
 public:
     /// An empty folder name stands for texts without a place on disk.

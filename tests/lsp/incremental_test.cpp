@@ -9,6 +9,7 @@
 #include "client.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::lsp {
 namespace {
@@ -116,7 +117,7 @@ std::vector<std::string> corpus_texts() {
 
 /// Thousands of edits; after each handful the server agrees with one that saw only the result.
 TEST(Incremental, IsTheSameAsFromScratch) {
-    for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint32_t seed = 1; seed <= tests::rounds(12); ++seed) {
         Editing editing(corpus_texts(), seed);
         for (int round = 0; round < 30; ++round) {
             for (int i = 0; i < 8; ++i) editing.edit();
@@ -127,7 +128,7 @@ TEST(Incremental, IsTheSameAsFromScratch) {
 }
 
 TEST(Incremental, NothingFailsInTextsHoweverBroken) {
-    for (std::uint32_t seed = 100; seed < 106; ++seed) {
+    for (std::uint32_t seed = 100; seed < 100 + tests::rounds(6); ++seed) {
         Editing editing(corpus_texts(), seed);
         for (int round = 0; round < 60; ++round) {
             editing.edit();
