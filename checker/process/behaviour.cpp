@@ -1,0 +1,237 @@
+// A part of a process passes through segments: a sequential component runs on by itself, or an operator stays in place
+// while its operands move. A segment ends where its operator is resolved in favour of an operand that had not run.
+#include "checker/process/behaviour.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include "checker/process/derivation.hpp"
+
+namespace robochart::process {
+namespace {
+
+constexpr std::size_t most_parts = 500;
+constexpr std::size_t most_entries = 10'000'000;  // of all traces together
+constexpr int deepest_parts = 100;
+constexpr int deepest_look = 50;
+constexpr std::size_t shown_events = 6;
+
+struct Step {
+    std::size_t index;  ///< of the whole run
+    Transition transition;
+};
+using Steps = std::vector<Step>;
+
+class Splitter {
+public:
+    Splitter(OperationalSemantics& semantics, std::size_t length)
+        : semantics_(semantics),
+          terms_(semantics.terms()),
+          length_(length),
+          most_parts_(std::min(most_parts, most_entries / (length + 1))) {}
+
+    Behaviour part(TermId initial, const Steps& steps, int depth);
+
+private:
+    struct Segment {
+        Behaviour behaviour;
+        TermId end;
+        std::size_t next;      ///< the step after the segment
+        bool goes_on = false;  ///< another segment follows, if only an empty one
+    };
+
+    Behaviour begin(TermId initial) {
+        ++parts_;
+        Behaviour result;
+        result.name = describe(terms_, initial);
+        result.trace.assign(length_, no_event);
+        result.revealed.assign(length_, no_event);
+        return result;
+    }
+    static void note(Behaviour& behaviour, const Step& step) {
+        behaviour.trace[step.index] = step.transition.event;
+        behaviour.revealed[step.index] = step.transition.revealed;
+    }
+    void end(Behaviour& behaviour, TermId last) {
+        behaviour.state = describe(terms_, last);
+        for (const Transition& each : semantics_.successors(last)) {
+            if (each.event == tau) behaviour.stable = false;
+            if (each.event != tau && (behaviour.offered.empty() || behaviour.offered.back() != each.event))
+                behaviour.offered.push_back(each.event);
+        }
+    }
+    TermId unfolded(TermId term) {
+        for (int i = 0; i < deepest_look && terms_[term].op == Op::call; ++i)
+            term = terms_.unfold(terms_[term].payload);
+        return term;
+    }
+    static std::size_t running(const Term& term) {
+        const bool first_alone = term.op == Op::sequential || term.op == Op::exception || term.op == Op::sliding;
+        return first_alone ? 1 : term.children.size();
+    }
+    bool worth_taking_apart(TermId term, int look = 0);
+    Segment component(TermId from, const Steps& steps, std::size_t next, int depth);
+    Segment operation(TermId from, const Steps& steps, std::size_t next, int depth);
+    std::string written(const Term& term);
+    std::string written(SetId set);
+
+    OperationalSemantics& semantics_;
+    TermStore& terms_;
+    std::size_t length_;
+    std::size_t most_parts_;
+    std::size_t parts_ = 0;
+};
+
+/// Operators above sequential processes alone (choices, sequences) are the component's own business.
+bool Splitter::worth_taking_apart(TermId id, int look) {
+    if (look > deepest_look) return false;
+    const Term term = terms_[unfolded(id)];
+    switch (term.op) {
+        case Op::parallel:
+        case Op::alphabetised:
+            return term.children.size() > 1;
+        case Op::hide:
+        case Op::rename:
+        case Op::prioritise:
+        case Op::sync_choice:
+        case Op::sync_interrupt:
+            return true;
+        default:
+            break;
+    }
+    if (!is_operator(term.op)) return false;
+    for (std::size_t i = 0; i < running(term); ++i)
+        if (worth_taking_apart(term.children[i], look + 1)) return true;
+    return false;
+}
+
+Splitter::Segment Splitter::component(TermId from, const Steps& steps, std::size_t next, int depth) {
+    Segment segment{begin(from), from, next, false};
+    const bool to_the_end = depth > deepest_parts || parts_ > most_parts_;
+    while (segment.next < steps.size()) {
+        note(segment.behaviour, steps[segment.next]);
+        segment.end = steps[segment.next++].transition.target;
+        segment.goes_on = !to_the_end && worth_taking_apart(segment.end);
+        if (segment.goes_on) break;
+    }
+    return segment;
+}
+
+Splitter::Segment Splitter::operation(TermId from, const Steps& steps, std::size_t next, int depth) {
+    Segment segment{begin(from), from, next, false};
+    TermId now = unfolded(from);
+    const Term term = terms_[now];
+    segment.behaviour.op = written(term);
+    std::vector<Steps> moved(term.children.size());
+    std::optional<std::size_t> survivor;
+    bool handed_over = false;
+    while (segment.next < steps.size() && !survivor && !handed_over) {
+        const Step& step = steps[segment.next];
+        const std::optional<Derivation> derived = derivation(semantics_, now, step.transition);
+        note(segment.behaviour, step);
+        segment.end = now = step.transition.target;
+        ++segment.next;
+        if (!derived) {
+            handed_over = true;
+            break;
+        }
+        for (const auto& [operand, transition] : derived->moves) moved[operand].push_back({step.index, transition});
+        handed_over = derived->starts;
+        if (!derived->starts) survivor = derived->survivor;
+    }
+    if (survivor)
+        for (; segment.next < steps.size(); ++segment.next) {
+            note(segment.behaviour, steps[segment.next]);
+            moved[*survivor].push_back(steps[segment.next]);
+            segment.end = steps[segment.next].transition.target;
+        }
+    for (std::size_t i = 0; i < running(term); ++i) {
+        Behaviour operand = part(term.children[i], moved[i], depth + 1);
+        operand.left = handed_over || (survivor && *survivor != i);
+        segment.behaviour.parts.push_back(std::move(operand));
+    }
+    segment.goes_on = handed_over;
+    return segment;
+}
+
+Behaviour Splitter::part(TermId initial, const Steps& steps, int depth) {
+    std::vector<Segment> segments;
+    TermId now = initial;
+    std::size_t next = 0;
+    for (bool more = true; more;) {
+        const bool apart = depth <= deepest_parts && parts_ <= most_parts_ && worth_taking_apart(now);
+        segments.push_back(apart ? operation(now, steps, next, depth) : component(now, steps, next, depth));
+        now = segments.back().end;
+        next = segments.back().next;
+        more = segments.back().goes_on;
+        end(segments.back().behaviour, now);
+        segments.back().behaviour.left = more;
+    }
+    if (segments.size() == 1) return std::move(segments.front().behaviour);
+    Behaviour whole = begin(initial);
+    whole.op = "then";
+    for (const Step& step : steps) note(whole, step);
+    end(whole, now);
+    for (Segment& each : segments) whole.parts.push_back(std::move(each.behaviour));
+    return whole;
+}
+
+std::string Splitter::written(SetId set) {
+    std::string text;
+    const EventSet& events = terms_[set];
+    for (std::size_t i = 0; i < events.size() && i < shown_events; ++i)
+        text += (i > 0 ? ", " : "") + terms_.events().name(events[i]);
+    if (events.size() > shown_events) text += ", …";
+    return "{" + text + "}";
+}
+
+std::string Splitter::written(const Term& term) {
+    switch (term.op) {
+        case Op::parallel: {
+            const EventSet& set = terms_[SetId{term.payload}];
+            return set.empty() ? "|||" : "[|" + written(SetId{term.payload}) + "|]";
+        }
+        case Op::alphabetised:
+            return "[…||…]";
+        case Op::external_choice:
+            return "[]";
+        case Op::sequential:
+            return ";";
+        case Op::interrupt:
+            return "/\\";
+        case Op::sliding:
+            return "[>";
+        case Op::exception:
+            return "[|" + written(SetId{term.payload}) + "|>";
+        case Op::sync_choice:
+            return "[+" + written(SetId{term.payload}) + "+]";
+        case Op::sync_interrupt:
+            return "/+" + written(SetId{term.payload}) + "+\\";
+        case Op::hide:
+            return "\\ " + written(SetId{term.payload});
+        case Op::rename:
+            return "[[…]]";
+        case Op::prioritise:
+            return "prioritise";
+        default:
+            return "";
+    }
+}
+
+}  // namespace
+
+std::vector<Event> Behaviour::events(bool with_taus) const {
+    std::vector<Event> result;
+    std::copy_if(trace.begin(), trace.end(), std::back_inserter(result),
+                 [&](Event event) { return event != no_event && (with_taus || event != tau); });
+    return result;
+}
+
+Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run) {
+    Steps steps;
+    for (const Transition& each : run) steps.push_back({steps.size(), each});
+    return Splitter(semantics, run.size()).part(initial, steps, 0);
+}
+
+}  // namespace robochart::process

@@ -1,0 +1,36 @@
+// A run of a process taken apart: what each operand of its operators did in it, down to the sequential components, as
+// FDR's debug tree has it. Works by the firing rules read backwards (firing_rules.cpp, composition_rules.cpp).
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "checker/process/operational_semantics.hpp"
+
+namespace robochart::process {
+
+/// Stands in a trace where a part does nothing.
+inline constexpr Event no_event = std::numeric_limits<Event>::max();
+
+/// What one part of a process did in a run of the whole.
+struct Behaviour {
+    std::string name;             ///< the part where it begins, as people read it
+    std::string op;               ///< the operator above `parts` as CSPM writes it; "" for a component
+    std::vector<Event> trace;     ///< of every step of the whole, this part's event or no_event
+    std::vector<Event> revealed;  ///< the same with hidden events by their names
+    std::string state;            ///< the part where it ends
+    EventSet offered;             ///< what it offers there: visible events and tick
+    bool stable = true;           ///< it can do no tau there
+    bool left = false;            ///< it ended before the whole did: another part took over, or it terminated
+    std::vector<Behaviour> parts;
+
+    /// The events the part took part in, taus only where asked for.
+    [[nodiscard]] std::vector<Event> events(bool with_taus) const;
+};
+
+/// Takes a run of `initial` apart. Each step's transition must be one of the semantics. A run that is large beyond
+/// reading (parts, nesting) is taken apart only so far.
+[[nodiscard]] Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run);
+
+}  // namespace robochart::process

@@ -1,0 +1,222 @@
+// The statements of the rules are in firing_rules.cpp and composition_rules.cpp. Where a step has several derivations
+// (two operands that can both do it and stay as they are) the first operand is taken.
+#include "checker/process/derivation.hpp"
+
+#include <algorithm>
+
+namespace robochart::process {
+namespace {
+
+class Deriver {
+public:
+    Deriver(OperationalSemantics& semantics, TermId id, const Transition& step)
+        : semantics_(semantics),
+          terms_(semantics.terms()),
+          term_(terms_[id]),
+          target_(terms_[step.target]),
+          step_(step) {}
+
+    std::optional<Derivation> derive();
+
+private:
+    using Found = std::optional<Derivation>;
+
+    [[nodiscard]] bool frame_stays() const {
+        return target_.op == term_.op && target_.payload == term_.payload && target_.sets == term_.sets &&
+               target_.children.size() == term_.children.size();
+    }
+    [[nodiscard]] bool in_set(Event event) const {
+        return event != tau && event != tick && terms_.contains(SetId{term_.payload}, event);
+    }
+    /// A transition of the operand by `event`; to `target` if one is given. The same hidden name is preferred.
+    std::optional<Transition> move(std::size_t operand, Event event, std::optional<TermId> target) {
+        std::optional<Transition> found;
+        for (const Transition& each : semantics_.successors(term_.children[operand])) {
+            if (each.event != event || (target && each.target != *target)) continue;
+            if (each.revealed == step_.revealed) return each;
+            if (!found) found = each;
+        }
+        return found;
+    }
+    [[nodiscard]] bool others_stay(const std::vector<std::size_t>& movers) const {
+        for (std::size_t i = 0; i < term_.children.size(); ++i)
+            if (std::find(movers.begin(), movers.end(), i) == movers.end() && target_.children[i] != term_.children[i])
+                return false;
+        return true;
+    }
+    /// All of these move by the step's event, and the operator stays.
+    Found together(const std::vector<std::size_t>& movers) {
+        if (!frame_stays() || !others_stay(movers)) return std::nullopt;
+        Derivation result;
+        for (std::size_t each : movers) {
+            const std::optional<Transition> own = move(each, step_.event, target_.children[each]);
+            if (!own) return std::nullopt;
+            result.moves.emplace_back(each, *own);
+        }
+        return result;
+    }
+    /// One moves by one of these events, and the operator stays.
+    Found alone(std::size_t operand, Event event) {
+        if (!frame_stays() || !others_stay({operand})) return std::nullopt;
+        const std::optional<Transition> own = move(operand, event, target_.children[operand]);
+        if (!own) return std::nullopt;
+        return Derivation{{{operand, *own}}, {}, false};
+    }
+    Found anyone() {
+        for (std::size_t i = 0; i < term_.children.size(); ++i)
+            if (Found found = alone(i, step_.event)) return found;
+        return std::nullopt;
+    }
+    /// One moves and what it becomes is all that is left.
+    Found resolved(std::size_t operand) {
+        const std::optional<Transition> own = move(operand, step_.event, step_.target);
+        if (!own) return std::nullopt;
+        return Derivation{{{operand, *own}}, operand, false};
+    }
+    Found resolved_by_anyone() {
+        for (std::size_t i = 0; i < term_.children.size(); ++i)
+            if (Found found = resolved(i)) return found;
+        return std::nullopt;
+    }
+    /// Operand 0 moves by `event`, and operand 1 takes over.
+    Found handed_over(Event event) {
+        if (step_.target != term_.children[1]) return std::nullopt;
+        const std::optional<Transition> own = move(0, event, std::nullopt);
+        if (!own) return std::nullopt;
+        return Derivation{{{0, *own}}, 1, true};
+    }
+    /// These tick, and nothing is left.
+    Found terminated(const std::vector<std::size_t>& movers) {
+        Derivation result;
+        for (std::size_t each : movers) {
+            const std::optional<Transition> own = move(each, tick, std::nullopt);
+            if (!own) return std::nullopt;
+            result.moves.emplace_back(each, *own);
+        }
+        return result;
+    }
+    std::vector<std::size_t> everyone() const {
+        std::vector<std::size_t> all(term_.children.size());
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+        return all;
+    }
+    std::vector<std::size_t> with_event_in_alphabet() const {
+        std::vector<std::size_t> result;
+        for (std::size_t i = 0; i < term_.children.size(); ++i)
+            if (terms_.contains(term_.sets[i], step_.event)) result.push_back(i);
+        return result;
+    }
+
+    Found sliding() {
+        if (Found found = step_.event == tau ? alone(0, tau) : resolved(0)) return found;
+        if (step_.event == tau && step_.target == term_.children[1]) return Derivation{{}, 1, true};
+        return std::nullopt;
+    }
+    Found sequential() {
+        if (Found found = alone(0, step_.event)) return found;
+        return step_.event == tau ? handed_over(tick) : std::nullopt;
+    }
+    Found interrupt() {
+        if (step_.event == tick)
+            if (Found found = terminated({0})) return found;
+        if (Found found = alone(0, step_.event)) return found;
+        return step_.event == tau ? alone(1, tau) : resolved(1);
+    }
+    Found sync_interrupt() {
+        if (in_set(step_.event)) return together({0, 1});
+        return interrupt();
+    }
+    Found hide() {
+        if (step_.event == tick) return terminated({0});
+        if (step_.event != tau) return alone(0, step_.event);
+        if (in_set(step_.revealed))
+            if (Found found = alone(0, step_.revealed)) return found;
+        if (Found found = alone(0, tau)) return found;
+        for (const Event event : terms_[SetId{term_.payload}])
+            if (Found found = alone(0, event)) return found;
+        return std::nullopt;
+    }
+    Found rename() {
+        if (step_.event == tick) return terminated({0});
+        if (Found found = alone(0, step_.event); found && !renamed(step_.event)) return found;
+        for (const auto& [from, to] : terms_[RenamingId{term_.payload}])
+            if (to == step_.event)
+                if (Found found = alone(0, from)) return found;
+        return std::nullopt;
+    }
+    bool renamed(Event event) const {
+        const Renaming& pairs = terms_[RenamingId{term_.payload}];
+        const auto at = std::lower_bound(pairs.begin(), pairs.end(), EventPair{event, 0});
+        return event != tau && at != pairs.end() && at->first == event;
+    }
+
+    OperationalSemantics& semantics_;
+    TermStore& terms_;
+    Term term_;  // copies: asking for successors may make new terms
+    Term target_;
+    Transition step_;
+};
+
+std::optional<Derivation> Deriver::derive() {
+    const Event event = step_.event;
+    switch (term_.op) {
+        case Op::parallel:
+            if (event == tick) return terminated(everyone());
+            return in_set(event) ? together(everyone()) : anyone();
+        case Op::alphabetised:
+            if (event == tick) return terminated(everyone());
+            return event == tau ? anyone() : together(with_event_in_alphabet());
+        case Op::sync_choice:
+            if (in_set(event)) return together(everyone());
+            return event == tau ? anyone() : resolved_by_anyone();
+        case Op::external_choice:
+            return event == tau ? anyone() : resolved_by_anyone();
+        case Op::sync_interrupt:
+            return sync_interrupt();
+        case Op::interrupt:
+            return interrupt();
+        case Op::sliding:
+            return sliding();
+        case Op::sequential:
+            return sequential();
+        case Op::exception:
+            if (event == tick) return terminated({0});
+            return in_set(event) ? handed_over(event) : alone(0, event);
+        case Op::hide:
+            return hide();
+        case Op::rename:
+            return rename();
+        case Op::prioritise:
+            return event == tick ? terminated({0}) : alone(0, event);
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+bool is_operator(Op op) {
+    switch (op) {
+        case Op::parallel:
+        case Op::alphabetised:
+        case Op::sync_choice:
+        case Op::external_choice:
+        case Op::sync_interrupt:
+        case Op::interrupt:
+        case Op::sliding:
+        case Op::sequential:
+        case Op::exception:
+        case Op::hide:
+        case Op::rename:
+        case Op::prioritise:
+            return true;
+        default:
+            return false;
+    }
+}
+
+std::optional<Derivation> derivation(OperationalSemantics& semantics, TermId term, const Transition& step) {
+    return Deriver(semantics, term, step).derive();
+}
+
+}  // namespace robochart::process

@@ -1,0 +1,117 @@
+// Runs taken apart: each part's own trace and offer, worked out by hand.
+#include "checker/process/behaviour.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/checker/process/scripted.hpp"
+
+namespace robochart::process {
+namespace {
+
+class Apart : public testing::Test {
+protected:
+    Scripted s;
+    OperationalSemantics semantics{s.store};
+
+    /// The run by these actions, each the first that fits.
+    Behaviour run(TermId initial, const std::vector<Event>& actions) {
+        std::vector<Transition> steps;
+        TermId now = initial;
+        for (const Event action : actions) {
+            for (const Transition& each : semantics.successors(now))
+                if (each.event == action) {
+                    steps.push_back(each);
+                    break;
+                }
+            now = steps.back().target;
+        }
+        EXPECT_EQ(steps.size(), actions.size());
+        return behaviour(semantics, initial, steps);
+    }
+    std::string trace(const Behaviour& part) {
+        std::string text;
+        for (const Event event : part.trace) text += event == no_event ? "-" : s.events.name(event);
+        return text;
+    }
+    std::string offer(const Behaviour& part) {
+        std::string text;
+        for (const Event event : part.offered) text += s.events.name(event);
+        return text;
+    }
+};
+
+// (a -> b -> STOP) [| {b} |] (c -> b -> d -> STOP): b is common, a and c are each one's own.
+TEST_F(Apart, ParallelOperandsHaveTheirOwnTraces) {
+    const TermId left = s.prefix("a", s.prefix("b", s.stop()));
+    const TermId right = s.prefix("c", s.prefix("b", s.prefix("d", s.stop())));
+    const Behaviour whole = run(s.over(Op::parallel, {left, right}, {"b"}), {s.event("c"), s.event("a"), s.event("b")});
+    ASSERT_EQ(whole.parts.size(), 2U);
+    EXPECT_EQ(whole.op, "[|{b}|]");
+    EXPECT_EQ(trace(whole), "cab");
+    EXPECT_EQ(trace(whole.parts[0]), "-ab");
+    EXPECT_EQ(offer(whole.parts[0]), "");
+    EXPECT_EQ(trace(whole.parts[1]), "c-b");
+    EXPECT_EQ(offer(whole.parts[1]), "d");
+}
+
+// ((a -> b -> STOP) ||| c -> STOP) [[b <- d]] \ {a}: inside hiding and renaming the events keep their own names.
+TEST_F(Apart, HidingAndRenamingAreUndoneInside) {
+    const TermId left = s.prefix("a", s.prefix("b", s.stop()));
+    const TermId both = s.over(Op::parallel, {left, s.prefix("c", s.stop())}, {});
+    const TermId whole = s.over(Op::hide, {s.rename(both, {{"b", "d"}})}, {"a"});
+    const Behaviour hidden = run(whole, {tau, s.event("d")});
+    EXPECT_EQ(trace(hidden), "τd");
+    EXPECT_EQ(s.events.name(hidden.revealed[0]), "a");
+    const Behaviour& renamed = hidden.parts.at(0);
+    EXPECT_EQ(trace(renamed), "ad");
+    const Behaviour& inside = renamed.parts.at(0);
+    EXPECT_EQ(inside.op, "|||");
+    EXPECT_EQ(trace(inside.parts.at(0)), "ab");
+    EXPECT_EQ(trace(inside.parts.at(1)), "--");
+    EXPECT_EQ(offer(inside.parts.at(1)), "c");
+}
+
+// (a -> SKIP ||| SKIP) ; b -> STOP: the first part ends by ✓, which is the whole's tau; then the second.
+TEST_F(Apart, ASequenceHasPartsOneAfterTheOther) {
+    const TermId first = s.over(Op::parallel, {s.prefix("a", s.skip()), s.skip()}, {});
+    const Behaviour whole =
+        run(s.op(Op::sequential, {first, s.prefix("b", s.stop())}), {s.event("a"), tau, s.event("b")});
+    EXPECT_EQ(whole.op, "then");
+    ASSERT_EQ(whole.parts.size(), 2U);
+    EXPECT_EQ(trace(whole.parts[0].parts.at(0)), "a✓-");
+    EXPECT_TRUE(whole.parts[0].left);
+    EXPECT_TRUE(whole.parts[0].parts.at(0).left);
+    EXPECT_EQ(trace(whole.parts[0].parts.at(0).parts.at(1)), "-✓-");
+    EXPECT_EQ(trace(whole.parts[1]), "--b");
+    EXPECT_TRUE(whole.parts[1].parts.empty());
+}
+
+// P = a -> (Q ||| R) is one component until it has done a.
+TEST_F(Apart, AComponentMayBecomeSeveral) {
+    const TermId later = s.over(Op::parallel, {s.prefix("b", s.stop()), s.prefix("c", s.stop())}, {});
+    const Behaviour whole = run(s.prefix("a", later), {s.event("a"), s.event("c")});
+    ASSERT_EQ(whole.parts.size(), 2U);
+    EXPECT_EQ(trace(whole.parts[0]), "a-");
+    EXPECT_EQ(trace(whole.parts[1].parts.at(1)), "-c");
+    EXPECT_EQ(offer(whole.parts[1].parts.at(0)), "b");
+}
+
+// (a -> SKIP) ; P without end is one sequential component: its trace is not taken apart once a round.
+TEST_F(Apart, SequentialProcessesStayWhole) {
+    const TermId p = s.name("P");
+    s.bind(p, s.op(Op::sequential, {s.prefix("a", s.skip()), p}));
+    const Behaviour whole = run(p, {s.event("a"), tau, s.event("a"), tau});
+    EXPECT_TRUE(whole.parts.empty());
+    EXPECT_EQ(whole.name, "P");
+    EXPECT_EQ(offer(whole), "a");
+}
+
+TEST_F(Apart, EventsWithoutGapsAndTaus) {
+    const TermId hidden = s.over(Op::hide, {s.prefix("a", s.prefix("b", s.stop()))}, {"a"});
+    const Behaviour whole = run(hidden, {tau, s.event("b")});
+    EXPECT_EQ(whole.events(false), std::vector<Event>{s.event("b")});
+    EXPECT_EQ(whole.events(true), (std::vector<Event>{tau, s.event("b")}));
+}
+
+}  // namespace
+}  // namespace robochart::process
