@@ -17,6 +17,7 @@ public:
     void successors(StateView state, SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override;
     void watch(const std::function<void()>& poll) override { semantics_.watch(poll); }
+    [[nodiscard]] bool states_are_terms() const override { return true; }
     [[nodiscard]] std::string describe(StateView state) const override;
 
 private:

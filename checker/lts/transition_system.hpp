@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "checker/process/term.hpp"
@@ -39,8 +40,17 @@ public:
     [[nodiscard]] virtual const process::EventTable& events() const = 0;
     /// `poll` is called now and then during long work inside the system, and may throw to stop it. Empty: none.
     virtual void watch(const std::function<void()>& /*poll*/) {}
+    /// The same process by a slower semantics that shares nothing with this one but the definitions: what a search
+    /// finds here is replayed there before it is believed. Null: none.
+    [[nodiscard]] TransitionSystem* reference() const { return reference_.get(); }
+    void set_reference(std::shared_ptr<TransitionSystem> reference) { reference_ = std::move(reference); }
+    /// Whether a state is one word, a process::TermId.
+    [[nodiscard]] virtual bool states_are_terms() const { return false; }
     /// The state as people read it: for processes the definitions each component is in, with arguments.
     [[nodiscard]] virtual std::string describe(StateView state) const = 0;
+
+private:
+    std::shared_ptr<TransitionSystem> reference_;
 };
 
 }  // namespace robochart::lts

@@ -7,6 +7,7 @@
 #include "checker/refine/counterexample.hpp"
 #include "checker/refine/monitors.hpp"
 #include "checker/refine/question.hpp"
+#include "checker/refine/reference.hpp"
 
 namespace robochart::refine {
 
@@ -91,10 +92,10 @@ std::vector<process::EventSet> required_after(NormalForm& specification, const V
     return {specification.initials(node)};
 }
 
-Counterexample told_violation(lts::TransitionSystem& implementation, NormalForm& normal, const Violation& violation) {
-    Counterexample told = tell(implementation, violation);
-    told.required = required_after(normal, violation);
-    if (violation.kind == ViolationKind::trace) told.event = told.steps.back().event;
+Counterexample told_violation(NormalForm& normal, const Confirmed& confirmed) {
+    Counterexample told = tell(confirmed);
+    told.required = required_after(normal, confirmed.violation);
+    if (told.kind == ViolationKind::trace) told.event = told.steps.back().event;
     return told;
 }
 
@@ -113,8 +114,12 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
     else if (with_divergence)
         violation = first_divergence(search);
     if (!violation) return;
-    confirm_refinement_violation(specification, implementation, model, *violation, budget);
-    fail(verdict, told_violation(implementation, normal, *violation));
+    const auto judge = [&](lts::TransitionSystem& system, const Violation& shown, Budget& own) {
+        const bool by_reference = &system != &implementation && specification.reference() != nullptr;
+        confirm_refinement_violation(by_reference ? *specification.reference() : specification, system, model, shown,
+                                     own);
+    };
+    fail(verdict, told_violation(normal, confirmed(implementation, *violation, budget, judge)));
 }
 
 void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence, Budget& budget,
@@ -129,8 +134,7 @@ void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool for
     else if (forbid_divergence)
         violation = first_divergence(search);
     if (!violation) return;
-    confirm_property_violation(system, *violation, budget);
-    fail(verdict, tell(system, *violation));
+    fail(verdict, tell(confirmed(system, *violation, budget, confirm_property_violation)));
 }
 
 /// The run of a trace's first events, which is known to exist.
@@ -150,8 +154,10 @@ void decide_trace(lts::TransitionSystem& system, const std::vector<Event>& trace
         return;
     }
     const Run run = run_of_prefix(system, trace, monitor.furthest(), budget);
-    confirm_missing_trace(system, trace, run, budget);
-    Counterexample told = tell(system, {ViolationKind::no_trace, run, {}, {}});
+    const auto judge = [&](lts::TransitionSystem& judged, const Violation& shown, Budget& own) {
+        confirm_missing_trace(judged, trace, shown.run, own);
+    };
+    Counterexample told = tell(confirmed(system, {ViolationKind::no_trace, run, {}, {}}, budget, judge));
     told.event = trace[monitor.furthest()];
     fail(verdict, std::move(told));
 }

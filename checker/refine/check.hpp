@@ -15,12 +15,29 @@ namespace robochart::refine {
 
 enum class Model { traces, failures, failures_divergences };
 
+/// How far a check has come, for those who wait.
+struct Progress {
+    enum class Phase { compiling, searching };
+    Phase phase = Phase::searching;
+    std::string part;                             ///< compiling: the component at work
+    std::uint64_t component = 0, components = 0;  ///< compiling: its number, and of how many; 0 if not known
+    std::uint64_t states = 0;                     ///< known so far
+    std::uint64_t transitions = 0;
+    std::uint64_t frontier = 0;  ///< searching: states that wait to be expanded
+    std::uint64_t depth = 0;
+    std::uint64_t resident_bytes = 0;  ///< of the whole program
+    std::uint64_t grown_bytes = 0;     ///< of these, since the phase began
+    double seconds = 0;                ///< since the phase began
+};
+
 /// Bounds of one check; a bound reached gives Outcome::inconclusive, never a wrong answer.
 struct Limits {
     std::uint64_t max_states = 500'000'000;
     std::uint64_t memory_bytes = 16ULL << 30U;
     std::optional<std::chrono::steady_clock::time_point> deadline;
     std::function<bool()> interrupted;  ///< polled; true stops the search
+    /// Told a few times a second, by the thread that called the check.
+    std::function<void(const Progress&)> progress;
 };
 
 struct Statistics {
@@ -58,6 +75,11 @@ struct Counterexample {
         required;  ///< refusal: the specification's minimal acceptances; trace: one set, the events it allowed
     std::vector<Step> loop;               ///< divergence: the tau loop
     std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the offending one
+    /// The initial state and those after the steps, then those of the loop; empty where states are not terms.
+    std::vector<process::TermId> terms, loop_terms;
+    /// Whether the run was replayed by the operational semantics of terms; else by the compiled rules alone, because
+    /// the terms were too many or there are none.
+    bool replayed_by_terms = false;
 };
 
 struct Verdict {

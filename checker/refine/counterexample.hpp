@@ -1,11 +1,11 @@
 // Runs told as counterexamples.
 #pragma once
 
-#include "checker/refine/replay.hpp"
+#include "checker/refine/reference.hpp"
 
 namespace robochart::refine {
 
 /// The violation with its states described; `required` is left to the caller.
-[[nodiscard]] Counterexample tell(lts::TransitionSystem& system, const Violation& violation);
+[[nodiscard]] Counterexample tell(const Confirmed& confirmed);
 
 }  // namespace robochart::refine

@@ -8,6 +8,7 @@
 #include "checker/refine/counterexample.hpp"
 #include "checker/refine/monitors.hpp"
 #include "checker/refine/question.hpp"
+#include "checker/refine/reference.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -79,8 +80,7 @@ void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budg
     }
     verdict.outcome = Outcome::holds;
     if (!violation) return;
-    confirm_property_violation(system, *violation, budget);
-    verdict.counterexample = tell(system, *violation);
+    verdict.counterexample = tell(confirmed(system, *violation, budget, confirm_property_violation));
     verdict.outcome = Outcome::fails;
 }
 

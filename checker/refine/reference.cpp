@@ -1,0 +1,203 @@
+// Breadth-first search for the run: first by exactly its actions, which strongly bisimilar components allow, then by
+// its trace alone, because compressed components may do other taus.
+#include "checker/refine/reference.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "checker/refine/stability.hpp"
+
+namespace robochart::refine {
+namespace {
+
+using process::Event;
+using State = std::vector<lts::Word>;
+
+/// The reference's share: a bound reached says nothing about the verdict.
+constexpr std::chrono::seconds longest_replay{20};
+
+class Moves final : public lts::SuccessorSink {
+public:
+    void add(Event event, lts::StateView target, Event revealed) override {
+        list.push_back({event, revealed, {target.begin(), target.end()}});
+        if (event == process::tau)
+            offer.tau = true;
+        else
+            offer.events.push_back(event);
+    }
+    /// Ready to be read.
+    void finish() {
+        std::sort(offer.events.begin(), offer.events.end());
+        offer.events.erase(std::unique(offer.events.begin(), offer.events.end()), offer.events.end());
+    }
+    std::vector<RunStep> list;
+    Offer offer;
+};
+
+Moves moves_of(lts::TransitionSystem& system, const State& state, Budget& budget) {
+    budget.charge();
+    Moves moves;
+    system.successors(state, moves);
+    moves.finish();
+    return moves;
+}
+
+State initial_of(lts::TransitionSystem& system) {
+    State state(system.width());
+    system.initial(state);
+    return state;
+}
+
+/// Paths through a system whose nodes are states with a place in a word of actions.
+class Paths {
+public:
+    Paths(lts::TransitionSystem& system, Budget& budget) : system_(system), budget_(budget) {}
+
+    /// The shortest run from `from` along the actions to a state that `ends` accepts; with `free_taus`, taus may come
+    /// anywhere and the actions have none.
+    std::optional<Run> find(const State& from, const std::vector<Event>& actions, bool free_taus,
+                            const std::function<bool(const State&, const Moves&)>& ends) {
+        nodes_.clear();
+        known_.clear();
+        visit({0, from, 0, {}});
+        for (std::size_t at = 0; at < nodes_.size(); ++at) {
+            const std::size_t place = nodes_[at].place;
+            const Moves moves = moves_of(system_, nodes_[at].state, budget_);
+            if (place == actions.size() && ends(nodes_[at].state, moves)) return run_to(at);
+            for (const RunStep& step : moves.list) {
+                if (place < actions.size() && step.event == actions[place]) visit({place + 1, step.state, at, step});
+                if (free_taus && step.event == process::tau) visit({place, step.state, at, step});
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    struct Node {
+        std::size_t place;
+        State state;
+        std::size_t from;
+        RunStep step;
+    };
+
+    void visit(Node node) {
+        if (known_.emplace(std::pair(node.place, node.state), nodes_.size()).second) nodes_.push_back(std::move(node));
+    }
+    Run run_to(std::size_t at) const {
+        Run run;
+        for (; at != 0; at = nodes_[at].from) run.steps.push_back(nodes_[at].step);
+        std::reverse(run.steps.begin(), run.steps.end());
+        run.initial = nodes_.front().state;
+        return run;
+    }
+
+    lts::TransitionSystem& system_;
+    Budget& budget_;
+    std::vector<Node> nodes_;
+    std::map<std::pair<std::size_t, State>, std::size_t> known_;
+};
+
+/// Taus from the state back to itself.
+std::optional<Run> tau_loop(lts::TransitionSystem& system, const State& state, Budget& budget) {
+    Paths paths(system, budget);
+    for (const RunStep& first : moves_of(system, state, budget).list) {
+        if (first.event != process::tau) continue;
+        std::optional<Run> rest =
+            paths.find(first.state, {}, true, [&](const State& at, const Moves&) { return at == state; });
+        if (!rest) continue;
+        Run loop{state, {first}};
+        loop.steps.insert(loop.steps.end(), rest->steps.begin(), rest->steps.end());
+        return loop;
+    }
+    return std::nullopt;
+}
+
+/// Whether a state of the reference is as bad as the one where the violation ends.
+std::function<bool(const State&, const Moves&)> as_bad_as(lts::TransitionSystem& system,
+                                                          lts::TransitionSystem& reference, const Violation& violation,
+                                                          Budget& budget) {
+    switch (violation.kind) {
+        case ViolationKind::refusal: {
+            const auto accepted = acceptance(moves_of(system, violation.run.last(), budget).offer);
+            return [accepted](const State&, const Moves& moves) {
+                const auto own = acceptance(moves.offer);
+                return own && accepted && std::includes(accepted->begin(), accepted->end(), own->begin(), own->end());
+            };
+        }
+        case ViolationKind::deadlock:
+            return [](const State&, const Moves& moves) { return moves.list.empty(); };
+        case ViolationKind::divergence:
+            return [&reference, &budget](const State& state, const Moves& moves) {
+                return moves.offer.tau && tau_loop(reference, state, budget).has_value();
+            };
+        case ViolationKind::nondeterminism:
+            return [event = violation.event](const State&, const Moves& moves) {
+                const auto own = acceptance(moves.offer);
+                return own && event && !std::binary_search(own->begin(), own->end(), *event);
+            };
+        default:
+            return [](const State&, const Moves&) { return true; };
+    }
+}
+
+std::vector<Event> actions_of(const Run& run) {
+    std::vector<Event> actions;
+    for (const RunStep& step : run.steps) actions.push_back(step.event);
+    return actions;
+}
+
+/// Long work inside the system counts against the budget while this lives.
+class Watching {
+public:
+    Watching(lts::TransitionSystem& system, Budget& budget) : system_(system) {
+        system_.watch([&budget] { budget.charge(); });
+    }
+    Watching(const Watching&) = delete;
+    Watching& operator=(const Watching&) = delete;
+    ~Watching() { system_.watch({}); }
+
+private:
+    lts::TransitionSystem& system_;
+};
+
+Limits share_of(Limits limits) {
+    const auto end = std::chrono::steady_clock::now() + longest_replay;
+    limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
+    return limits;
+}
+
+}  // namespace
+
+Violation found_again(lts::TransitionSystem& system, lts::TransitionSystem& reference, const Violation& violation,
+                      Budget& budget) {
+    const auto ends = as_bad_as(system, reference, violation, budget);
+    const State from = initial_of(reference);
+    Paths paths(reference, budget);
+    std::optional<Run> run = paths.find(from, actions_of(violation.run), false, ends);
+    if (!run) run = paths.find(from, violation.run.trace(), true, ends);
+    if (!run) throw std::logic_error("a counterexample failed its replay: the terms have no such run");
+    Violation again{violation.kind, std::move(*run), {}, violation.event};
+    if (violation.kind == ViolationKind::divergence) again.loop = tau_loop(reference, again.run.last(), budget).value();
+    return again;
+}
+
+Confirmed confirmed(lts::TransitionSystem& system, const Violation& violation, Budget& budget,
+                    const std::function<void(lts::TransitionSystem&, const Violation&, Budget&)>& judge) {
+    judge(system, violation, budget);
+    if (system.reference() == nullptr) return {violation, &system, system.states_are_terms()};
+    lts::TransitionSystem& reference = *system.reference();
+    const Limits share = share_of(budget.limits());
+    Budget own(share);
+    const Watching watching(reference, own);
+    try {
+        Violation again = found_again(system, reference, violation, own);
+        judge(reference, again, own);
+        return {std::move(again), &reference, true};
+    } catch (const process::Interrupted&) {
+        if (share.interrupted && share.interrupted()) throw;
+        return {violation, &system, false};
+    }
+}
+
+}  // namespace robochart::refine
