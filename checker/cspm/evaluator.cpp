@@ -53,6 +53,7 @@ private:
 
 void Evaluator::count_step(Span span) {
     if (++steps_ > max_steps) fail("evaluation takes too long (2000000000 steps): runaway recursion?", span);
+    if ((steps_ & 255U) == 0 && poll_) poll_();
     const char* here = static_cast<const char*>(__builtin_frame_address(0));
     if (static_cast<std::size_t>(stack_base_ - here) > deep_stack_bytes / 4 * 3) {
         fail("evaluation nests too deeply: runaway recursion?", span);

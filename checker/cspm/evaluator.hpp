@@ -24,6 +24,8 @@ public:
     Evaluator(Program& program, ValueStore& store, process::EventTable& events, process::TermStore& terms);
 
     // Entry points; each may be called from outside only.
+    /// Called now and then while values are worked out; may throw to stop that. Empty: none.
+    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
     [[nodiscard]] process::TermId process(const Code& code, const Unit& unit);
     [[nodiscard]] process::EventSet event_set(const Code& code, const Unit& unit);
@@ -211,6 +213,7 @@ private:
     std::vector<Activation> activations_;
     const char* stack_base_ = nullptr;
     std::uint64_t steps_ = 0;
+    std::function<void()> poll_;
     unsigned entries_ = 0;
     unsigned shapes_ = 0;
 };

@@ -1,7 +1,10 @@
 #include "checker/cspm/session.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <functional>
+#include <new>
 
 #include "checker/cspm/deep_stack.hpp"
 #include "checker/cspm/evaluator.hpp"
@@ -10,6 +13,7 @@
 #include "checker/lts/term_system.hpp"
 #include "checker/machine/compiler.hpp"
 #include "checker/process/operational_semantics.hpp"
+#include "checker/refine/budget.hpp"
 
 namespace robochart::cspm {
 
@@ -31,6 +35,7 @@ public:
         }
     }
     [[nodiscard]] const process::EventTable& events() const override { return system_.events(); }
+    [[nodiscard]] bool states_are_terms() const override { return true; }
     [[nodiscard]] std::string describe(lts::StateView state) const override { return system_.describe(state); }
     void watch(const std::function<void()>& poll) override { system_.watch(poll); }
 
@@ -38,16 +43,6 @@ private:
     lts::TermSystem system_;
     Span span_;
 };
-
-/// Stops long compilation at the limits of the check that it is for.
-std::function<void()> poll_of(const refine::Limits& limits) {
-    return [&limits, count = std::size_t{0}]() mutable {
-        if ((count++ & 255U) != 0) return;
-        if (limits.interrupted && limits.interrupted()) throw process::Interrupted("interrupted while compiling");
-        if (limits.deadline && std::chrono::steady_clock::now() > *limits.deadline)
-            throw process::Interrupted("the time limit was reached while compiling");
-    };
-}
 
 void collect_assertions(const std::vector<DeclPtr>& decls, std::vector<DeclPtr>& out) {
     for (const DeclPtr& decl : decls) {
@@ -96,19 +91,22 @@ struct Session::Impl {
     }
 
     std::unique_ptr<lts::TransitionSystem> system(process::TermId term, Span span, const std::function<void()>& poll) {
-        if (auto compiled = compiler.compile(term, poll)) return compiled;
-        return std::make_unique<SessionSystem>(semantics, term, span);
+        auto terms_alone = std::make_unique<SessionSystem>(semantics, term, span);
+        auto compiled = compiler.compile(term, poll);
+        if (!compiled) return terms_alone;
+        compiled->set_reference(std::move(terms_alone));
+        return compiled;
     }
 
     std::unique_ptr<lts::TransitionSystem> side(const ExprPtr& expr, const Decl& assertion,
-                                                const refine::Limits& limits) {
+                                                const std::function<void()>& poll) {
         const Ready code = ready(expr, &assertion);
         process::TermId term = evaluator.process(*code.code, *code.unit);
         if (assertion.assertion.tau_priority) {
             const Ready set = ready(assertion.assertion.tau_priority, &assertion);
             term = evaluator.tau_priority(term, evaluator.event_set(*set.code, *set.unit));
         }
-        return system(term, expr->span, poll_of(limits));
+        return system(term, expr->span, poll);
     }
 
     refine::Model model(const Decl& assertion) const {
@@ -125,15 +123,85 @@ struct Session::Impl {
         }
     }
 
-    refine::Verdict decide(const Decl& assertion, const refine::Limits& limits) {
+    /// The definitions are worked out within the limits of what asks for them while this lives.
+    class Polling {
+    public:
+        Polling(Impl& impl, refine::Budget& budget) : impl_(impl) {
+            impl_.evaluator.watch([&budget] { budget.charge(); });
+            impl_.semantics.watch([&budget] { budget.charge(); });
+        }
+        Polling(const Polling&) = delete;
+        Polling& operator=(const Polling&) = delete;
+        ~Polling() {
+            impl_.evaluator.watch({});
+            impl_.semantics.watch({});
+        }
+
+    private:
+        Impl& impl_;
+    };
+
+    void tell_stage(refine::Progress& progress) const {
+        const machine::Compiler::Stage& stage = compiler.stage();
+        if (stage.component) progress.part = process::describe(terms, *stage.component);
+        progress.component = stage.number;
+        progress.components = stage.of;
+        progress.states = stage.states;
+    }
+
+    struct Sides {
+        std::unique_ptr<lts::TransitionSystem> first, second;  ///< second: only of a refinement
+    };
+
+    Sides sides(const Decl& assertion, const refine::Limits& limits) {
+        refine::Budget budget(limits, refine::Progress::Phase::compiling);
+        budget.report_by([this](refine::Progress& progress) { tell_stage(progress); });
+        const Polling polling(*this, budget);
+        const auto poll = [&budget] { budget.charge(); };
+        Sides result;
+        result.first = side(assertion.assertion.specification, assertion, poll);
+        if (assertion.assertion.kind == AssertionKind::refinement)
+            result.second = side(assertion.assertion.implementation, assertion, poll);
+        return result;
+    }
+
+    /// How far compilation was when it was stopped.
+    std::string stage_reached() const {
+        const machine::Compiler::Stage& stage = compiler.stage();
+        if (!stage.component) return "";
+        std::string text = fmt::format("; {} states of {}", stage.states, process::describe(terms, *stage.component));
+        if (stage.of > 0) text += fmt::format(", component {} of {}", stage.number, stage.of);
+        return text;
+    }
+
+    void take_apart(AssertionResult& result) {
+        if (!result.verdict.counterexample || result.verdict.counterexample->terms.empty()) return;
+        const refine::Counterexample& told = *result.verdict.counterexample;
+        std::vector<process::Transition> run;
+        const auto append = [&run](const std::vector<refine::Step>& steps,
+                                   const std::vector<process::TermId>& reached) {
+            for (std::size_t i = 0; i < steps.size(); ++i)
+                run.push_back({steps[i].event, steps[i].revealed, reached[i + 1]});
+        };
+        append(told.steps, told.terms);
+        append(told.loop, told.loop_terms);
+        result.behaviour = process::behaviour(semantics, told.terms.front(), run);
+    }
+
+    refine::Verdict decide(const Decl& assertion, const refine::Limits& limits, AssertionResult& result) {
         const Assertion& asked = assertion.assertion;
         const refine::Model in = model(assertion);
-        const auto first = side(asked.specification, assertion, limits);
+        const auto start = std::chrono::steady_clock::now();
+        const Sides both = sides(assertion, limits);
+        const auto& first = both.first;
+        result.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        refine::Limits quiet = limits;
+        quiet.progress = {};
+        refine::Budget evaluation(quiet);
+        const Polling polling(*this, evaluation);
         switch (asked.kind) {
-            case AssertionKind::refinement: {
-                const auto second = side(asked.implementation, assertion, limits);
-                return refine::refines(*first, *second, in, limits);
-            }
+            case AssertionKind::refinement:
+                return refine::refines(*first, *both.second, in, limits);
             case AssertionKind::deadlock_free:
                 return refine::deadlock_free(*first, in, limits);
             case AssertionKind::divergence_free:
@@ -179,10 +247,14 @@ AssertionResult Session::check(const Decl& assertion, const refine::Limits& limi
     result.span = assertion.span;
     result.negated = assertion.assertion.negated;
     try {
-        result.verdict = impl_->decide(assertion, limits);
+        result.verdict = impl_->decide(assertion, limits, result);
+        impl_->take_apart(result);
     } catch (const process::Interrupted& stopped) {
         result.verdict = {};
-        result.verdict.reason = stopped.what();
+        result.verdict.reason = stopped.what() + impl_->stage_reached();
+    } catch (const std::bad_alloc&) {
+        result.verdict = {};
+        result.verdict.reason = "there is no more memory";
     }
     if (result.negated) negate(result.verdict);
     return result;
@@ -195,6 +267,13 @@ process::TermId Session::process(const ExprPtr& expr) {
 
 std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr) {
     return impl_->system(process(expr), expr->span, {});
+}
+
+std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr, const refine::Limits& limits) {
+    refine::Budget budget(limits, refine::Progress::Phase::compiling);
+    budget.report_by([this](refine::Progress& progress) { impl_->tell_stage(progress); });
+    const Impl::Polling polling(*impl_, budget);
+    return impl_->system(process(expr), expr->span, [&budget] { budget.charge(); });
 }
 
 process::EventSet Session::events(const ExprPtr& expr) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "checker/cspm/evaluation_error.hpp"
 #include "checker/cspm/syntax.hpp"
 #include "checker/lts/transition_system.hpp"
+#include "checker/process/behaviour.hpp"
 #include "checker/process/term.hpp"
 #include "checker/refine/check.hpp"
 #include "diagnostics/diagnostic.hpp"
@@ -18,7 +20,10 @@ struct AssertionResult {
     std::string text;  ///< the assertion as printed
     Span span;
     bool negated = false;
-    refine::Verdict verdict;  ///< already turned round for `not`: holds means the assertion as worded holds
+    refine::Verdict verdict;     ///< already turned round for `not`: holds means the assertion as worded holds
+    double compile_seconds = 0;  ///< evaluating and compiling, before the search
+    /// With a counterexample: its run taken apart down to the components (the loop of a divergence follows the trace).
+    std::optional<process::Behaviour> behaviour;
 };
 
 /// One loaded script with its events, terms and definitions. Not thread-safe.
@@ -39,6 +44,8 @@ public:
     [[nodiscard]] process::TermId process(const ExprPtr&);
     /// The same as a transition system that shares this session's events; valid while the session lives.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&);
+    /// The same within limits; throws process::Interrupted where one is reached while compiling.
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&, const refine::Limits&);
     /// An expression that denotes an event or a set of events.
     [[nodiscard]] process::EventSet events(const ExprPtr&);
     /// An expression of any other type, printed as FDR's `print` does.

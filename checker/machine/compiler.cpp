@@ -76,7 +76,11 @@ Compiler::Compiler(process::OperationalSemantics& semantics, const Bounds& bound
 
 ComponentPtr Compiler::explored(TermId term, const std::function<void()>& poll) {
     Exploration exploration(semantics_, bounds_.component_states);
-    exploration.run(term, poll);
+    stage_.component = term;
+    exploration.run(term, [&] {
+        stage_.states = exploration.meaning.size();
+        if (poll) poll();
+    });
     if (exploration.rows.size() <= bounds_.minimised_states) minimise(exploration);
     return std::make_shared<const Component>(exploration.rows, std::move(exploration.meaning));
 }
@@ -112,6 +116,7 @@ std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std:
         std::vector<ComponentPtr> components;
         for (NodeId id : skeleton->slots) {
             const Node& node = skeleton->nodes[id];
+            stage_ = {node.term, components.size() + 1, skeleton->slots.size(), 0};
             components.push_back(node.kind == Node::Kind::gate ? gate(node) : component(node.term, poll));
         }
         auto combined =

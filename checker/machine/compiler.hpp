@@ -32,6 +32,13 @@ public:
     /// cannot be explored on its own (an error of evaluation that the whole may never meet), or the rules are too many.
     /// `poll` is called now and then and may throw process::Interrupted, which passes.
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, const std::function<void()>& poll);
+    /// What is being explored now, or was last; for progress and for the account of a limit.
+    struct Stage {
+        std::optional<TermId> component;
+        std::size_t number = 0, of = 0;  ///< from 1
+        std::size_t states = 0;          ///< of this component, so far
+    };
+    [[nodiscard]] const Stage& stage() const { return stage_; }
     /// All states of the compiled process; none where compile gives none.
     [[nodiscard]] std::optional<process::Machine> explore(TermId term, const std::function<void()>& poll);
 
@@ -43,6 +50,7 @@ private:
     process::OperationalSemantics& semantics_;
     Bounds bounds_;
     std::map<TermId, ComponentPtr> components_;
+    Stage stage_;
 };
 
 /// Compresses what the compiler has explored. The semantics needs its compressor before the compiler can have the

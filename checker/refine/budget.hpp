@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-
 #include <string>
 
 #include "checker/process/operational_semantics.hpp"
@@ -18,7 +17,7 @@ public:
 
 class Budget {
 public:
-    explicit Budget(const Limits& limits);
+    explicit Budget(const Limits& limits, Progress::Phase phase = Progress::Phase::searching);
 
     /// One more piece of work about as large as expanding a state. Throws LimitReached.
     void charge() {
@@ -27,13 +26,31 @@ public:
     /// So many states are kept now. Throws LimitReached.
     void states(std::uint64_t count) const;
     [[nodiscard]] double seconds() const;
+    [[nodiscard]] std::uint64_t work() const { return work_; }
+    [[nodiscard]] const Limits& limits() const { return limits_; }
+    /// Who fills in the figures when progress is told; empty: nobody.
+    void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
 
 private:
+    using Time = std::chrono::steady_clock::time_point;
+
     void poll();
+    void check_memory(Time now);
+    void tell(Time now);
+    [[nodiscard]] std::string whilst() const;
 
     const Limits& limits_;
-    std::chrono::steady_clock::time_point start_;
+    Progress::Phase phase_;
+    Time start_;
+    Time memory_checked_;
+    Time told_;
+    std::uint64_t resident_at_start_;
+    std::uint64_t resident_;
     std::uint64_t work_ = 0;
+    std::function<void(Progress&)> source_;
 };
+
+/// Memory of this program that is in main memory now; 0 where the system does not tell.
+[[nodiscard]] std::uint64_t resident_bytes();
 
 }  // namespace robochart::refine

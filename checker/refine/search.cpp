@@ -27,7 +27,17 @@ Search::Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, 
       keep_taus_(keep_taus),
       expander_(system, monitor, pairs_) {}
 
+Search::~Search() {
+    budget_.report_by({});
+}
+
 void Search::begin() {
+    budget_.report_by([this](Progress& progress) {
+        progress.states = pairs_.size();
+        progress.transitions = transitions_;
+        progress.frontier = pairs_.size() - expanded_;
+        progress.depth = depth_;
+    });
     std::vector<lts::Word> first(pairs_.width());
     if (nodes_) first[0] = monitor_.start();
     system_.initial(std::span(first).subspan(nodes_ ? 1 : 0));
@@ -62,6 +72,7 @@ std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first
     std::size_t row = 0;
     for (const Expansion::Pair& pair : expansion.pairs) {
         budget_.charge();
+        ++expanded_;
         transitions_ += pair.transitions;
         if (!forbidden_) insert(expansion, row, pair.end_row);  // after it only this level's states are still examined
         row = pair.end_row;

@@ -26,6 +26,10 @@ class Search {
 public:
     Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool keep_taus = false);
 
+    Search(const Search&) = delete;
+    Search& operator=(const Search&) = delete;
+    ~Search();
+
     /// The first violation by length of run; among runs of one length a state's fault comes before a forbidden event.
     /// None when all pairs have been seen. Throws LimitReached.
     std::optional<Finding> first_violation();
@@ -62,6 +66,7 @@ private:
     bool keep_taus_;
     lts::ChunkedVector<std::uint64_t> first_tau_;  // per pair, where its targets begin; one more at the end
     lts::ChunkedVector<lts::StateIndex> tau_targets_;
+    std::uint64_t expanded_ = 0;
     std::uint64_t transitions_ = 0;
     std::uint64_t depth_ = 0;
 
