@@ -2,8 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 #include "app/interrupt.hpp"
+#include "app/script.hpp"
+#include "app/script_report.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
@@ -13,24 +17,6 @@
 
 namespace robochart::app {
 namespace {
-
-std::string raw_story(const refine::Counterexample& c, const process::EventTable& events) {
-    std::vector<std::string> names;
-    for (const refine::Step& step : c.steps) names.push_back(events.name(step.event));
-    std::string text = fmt::format("                 trace <{}>\n", fmt::join(names, ", "));
-    const auto set = [&](const process::EventSet& s) {
-        std::vector<std::string> shown;
-        for (const process::Event event : s) shown.push_back(events.name(event));
-        return fmt::format("{{{}}}", fmt::join(shown, ", "));
-    };
-    if (c.kind == refine::ViolationKind::refusal) {
-        text += fmt::format("                 offers {}; the specification requires one of:", set(c.offered));
-        for (const auto& acceptance : c.required) text += " " + set(acceptance);
-        text += '\n';
-    }
-    if (c.kind == refine::ViolationKind::divergence) text += "                 then diverges\n";
-    return text;
-}
 
 Answer answer(refine::Outcome outcome) {
     if (outcome == refine::Outcome::holds) return Answer::holds;
@@ -46,49 +32,51 @@ std::string call_stack(const std::vector<std::string>& frames) {
     return text;
 }
 
-AssertionReport decide(cspm::Session& session, const cspm::Decl& assertion, const Options& options, const diagnostics::SourceManager& sources) {
-    AssertionReport report;
+/// The expressions an assertion is about.
+void name_sides(const cspm::Assertion& assertion, ScriptAssertion& out) {
+    const bool refinement = assertion.kind == cspm::AssertionKind::refinement;
+    if (refinement) out.specification = cspm::print(assertion.specification);
+    out.process = cspm::print(refinement ? assertion.implementation : assertion.specification);
+}
+
+std::string without_keyword(const std::string& assertion) {
+    constexpr std::string_view keyword = "assert ";
+    return assertion.rfind(keyword, 0) == 0 ? assertion.substr(keyword.size()) : assertion;
+}
+
+ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std::size_t number, const Options& options,
+                       const diagnostics::SourceManager& sources) {
+    ScriptAssertion report;
+    report.number = number;
     report.place = sources.place(assertion.span);
+    name_sides(assertion.assertion, report);
+    report.text = without_keyword(cspm::print(cspm::Script{{std::make_shared<const cspm::Decl>(assertion)}}));
+    while (!report.text.empty() && report.text.back() == '\n') report.text.pop_back();
     const InterruptScope scope;
     try {
-        const cspm::AssertionResult result = session.check(assertion, limits(options));
-        report.title = result.text;
-        report.answer = answer(result.verdict.outcome);
-        report.reason = result.verdict.reason;
-        report.statistics = result.verdict.statistics;
-        if (result.verdict.counterexample) report.counterexample = raw_story(*result.verdict.counterexample, session.event_table());
+        report.result = session.check(assertion, limits(options, report.text));
+        report.answer = answer(report.result.verdict.outcome);
+        if (!report.result.verdict.reason.empty()) report.errors.push_back(report.result.verdict.reason);
     } catch (const cspm::EvaluationError& error) {
-        report.title = report.place;
         report.answer = Answer::error;
-        report.reason = fmt::format("{}: {}", sources.place(error.span), error.what());
-        report.reason += call_stack(error.stack);
+        report.errors.push_back(fmt::format("{}: {}{}", sources.place(error.span), error.what(), call_stack(error.stack)));
     }
     return report;
 }
 
-// A script with its findings and the types of its names; every script is type checked before it is evaluated.
-struct Loaded {
-    diagnostics::SourceManager sources;
-    diagnostics::Diagnostics diagnostics;
-    cspm::Script script;
-    std::vector<cspm::NamedType> types;
-};
-
-void load(const std::string& path, Loaded& loaded) {
-    loaded.script = cspm::read_file(loaded.sources, path, loaded.diagnostics);
-    if (loaded.diagnostics.ok()) loaded.types = cspm::check_types(loaded.script, loaded.diagnostics);
+/// The same for the report over all scripts.
+AssertionReport in_report(const ScriptAssertion& assertion, const process::EventTable& events, const Options& options) {
+    AssertionReport report;
+    report.title = assertion.text;
+    report.place = assertion.place;
+    report.answer = assertion.answer;
+    report.statistics = assertion.result.verdict.statistics;
+    if (!assertion.errors.empty()) report.reason = assertion.errors.front();
+    if (assertion.result.verdict.counterexample && !options.brief) report.counterexample = counterexample_text(assertion, events, options);
+    return report;
 }
 
-void show_findings(const Loaded& loaded, const Options& options) {
-    if (loaded.diagnostics.empty()) return;
-    if (options.format == Format::json && !loaded.diagnostics.ok()) {
-        fmt::print("{}", diagnostics::render_json(loaded.sources, loaded.diagnostics));
-    } else {
-        fmt::print(stderr, "{}", diagnostics::render_text(loaded.sources, loaded.diagnostics));
-    }
-}
-
-std::string types_json(const std::string& path, const Loaded& loaded) {
+std::string types_json(const std::string& path, const LoadedScript& loaded) {
     std::vector<std::string> rows;
     for (const cspm::NamedType& each : loaded.types) {
         rows.push_back(fmt::format("{{\"name\":{},\"type\":{},\"place\":{}}}", diagnostics::json_string(each.name),
@@ -98,7 +86,7 @@ std::string types_json(const std::string& path, const Loaded& loaded) {
                        fmt::join(rows, ","));
 }
 
-void show_types(const std::string& path, const Loaded& loaded, const Options& options) {
+void show_types(const std::string& path, const LoadedScript& loaded, const Options& options) {
     if (options.format == Format::json) {
         fmt::print("{}", types_json(path, loaded));
     } else if (options.types) {
@@ -111,8 +99,8 @@ void show_types(const std::string& path, const Loaded& loaded, const Options& op
 Exit check_types(const Options& options) {
     Exit exit = Exit::success;
     for (const std::string& path : options.inputs) {
-        Loaded loaded;
-        load(path, loaded);
+        LoadedScript loaded;
+        load_script(path, loaded);
         show_findings(loaded, options);
         if (loaded.diagnostics.ok()) {
             show_types(path, loaded, options);
@@ -123,37 +111,123 @@ Exit check_types(const Options& options) {
     return exit;
 }
 
-void decide_all(const Loaded& loaded, const Options& options, Report& report) {
-    cspm::Session session(loaded.script);
+std::vector<ScriptPrint> print_statements(cspm::Session& session, const cspm::Script& script, const diagnostics::SourceManager& sources) {
+    std::vector<ScriptPrint> result;
+    for (const cspm::DeclPtr& statement : script.decls) {
+        if (statement->kind != cspm::DeclKind::print) continue;
+        ScriptPrint& printed = result.emplace_back();
+        printed.expression = cspm::print(statement->body);
+        try {
+            printed.value = session.evaluate(statement->body);
+        } catch (const cspm::EvaluationError& error) {
+            printed.error = fmt::format("{}: {}", sources.place(error.span), error.what());
+        }
+    }
+    return result;
+}
+
+void show_prints(const ScriptReport& script, const Options& options) {
+    if (options.quiet || options.format == Format::json || options.format == Format::framed_json) return;
+    for (const ScriptPrint& each : script.prints) fmt::print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
+}
+
+/// The findings as FDR's output has them: one text each.
+void take_findings(const LoadedScript& loaded, ScriptReport& report) {
+    for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted()) {
+        const std::string text = fmt::format("{}: {}", loaded.sources.place(each.span), each.message());
+        (each.rule->severity == diagnostics::Severity::error ? report.errors : report.warnings).push_back(text);
+    }
+}
+
+bool wanted(const Options& options, std::size_t number) {
+    return options.assertion.empty() || options.assertion == fmt::format("{}", number);
+}
+
+/// Prints what has been decided at once, in the formats that allow it.
+void decide_all(const LoadedScript& loaded, cspm::Session& session, const Options& options, ScriptReport& script, Report& report) {
     const auto assertions = session.assertions();
     report.summary += fmt::format("{}{} assertions", report.summary.empty() ? "" : ", ", assertions.size());
     for (std::size_t i = 0; i < assertions.size(); ++i) {
-        if (!options.assertion.empty() && options.assertion != fmt::format("{}", i + 1)) continue;
-        report.assertions.push_back(decide(session, *assertions[i], options, loaded.sources));
-        if (options.brief) report.assertions.back().counterexample.clear();
+        if (!wanted(options, i + 1)) continue;
+        ScriptAssertion decided = decide(session, *assertions[i], i + 1, options, loaded.sources);
+        report.assertions.push_back(in_report(decided, session.event_table(), options));
+        if (options.format == Format::plain) fmt::print("{}", refines_plain(decided, session.event_table(), options));
+        if (options.format == Format::framed_json) {
+            ScriptReport frame = script;
+            frame.assertions.push_back(std::move(decided));
+            fmt::print("{}", refines_json(frame, session.event_table(), options));
+        } else {
+            script.assertions.push_back(std::move(decided));
+        }
+        std::fflush(stdout);
     }
+    if (script.assertions.empty() && !options.assertion.empty() && options.format != Format::framed_json)
+        script.errors.push_back(fmt::format("there is no assertion {}: {} has {}", options.assertion, script.path, assertions.size()));
+}
+
+Exit worse(Exit a, Exit b) {
+    const auto rank = [](Exit exit) {
+        constexpr std::array order{Exit::success, Exit::inconclusive, Exit::failed, Exit::bad_input};
+        return std::find(order.begin(), order.end(), exit) - order.begin();
+    };
+    return rank(a) < rank(b) ? b : a;
+}
+
+/// One script; its part of the report over all is added.
+Exit decide_script(const std::string& path, const Options& options, Report& report) {
+    LoadedScript loaded;
+    load_script(path, loaded);
+    show_findings(loaded, options);
+    ScriptReport script;
+    script.path = path;
+    take_findings(loaded, script);
+    const bool json = options.format == Format::json || options.format == Format::framed_json;
+    const process::EventTable no_events;
+    if (!loaded.diagnostics.ok()) {
+        if (json) fmt::print("{}", refines_json(script, no_events, options));
+        return Exit::bad_input;
+    }
+    try {
+        cspm::Session session(loaded.script);
+        script.prints = print_statements(session, loaded.script, loaded.sources);
+        show_prints(script, options);
+        decide_all(loaded, session, options, script, report);
+        if (options.format == Format::json) fmt::print("{}", refines_json(script, session.event_table(), options));
+    } catch (const cspm::EvaluationError& error) {
+        script.errors.push_back(fmt::format("{}: {}", loaded.sources.place(error.span), error.what()));
+        if (json) fmt::print("{}", refines_json(script, no_events, options));
+    }
+    for (const std::string& error : script.errors) fmt::print(stderr, "{}\n", error);
+    return script.errors.empty() ? Exit::success : Exit::bad_input;
 }
 
 }  // namespace
 
+void load_script(const std::string& path, LoadedScript& loaded) {
+    loaded.script = cspm::read_file(loaded.sources, path, loaded.diagnostics);
+    if (loaded.diagnostics.ok()) loaded.types = cspm::check_types(loaded.script, loaded.diagnostics);
+}
+
+void show_findings(const LoadedScript& loaded, const Options& options) {
+    if (loaded.diagnostics.empty()) return;
+    const bool types_only = options.typecheck || options.types;
+    if (options.format == Format::json && types_only && !loaded.diagnostics.ok()) {
+        fmt::print("{}", diagnostics::render_json(loaded.sources, loaded.diagnostics));
+    } else {
+        fmt::print(stderr, "{}", diagnostics::render_text(loaded.sources, loaded.diagnostics));
+    }
+}
+
 Exit run_cspm(const Options& options) {
     if (options.typecheck || options.types) return check_types(options);
+    if (!options.exported.empty()) return export_process(options);
     Report report;
     report.model = fmt::format("{}", fmt::join(options.inputs, " "));
-    for (const std::string& path : options.inputs) {
-        Loaded loaded;
-        load(path, loaded);
-        show_findings(loaded, options);
-        if (!loaded.diagnostics.ok()) return Exit::bad_input;
-        try {
-            decide_all(loaded, options, report);
-        } catch (const cspm::EvaluationError& error) {
-            fmt::print(stderr, "{}: {}\n", loaded.sources.place(error.span), error.what());
-            return Exit::bad_input;
-        }
-    }
-    fmt::print("{}", options.format == Format::json ? render_json(report) : render_text(report, options));
-    return report.exit();
+    Exit exit = Exit::success;
+    for (const std::string& path : options.inputs) exit = worse(exit, decide_script(path, options, report));
+    if (options.format == Format::text && (exit != Exit::bad_input || !report.assertions.empty()))
+        fmt::print("{}", render_text(report, options));
+    return worse(exit, report.exit());
 }
 
 }  // namespace robochart::app

@@ -8,8 +8,10 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <fstream>
 
 #include "app/interrupt.hpp"
+#include "app/progress.hpp"
 #include "app/rules.hpp"
 
 namespace robochart::app {
@@ -65,12 +67,27 @@ void add_validate(CLI::App& app, Options& o) {
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong");
 }
 
+void add_format_choice(CLI::App& app, Options& o, bool script) {
+    std::map<std::string, Format> formats{{"text", Format::text}, {"json", Format::json}};
+    if (script) {
+        formats["plain"] = Format::plain;
+        formats["framed_json"] = Format::framed_json;
+    }
+    app.add_option("--format", o.format, script ? "text; as FDR's refines: plain, json or framed_json" : "text or json")
+        ->transform(CLI::CheckedTransformer(formats))
+        ->option_text(script ? "FORMAT [text] {text,plain,json,framed_json}" : "FORMAT [text]");
+}
+
 void add_common(CLI::App& app, Options& o) {
-    const std::map<std::string, Format> formats{{"text", Format::text}, {"json", Format::json}};
+    const std::map<std::string, ProgressMode> modes{
+        {"auto", ProgressMode::automatic}, {"json", ProgressMode::json}, {"never", ProgressMode::never}};
     add_color(app, o);
-    app.add_option("--format", o.format, "text or json")->transform(CLI::CheckedTransformer(formats))->option_text("FORMAT [text]");
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
-    app.add_option("--memory", o.memory_bytes, "memory bound of a check, e.g. 4GiB")->transform(as_size)->option_text("SIZE [16GiB]");
+    app.add_option("--progress", o.progress, "auto (a line on a terminal), json or never")
+        ->transform(CLI::CheckedTransformer(modes))
+        ->option_text("HOW [auto] {auto,json,never}");
+    app.add_option("--memory", o.memory_bytes, "memory bound of the program while it checks, e.g. 4GiB; at most 3/4 of the machine's by default")
+        ->transform(as_size)->option_text("SIZE [16GiB]");
     app.add_option("--timeout", o.timeout_seconds, "time bound of a check in seconds; 0 for none")->check(CLI::NonNegativeNumber)->option_text("SECONDS [0]");
     app.add_option("--max-states", o.max_states, "bound on states of a check")->check(CLI::PositiveNumber)->option_text("N [500000000]");
 }
@@ -103,15 +120,22 @@ void add_model(CLI::App& app, Options& o) {
 }
 
 void add_checking(CLI::App& app, Options& o) {
-    app.add_option("--assertion", o.assertion, "only the assertion of this name (cspm: number from 1)")->option_text("NAME");
+    app.add_option("--assertion", o.assertion, "only the assertion of this name")->option_text("NAME");
     app.add_flag("--trace", o.show_internal, "also print raw event traces of counterexamples");
 }
 
 void add_script(CLI::App& app, Options& o) {
-    add_checking(app, o);
+    app.add_option("--assertion", o.assertion, "only this assertion of each script, counted from 1")
+        ->check(CLI::PositiveNumber)
+        ->option_text("N");
     app.add_flag("--typecheck", o.typecheck, "check names and types and stop");
     app.add_flag("--types", o.types, "print the type of every name and stop");
     app.add_flag("-b,--brief", o.brief, "verdicts without counterexamples");
+    app.add_flag("--reveal-taus", o.reveal_taus, "show hidden events by their names");
+    app.add_flag("--split", o.split, "show what every part of the process did, however many they are");
+    app.add_option("--export", o.exported, "write all states of a process, any expression of the script, and stop")
+        ->expected(2)
+        ->option_text("FORMAT PROCESS {aut,dot,csp}");
 }
 
 void add_times(CLI::App& app, Options& o) {
@@ -143,6 +167,7 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     inputs->required();
     if (row.verb == Verb::validate) return add_validate(app, o);
     if (row.verb == Verb::format) return add_format(app, o);
+    add_format_choice(app, o, row.verb == Verb::cspm);
     add_common(app, o);
     if (row.verb == Verb::cspm) return add_script(app, o);
     add_model(app, o);
@@ -238,10 +263,19 @@ bool color_wanted(Color color, int descriptor) {
     return isatty(descriptor) == 1 && (refused == nullptr || *refused == '\0');
 }
 
-refine::Limits limits(const Options& o) {
+std::uint64_t default_memory() {
+    std::uint64_t bytes = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+    std::uint64_t group = 0;
+    // Control groups, version 2; "max" where there is no limit.
+    if (std::ifstream("/sys/fs/cgroup/memory.max") >> group && group > 0) bytes = std::min(bytes, group);
+    return std::min(std::uint64_t{16} << 30U, bytes / 4 * 3);
+}
+
+refine::Limits limits(const Options& o, const std::string& subject) {
     refine::Limits result;
     result.max_states = o.max_states;
-    result.memory_bytes = o.memory_bytes;
+    result.memory_bytes = o.memory_bytes > 0 ? o.memory_bytes : default_memory();
+    result.progress = progress_of(o, subject);
     result.interrupted = interrupted;
     if (o.timeout_seconds > 0) {
         result.deadline = std::chrono::steady_clock::now() +

@@ -22,7 +22,8 @@ enum class Exit : int {
 };
 
 enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain, format, lsp, validate };
-enum class Format { text, json, sarif };
+enum class Format { text, json, sarif, plain, framed_json };
+enum class ProgressMode { automatic, json, never };
 enum class Color { automatic, always, never };
 enum class Times { both, timed, untimed };
 
@@ -48,6 +49,10 @@ struct Options {
     bool typecheck = false;               ///< cspm: names and types only
     bool types = false;                   ///< cspm: print the types of the script's names and stop
     bool brief = false;                   ///< cspm: no counterexamples
+    bool reveal_taus = false;             ///< cspm: hidden events by their names
+    bool split = false;                   ///< cspm: what each part did, however many they are
+    std::vector<std::string> exported;    ///< cspm: format and process to write out; empty: none
+    ProgressMode progress = ProgressMode::automatic;
     std::string component;                ///< emit cpp, conform: only this one
     std::uint32_t cycle = 1;
     std::string print;                    ///< phase to print, "" for none
@@ -55,7 +60,7 @@ struct Options {
     std::vector<std::string> ranges;      ///< TYPE=LOW..HIGH
     std::vector<std::string> allowed;     ///< codes of warnings not wanted
     bool deny_warnings = false;           ///< a warning is as bad as an error
-    std::uint64_t memory_bytes = 16ULL << 30U;
+    std::uint64_t memory_bytes = 0;       ///< 0: what `default_memory` says
     double timeout_seconds = 0;           ///< 0: none
     std::uint64_t max_states = 500'000'000;
 };
@@ -73,7 +78,9 @@ struct Parsed {
 [[nodiscard]] ir::InstantiationOptions instantiation_options(const Options&, std::string& error);
 /// Are colours wanted on this file descriptor? By default if it is a terminal.
 [[nodiscard]] bool color_wanted(Color, int descriptor);
-/// The limits of one check that begins now.
-[[nodiscard]] refine::Limits limits(const Options&);
+/// 16 GiB, or three quarters of the memory that this machine or its control group has if that is less.
+[[nodiscard]] std::uint64_t default_memory();
+/// The limits of one check that begins now; its progress is told as the options ask, as that of `subject`.
+[[nodiscard]] refine::Limits limits(const Options&, const std::string& subject = "");
 
 }  // namespace robochart::app

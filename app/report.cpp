@@ -22,17 +22,11 @@ std::string duration(double seconds) {
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
 }
 
-std::string number(std::uint64_t value) {
-    std::string digits = fmt::format("{}", value);
-    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
-    return digits;
-}
-
 void write_assertion(std::string& out, const AssertionReport& a, std::size_t width, const Options& options) {
     if (options.quiet && a.answer == Answer::holds) return;
     out += fmt::format("  {:<12} {:<{}}", word(a.answer), a.title, width);
-    if (a.answer == Answer::holds || a.answer == Answer::fails)
-        out += fmt::format("  {:>9} states {:>8}", number(a.statistics.states), duration(a.statistics.seconds));
+    if (a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0)
+        out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states), duration(a.statistics.seconds));
     out += '\n';
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
     if (!a.counterexample.empty()) out += fmt::format("               claimed at {}; the model does:\n{}", a.place, a.counterexample);
@@ -53,8 +47,8 @@ void write_conformance(std::string& out, const ConformanceReport& c, const Optio
     const conformance::Result& r = c.result;
     if (options.quiet && r.outcome == conformance::Outcome::conforms) return;
     out += fmt::format("  {:<12} {}: {} states, {} cycles of the code explored; {} states, {} transitions checked; {}\n",
-                       word(r.outcome), c.component, number(r.code_states), number(r.code_cycles), number(r.product.states),
-                       number(r.product.transitions), duration(c.seconds));
+                       word(r.outcome), c.component, with_commas(r.code_states), with_commas(r.code_cycles), with_commas(r.product.states),
+                       with_commas(r.product.transitions), duration(c.seconds));
     if (!r.reason.empty()) out += fmt::format("               {}\n", r.reason);
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
     write_cycles(out, r);
@@ -64,7 +58,7 @@ void write_conformance(std::string& out, const ConformanceReport& c, const Optio
 void write_files(std::string& out, std::string_view title, const std::vector<FileReport>& files) {
     if (files.empty()) return;
     out += fmt::format("\n{}\n", title);
-    for (const FileReport& file : files) out += fmt::format("  {:<70} {:>9} bytes\n", file.path, number(file.bytes));
+    for (const FileReport& file : files) out += fmt::format("  {:<70} {:>9} bytes\n", file.path, with_commas(file.bytes));
 }
 
 std::string closing(const Report& report) {
@@ -87,6 +81,12 @@ std::string closing(const Report& report) {
 }
 
 }  // namespace
+
+std::string with_commas(std::uint64_t value) {
+    std::string digits = fmt::format("{}", value);
+    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+    return digits;
+}
 
 Exit Report::exit() const {
     const auto any = [&](Answer answer) {

@@ -52,6 +52,8 @@ struct Report {
     [[nodiscard]] Exit exit() const;
 };
 
+/// 1,234,567.
+[[nodiscard]] std::string with_commas(std::uint64_t value);
 [[nodiscard]] std::string render_text(const Report&, const Options&);
 /// Schema "robochart-verify/report/1" (docs/cli.md).
 [[nodiscard]] std::string render_json(const Report&);

@@ -9,6 +9,7 @@ namespace robochart::app {
 
 Exit run_model(const Options&);    ///< verify, check, emit csp, emit cpp, conform
 Exit run_cspm(const Options&);
+Exit export_process(const Options&);  ///< cspm --export
 Exit run_explain(const Options&);
 Exit run_validate(const Options&);
 Exit run_format(const Options&);

@@ -28,6 +28,58 @@ void write_aut(const Graph& graph, const process::EventTable& events, std::ostre
             fmt::print(out, "({},\"{}\",{})\n", state, label(events, edge.event), edge.target);
 }
 
+namespace {
+
+/// An event as an expression: a negative field needs parentheses.
+std::string expression(const std::string& event) {
+    std::string text;
+    for (std::size_t i = 0; i < event.size(); ++i) {
+        text += event[i];
+        if (event[i] != '.' || i + 1 >= event.size() || event[i + 1] != '-') continue;
+        std::size_t end = i + 2;
+        while (end < event.size() && event[end] >= '0' && event[end] <= '9') ++end;
+        text += "(" + event.substr(i + 1, end - i - 1) + ")";
+        i = end - 1;
+    }
+    return text;
+}
+
+/// What a state offers: STOP, SKIP, or prefixes in choice.
+std::string offer(std::span<const Edge> edges, const process::EventTable& events, const std::string& name) {
+    std::string text;
+    for (const Edge& edge : edges) {
+        if (edge.event == process::tau) continue;
+        if (!text.empty()) text += " [] ";
+        if (edge.event == process::tick)
+            text += "SKIP";
+        else
+            text += fmt::format("{} -> {}{}", expression(events.name(edge.event)), name, edge.target);
+    }
+    return text.empty() ? "STOP" : text;
+}
+
+}  // namespace
+
+void write_csp(const Graph& graph, const process::EventTable& events, const std::string& name, std::ostream& out) {
+    fmt::print(out, "{0} = {0}0\n", name);
+    for (StateIndex state = 0; state < graph.size(); ++state) {
+        const std::string visible = offer(graph.edges(state), events, name);
+        std::string hidden;
+        std::size_t taus = 0;
+        for (const Edge& edge : graph.edges(state)) {
+            if (edge.event != process::tau) continue;
+            hidden += fmt::format("{}{}{}", taus++ > 0 ? " |~| " : "", name, edge.target);
+        }
+        fmt::print(out, "{}{} = ", name, state);
+        if (taus == 0)
+            fmt::print(out, "{}\n", visible);
+        else if (taus > 1 && visible == "STOP")
+            fmt::print(out, "{}\n", hidden);
+        else
+            fmt::print(out, "({}) [> ({})\n", visible, hidden);
+    }
+}
+
 void write_dot(const Graph& graph, const process::EventTable& events, std::ostream& out) {
     fmt::print(out, "digraph lts {{\n  node [shape=circle];\n  start [shape=point];\n  start -> 0;\n");
     for (StateIndex state = 0; state < graph.size(); ++state) {

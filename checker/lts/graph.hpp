@@ -5,6 +5,7 @@
 #include <functional>
 #include <iosfwd>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "checker/lts/state_store.hpp"
@@ -65,6 +66,9 @@ private:
 
 /// Aldebaran format as CADP and mCRL2 read it; tau is written "tau", termination "tick".
 void write_aut(const Graph& graph, const process::EventTable& events, std::ostream& out);
+/// CSPM definitions of `name` and a process a state, `name` with the state's number: equal to the graph in T, F and FD.
+/// The channels must be declared. A state with several taus and something else gets one tau more on the way to them.
+void write_csp(const Graph& graph, const process::EventTable& events, const std::string& name, std::ostream& out);
 /// Graphviz.
 void write_dot(const Graph& graph, const process::EventTable& events, std::ostream& out);
 

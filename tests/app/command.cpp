@@ -1,12 +1,15 @@
 #include "tests/app/command.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 namespace robochart::app::testing {
@@ -42,13 +45,17 @@ void redirect(const char* path, int flags, int to) {
     _exit(127);
 }
 
-}  // namespace
-
-Ran run(const std::vector<std::string>& arguments, const std::string& input) {
+/// `before` runs in the child, `meanwhile` in the parent.
+Ran run_between(const std::vector<std::string>& arguments, const std::string& input, const std::function<void()>& before,
+                const std::function<void(pid_t)>& meanwhile) {
     const std::string folder = fresh_folder();
     std::ofstream(folder + "/stdin.txt", std::ios::binary) << input;
     const pid_t child = fork();
-    if (child == 0) become(arguments, folder);
+    if (child == 0) {
+        before();
+        become(arguments, folder);
+    }
+    meanwhile(child);
     int status = 0;
     waitpid(child, &status, 0);
     Ran ran;
@@ -57,6 +64,27 @@ Ran run(const std::vector<std::string>& arguments, const std::string& input) {
     ran.err = contents(folder + "/stderr.txt");
     fs::remove_all(folder);
     return ran;
+}
+
+}  // namespace
+
+Ran run(const std::vector<std::string>& arguments, const std::string& input) {
+    return run_between(arguments, input, [] {}, [](pid_t) {});
+}
+
+Ran run_and_signal(const std::vector<std::string>& arguments, int signal) {
+    return run_between(arguments, "", [] {}, [signal](pid_t child) {
+        usleep(1'500'000);
+        kill(child, signal);
+    });
+}
+
+Ran run_with_address_space(const std::vector<std::string>& arguments, std::uint64_t bytes) {
+    const auto restrict = [bytes] {
+        const rlimit limit{bytes, bytes};
+        setrlimit(RLIMIT_AS, &limit);
+    };
+    return run_between(arguments, "", restrict, [](pid_t) {});
 }
 
 TemporaryFile::TemporaryFile(const std::string& name, const std::string& text) : folder_(fresh_folder()), path_(folder_ + "/" + name) {

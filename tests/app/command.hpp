@@ -1,6 +1,7 @@
 // Runs the real command as a user would.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,11 @@ struct Ran {
 
 /// Runs robochart-verify with these arguments in an empty temporary folder, with this standard input.
 [[nodiscard]] Ran run(const std::vector<std::string>& arguments, const std::string& input = "");
+
+/// The same; the signal is sent after a second and a half.
+[[nodiscard]] Ran run_and_signal(const std::vector<std::string>& arguments, int signal);
+/// The same with this much address space (RLIMIT_AS).
+[[nodiscard]] Ran run_with_address_space(const std::vector<std::string>& arguments, std::uint64_t bytes);
 
 /// A file in a fresh temporary folder that lives as long as the object.
 class TemporaryFile {

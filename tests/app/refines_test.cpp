@@ -1,0 +1,358 @@
+// The verb `cspm` as users of FDR's `refines` meet it: its JSON, its plain text, limits, progress, exports.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr const char* failing = R"(channel a, b, c, h
+P = a -> h -> b -> STOP
+Q = h -> c -> Q
+SYSTEM = (P [| {h} |] Q) \ {h}
+SPEC = a -> (b -> SPEC [] c -> SPEC)
+assert SPEC [T= SYSTEM
+assert SPEC [F= SYSTEM
+assert SYSTEM :[deadlock free [F]]
+assert SYSTEM [T= STOP
+LOOP = h -> LOOP
+assert not (LOOP \ {h}) :[divergence free]
+assert (a -> STOP [] a -> b -> STOP) :[deterministic [F]]
+print 1 + 2
+)";
+
+std::vector<Json> lines(const std::string& text) {
+    std::vector<Json> result;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) result.push_back(Json::parse(line));
+    return result;
+}
+
+Json refines(const std::string& path, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{"cspm", path, "--format", "json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ran ran = run(arguments);
+    const std::vector<Json> objects = lines(ran.out);
+    EXPECT_EQ(objects.size(), 1U) << ran.out << ran.err;
+    return objects.empty() ? Json::object() : objects.front();
+}
+
+/// The events of a list of numbers, by the object's own map.
+std::vector<std::string> named(const Json& object, const Json& numbers) {
+    std::vector<std::string> names;
+    for (const Json& each : numbers) names.push_back(object["event_map"][std::to_string(each.get<int>())]);
+    return names;
+}
+
+TEST(Refines, ResultsAreNumbersAsWorded) {
+    const TemporaryFile script("failing.csp", failing);
+    const Json object = refines(script.path());
+    EXPECT_EQ(object["file_name"], script.path());
+    std::vector<Json> results;
+    for (const Json& each : object["results"]) results.push_back(each["result"]);
+    // T: after a and the hidden h, b and c are possible in any order; SPEC allows one of them and then a again.
+    EXPECT_THAT(results, ElementsAre(0, 0, 0, 1, 1, 0));
+    EXPECT_EQ(object["results"][4]["is_negated"], 1);
+    EXPECT_EQ(object["results"][0]["assertion_string"], "SPEC [T= SYSTEM");
+    EXPECT_EQ(object["print_statement_results"][0]["result"], "3");
+    EXPECT_EQ(object["event_map"]["1"], "τ");
+    EXPECT_EQ(object["event_map"]["2"], "✓");
+}
+
+TEST(Refines, ATraceCounterexampleIsSplit) {
+    const TemporaryFile script("failing.csp", failing);
+    const Json object = refines(script.path(), {"--assertion", "1", "--reveal-taus"});
+    ASSERT_EQ(object["results"].size(), 1U);
+    const Json& told = object["results"][0]["counterexamples"][0];
+    EXPECT_EQ(told["type"], "trace");
+    EXPECT_EQ(told["replayed_by"], "terms");
+    const Json& implementation = told["implementation_behaviour"];
+    EXPECT_EQ(implementation["machine_name"], "SYSTEM");
+    EXPECT_THAT(named(object, implementation["trace"]), ElementsAre("a", "τ", "b"));
+    EXPECT_THAT(named(object, implementation["revealed_trace"]), ElementsAre("a", "h", "b"));
+    EXPECT_EQ(named(object, Json::array({implementation["error_event"]})).front(), "c");
+    // SYSTEM = (P [|{h}|] Q) \ {h}: below the hiding the parallel, below that P and Q.
+    const Json& parallel = implementation["child_behaviours"][0];
+    EXPECT_THAT(named(object, parallel["trace"]), ElementsAre("a", "h", "b"));
+    const Json& p = parallel["child_behaviours"][0];
+    const Json& q = parallel["child_behaviours"][1];
+    EXPECT_EQ(p["machine_name"], "P");
+    EXPECT_THAT(named(object, p["trace"]), ElementsAre("a", "h", "b"));
+    EXPECT_EQ(p["error_event"], 0) << "P does not take part in c";
+    EXPECT_EQ(q["trace"][0], 0);
+    EXPECT_EQ(named(object, Json::array({q["error_event"]})).front(), "c");
+    const Json& specification = told["specification_behaviour"];
+    EXPECT_EQ(specification["machine_name"], "SPEC");
+    EXPECT_THAT(named(object, specification["trace"]), ElementsAre("a", "b"));
+    EXPECT_THAT(named(object, specification["allowed"][0]), ElementsAre("a"));
+}
+
+TEST(Refines, FailuresLoopsAndDeadlocksHaveTheirFields) {
+    const TemporaryFile script("failing.csp", failing);
+    const Json object = refines(script.path());
+    const auto behaviour = [&](std::size_t number) {
+        return object["results"][number]["counterexamples"][0]["implementation_behaviour"];
+    };
+    EXPECT_EQ(object["results"][2]["counterexamples"][0]["type"], "deadlock");
+    EXPECT_EQ(behaviour(2)["acceptance"], Json::array());
+    EXPECT_EQ(object["results"][4]["counterexamples"][0]["type"], "divergence");
+    EXPECT_EQ(behaviour(4)["type"], "loop");
+    EXPECT_EQ(behaviour(4)["loop_start"], 0);
+    EXPECT_THAT(named(object, behaviour(4)["trace"]), ElementsAre("τ"));
+    EXPECT_EQ(object["results"][5]["counterexamples"][0]["type"], "determinism");
+}
+
+/// All names of fields in a JSON value, each with those above it.
+void collect_fields(const Json& value, const std::string& above, std::set<std::string>& out) {
+    if (value.is_array())
+        for (const Json& each : value) collect_fields(each, above, out);
+    if (!value.is_object()) return;
+    for (const auto& [name, inside] : value.items()) {
+        const std::string path = above + "/" + name;
+        if (above != "/event_map") out.insert(path);
+        collect_fields(inside, path, out);
+    }
+}
+
+/// The recorded file is put together from FDR's objects; each stands behind "results":.
+std::vector<Json> recorded_objects(const std::string& text) {
+    std::vector<Json> result;
+    const std::string mark = "\"results\": { \"copyright_notice\"";
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
+        std::size_t end = text.find("\"errors\": []} }", text.find("\"event_map\"", at));
+        if (end == std::string::npos) end = text.find("\"errors\":[]} }", text.find("\"event_map\"", at));
+        EXPECT_NE(end, std::string::npos);
+        const std::size_t begin = at + std::string("\"results\": ").size();
+        result.push_back(Json::parse(text.substr(begin, text.find('}', end) + 1 - begin)));
+    }
+    return result;
+}
+
+fs::path shared_folder() {
+    if (const char* given = std::getenv("ROBOCHART_SHARED")) return given;
+    return fs::path(repository("..")) / "shared";
+}
+
+TEST(Refines, EveryFieldOfARecordedRunIsOurs) {
+    const fs::path recorded = shared_folder() / "suite/robotool/accept/DuringAndDeadline2/fdr-4.2.7-recorded.json";
+    if (!fs::exists(recorded)) GTEST_SKIP() << recorded << " is not here";
+    std::ifstream in(recorded);
+    std::ostringstream text;
+    text << in.rdbuf();
+    std::set<std::string> theirs;
+    const std::vector<Json> objects = recorded_objects(text.str());
+    ASSERT_EQ(objects.size(), 2U);
+    for (const Json& each : objects) collect_fields(each, "", theirs);
+    ASSERT_TRUE(theirs.contains("/results/counterexamples/implementation_behaviour/loop_start")) << "read in vain";
+    const TemporaryFile script("failing.csp", failing);
+    std::set<std::string> ours;
+    collect_fields(refines(script.path()), "", ours);
+    for (const std::string& field : theirs) EXPECT_TRUE(ours.contains(field)) << field;
+}
+
+TEST(Refines, BadScriptsAreJsonToo) {
+    const TemporaryFile broken("broken.csp", "P = (\n");
+    const Ran ran = run({"cspm", broken.path(), "--format", "json"});
+    EXPECT_EQ(ran.exit, 2);
+    const Json object = Json::parse(ran.out);
+    EXPECT_THAT(object["errors"], Not(IsEmpty()));
+    EXPECT_THAT(object["results"], IsEmpty());
+}
+
+TEST(Refines, SeveralScriptsGiveOneObjectEachAndTheWorstExit) {
+    const TemporaryFile good("good.csp", "assert SKIP [T= STOP\n");
+    const TemporaryFile bad("bad.csp", "assert STOP :[deadlock free]\n");
+    const Ran ran = run({"cspm", good.path(), bad.path(), "--format", "json"});
+    EXPECT_EQ(ran.exit, 1);
+    const std::vector<Json> objects = lines(ran.out);
+    ASSERT_EQ(objects.size(), 2U);
+    EXPECT_EQ(objects[0]["results"][0]["result"], 1);
+    EXPECT_EQ(objects[1]["results"][0]["result"], 0);
+}
+
+TEST(Refines, FramesAreOneAnAssertion) {
+    const TemporaryFile script("failing.csp", failing);
+    const std::vector<Json> frames = lines(run({"cspm", script.path(), "--format", "framed_json"}).out);
+    ASSERT_EQ(frames.size(), 6U);
+    for (const Json& each : frames) EXPECT_EQ(each["results"].size(), 1U);
+    EXPECT_EQ(frames[3]["results"][0]["number"], 4);
+}
+
+TEST(Refines, PlainTextIsGreppable) {
+    const TemporaryFile script("failing.csp", failing);
+    const Ran brief = run({"cspm", "--brief", "--quiet", "--format", "plain", script.path()});
+    EXPECT_THAT(brief.out, HasSubstr("SPEC [T= SYSTEM: Failed\n"));
+    EXPECT_THAT(brief.out, HasSubstr("SYSTEM [T= STOP: Passed\n"));
+    EXPECT_EQ(std::count(brief.out.begin(), brief.out.end(), '\n'), 6);
+    const Ran whole = run({"cspm", "--format", "plain", script.path(), "--assertion", "1"});
+    EXPECT_THAT(whole.out, AllOf(HasSubstr("    Result: Failed\n"), HasSubstr("Visited States:"),
+                                 HasSubstr("Trace: <a, b>"), HasSubstr("Error Event: c")));
+}
+
+TEST(Refines, TextShowsWhatEachPartDid) {
+    const TemporaryFile script("failing.csp", failing);
+    const Ran ran = run({"cspm", script.path(), "--assertion", "1"});
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("trace <a, τ, b, c>"), HasSubstr("does not allow c, only {a}"),
+                               HasSubstr("P  <a, h, b>, now STOP offering {}"), HasSubstr("Q  <h, c>")));
+    EXPECT_THAT(run({"cspm", script.path(), "--assertion", "1", "--reveal-taus"}).out, HasSubstr("τ(h)"));
+}
+
+TEST(Refines, AnAssertionThatIsNotThereIsSaid) {
+    const TemporaryFile script("failing.csp", failing);
+    const Ran ran = run({"cspm", script.path(), "--assertion", "7"});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.err, HasSubstr("there is no assertion 7"));
+    EXPECT_EQ(run({"cspm", script.path(), "--assertion", "first"}).exit, 4);
+}
+
+// ---------------------------------------------------------------- limits
+
+constexpr const char* wide =
+    "channel t : {0..11}.{0..3}\nC(i,k) = t.i.k -> C(i,(k+1)%4)\n"
+    "SYSTEM = ||| i:{0..11} @ C(i,0)\nassert SYSTEM :[deadlock free [F]]\n";
+
+TEST(Limits, AreInconclusiveWithFigures) {
+    const TemporaryFile script("wide.csp", wide);
+    for (const std::vector<std::string>& limit :
+         {std::vector<std::string>{"--max-states", "5000"}, {"--timeout", "0.2"}, {"--memory", "40MiB"}}) {
+        const Json object = refines(script.path(), limit);
+        const Json& result = object["results"][0];
+        EXPECT_TRUE(result["result"].is_null()) << limit[0];
+        EXPECT_EQ(result["answer"], "inconclusive");
+        EXPECT_THAT(result["errors"][0].get<std::string>(), HasSubstr("limit"));
+        EXPECT_GT(result["visited_states"], 1000) << limit[0];
+    }
+    EXPECT_EQ(run({"cspm", script.path(), "--max-states", "5000"}).exit, 3);
+}
+
+// A sequential process with 10^8 states: it is all compiling.
+constexpr const char* endless =
+    "channel a, b\nP(n) = a -> P(n+1) [] b -> P(n+2)\nassert P(0) ||| P(1) :[deadlock free [F]]\n";
+// Evaluation alone.
+constexpr const char* thinking =
+    "f(n) = if n == 0 then 0 else f(n-1)\ng(n) = if n == 0 then 0 else g(n-1) + f(150)\n"
+    "h(n) = if n == 0 then 0 else h(n-1) + g(150)\nk(n) = if n == 0 then 0 else k(n-1) + h(150)\n"
+    "P = if k(150) == 0 then STOP else SKIP\nassert P :[deadlock free [F]]\n";
+
+TEST(Limits, HoldWhileEvaluating) {
+    const TemporaryFile script("thinking.csp", thinking);
+    const Ran ran = run({"cspm", script.path(), "--timeout", "0.3"});
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("time limit"));
+}
+
+class Signal : public ::testing::TestWithParam<std::tuple<const char*, int>> {};
+
+TEST_P(Signal, EndsWithWhatIsKnown) {
+    const auto [text, signal] = GetParam();
+    const TemporaryFile script("long.csp", text);
+    const Ran ran = run_and_signal({"cspm", script.path()}, signal);
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("interrupted"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Phases, Signal,
+                         ::testing::Combine(::testing::Values(wide, endless, thinking),
+                                            ::testing::Values(SIGINT, SIGTERM)));
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SANITIZED 1
+#endif
+#endif
+
+TEST(Limits, AddressSpaceThatIsNotThereIsNoCrash) {
+#ifdef SANITIZED
+    GTEST_SKIP() << "the sanitizer needs the address space for itself";
+#endif
+    const TemporaryFile script("wide.csp", wide);
+    const Ran ran = run_with_address_space({"cspm", script.path()}, std::uint64_t{120} << 20U);
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out + ran.err, HasSubstr("memory"));
+}
+
+TEST(Progress, JsonEventsTellBothPhases) {
+    const TemporaryFile script("wide.csp", wide);
+    const Ran ran = run({"cspm", script.path(), "--progress", "json", "--timeout", "0.6"});
+    const std::vector<Json> events = lines(ran.err);
+    ASSERT_FALSE(events.empty());
+    std::uint64_t states = 0;
+    for (const Json& each : events) {
+        EXPECT_EQ(each["event"], "progress");
+        EXPECT_EQ(each["subject"], "SYSTEM :[deadlock free [F]]");
+        if (each["phase"] != "searching") continue;
+        EXPECT_GE(each["states"], states) << "states are never forgotten";
+        states = each["states"];
+    }
+    EXPECT_GT(states, 1000U);
+    const TemporaryFile compiling("endless.csp", endless);
+    const std::vector<Json> while_compiling =
+        lines(run({"cspm", compiling.path(), "--progress", "json", "--timeout", "0.6"}).err);
+    ASSERT_FALSE(while_compiling.empty());
+    EXPECT_EQ(while_compiling.front()["phase"], "compiling");
+    EXPECT_THAT(while_compiling.front()["part"].get<std::string>(), HasSubstr("a → …"));
+    EXPECT_EQ(while_compiling.front()["components"], 2);
+    EXPECT_THAT(run({"cspm", script.path(), "--timeout", "0.3"}).err, IsEmpty()) << "no terminal, no progress";
+}
+
+// ---------------------------------------------------------------- exports
+
+constexpr const char* exported = R"(datatype D = A | B.{ -1..1}
+channel c : D.Bool
+channel a, b, h
+P = c.B.(-1)?x -> (a -> P [] h -> (STOP |~| b -> P)) [] b -> SKIP
+SYSTEM = (P [| {h} |] (h -> h -> STOP)) \ {h}
+assert SYSTEM :[deadlock free]
+print 1
+)";
+
+TEST(Export, AldebaranAndGraphviz) {
+    const TemporaryFile script("small.csp", "channel a, b\nP = a -> b -> P\n");
+    const Ran aut = run({"cspm", script.path(), "--export", "aut", "P \\ {b}"});
+    EXPECT_EQ(aut.exit, 0) << aut.err;
+    EXPECT_EQ(aut.out, "des (0,2,2)\n(0,\"a\",1)\n(1,\"tau\",0)\n");
+    EXPECT_THAT(run({"cspm", script.path(), "--export", "dot", "P"}).out, HasSubstr("0 -> 1 [label=\"a\"]"));
+}
+
+TEST(Export, CspReadsBackEqual) {
+    const TemporaryFile script("exported.csp", exported);
+    const Ran ran = run({"cspm", script.path(), "--export", "csp", "SYSTEM"});
+    ASSERT_EQ(ran.exit, 0) << ran.err;
+    const TemporaryFile again("again.csp", ran.out);
+    const Json object = refines(again.path());
+    ASSERT_EQ(object["results"].size(), 2U) << "the script's own assertions are left out\n" << ran.out;
+    for (const Json& each : object["results"]) EXPECT_EQ(each["result"], 1) << each;
+}
+
+TEST(Export, MistakesAreSaid) {
+    const TemporaryFile script("exported.csp", exported);
+    EXPECT_EQ(run({"cspm", script.path(), "--export", "svg", "SYSTEM"}).exit, 4);
+    const Ran unknown = run({"cspm", script.path(), "--export", "aut", "NOBODY"});
+    EXPECT_EQ(unknown.exit, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("NOBODY"));
+    EXPECT_THAT(run({"cspm", script.path(), "--export", "aut", "1 + 1"}).err, HasSubstr("CSPM-T"));
+    const TemporaryFile large("wide.csp", wide);
+    const Ran limited = run({"cspm", large.path(), "--export", "aut", "SYSTEM", "--max-states", "1000"});
+    EXPECT_EQ(limited.exit, 3);
+    EXPECT_THAT(limited.out, IsEmpty());
+}
+
+}  // namespace
+}  // namespace robochart::app::testing
