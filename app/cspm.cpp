@@ -223,6 +223,7 @@ Exit run_cspm(const Options& options) {
     if (!options.exported.empty()) return export_process(options);
     Report report;
     report.model = fmt::format("{}", fmt::join(options.inputs, " "));
+    report.subject = "process";
     Exit exit = Exit::success;
     for (const std::string& path : options.inputs) exit = worse(exit, decide_script(path, options, report));
     if (options.format == Format::text && (exit != Exit::bad_input || !report.assertions.empty()))

@@ -22,14 +22,14 @@ std::string duration(double seconds) {
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
 }
 
-void write_assertion(std::string& out, const AssertionReport& a, std::size_t width, const Options& options) {
+void write_assertion(std::string& out, const AssertionReport& a, const std::string& subject, std::size_t width, const Options& options) {
     if (options.quiet && a.answer == Answer::holds) return;
     out += fmt::format("  {:<12} {:<{}}", word(a.answer), a.title, width);
     if (a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0)
         out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states), duration(a.statistics.seconds));
     out += '\n';
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
-    if (!a.counterexample.empty()) out += fmt::format("               claimed at {}; the model does:\n{}", a.place, a.counterexample);
+    if (!a.counterexample.empty()) out += fmt::format("               claimed at {}; the {} does:\n{}", a.place, subject, a.counterexample);
     if (options.show_internal && !a.raw.empty())
         out += fmt::format("                 events <{}>\n", fmt::join(a.raw, ", "));
 }
@@ -110,7 +110,7 @@ std::string render_text(const Report& report, const Options& options) {
     std::size_t width = 0;
     for (const AssertionReport& a : report.assertions) width = std::max(width, std::min<std::size_t>(a.title.size(), 80));
     if (!report.assertions.empty() && !options.quiet) out += "\nassertions\n";
-    for (const AssertionReport& a : report.assertions) write_assertion(out, a, width, options);
+    for (const AssertionReport& a : report.assertions) write_assertion(out, a, report.subject, width, options);
     if (!report.conformance.empty() && !options.quiet) out += "\nconformance of the generated C++\n";
     for (const ConformanceReport& c : report.conformance) write_conformance(out, c, options);
     if (!options.quiet) {

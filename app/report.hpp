@@ -45,6 +45,7 @@ struct Report {
     std::string summary;                  ///< "1 state machine, 2 operations, …"
     double load_seconds = 0;
     std::vector<std::string> notes;       ///< scale of reals, carriers
+    std::string subject = "model";        ///< what it is that does what a counterexample tells
     std::vector<AssertionReport> assertions;
     std::vector<ConformanceReport> conformance;
     std::vector<FileReport> csp_files, cpp_files;

@@ -94,6 +94,7 @@ bool Splitter::worth_taking_apart(TermId id, int look) {
         case Op::hide:
         case Op::rename:
         case Op::prioritise:
+        case Op::prioritise_order:
         case Op::sync_choice:
         case Op::sync_interrupt:
             return true;
@@ -213,6 +214,7 @@ std::string Splitter::written(const Term& term) {
         case Op::rename:
             return "[[…]]";
         case Op::prioritise:
+        case Op::prioritise_order:
             return "prioritise";
         default:
             return "";

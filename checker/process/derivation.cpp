@@ -187,6 +187,7 @@ std::optional<Derivation> Deriver::derive() {
         case Op::rename:
             return rename();
         case Op::prioritise:
+        case Op::prioritise_order:
             return event == tick ? terminated({0}) : alone(0, event);
         default:
             return std::nullopt;
@@ -209,6 +210,7 @@ bool is_operator(Op op) {
         case Op::hide:
         case Op::rename:
         case Op::prioritise:
+        case Op::prioritise_order:
             return true;
         default:
             return false;

@@ -1,5 +1,6 @@
 // Process terms as people read them. Evaluates nothing, so that a report never fails.
 #include <string>
+#include <string_view>
 
 #include "checker/process/operational_semantics.hpp"
 
@@ -54,9 +55,12 @@ public:
             case Op::prioritise:
             case Op::prioritise_order:
             case Op::chase:
-            case Op::machine:
-            case Op::compress:
                 return describe(term.children.front(), depth + 1);
+            case Op::compress:
+                return std::string(name_of(Compression{term.payload})) + "(" +
+                       describe(term.children.front(), depth + 1) + ")";
+            case Op::machine:
+                return machine_state(term, depth);
         }
         return "?";
     }
@@ -71,6 +75,41 @@ private:
             text += grouped ? "(" + describe(child, depth + 1) + ")" : describe(child, depth + 1);
         }
         return text;
+    }
+
+    /// By the term it stands for, or else by its number: a machine explored as a whole has no terms for its states.
+    std::string machine_state(const Term& state, int depth) {
+        const Term& compressed = terms_[state.children[1]];
+        if (state.children[0] != compressed.children.front()) return describe(state.children[0], depth + 1);
+        const std::string machine = describe(state.children[1], depth + 1);
+        if (state.children.size() < 3) return machine;
+        return machine + " state " + std::to_string(state.payload - terms_[state.children[2]].payload);
+    }
+
+    static std::string_view name_of(Compression kind) {
+        switch (kind) {
+            case Compression::normal:
+                return "normal";
+            case Compression::sbisim:
+                return "sbisim";
+            case Compression::dbisim:
+                return "dbisim";
+            case Compression::wbisim:
+                return "wbisim";
+            case Compression::diamond:
+                return "diamond";
+            case Compression::tau_loop_factor:
+                return "tau_loop_factor";
+            case Compression::model_compress:
+                return "model_compress";
+            case Compression::explicate:
+                return "explicate";
+            case Compression::deter:
+                return "deter";
+            case Compression::lazyenumerate:
+                return "lazyenumerate";
+        }
+        return "";
     }
 
     static bool needs_brackets(Op op) {

@@ -142,9 +142,13 @@ std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
         throw;
     }
     --compressions_under_way;
+    // A state's children: a term it stands for, the compressed term, and the first state unless it is that.
     std::vector<TermId> states;
-    for (TermId meaning : machine.meaning)
-        states.push_back(terms.make(Term{Op::machine, machine_states++, {meaning}, {}}));
+    for (TermId meaning : machine.meaning) {
+        std::vector<TermId> told{meaning, term};
+        if (!states.empty()) told.push_back(states.front());
+        states.push_back(terms.make(Term{Op::machine, machine_states++, std::move(told), {}}));
+    }
     const auto transitions_of = [&](std::size_t state) {
         std::vector<Transition> result;
         for (const Machine::Edge& edge : machine.edges[state])

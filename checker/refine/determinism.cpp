@@ -69,13 +69,34 @@ std::optional<Violation> divergence_of(lts::TransitionSystem& system, Budget& bu
     return first_divergence(search);
 }
 
+/// Nodes are counted, and told while they are made, also where a limit ends it.
+class Normalising {
+public:
+    Normalising(const NormalForm& normal, Budget& budget, Statistics& statistics)
+        : normal_(normal), budget_(budget), statistics_(statistics) {
+        budget_.report_by([&normal](Progress& progress) { progress.states = normal.size(); });
+    }
+    Normalising(const Normalising&) = delete;
+    Normalising& operator=(const Normalising&) = delete;
+    ~Normalising() {
+        budget_.report_by({});
+        statistics_.spec_nodes = normal_.size();
+        if (statistics_.states == 0) statistics_.states = normal_.size();
+    }
+
+private:
+    const NormalForm& normal_;
+    Budget& budget_;
+    Statistics& statistics_;
+};
+
 void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budget, Verdict& verdict) {
     std::optional<Violation> violation;
     if (model == Model::failures_divergences) violation = divergence_of(system, budget, verdict.statistics);
     if (!violation) {
         NormalForm normal(system, budget);
+        const Normalising normalising(normal, budget, verdict.statistics);
         const std::optional<Ambiguity> ambiguity = first_ambiguity(normal);
-        verdict.statistics.spec_nodes = normal.size();
         if (ambiguity) violation = refusing_run(system, *ambiguity, budget);
     }
     verdict.outcome = Outcome::holds;

@@ -106,6 +106,28 @@ TEST_F(Apart, SequentialProcessesStayWhole) {
     EXPECT_EQ(offer(whole), "a");
 }
 
+/// Knows the machine of its operand's states by number alone, as a faster engine does.
+class NumberingCompressor final : public Compressor {
+public:
+    std::optional<Machine> explore(TermId operand, const std::function<void()>&) override {
+        return Machine{{{{2, 1}}, {{3, 0}}}, {operand, operand}};
+    }
+    Machine compress(const Machine& explored, Compression) override { return explored; }
+};
+
+TEST_F(Apart, CompressedPartsAreNamedWithTheirState) {
+    const TermId p = s.name("P");
+    s.bind(p, s.prefix("a", s.prefix("b", p)));
+    NumberingCompressor compressor;
+    OperationalSemantics compressing{s.store, &compressor};
+    const TermId small = s.op(Op::compress, {p}, static_cast<std::uint32_t>(Compression::dbisim));
+    const TermId whole = s.over(Op::parallel, {small, s.stop()}, {});
+    const Transition first = compressing.successors(whole).front();
+    const Behaviour apart = behaviour(compressing, whole, {first});
+    EXPECT_EQ(apart.parts.at(0).name, "dbisim(P)");
+    EXPECT_EQ(apart.parts.at(0).state, "dbisim(P) state 1");
+}
+
 TEST_F(Apart, EventsWithoutGapsAndTaus) {
     const TermId hidden = s.over(Op::hide, {s.prefix("a", s.prefix("b", s.stop()))}, {"a"});
     const Behaviour whole = run(hidden, {tau, s.event("b")});
