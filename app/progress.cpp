@@ -32,6 +32,12 @@ double bytes_per_state(const refine::Progress& progress) {
     return progress.states < few ? 0 : static_cast<double>(progress.grown_bytes) / static_cast<double>(progress.states);
 }
 
+/// "950", "12.3 k", "4.56 M".
+std::string short_number(double value) {
+    if (value < 10'000) return fmt::format("{:.0f}", value);
+    return value < 1e6 ? fmt::format("{:.1f} k", value / 1e3) : fmt::format("{:.2f} M", value / 1e6);
+}
+
 std::string fitted(std::string text, std::size_t width) {
     std::size_t columns = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -69,15 +75,15 @@ std::string progress_text(const refine::Progress& p, std::size_t width) {
     std::vector<std::string> parts;
     const bool compiling = p.phase == refine::Progress::Phase::compiling;
     if (compiling && p.components > 1) parts.push_back(fmt::format("component {} of {}", p.component, p.components));
-    parts.push_back(fmt::format("{} states", with_commas(p.states)));
+    parts.push_back(short_number(static_cast<double>(p.states)) + " states");
     if (!compiling) {
-        parts.push_back(fmt::format("{} transitions", with_commas(p.transitions)));
-        parts.push_back(fmt::format("{:.0f} k states/s", per_second(p.states, p.seconds) / 1000));
-        parts.push_back(fmt::format("{} waiting", with_commas(p.frontier)));
-        parts.push_back(fmt::format("depth {}", with_commas(p.depth)));
-        if (bytes_per_state(p) > 0) parts.push_back(fmt::format("{:.0f} bytes a state", bytes_per_state(p)));
+        parts.push_back(short_number(static_cast<double>(p.transitions)) + " transitions");
+        parts.push_back(short_number(per_second(p.states, p.seconds)) + "/s");
+        parts.push_back(short_number(static_cast<double>(p.frontier)) + " waiting");
+        parts.push_back(fmt::format("depth {}", p.depth));
     }
     parts.push_back(fmt::format("{} MiB", p.resident_bytes >> 20U));
+    if (bytes_per_state(p) > 0) parts.push_back(fmt::format("{:.0f} B/state", bytes_per_state(p)));
     std::string text =
         fmt::format("{} {:.0f} s: {}", compiling ? "compiling" : "searching", p.seconds, fmt::join(parts, ", "));
     if (compiling && !p.part.empty()) text += ", " + p.part;

@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
+#include "app/progress.hpp"
 #include "tests/app/command.hpp"
+#include "tests/shared_folder.hpp"
 
 namespace robochart::app::testing {
 namespace {
@@ -145,13 +146,9 @@ std::vector<Json> recorded_objects(const std::string& text) {
     return result;
 }
 
-fs::path shared_folder() {
-    if (const char* given = std::getenv("ROBOCHART_SHARED")) return given;
-    return fs::path(repository("..")) / "shared";
-}
-
 TEST(Refines, EveryFieldOfARecordedRunIsOurs) {
-    const fs::path recorded = shared_folder() / "suite/robotool/accept/DuringAndDeadline2/fdr-4.2.7-recorded.json";
+    const fs::path recorded =
+        tests::shared_folder() / "suite/robotool/accept/DuringAndDeadline2/fdr-4.2.7-recorded.json";
     if (!fs::exists(recorded)) GTEST_SKIP() << recorded << " is not here";
     std::ifstream in(recorded);
     std::ostringstream text;
@@ -310,6 +307,31 @@ TEST(Progress, JsonEventsTellBothPhases) {
     EXPECT_THAT(while_compiling.front()["part"].get<std::string>(), HasSubstr("a → …"));
     EXPECT_EQ(while_compiling.front()["components"], 2);
     EXPECT_THAT(run({"cspm", script.path(), "--timeout", "0.3"}).err, IsEmpty()) << "no terminal, no progress";
+}
+
+TEST(Progress, TheLineFitsTheTerminal) {
+    refine::Progress progress;
+    progress.states = 2'000'000;
+    progress.transitions = 12'345'678;
+    progress.frontier = 45'600;
+    progress.depth = 17;
+    progress.seconds = 4;
+    progress.resident_bytes = 100ULL << 20U;
+    progress.grown_bytes = 40'000'000;
+    EXPECT_EQ(
+        progress_text(progress, 200),
+        "searching 4 s: 2.00 M states, 12.35 M transitions, 500.0 k/s, 45.6 k waiting, depth 17, 100 MiB, 20 B/state");
+    EXPECT_EQ(progress_text(progress, 20), "searching 4 s: 2.00 ");
+    progress.phase = refine::Progress::Phase::compiling;
+    progress.component = 3;
+    progress.components = 12;
+    progress.part = "P(1) ‖ Q";
+    EXPECT_EQ(progress_text(progress, 200),
+              "compiling 4 s: component 3 of 12, 2.00 M states, 100 MiB, 20 B/state, P(1) ‖ Q");
+    EXPECT_EQ(progress_text(progress, 78),
+              "compiling 4 s: component 3 of 12, 2.00 M states, 100 MiB, 20 B/state, P(1) ‖ Q");
+    EXPECT_EQ(progress_text(progress, 77),
+              "compiling 4 s: component 3 of 12, 2.00 M states, 100 MiB, 20 B/state, P(1) ‖ ");
 }
 
 // ---------------------------------------------------------------- exports
