@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <set>
+#include <span>
 
 #include "checker/process/derivation.hpp"
 
@@ -15,7 +17,8 @@ constexpr std::size_t most_parts = 500;
 constexpr std::size_t most_entries = 10'000'000;  // of all traces together
 constexpr int deepest_parts = 100;
 constexpr int deepest_look = 50;
-constexpr std::size_t shown_events = 6;
+constexpr std::size_t shown_events = 3;
+constexpr std::size_t most_looked_at = 200'000;  // states of compressed operands, in all
 
 struct Step {
     std::size_t index;  ///< of the whole run
@@ -23,12 +26,59 @@ struct Step {
 };
 using Steps = std::vector<Step>;
 
+/// What has been done for one run, its nested ones included.
+struct Work {
+    std::size_t looked_at = 0;
+    std::size_t parts = 0;
+};
+
+/// Breadth first over a process's terms with the number of events done. Finds a shortest run by these events to a
+/// state that offers what `end` does, if that is stable; none within a bound of work.
+std::optional<std::vector<Transition>> run_inside(OperationalSemantics& semantics, TermId from,
+                                                  const std::vector<Event>& events, const Behaviour& end, Work& work) {
+    struct Node {
+        TermId term;
+        std::size_t done;
+        std::size_t before;
+        Transition step;
+    };
+    std::vector<Node> nodes{{from, 0, 0, {}}};
+    std::set<std::pair<std::size_t, TermId>> known{{0, from}};
+    const auto ends = [&](std::span<const Transition> steps) {
+        EventSet offered;
+        for (const Transition& each : steps) {
+            if (each.event == tau && end.stable) return false;
+            if (offered.empty() || offered.back() != each.event) offered.push_back(each.event);
+        }
+        return !end.stable || offered == end.offered;
+    };
+    for (std::size_t at = 0; at < nodes.size() && work.looked_at < most_looked_at; ++at) {
+        ++work.looked_at;
+        const Node node = nodes[at];
+        const std::span<const Transition> steps = semantics.successors(node.term);
+        if (node.done == events.size() && ends(steps)) {
+            std::vector<Transition> run;
+            for (std::size_t i = at; i != 0; i = nodes[i].before) run.push_back(nodes[i].step);
+            std::reverse(run.begin(), run.end());
+            return run;
+        }
+        for (const Transition& step : steps) {
+            const bool visible = step.event != tau;
+            if (visible && (node.done == events.size() || step.event != events[node.done])) continue;
+            const std::size_t done = node.done + (visible ? 1 : 0);
+            if (known.emplace(done, step.target).second) nodes.push_back({step.target, done, at, step});
+        }
+    }
+    return std::nullopt;
+}
+
 class Splitter {
 public:
-    Splitter(OperationalSemantics& semantics, std::size_t length)
+    Splitter(OperationalSemantics& semantics, std::size_t length, Work& work)
         : semantics_(semantics),
           terms_(semantics.terms()),
           length_(length),
+          work_(work),
           most_parts_(std::min(most_parts, most_entries / (length + 1))) {}
 
     Behaviour part(TermId initial, const Steps& steps, int depth);
@@ -42,7 +92,7 @@ private:
     };
 
     Behaviour begin(TermId initial) {
-        ++parts_;
+        ++work_.parts;
         Behaviour result;
         result.name = describe(terms_, initial);
         result.trace.assign(length_, no_event);
@@ -54,6 +104,7 @@ private:
         behaviour.revealed[step.index] = step.transition.revealed;
     }
     void end(Behaviour& behaviour, TermId last) {
+        behaviour.offered.clear();
         behaviour.state = describe(terms_, last);
         for (const Transition& each : semantics_.successors(last)) {
             if (each.event == tau) behaviour.stable = false;
@@ -73,14 +124,15 @@ private:
     bool worth_taking_apart(TermId term, int look = 0);
     Segment component(TermId from, const Steps& steps, std::size_t next, int depth);
     Segment operation(TermId from, const Steps& steps, std::size_t next, int depth);
+    Segment compression(TermId from, const Steps& steps, std::size_t next, int depth);
     std::string written(const Term& term);
     std::string written(SetId set);
 
     OperationalSemantics& semantics_;
     TermStore& terms_;
     std::size_t length_;
+    Work& work_;
     std::size_t most_parts_;
-    std::size_t parts_ = 0;
 };
 
 /// Operators above sequential processes alone (choices, sequences) are the component's own business.
@@ -97,6 +149,7 @@ bool Splitter::worth_taking_apart(TermId id, int look) {
         case Op::prioritise_order:
         case Op::sync_choice:
         case Op::sync_interrupt:
+        case Op::compress:
             return true;
         default:
             break;
@@ -109,7 +162,7 @@ bool Splitter::worth_taking_apart(TermId id, int look) {
 
 Splitter::Segment Splitter::component(TermId from, const Steps& steps, std::size_t next, int depth) {
     Segment segment{begin(from), from, next, false};
-    const bool to_the_end = depth > deepest_parts || parts_ > most_parts_;
+    const bool to_the_end = depth > deepest_parts || work_.parts > most_parts_;
     while (segment.next < steps.size()) {
         note(segment.behaviour, steps[segment.next]);
         segment.end = steps[segment.next++].transition.target;
@@ -119,10 +172,33 @@ Splitter::Segment Splitter::component(TermId from, const Steps& steps, std::size
     return segment;
 }
 
+/// A machine is what is left of a compressed operand; the operand has a run with the same events, told on its own.
+Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::size_t next, int depth) {
+    Segment segment{begin(from), from, next, false};
+    const Term term = terms_[unfolded(from)];
+    std::vector<Event> events;
+    for (; segment.next < steps.size(); ++segment.next) {
+        const Step& step = steps[segment.next];
+        note(segment.behaviour, step);
+        segment.end = step.transition.target;
+        if (step.transition.event != tau) events.push_back(step.transition.event);
+    }
+    end(segment.behaviour, segment.end);
+    const TermId operand = term.children.front();
+    const auto inside = run_inside(semantics_, operand, events, segment.behaviour, work_);
+    if (!inside) return segment;
+    segment.behaviour.op = name_of(Compression{term.payload});
+    Steps own;
+    for (const Transition& each : *inside) own.push_back({own.size(), each});
+    segment.behaviour.parts.push_back(Splitter(semantics_, own.size(), work_).part(operand, own, depth + 1));
+    return segment;
+}
+
 Splitter::Segment Splitter::operation(TermId from, const Steps& steps, std::size_t next, int depth) {
     Segment segment{begin(from), from, next, false};
     TermId now = unfolded(from);
     const Term term = terms_[now];
+    if (term.op == Op::compress) return compression(from, steps, next, depth);
     segment.behaviour.op = written(term);
     std::vector<Steps> moved(term.children.size());
     std::optional<std::size_t> survivor;
@@ -161,7 +237,7 @@ Behaviour Splitter::part(TermId initial, const Steps& steps, int depth) {
     TermId now = initial;
     std::size_t next = 0;
     for (bool more = true; more;) {
-        const bool apart = depth <= deepest_parts && parts_ <= most_parts_ && worth_taking_apart(now);
+        const bool apart = depth <= deepest_parts && work_.parts <= most_parts_ && worth_taking_apart(now);
         segments.push_back(apart ? operation(now, steps, next, depth) : component(now, steps, next, depth));
         now = segments.back().end;
         next = segments.back().next;
@@ -233,7 +309,8 @@ std::vector<Event> Behaviour::events(bool with_taus) const {
 Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run) {
     Steps steps;
     for (const Transition& each : run) steps.push_back({steps.size(), each});
-    return Splitter(semantics, run.size()).part(initial, steps, 0);
+    Work work;
+    return Splitter(semantics, run.size(), work).part(initial, steps, 0);
 }
 
 }  // namespace robochart::process

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Derivation {
     bool starts = false;  ///< the survivor has not run before
 };
 
+/// As CSPM writes it.
+[[nodiscard]] std::string_view name_of(Compression kind);
 /// Operators whose steps come from their operands'.
 [[nodiscard]] bool is_operator(Op op);
 /// None where the step is not one of the term's, or comes from no operand.

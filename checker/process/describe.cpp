@@ -2,6 +2,7 @@
 #include <string>
 #include <string_view>
 
+#include "checker/process/derivation.hpp"
 #include "checker/process/operational_semantics.hpp"
 
 namespace robochart::process {
@@ -86,32 +87,6 @@ private:
         return machine + " state " + std::to_string(state.payload - terms_[state.children[2]].payload);
     }
 
-    static std::string_view name_of(Compression kind) {
-        switch (kind) {
-            case Compression::normal:
-                return "normal";
-            case Compression::sbisim:
-                return "sbisim";
-            case Compression::dbisim:
-                return "dbisim";
-            case Compression::wbisim:
-                return "wbisim";
-            case Compression::diamond:
-                return "diamond";
-            case Compression::tau_loop_factor:
-                return "tau_loop_factor";
-            case Compression::model_compress:
-                return "model_compress";
-            case Compression::explicate:
-                return "explicate";
-            case Compression::deter:
-                return "deter";
-            case Compression::lazyenumerate:
-                return "lazyenumerate";
-        }
-        return "";
-    }
-
     static bool needs_brackets(Op op) {
         return op == Op::parallel || op == Op::alphabetised || op == Op::external_choice || op == Op::sync_choice ||
                op == Op::internal_choice || op == Op::sync_interrupt;
@@ -134,6 +109,32 @@ private:
 };
 
 }  // namespace
+
+std::string_view name_of(Compression kind) {
+    switch (kind) {
+        case Compression::normal:
+            return "normal";
+        case Compression::sbisim:
+            return "sbisim";
+        case Compression::dbisim:
+            return "dbisim";
+        case Compression::wbisim:
+            return "wbisim";
+        case Compression::diamond:
+            return "diamond";
+        case Compression::tau_loop_factor:
+            return "tau_loop_factor";
+        case Compression::model_compress:
+            return "model_compress";
+        case Compression::explicate:
+            return "explicate";
+        case Compression::deter:
+            return "deter";
+        case Compression::lazyenumerate:
+            return "lazyenumerate";
+    }
+    return "";
+}
 
 std::string describe(const TermStore& terms, TermId term) {
     return Describer(terms).describe(term);

@@ -117,6 +117,8 @@ public:
 
 TEST_F(Apart, CompressedPartsAreNamedWithTheirState) {
     const TermId p = s.name("P");
+    ASSERT_EQ(s.event("a"), 2U);
+    ASSERT_EQ(s.event("b"), 3U);
     s.bind(p, s.prefix("a", s.prefix("b", p)));
     NumberingCompressor compressor;
     OperationalSemantics compressing{s.store, &compressor};
@@ -126,6 +128,36 @@ TEST_F(Apart, CompressedPartsAreNamedWithTheirState) {
     const Behaviour apart = behaviour(compressing, whole, {first});
     EXPECT_EQ(apart.parts.at(0).name, "dbisim(P)");
     EXPECT_EQ(apart.parts.at(0).state, "dbisim(P) state 1");
+    EXPECT_EQ(apart.parts.at(0).op, "dbisim");
+    EXPECT_EQ(apart.parts.at(0).parts.at(0).name, "P");
+}
+
+// dbisim((h -> a -> b -> STOP ||| c -> STOP) \ {h}): the machine does a; inside, h was done before it.
+TEST_F(Apart, InsideACompressionTheOperandHasARunOfItsOwn) {
+    const TermId left = s.prefix("h", s.prefix("a", s.prefix("b", s.stop())));
+    const TermId inside = s.over(Op::hide, {s.over(Op::parallel, {left, s.prefix("c", s.stop())}, {})}, {"h"});
+    const Behaviour whole = [&] {
+        class WithoutFirstTau final : public Compressor {
+        public:
+            Machine compress(const Machine& explored, Compression) override {
+                Machine result = explored;  // the first state's tau is inert: the state behind it takes its place
+                result.edges[0] = explored.edges[explored.edges[0].front().target];
+                return result;
+            }
+        } compressor;
+        OperationalSemantics compressing{s.store, &compressor};
+        const TermId small = s.op(Op::compress, {inside}, static_cast<std::uint32_t>(Compression::dbisim));
+        for (const Transition& each : compressing.successors(small))
+            if (each.event == s.event("a")) return behaviour(compressing, small, {each});
+        return Behaviour{};
+    }();
+    EXPECT_EQ(trace(whole), "a");
+    const Behaviour& hidden = whole.parts.at(0);
+    EXPECT_EQ(trace(hidden), "τa");
+    const Behaviour& parallel = hidden.parts.at(0);
+    EXPECT_EQ(trace(parallel.parts.at(0)), "ha");
+    EXPECT_EQ(offer(parallel.parts.at(0)), "b");
+    EXPECT_EQ(trace(parallel.parts.at(1)), "--");
 }
 
 TEST_F(Apart, EventsWithoutGapsAndTaus) {
