@@ -3,6 +3,19 @@
 
 namespace robochart::random_models {
 
+#define IDLE_MACHINE "stm XS { event xe initial xi state xt { } transition xu { from xi to xt } }"
+/// A machine that runs a statement with the operations of XI.
+#define CALL_OF(statement) \
+    "stm XS { requires XI initial xi state xs { entry " statement " } transition xt { from xi to xs } }"
+/// A controller whose machine calls an operation with these members.
+#define CALLING(members) "controller XC { operation xo() { initial xi final xf " members " } " CALL_OF("xo()") " }"
+
+namespace {
+
+constexpr std::string_view loose_controller = "controller XC { event xe sref xs = XS } " IDLE_MACHINE;
+
+}  // namespace
+
 const std::vector<Violation>& violations() {
     using enum Site;
     static const std::vector<Violation> rows = {
@@ -73,6 +86,37 @@ const std::vector<Violation>& violations() {
         {"C6", controller, "event xe connection $self on xe to $part on xf connection $self on xe to $part on xg", "",
          "event xf event xg"},
 
+        {"Cn4", controller, "event xe connection $self on xe to $part on xf", "", "_broadcast event xf"},
+        {"Cn4", controller, "_broadcast event xe connection $part on xf to $self on xe", "", "event xf"},
+        {"Cn8", controller, "event xe connection $self on xe to $part on xf", "", "event xf state xs { entry xf }"},
+        {"Cn9", controller, "event xe connection $part on xf to $self on xe", "",
+         "event xf state xs { } transition xt { from xs to xs trigger xf }"},
+        {"Cn2", file, "module XM { robotic platform XR { event xe } cref xc = XC connection XR on xe to xc on xe }",
+         loose_controller},
+        {"Cn2", file, "module XM { robotic platform XR { event xe } cref xc = XC connection xc on xe to XR on xe }",
+         loose_controller},
+        {"M3", file,
+         "module XM { robotic platform XR { event xe } cref xc = XC cref xd = XC connection XR on xe to xc on xe "
+         "(_async) "
+         "connection XR on xe to xd on xe (_async) }",
+         loose_controller},
+        {"Cn5", file,
+         "module XM { robotic platform XR { event xe } cref xc = XC connection XR on xe to xc on xe (_async) [mult] }",
+         "controller XC { event xe sref xs = XS connection XC on xe to xs on xe } " IDLE_MACHINE},
+        {"Cn6", file,
+         "module XM { robotic platform XR { event xe } cref xc = XC connection XR on xe to xc on xe (_async) }",
+         "controller XC { event xe sref xs = XS connection XC on xe to xs on xe [mult] } " IDLE_MACHINE},
+        {"Cn7", file,
+         "module XM { robotic platform XR { event xe } cref xc = XC connection xc on xe to XR on xe (_async) }",
+         "controller XC { event xe sref xs = XS connection XC on xe to xs on xe } " IDLE_MACHINE},
+
+        // What operations need of their callers.
+        {"STM8", file, CALLING("requires XN transition xt { from xi to xf action xv = 1 }"),
+         "interface XI { xo() } interface XN { var xv : nat }"},
+        {"STM9", file, CALLING("event xe transition xt { from xi to xf action xe }"), "interface XI { xo() }"},
+        {"STM10", file, CALLING("requires XN transition xt { from xi to xf action #xk }"),
+         "interface XI { xo() } interface XN { clock xk }"},
+
         // Time.
         {"TT1", machine, "transition xt { from $state to $state <{ 1 } condition true }"},
         {"TE1", machine, "clock xc var xv : int transition xt { from $state to $state action xv = since(xc) }"},
@@ -93,6 +137,9 @@ const std::vector<Violation>& violations() {
         {"RC-T03", machine, "transition xt { from $state to $state action if 1 then skip end }"},
         {"RC-T04", machine, "transition xt { from $state to $state condition 1 }"},
         {"RC-T05", machine, "transition xt { from $state to $state action wait(true) }"},
+        {"RC-T06", file, CALL_OF("xo()"), "interface XI { xo(xp : nat) }"},
+        {"RC-T06", file, CALL_OF("xo(1, 2)"), "interface XI { xo(xp : nat) }"},
+        {"RC-T07", file, CALL_OF("xo(true)"), "interface XI { xo(xp : nat) }"},
         {"RC-T08", machine, "event xe : boolean var xv : nat transition xt { from $state to $state trigger xe?xv }"},
         {"RC-T09", machine, "event xe : nat transition xt { from $state to $state action xe!true }"},
         {"Tg5", machine, "event xe transition xt { from $state to $state action xe!1 }"},
@@ -100,6 +147,8 @@ const std::vector<Violation>& violations() {
         {"RC-T10", machine, "var xv : XE = XE::XL", "enumeration XE { XL(nat) }"},
         {"RC-T12", machine, "var xv : XE = XE::XL(true)", "enumeration XE { XL(nat) }"},
         {"RC-T13", machine, "var xv : nat = xfun()", "function xfun(xp : nat) : nat { }"},
+        {"RC-T13", machine, "var xv : nat = xfun(1, 1)", "function xfun(xp : nat) : nat { }"},
+        {"RC-T35", machine, "var xv : nat = xfun", "function xfun() : nat { }"},
         {"RC-T14", machine, "var xv : nat = xfun(true)", "function xfun(xp : nat) : nat { }"},
         {"RC-T15", machine, "const xk : nat = 1 var xv : nat = xk(1)"},
         {"RC-T16", machine, "const xk : nat * nat = (| 1, 1 |) var xv : nat = xk[3]"},
