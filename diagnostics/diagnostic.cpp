@@ -15,7 +15,22 @@ std::string Diagnostic::message() const {
     return fmt::vformat(fmt::string_view(rule->message.data(), rule->message.size()), store);
 }
 
+namespace {
+
+/// A message is read by people: of a name or expression of megabytes its beginning is shown, cut between characters.
+void shorten(std::string& argument) {
+    constexpr std::size_t max_shown = 1000;
+    if (argument.size() <= max_shown) return;
+    std::size_t end = max_shown;
+    while (end > 0 && (static_cast<unsigned char>(argument[end]) & 0xC0U) == 0x80U) --end;
+    argument.resize(end);
+    argument += "...";
+}
+
+}  // namespace
+
 Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::string> arguments) {
+    std::for_each(arguments.begin(), arguments.end(), shorten);
     Diagnostic finding{&rule, span, std::move(arguments), {}, {}};
     if (rule.severity == Severity::warning && allowed_.contains(rule.code)) {
         overflow_ = std::move(finding);

@@ -104,6 +104,15 @@ TEST(JsonString, EscapesControlCharactersAndReplacesBrokenBytes) {
     EXPECT_EQ(json_string("\xED\xA0\x80").size(), 2U + 9U);  // a surrogate is no character
 }
 
+TEST(Diagnostics, ShowTheBeginningOfLongArguments) {
+    static const Rule rule{"T1", Severity::error, "no `{}`", "because"};
+    Diagnostics diagnostics;
+    EXPECT_EQ(diagnostics.report(rule, {}, {std::string(1000, 'x')}).message(), "no `" + std::string(1000, 'x') + "`");
+    // An e with an acute accent takes two bytes, which stay together.
+    const std::string letters = std::string(999, 'x') + "\xC3\xA9" + std::string(5'000'000, 'y');
+    EXPECT_EQ(diagnostics.report(rule, {}, {letters}).message(), "no `" + std::string(999, 'x') + "...`");
+}
+
 TEST(Diagnostics, KeepsTheFirstTwoHundredOfEachSeverityAndCountsTheRest) {
     Diagnostics out;
     for (int i = 0; i < 250; ++i) out.report(odd_rule, {});
