@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_set>
 
 #include "frontend/checks.hpp"
 #include "frontend/rules.hpp"
@@ -89,14 +90,16 @@ namespace {
 void check_entry(const Names& names, const std::string& full, const std::vector<const Declaration*>& declarations,
                  Diagnostics& out) {
     std::vector<std::vector<const Declaration*>> groups;
+    std::unordered_set<const Declaration*> entered;
     for (const Declaration* declaration : declarations) {
         // A literal is entered twice when its enumeration has its own name.
         if (declaration->kind == DeclKind::enum_literal && full != names.full_name(declaration)) continue;
+        if (!entered.insert(declaration).second) continue;
         const auto group =
             std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return clash(*g.front(), *declaration); });
         if (group == groups.end())
             groups.push_back({declaration});
-        else if (std::find(group->begin(), group->end(), declaration) == group->end())
+        else
             group->push_back(declaration);
     }
     for (const auto& group : groups) {

@@ -327,33 +327,6 @@ TEST(Parser, ReadsOnAfterAMistake) {
     EXPECT_TRUE(reading->file().has_syntax_errors);
 }
 
-std::string nested(const std::string& open, std::size_t n, const std::string& close) {
-    std::string out;
-    for (std::size_t i = 0; i < n; ++i) out += open;
-    for (std::size_t i = 0; i < n; ++i) out += close;
-    return out;
-}
-
-TEST(Parser, DeepNestingIsOneMistake) {
-    const std::string guard_open = "stm S {\ntransition t { from a to b condition ";
-    const std::string parentheses(10'000, '(');
-    for (const std::string& text :
-         {guard_open + parentheses + "x" + std::string(10'000, ')') + " } }", guard_open + parentheses,
-          guard_open + std::string(10'000, '-') + "x } }", guard_open + nested("<{", 10'000, "}>") + " } }",
-          guard_open + nested("not ", 10'000, "") + "x } }", guard_open + nested("{v:nat @ ", 10'000, "}") + " } }",
-          guard_open + nested("let x == ", 10'000, "@ x") + " } }",
-          guard_open + nested("if a then b else ", 10'000, " end") + " } }",
-          "interface I {\nvar x:" + nested("Seq(", 10'000, ")") + "\n}",
-          "interface I {\nvar x:A" + nested(" -> A", 10'000, "") + "\n}",
-          "stm S {\nstate s { entry " + nested("if a then ", 10'000, "end ") + "} }",
-          "stm S {\nstate s { entry " + parentheses + " } }"}) {
-        const auto reading = read(text);
-        EXPECT_EQ(reading->codes(), "RC-P02@2") << text.substr(0, 60);
-    }
-    const auto states = read("stm S {\n" + nested("state s {", 10'000, "}") + " }");
-    EXPECT_EQ(states->codes(), "RC-P02@2");
-}
-
 TEST(Parser, LongOperatorChainsAreBounded) {
     std::string sum = "1";
     for (int i = 0; i < 5000; ++i) sum += "+1";
@@ -393,22 +366,6 @@ TEST(Parser, OddTextsGiveOneMessageOrNone) {
                            {"csp P csp-begin csp-end", "", true},
                            {"csp P csp-end", "RC-P01@1", true}};
     for (const Mistake& text : odd) EXPECT_EQ(read(text.text, text.is_assertions)->codes(), text.codes) << text.text;
-}
-
-TEST(Parser, ReadsALineOfTenMegabytesQuickly) {
-    for (const std::string& text :
-         {"type " + std::string(10'000'000, 'x') + " )", std::string(10'000'000, '9'), std::string(10'000'000, '{'),
-          std::string(10'000'000, 'a') + ":", std::string(10'000'000, '^')}) {
-        const auto reading = read(text);
-        EXPECT_FALSE(reading->findings.ok());
-        EXPECT_LT(reading->report().size(), 100'000U);
-    }
-}
-
-TEST(Parser, ManyLinesOfGarbageCostNoMoreThanOne) {
-    std::string text = "stm S {\n";
-    for (int i = 0; i < 500'000; ++i) text += "entyx\n";
-    EXPECT_FALSE(read(text)->findings.ok());
 }
 
 TEST(Parser, StopsAfterAHundredMistakes) {

@@ -1,0 +1,46 @@
+// One row a construct of the grammar (language reference 1.1, assertion reference 4): the text, and the tree it must
+// give; or the rule that refuses it. A construct without a row is a construct without a test.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace robochart::frontend::testing {
+
+struct Row {
+    const char* text;
+    const char* expected;
+};
+std::ostream& operator<<(std::ostream& out, const Row& row);
+
+/// Expressions that bind tightest.
+[[nodiscard]] const std::vector<Row>& atoms();
+/// From the loosest to the tightest; each level with its neighbours.
+[[nodiscard]] const std::vector<Row>& operators();
+/// Types.
+[[nodiscard]] const std::vector<Row>& types();
+/// Statements.
+[[nodiscard]] const std::vector<Row>& statements();
+/// Clauses of a transition, behind `from a to b`.
+[[nodiscard]] const std::vector<Row>& clauses();
+/// Whole files of declarations.
+[[nodiscard]] const std::vector<Row>& declarations();
+/// Whole files of assertions.
+[[nodiscard]] const std::vector<Row>& assertions();
+/// What the grammar forbids: whole files, and the finding.
+[[nodiscard]] const std::vector<Row>& refused();
+
+/// The file around the text of a row.
+struct Frame {
+    const char* before;
+    const char* after;
+    [[nodiscard]] std::string operator()(const std::string& text) const { return before + text + after; }
+};
+inline constexpr Frame as_guard{"stm S { transition t { from a to b condition ", " } }"};
+inline constexpr Frame as_type{"interface I { var v:", " }"};
+inline constexpr Frame as_entry{"stm S { state s { entry ", " } }"};
+inline constexpr Frame as_clauses{"stm S { transition t { from a to b ", " } }"};
+inline constexpr Frame as_file{"", ""};
+
+}  // namespace robochart::frontend::testing
