@@ -54,6 +54,7 @@ private:
         lint_loops(machine, never, out_);
         lint_arithmetic(machine, out_);
         lint_statements(machine, out_);
+        lint_termination(machine, out_);
     }
 
     void parts(const Component& component) {

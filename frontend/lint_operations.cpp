@@ -61,6 +61,11 @@ private:
 
 }  // namespace
 
+void lint_termination(const Machine& operation, Diagnostics& out) {
+    if (operation.terminates && !operation.nodes.empty() && !can_end(operation))
+        out.report(rules::w_broken_promise, operation.name_span, {operation.name});
+}
+
 void lint_operations(const Component& controller, Told& told, Diagnostics& out) {
     std::map<std::string_view, const Machine*> endless;
     for (const Machine* operation : defined_operations(controller))

@@ -1,5 +1,5 @@
-// Slips in single statements and transitions: twice the same transition, a value assigned to itself, a real compared
-// for equality, a wait that its own deadline cuts off.
+// Slips in single statements and transitions: twice the same transition, a value assigned to itself, a wait that its
+// own deadline cuts off.
 #include <cstdlib>
 #include <map>
 #include <optional>

@@ -1,6 +1,7 @@
 // Declarations that nothing uses (RC-W07) and variables that are assigned but never read (RC-W08), over the whole
-// project. Interfaces and operations may be a library for others, so what only they declare is silent, unless an
-// interface is only ever used (its variables and clocks then belong to the machines that use it).
+// project, and clocks that are read but never reset (RC-W18). Interfaces and operations may be a library for others, so
+// what only they declare is silent, unless an interface is only ever used (its variables and clocks then belong to the
+// machines that use it).
 
 #include "frontend/lints.hpp"
 #include "frontend/print.hpp"
@@ -187,7 +188,9 @@ private:
 
     void check_clock(const Clock& clock) {
         const Use& use = uses_.of(clock);
-        if (use.reads > 0 || uses_.wanted(clock.name)) return;
+        if (uses_.wanted(clock.name)) return;
+        if (use.reads > 0 && !use.reset.known()) out_.report(rules::w_never_reset, clock.name_span, {clock.name});
+        if (use.reads > 0) return;
         auto& finding = out_.report(rules::w_unused, clock.name_span, {"clock", clock.name, "read"});
         if (use.reset.known()) finding.notes.push_back({use.reset, "reset here"});
     }

@@ -79,10 +79,12 @@ void lint_arithmetic(const Machine& machine, Diagnostics& out);
 void lint_shadowing(const File& file, const Context& context, const Names& names, Diagnostics& out);
 /// RC-W14, RC-W15, RC-W16.
 void lint_statements(const Machine& machine, Diagnostics& out);
-/// RC-W07, RC-W08: over the whole project.
+/// RC-W07, RC-W08, RC-W18: over the whole project.
 void lint_unused(const Model& model, Diagnostics& out);
 /// RC-W01, RC-W17: events that get no further than a part of a controller or module.
 void lint_events(const Component& component, Diagnostics& out);
+/// RC-W19.
+void lint_termination(const Machine& operation, Diagnostics& out);
 /// RC-W13. Machines that several controllers refer to are looked at in each; `told` are the calls reported so far.
 using Told = std::unordered_set<const Stmt*>;
 void lint_operations(const Component& controller, Told& told, Diagnostics& out);

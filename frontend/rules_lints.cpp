@@ -82,6 +82,12 @@ const Rule w_deadline{"RC-W16", warning, "`{}` takes longer than its deadline of
                       "time cannot go on."};
 const Rule w_deaf{"RC-W17", warning, "`{}` is connected, but {} never takes part in it",
                   "A connection is a meeting of both ends. If one end never uses the event, the other waits for ever."};
+const Rule w_never_reset{"RC-W18", warning, "clock `{}` is read but never reset",
+                         "Without a reset a clock counts from the start of its machine: once the conditions on it have "
+                         "changed, they never change back. Reset it where the counting is meant to begin."};
+const Rule w_broken_promise{"RC-W19", warning, "operation `{}` is declared to terminate, but no final state is reached",
+                            "An operation ends by reaching a final state at its top. Without one every call goes on "
+                            "for ever, and what callers do next never happens."};
 
 const std::vector<const Rule*>& of_lints() {
     static const std::vector<const Rule*> rules = {&w_loose_machine,  &w_loose_controller,
@@ -94,7 +100,8 @@ const std::vector<const Rule*>& of_lints() {
                                                    &w_maybe_zero,     &w_shadows,
                                                    &w_hidden_member,  &w_endless,
                                                    &w_copy,           &w_self,
-                                                   &w_deadline,       &w_deaf};
+                                                   &w_deadline,       &w_deaf,
+                                                   &w_never_reset,    &w_broken_promise};
     return rules;
 }
 
