@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iostream>
+#include <iterator>
 
 #include "app/interrupt.hpp"
 #include "app/script.hpp"
@@ -201,10 +203,26 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
     return script.errors.empty() ? Exit::success : Exit::bad_input;
 }
 
+/// Standard input; what it includes is looked for in the current folder.
+cspm::Script read_standard_input(LoadedScript& loaded) {
+    const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+    cspm::Script read = cspm::read(loaded.sources, loaded.sources.add("standard input", text), loaded.diagnostics);
+    cspm::Script whole;
+    for (const cspm::DeclPtr& decl : read.decls) {
+        if (decl->kind != cspm::DeclKind::include) {
+            whole.decls.push_back(decl);
+            continue;
+        }
+        const cspm::Script included = cspm::read_file(loaded.sources, decl->names.at(0), loaded.diagnostics);
+        whole.decls.insert(whole.decls.end(), included.decls.begin(), included.decls.end());
+    }
+    return whole;
+}
+
 }  // namespace
 
 void load_script(const std::string& path, LoadedScript& loaded) {
-    loaded.script = cspm::read_file(loaded.sources, path, loaded.diagnostics);
+    loaded.script = path == "-" ? read_standard_input(loaded) : cspm::read_file(loaded.sources, path, loaded.diagnostics);
     if (loaded.diagnostics.ok()) loaded.types = cspm::check_types(loaded.script, loaded.diagnostics);
 }
 

@@ -211,6 +211,13 @@ TEST(Refines, TextShowsWhatEachPartDid) {
     EXPECT_THAT(run({"cspm", script.path(), "--assertion", "1", "--reveal-taus"}).out, HasSubstr("τ(h)"));
 }
 
+TEST(Refines, StandardInputIsAScriptThatMayInclude) {
+    const TemporaryFile included("included.csp", "channel a\nP = a -> P\n");
+    const Ran ran = run({"cspm", "-"}, "include \"" + included.path() + "\"\nassert P :[deadlock free]\n");
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_EQ(run({"cspm", "-"}, "include \"nobody.csp\"\n").exit, 2);
+}
+
 TEST(Refines, AnAssertionThatIsNotThereIsSaid) {
     const TemporaryFile script("failing.csp", failing);
     const Ran ran = run({"cspm", script.path(), "--assertion", "7"});
@@ -279,10 +286,12 @@ TEST(Limits, AddressSpaceThatIsNotThereIsNoCrash) {
 #ifdef SANITIZED
     GTEST_SKIP() << "the sanitizer needs the address space for itself";
 #endif
-    const TemporaryFile script("wide.csp", wide);
-    const Ran ran = run_with_address_space({"cspm", script.path()}, std::uint64_t{120} << 20U);
-    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
-    EXPECT_THAT(ran.out + ran.err, HasSubstr("memory"));
+    for (const char* text : {wide, endless}) {
+        const TemporaryFile script("large.csp", text);
+        const Ran ran = run_with_address_space({"cspm", script.path()}, std::uint64_t{120} << 20U);
+        EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+        EXPECT_THAT(ran.out + ran.err, HasSubstr("memory"));
+    }
 }
 
 TEST(Progress, JsonEventsTellBothPhases) {
