@@ -88,6 +88,7 @@ struct Function {
     Span span;
     std::vector<std::size_t> groups;  ///< arguments a group
     std::vector<FunctionClause> clauses;
+    std::vector<bool> unread;          ///< one group only: per argument, whether nothing reads it
     std::size_t environment = 0;       ///< captured items before the arguments
     mutable std::int8_t process = -1;  ///< whether its result is plainly a process; -1: not yet known
 };

@@ -67,9 +67,13 @@ std::int64_t Evaluator::duration(TimedSection& timed, Value event, Span span) {
     return result->number;
 }
 
+// Arguments that the definition does not read are all alike: calls that differ in them are one process.
 TermId Evaluator::call_term(Value function, const Values& arguments) {
     Values key{function};
     key.insert(key.end(), arguments.begin(), arguments.end());
+    if (const Function* definition = function->function; definition != nullptr)
+        for (std::size_t i = 0; i < definition->unread.size(); ++i)
+            if (definition->unread[i]) key[i + 1] = store_.character('_');
     const Value tuple = store_.make(Kind::tuple, 1, std::move(key));
     const auto [place, fresh] = call_index_.emplace(tuple, static_cast<std::uint32_t>(calls_.size()));
     if (fresh) calls_.push_back(tuple);

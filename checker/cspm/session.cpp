@@ -10,6 +10,7 @@
 #include "checker/cspm/evaluator.hpp"
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/resolver.hpp"
+#include "checker/cspm/unread_parameters.hpp"
 #include "checker/lts/term_system.hpp"
 #include "checker/machine/compiler.hpp"
 #include "checker/process/operational_semantics.hpp"
@@ -76,7 +77,10 @@ struct Session::Impl {
           resolver(program, store),
           evaluator(program, store, events, terms) {
         compressor.use(compiler);
-        on_deep_stack([this] { resolver.script(script); });
+        on_deep_stack([this] {
+            resolver.script(script);
+            find_unread_parameters(program);
+        });
     }
 
     struct Ready {
