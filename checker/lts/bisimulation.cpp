@@ -22,8 +22,11 @@ constexpr StateIndex endless = no_state;
 
 class Refinement {
 public:
-    Refinement(const Graph& graph, Equivalence equivalence)
-        : graph_(graph), branching_(equivalence == Equivalence::branching_with_divergence), block_(graph.size(), 0) {}
+    Refinement(const Graph& graph, Equivalence equivalence, const std::function<void()>& poll)
+        : graph_(graph),
+          branching_(equivalence == Equivalence::branching_with_divergence),
+          poll_(poll),
+          block_(graph.size(), 0) {}
 
     void run();
     [[nodiscard]] Block block(StateIndex state) const { return block_[state]; }
@@ -43,6 +46,7 @@ private:
 
     const Graph& graph_;
     bool branching_;
+    const std::function<void()>& poll_;
     std::vector<Block> block_;
     std::vector<States> members_;
     std::vector<std::size_t> place_;  // in its block's members
@@ -118,6 +122,7 @@ void Refinement::refine(Block block) {
     std::map<Signature, States> groups;
     std::map<StateIndex, const Signature*> fresh;
     for (StateIndex state : dirty) {
+        if (poll_) poll_();
         const auto group = groups.try_emplace(signature_of(state, fresh)).first;
         group->second.push_back(state);
         if (branching_) fresh[state] = &group->first;
@@ -234,13 +239,13 @@ private:
 
 }  // namespace
 
-Quotient minimise(const Graph& graph, Equivalence equivalence) {
+Quotient minimise(const Graph& graph, Equivalence equivalence, const std::function<void()>& poll) {
     // States on a tau cycle are equivalent under the branching equivalence: they become one state with a tau to itself.
     // The others keep their taus, numbered so that a tau leads to a lower number.
     const bool branching = equivalence == Equivalence::branching_with_divergence;
     const TauComponents components = branching ? tau_components(graph) : every_state_alone(graph);
     const Graph contracted = branching ? contract(graph, components) : graph;
-    Refinement refinement(contracted, equivalence);
+    Refinement refinement(contracted, equivalence, poll);
     refinement.run();
     const QuotientBuilder builder(refinement, components.component[0]);
     Quotient result{builder.graph, std::vector<StateIndex>(builder.size(), no_state), {}};

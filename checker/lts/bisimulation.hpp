@@ -1,6 +1,7 @@
 // Minimisation by partition refinement with signatures (Blom and Orzan, 2003; Wimmer et al., "Sigref", 2006).
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "checker/lts/graph.hpp"
@@ -23,6 +24,7 @@ struct Quotient {
     std::vector<StateIndex> state_of;        ///< of each original state reachable or not; no_state if not reachable
 };
 
-[[nodiscard]] Quotient minimise(const Graph& graph, Equivalence equivalence);
+/// `poll`, if any, is called now and then and may throw to stop.
+[[nodiscard]] Quotient minimise(const Graph& graph, Equivalence equivalence, const std::function<void()>& poll = {});
 
 }  // namespace robochart::lts

@@ -24,8 +24,9 @@ Graph graph_of(const process::Machine& machine) {
 
 }  // namespace
 
-process::Machine BisimulationCompressor::compress(const process::Machine& explored, process::Compression kind) {
-    const Quotient quotient = minimise(graph_of(explored), equivalence_of(kind));
+process::Machine BisimulationCompressor::compress(const process::Machine& explored, process::Compression kind,
+                                                  const std::function<void()>& poll) {
+    const Quotient quotient = minimise(graph_of(explored), equivalence_of(kind), poll);
     process::Machine result;
     for (StateIndex state = 0; state < quotient.graph.size(); ++state) {
         result.meaning.push_back(explored.meaning[quotient.representative[state]]);

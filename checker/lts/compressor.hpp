@@ -10,7 +10,8 @@ namespace robochart::lts {
 /// what FDR computes for these names and so keeps every model that they keep; it may be larger.
 class BisimulationCompressor final : public process::Compressor {
 public:
-    process::Machine compress(const process::Machine& explored, process::Compression kind) override;
+    process::Machine compress(const process::Machine& explored, process::Compression kind,
+                              const std::function<void()>& poll) override;
 };
 
 }  // namespace robochart::lts

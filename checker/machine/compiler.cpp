@@ -4,13 +4,12 @@
 #include <new>
 #include <unordered_map>
 
-#include "checker/lts/bisimulation.hpp"
+#include "checker/lts/graph.hpp"
+#include "checker/machine/explicit_machine.hpp"
 #include "checker/machine/not_compiled.hpp"
 
 namespace robochart::machine {
 namespace {
-
-using Rows = std::vector<std::vector<Component::RawEdge>>;
 
 /// The states that a term reaches, breadth first.
 class Exploration {
@@ -20,22 +19,21 @@ public:
 
     void run(TermId initial, const std::function<void()>& poll) {
         number(initial);
-        for (std::size_t state = 0; state < meaning.size(); ++state) {
+        for (std::size_t state = 0; state < found.meaning.size(); ++state) {
             if (poll) poll();
-            auto& row = rows.emplace_back();
-            for (const process::Transition& step : semantics_.successors(meaning[state]))
+            auto& row = found.rows.emplace_back();
+            for (const process::Transition& step : semantics_.successors(found.meaning[state]))
                 row.push_back({step.event, step.revealed, number(step.target)});
         }
     }
 
-    Rows rows;
-    std::vector<TermId> meaning;
+    ExplicitMachine found;
 
 private:
     Local number(TermId term) {
-        const auto [entry, fresh] = numbers_.emplace(static_cast<std::uint32_t>(term), meaning.size());
-        if (fresh) meaning.push_back(term);
-        if (meaning.size() > most_states_) throw NotCompiled("a component has too many states");
+        const auto [entry, fresh] = numbers_.emplace(static_cast<std::uint32_t>(term), found.meaning.size());
+        if (fresh) found.meaning.push_back(term);
+        if (found.meaning.size() > most_states_) throw NotCompiled("a component has too many states");
         return entry->second;
     }
 
@@ -44,29 +42,21 @@ private:
     std::unordered_map<std::uint32_t, Local> numbers_;
 };
 
-/// The quotient by strong bisimilarity, with the hidden names of the states that stand for the others.
-void minimise(Exploration& explored) {
-    lts::Graph graph;
-    for (const auto& row : explored.rows) {
-        for (const Component::RawEdge& edge : row) graph.add_edge({edge.event, edge.target});
-        graph.finish_state();
+/// Which events of each component have a part in a rule.
+std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
+    std::vector<std::vector<bool>> used;
+    for (const ComponentPtr& component : combined.components) used.emplace_back(component->alphabet().size(), false);
+    for (const Region& region : combined.regions) {
+        const auto use = [&](const Participant& who, std::uint32_t event) {
+            if (!who.is_region) used[who.index][event] = true;
+        };
+        for (const Requirement& each : region.requirements) use(region.participants[each.participant], each.event);
+        for (std::size_t who = 0; who < region.participants.size(); ++who)
+            for (std::uint32_t event = 0; event < region.alphabets[who].size(); ++event)
+                if (region.first_rule[who][event] < region.first_rule[who][event + 1U])
+                    use(region.participants[who], event);
     }
-    const lts::Quotient quotient = lts::minimise(graph, lts::Equivalence::strong);
-    if (quotient.graph.size() == explored.rows.size()) return;
-    Rows rows;
-    std::vector<TermId> meaning;
-    for (const lts::StateIndex state : quotient.representative) {
-        meaning.push_back(explored.meaning[state]);
-        std::vector<Component::RawEdge> row = explored.rows[state];
-        for (Component::RawEdge& edge : row) edge.target = quotient.state_of[edge.target];
-        const auto key = [](const Component::RawEdge& edge) { return std::pair(edge.event, edge.target); };
-        std::stable_sort(row.begin(), row.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
-        const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
-        row.erase(std::unique(row.begin(), row.end(), same), row.end());
-        rows.push_back(std::move(row));
-    }
-    explored.rows = std::move(rows);
-    explored.meaning = std::move(meaning);
+    return used;
 }
 
 }  // namespace
@@ -78,11 +68,28 @@ ComponentPtr Compiler::explored(TermId term, const std::function<void()>& poll) 
     Exploration exploration(semantics_, bounds_.component_states);
     stage_.component = term;
     exploration.run(term, [&] {
-        stage_.states = exploration.meaning.size();
+        stage_.states = exploration.found.meaning.size();
         if (poll) poll();
     });
-    if (exploration.rows.size() <= bounds_.minimised_states) minimise(exploration);
-    return std::make_shared<const Component>(exploration.rows, std::move(exploration.meaning));
+    return reduced(std::move(exploration.found), poll);
+}
+
+ComponentPtr Compiler::reduced(ExplicitMachine machine, const std::function<void()>& poll) const {
+    if (machine.rows.size() <= bounds_.minimised_states) minimise(machine, poll);
+    return std::make_shared<const Component>(machine.rows, std::move(machine.meaning));
+}
+
+/// Takes from the components what no rule lets them do. True if one has become smaller.
+bool Compiler::prune(const Supercombinator& combined, std::vector<ComponentPtr>& components,
+                     const std::function<void()>& poll) const {
+    const std::vector<std::vector<bool>> used = used_events(combined);
+    bool smaller = false;
+    for (std::size_t slot = 0; slot < components.size(); ++slot) {
+        if (std::find(used[slot].begin(), used[slot].end(), false) == used[slot].end()) continue;
+        components[slot] = reduced(without_unused(*components[slot], used[slot]), poll);
+        smaller = true;
+    }
+    return smaller;
 }
 
 ComponentPtr Compiler::component(TermId term, const std::function<void()>& poll) {
@@ -105,7 +112,8 @@ ComponentPtr Compiler::gate(const Node& node) const {
     } else {
         row.push_back({process::tau, process::tau, 0});
     }
-    return std::make_shared<const Component>(Rows{row}, std::vector<TermId>{node.term});
+    return std::make_shared<const Component>(std::vector<std::vector<Component::RawEdge>>{row},
+                                             std::vector<TermId>{node.term});
 }
 
 std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std::function<void()>& poll) {
@@ -119,9 +127,10 @@ std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std:
             stage_ = {node.term, components.size() + 1, skeleton->slots.size(), 0};
             components.push_back(node.kind == Node::Kind::gate ? gate(node) : component(node.term, poll));
         }
-        auto combined =
-            std::make_shared<const Supercombinator>(combine(terms, *skeleton, std::move(components), bounds_.rules));
-        return std::make_unique<SupercombinatorSystem>(std::move(combined), terms);
+        Supercombinator combined = combine(terms, *skeleton, components, bounds_.rules);
+        while (prune(combined, components, poll)) combined = combine(terms, *skeleton, components, bounds_.rules);
+        return std::make_unique<SupercombinatorSystem>(std::make_shared<const Supercombinator>(std::move(combined)),
+                                                       terms);
     } catch (const process::Interrupted&) {
         throw;
     } catch (const std::bad_alloc&) {

@@ -9,6 +9,7 @@
 
 #include "checker/lts/compressor.hpp"
 #include "checker/machine/component.hpp"
+#include "checker/machine/explicit_machine.hpp"
 #include "checker/machine/skeleton.hpp"
 #include "checker/machine/supercombinator_system.hpp"
 #include "checker/process/compressor.hpp"
@@ -46,6 +47,9 @@ private:
     ComponentPtr component(TermId term, const std::function<void()>& poll);
     ComponentPtr explored(TermId term, const std::function<void()>& poll);
     ComponentPtr gate(const Node& node) const;
+    ComponentPtr reduced(ExplicitMachine machine, const std::function<void()>& poll) const;
+    bool prune(const Supercombinator& combined, std::vector<ComponentPtr>& components,
+               const std::function<void()>& poll) const;
 
     process::OperationalSemantics& semantics_;
     Bounds bounds_;
@@ -59,8 +63,9 @@ class MachineCompressor final : public process::Compressor {
 public:
     void use(Compiler& compiler) { compiler_ = &compiler; }
     std::optional<process::Machine> explore(TermId operand, const std::function<void()>& poll) override;
-    process::Machine compress(const process::Machine& explored, process::Compression kind) override {
-        return compressor_.compress(explored, kind);
+    process::Machine compress(const process::Machine& explored, process::Compression kind,
+                              const std::function<void()>& poll) override {
+        return compressor_.compress(explored, kind, poll);
     }
 
 private:

@@ -27,8 +27,8 @@ public:
     virtual std::optional<Machine> explore(TermId /*operand*/, const std::function<void()>& /*poll*/) {
         return std::nullopt;
     }
-    /// A machine equal to the given one in every model that the compression claims to keep.
-    virtual Machine compress(const Machine& explored, Compression kind) = 0;
+    /// A machine equal to the given one in every model that the compression claims to keep. `poll` may throw to stop.
+    virtual Machine compress(const Machine& explored, Compression kind, const std::function<void()>& poll) = 0;
 };
 
 }  // namespace robochart::process

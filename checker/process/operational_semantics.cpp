@@ -136,7 +136,7 @@ std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
     try {
         const TermId operand = terms[term].children.front();
         std::optional<Machine> fast = compressor->explore(operand, poll);
-        machine = compressor->compress(fast ? *fast : explored(operand), Compression{terms[term].payload});
+        machine = compressor->compress(fast ? *fast : explored(operand), Compression{terms[term].payload}, poll);
     } catch (...) {
         --compressions_under_way;
         throw;

@@ -120,6 +120,36 @@ TEST_F(Compiled, PrioritiesInsideAndOutside) {
         << "b, b, a, a and its end, which begins the same again; then its end is one more";
 }
 
+TEST_F(Compiled, LeavesOutWhatNoOtherComponentLetsHappen) {
+    // A cell of ten values that says which it holds; nobody listens, so its values are alike.
+    std::vector<TermId> cell;
+    std::vector<std::pair<std::string, TermId>> writes;
+    std::vector<std::string> reads;
+    EventSet get_events;
+    for (const char* value : {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}) {
+        cell.push_back(s.name(std::string("Cell") + value));
+        writes.emplace_back(std::string("set") + value, cell.back());
+        reads.push_back(std::string("get") + value);
+        get_events.push_back(s.event(reads.back()));
+    }
+    for (std::size_t value = 0; value < cell.size(); ++value) {
+        auto menu = writes;
+        menu.emplace_back(reads[value], cell[value]);
+        s.bind(cell[value], s.menu(menu));
+    }
+    const process::SetId get = s.store.set(get_events);
+    const TermId deaf = s.op(Op::parallel, {cell[0], twice("b")}, static_cast<std::uint32_t>(get));
+    EXPECT_EQ(states(deaf), 3U) << "those of the listener that never listens";
+    const TermId hears_one = s.op(Op::parallel, {cell[0], s.prefix("get7", stop)}, static_cast<std::uint32_t>(get));
+    EXPECT_EQ(states(hears_one), 4U) << "whether it is 7, times whether it has been heard";
+}
+
+TEST_F(Compiled, KeepsWhatAPriorityLooksAtEvenIfItCannotHappen) {
+    // Inside, b comes before a; outside, b is not allowed: so neither happens, and c is all there is.
+    const TermId inner = s.prioritise(s.op(Op::external_choice, {pair(), stop}), {{"b"}, {"a"}});
+    EXPECT_EQ(states(s.over(Op::parallel, {inner, twice("c")}, {"b"})), 3U);
+}
+
 TEST_F(Compiled, KeepsHiddenNamesForCounterexamples) {
     const TermId hidden = s.over(Op::hide, {s.over(Op::parallel, {twice("a"), twice("a")}, {"a"})}, {"a"});
     const auto system = compiler.compile(hidden, {});

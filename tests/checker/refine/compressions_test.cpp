@@ -51,7 +51,7 @@ TEST(Compressions, KeepTheModelsTheyClaim) {
         const process::Machine explored = machine_of(translation, each.asked.script.mains[1]);
         const Behaviour original(each.graphs.graphs[1], naive::letters_used);
         for (const Compression kind : kinds) {
-            const process::Machine compressed = lts::BisimulationCompressor().compress(explored, kind);
+            const process::Machine compressed = lts::BisimulationCompressor().compress(explored, kind, {});
             EXPECT_LE(compressed.edges.size(), explored.edges.size());
             if (compressed.edges.size() < explored.edges.size()) ++smaller[kind];
             const naive::Graph graph = graph_of(translation, compressed);

@@ -1,0 +1,42 @@
+#include "checker/machine/explicit_machine.hpp"
+
+#include <algorithm>
+
+#include "checker/lts/bisimulation.hpp"
+
+namespace robochart::machine {
+
+void minimise(ExplicitMachine& machine, const std::function<void()>& poll) {
+    lts::Graph graph;
+    for (const auto& row : machine.rows) {
+        for (const Component::RawEdge& edge : row) graph.add_edge({edge.event, edge.target});
+        graph.finish_state();
+    }
+    const lts::Quotient quotient = lts::minimise(graph, lts::Equivalence::strong, poll);
+    if (quotient.graph.size() == machine.rows.size()) return;
+    ExplicitMachine smaller;
+    for (const lts::StateIndex state : quotient.representative) {
+        smaller.meaning.push_back(machine.meaning[state]);
+        std::vector<Component::RawEdge> row = machine.rows[state];
+        for (Component::RawEdge& edge : row) edge.target = quotient.state_of[edge.target];
+        const auto key = [](const Component::RawEdge& edge) { return std::pair(edge.event, edge.target); };
+        std::stable_sort(row.begin(), row.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+        const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
+        row.erase(std::unique(row.begin(), row.end(), same), row.end());
+        smaller.rows.push_back(std::move(row));
+    }
+    machine = std::move(smaller);
+}
+
+ExplicitMachine without_unused(const Component& component, const std::vector<bool>& used) {
+    ExplicitMachine result;
+    for (Local state = 0; state < component.size(); ++state) {
+        result.meaning.push_back(component.meaning(state));
+        auto& row = result.rows.emplace_back();
+        for (const Component::Edge& edge : component.edges(state))
+            if (used[edge.event]) row.push_back({component.alphabet()[edge.event], edge.revealed, edge.target});
+    }
+    return result;
+}
+
+}  // namespace robochart::machine
