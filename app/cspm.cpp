@@ -58,6 +58,8 @@ ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std:
     try {
         report.result = session.check(assertion, limits(options, report.text));
         report.answer = answer(report.result.verdict.outcome);
+        if (report.result.verdict.counterexample && !options.brief)
+            report.behaviour = session.behaviour(*report.result.verdict.counterexample);
         if (!report.result.verdict.reason.empty()) report.errors.push_back(report.result.verdict.reason);
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;

@@ -153,7 +153,7 @@ Json counterexample(const ScriptAssertion& assertion, EventMap& events, const Op
     if (!assertion.specification.empty())
         json["specification_behaviour"] = behaviours.specification(assertion.specification);
     json["implementation_behaviour"] = behaviours.implementation(assertion.process);
-    if (assertion.result.behaviour) behaviours.children(json["implementation_behaviour"], *assertion.result.behaviour);
+    if (assertion.behaviour) behaviours.children(json["implementation_behaviour"], *assertion.behaviour);
     if (told.kind == ViolationKind::nondeterminism && told.event) json["event"] = events.number(*told.event);
     json["replayed_by"] = told.replayed_by_terms ? "terms" : "compiled rules";
     return json;

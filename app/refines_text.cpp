@@ -95,12 +95,12 @@ void write_part(const Behaviour& part, std::size_t indent, const Names& names, s
 }
 
 std::string split(const ScriptAssertion& a, std::size_t indent, const Names& names, const Options& options) {
-    if (!a.result.behaviour || a.result.behaviour->parts.empty()) return "";
-    const std::size_t parts = count(*a.result.behaviour);
+    if (!a.behaviour || a.behaviour->parts.empty()) return "";
+    const std::size_t parts = count(*a.behaviour);
     if (parts > few_parts && !options.split)
         return fmt::format("{:{}}{} parts took part; --split shows what each did\n", "", indent, parts);
     std::string out = fmt::format("{:{}}each part did\n", "", indent);
-    write_part(*a.result.behaviour, indent + 2, names, out);
+    write_part(*a.behaviour, indent + 2, names, out);
     return out;
 }
 
@@ -177,7 +177,8 @@ std::string counterexample_text(const ScriptAssertion& a, const process::EventTa
     const refine::Counterexample& c = *a.result.verdict.counterexample;
     std::string out = fmt::format("                 trace {}\n", names.run(c.steps));
     out += fmt::format("                 {}\n", offence(c, names));
-    if (!c.replayed_by_terms) out += "                 (replayed by the compiled rules alone: its terms are too many)\n";
+    if (!c.replayed_by_terms)
+        out += "                 (replayed by the compiled rules alone: its terms are too many)\n";
     return out + split(a, 17, names, options);
 }
 

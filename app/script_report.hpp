@@ -1,6 +1,7 @@
 // What the verb `cspm` found in one script, as data; drawn as FDR's `refines` does: its plain text, its JSON.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct ScriptAssertion {
     Answer answer = Answer::inconclusive;
     std::vector<std::string> errors;  ///< why there is no answer
     cspm::AssertionResult result;
+    std::optional<process::Behaviour> behaviour;  ///< of a counterexample that is to be shown: what each part did
 };
 
 struct ScriptPrint {

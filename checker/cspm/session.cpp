@@ -178,25 +178,6 @@ struct Session::Impl {
         return text;
     }
 
-    void take_apart(AssertionResult& result) {
-        if (!result.verdict.counterexample || result.verdict.counterexample->terms.empty()) return;
-        const refine::Counterexample& told = *result.verdict.counterexample;
-        std::vector<process::Transition> run;
-        const auto append = [&run](const std::vector<refine::Step>& steps,
-                                   const std::vector<process::TermId>& reached) {
-            for (std::size_t i = 0; i < steps.size(); ++i)
-                run.push_back({steps[i].event, steps[i].revealed, reached[i + 1]});
-        };
-        append(told.steps, told.terms);
-        append(told.loop, told.loop_terms);
-        try {
-            result.behaviour = process::behaviour(semantics, told.terms.front(), run);
-        } catch (const EvaluationError&) {
-            // Inside a compression terms are looked at that nothing has asked for: the verdict does without them.
-        } catch (const process::SemanticsError&) {
-        }
-    }
-
     refine::Verdict decide(const Decl& assertion, const refine::Limits& limits, AssertionResult& result) {
         const Assertion& asked = assertion.assertion;
         const refine::Model in = model(assertion);
@@ -257,7 +238,6 @@ AssertionResult Session::check(const Decl& assertion, const refine::Limits& limi
     result.negated = assertion.assertion.negated;
     try {
         result.verdict = impl_->decide(assertion, limits, result);
-        impl_->take_apart(result);
     } catch (const process::Interrupted& stopped) {
         result.verdict = {};
         result.verdict.reason = stopped.what() + impl_->stage_reached();
@@ -267,6 +247,24 @@ AssertionResult Session::check(const Decl& assertion, const refine::Limits& limi
     }
     if (result.negated) negate(result.verdict);
     return result;
+}
+
+std::optional<process::Behaviour> Session::behaviour(const refine::Counterexample& told) {
+    if (told.terms.empty()) return std::nullopt;
+    std::vector<process::Transition> run;
+    const auto append = [&run](const std::vector<refine::Step>& steps, const std::vector<process::TermId>& reached) {
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            run.push_back({steps[i].event, steps[i].revealed, reached[i + 1]});
+    };
+    append(told.steps, told.terms);
+    append(told.loop, told.loop_terms);
+    try {
+        return process::behaviour(impl_->semantics, told.terms.front(), run);
+    } catch (const EvaluationError&) {
+        // Inside a compression terms are looked at that nothing has asked for: the verdict does without them.
+    } catch (const process::SemanticsError&) {
+    }
+    return std::nullopt;
 }
 
 process::TermId Session::process(const ExprPtr& expr) {

@@ -22,8 +22,6 @@ struct AssertionResult {
     bool negated = false;
     refine::Verdict verdict;     ///< already turned round for `not`: holds means the assertion as worded holds
     double compile_seconds = 0;  ///< evaluating and compiling, before the search
-    /// With a counterexample: its run taken apart down to the components (the loop of a divergence follows the trace).
-    std::optional<process::Behaviour> behaviour;
 };
 
 /// One loaded script with its events, terms and definitions. Not thread-safe.
@@ -39,6 +37,10 @@ public:
     [[nodiscard]] std::vector<DeclPtr> assertions() const;
     /// Decides one assertion. Evaluation errors are thrown; limits give inconclusive.
     [[nodiscard]] AssertionResult check(const Decl& assertion, const refine::Limits&);
+
+    /// The run of a counterexample taken apart down to the components; the loop of a divergence follows the trace. None
+    /// where its states are not terms.
+    [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&);
 
     /// An expression in the script's global scope as a process.
     [[nodiscard]] process::TermId process(const ExprPtr&);
