@@ -112,7 +112,7 @@ public:
     std::optional<Machine> explore(TermId operand, const std::function<void()>&) override {
         return Machine{{{{2, 1}}, {{3, 0}}}, {operand, operand}};
     }
-    Machine compress(const Machine& explored, Compression) override { return explored; }
+    Machine compress(const Machine& explored, Compression, const std::function<void()>&) override { return explored; }
 };
 
 TEST_F(Apart, CompressedPartsAreNamedWithTheirState) {
@@ -139,7 +139,7 @@ TEST_F(Apart, InsideACompressionTheOperandHasARunOfItsOwn) {
     const Behaviour whole = [&] {
         class WithoutFirstTau final : public Compressor {
         public:
-            Machine compress(const Machine& explored, Compression) override {
+            Machine compress(const Machine& explored, Compression, const std::function<void()>&) override {
                 Machine result = explored;  // the first state's tau is inert: the state behind it takes its place
                 result.edges[0] = explored.edges[explored.edges[0].front().target];
                 return result;
