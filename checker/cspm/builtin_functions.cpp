@@ -9,7 +9,7 @@
 namespace robochart::cspm {
 
 const Values& Evaluator::sequence(Value value, Span span) {
-    if (value->kind == Kind::sequence_from) fail("the sequence " + text(value) + " is infinite", span);
+    if (is_infinite(value)) fail("the sequence " + text(value) + " is infinite", span);
     if (value->kind != Kind::sequence) fail("expected a sequence, found " + text(value), span);
     return value->items;
 }
@@ -146,11 +146,13 @@ Value Evaluator::set_builtin(Builtin which, const Values& arguments, Span span) 
 
 Value Evaluator::sequence_builtin(Builtin which, const Values& arguments, Span span) {
     const Value first = arguments[0];
-    if (first->kind == Kind::sequence_from) {
-        if (which == Builtin::head) return store_.integer(first->number);
-        if (which == Builtin::tail) return store_.make(Kind::sequence_from, first->number + 1, {});
+    if (is_infinite(first)) {
+        if (which == Builtin::head) return cut(first, span).head;
+        if (which == Builtin::tail) return cut(first, span).tail;
         if (which == Builtin::null) return store_.boolean(false);
     }
+    if (which == Builtin::elem && is_infinite(arguments[1]))
+        return store_.boolean(element_of_infinite(first, arguments[1], span));
     switch (which) {
         case Builtin::seq:
             return store_.sequence(elements(first, span));
@@ -300,6 +302,10 @@ std::uint32_t compression(Builtin which) {
             return static_cast<std::uint32_t>(Compression::deter);
         case Builtin::lazyenumerate:
             return static_cast<std::uint32_t>(Compression::lazyenumerate);
+        case Builtin::failure_watchdog:
+            return static_cast<std::uint32_t>(Compression::failure_watchdog);
+        case Builtin::trace_watchdog:
+            return static_cast<std::uint32_t>(Compression::trace_watchdog);
         default:
             return static_cast<std::uint32_t>(Compression::explicate);
     }
@@ -380,10 +386,15 @@ Value Evaluator::process_builtin(Builtin which, Value builtin, const Values& arg
             return made(call_term(builtin, arguments));
         case Builtin::buffer:
             return made(buffer(arguments, span));
+        // Terms, so that they can be named and compared; what they do is refused when it is asked for.
+        case Builtin::failure_watchdog:
+        case Builtin::trace_watchdog: {
+            process::Term result{Op::compress, compression(which), {term(arguments[0], span)}, {}};
+            result.sets = {terms_.set(event_set(arguments[1], span)), terms_.set({event(arguments[2], span)})};
+            return made(terms_.make(result));
+        }
         case Builtin::weak_buffer:
         case Builtin::signal_buffer:
-        case Builtin::failure_watchdog:
-        case Builtin::trace_watchdog:
             not_supported("'" + std::string(builtin_name(which).name) + "'", span);
         default:
             return made(make(Op::compress, {term(arguments[0], span)}, compression(which)));

@@ -234,13 +234,27 @@ void concat_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts
 
 }  // namespace
 
-bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& frame) {
-    if (value->kind != Kind::sequence) {
-        if (value->kind == Kind::sequence_from) not_supported("matching an infinite sequence", {});
-        return false;
+// <x, y> ^ rest takes elements off the front; a pattern that ends is not met by what does not end.
+bool Evaluator::match_infinite(const std::vector<const MatchCode*>& parts, Value value, Frame& frame) {
+    for (const MatchCode* part : parts) {
+        if (part->kind != PatternKind::sequence) {
+            if (part != parts.back()) fail("an infinite sequence has no end to match", {});
+            return match(*part, value, frame);
+        }
+        for (const MatchCode& each : part->args) {
+            Cut next = cut(value, {});
+            value = next.tail;
+            if (!match(each, next.head, frame)) return false;
+        }
     }
+    return false;
+}
+
+bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& frame) {
+    if (value->kind != Kind::sequence && !is_infinite(value)) return false;
     std::vector<const MatchCode*> parts;
     concat_parts(pattern, parts);
+    if (is_infinite(value)) return match_infinite(parts, value, frame);
     std::size_t fixed = 0;
     std::size_t open = 0;
     for (const MatchCode* part : parts) {

@@ -191,8 +191,12 @@ Value Evaluator::eval_operator(const Code& code, Frame& frame) {
         case ExprKind::logical_or:
             return store_.boolean(truth(*code.args[0], frame) || truth(*code.args[1], frame));
         case ExprKind::concat: {
-            Values items = sequence(share(eval(*code.args[0], frame)), code.span);
-            const Values& more = sequence(share(eval(*code.args[1], frame)), code.span);
+            const Value left = share(eval(*code.args[0], frame));
+            if (is_infinite(left)) return left;
+            const Value right = share(eval(*code.args[1], frame));
+            if (is_infinite(right)) return stream(sequence(left, code.span), right, nullptr, {});
+            Values items = sequence(left, code.span);
+            const Values& more = sequence(right, code.span);
             if (items.size() + more.size() > max_elements) fail("the sequence is too long", code.span);
             items.insert(items.end(), more.begin(), more.end());
             return store_.sequence(std::move(items));
@@ -308,8 +312,15 @@ void Evaluator::for_each(const Code& code, const std::vector<ClauseCode>& clause
         if (truth(*clause.value, frame)) for_each(code, clauses, from + 1, frame, use);
         return;
     }
-    const Value source = share(eval(*clause.value, frame));
-    if (source->kind == Kind::sequence_from) not_supported("a generator over an infinite sequence", clause.value->span);
+    generate(code, clauses, from, share(eval(*clause.value, frame)), frame, use);
+}
+
+void Evaluator::generate(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Value source,
+                         Frame& frame, const Use& use) {
+    const ClauseCode& clause = clauses[from];
+    if (is_infinite(source))
+        not_supported("a generator over an infinite sequence, other than the first of a sequence comprehension,",
+                      clause.value->span);
     const Values& items = source->kind == Kind::sequence ? source->items : elements(source, clause.value->span);
     for (Value item : items) {
         if (match(clause.pattern, item, frame)) for_each(code, clauses, from + 1, frame, use);
@@ -322,7 +333,7 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
     const bool set = code.kind == ExprKind::set_comprehension || code.kind == ExprKind::set_range_comprehension;
     Values items;
     Value united = store_.set({});
-    for_each(code, code.clauses, 0, frame, [&](Frame& inside) {
+    const Use collect_elements = [&](Frame& inside) {
         if (ranges && set) {
             united = set_union(united, eval_range(code, inside), code.span);
         } else if (ranges) {
@@ -332,7 +343,15 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
             for (const Code* arg : code.args) items.push_back(share(eval(*arg, inside)));
         }
         if (items.size() > max_elements) fail("more than 5000000 elements", code.span);
-    });
+    };
+    if (!code.clauses.empty() && code.clauses[0].generator) {
+        const Value source = share(eval(*code.clauses[0].value, frame));
+        if (is_infinite(source) && code.kind == ExprKind::sequence_comprehension)
+            return stream({}, source, &code, frame);
+        generate(code, code.clauses, 0, source, frame, collect_elements);
+    } else {
+        for_each(code, code.clauses, 0, frame, collect_elements);
+    }
     if (ranges && set) return united;
     return set ? store_.set(std::move(items)) : store_.sequence(std::move(items));
 }

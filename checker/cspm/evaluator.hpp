@@ -67,6 +67,8 @@ private:
     Values eval_all(const Code& code, Frame& frame);
     bool truth(const Code& code, Frame& frame);
     std::int64_t number(const Code& code, Frame& frame);
+    void generate(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Value source,
+                  Frame& frame, const Use& use);
     void for_each(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Frame& frame,
                   const Use& use);
     const GroupObject* open_let(const Code& code, Frame& frame);
@@ -87,6 +89,7 @@ private:
     Value datatype_set(const Global& global);
     Value subtype_set(const Global& global);
     bool match(const MatchCode& pattern, Value& value, Frame& frame);
+    bool match_infinite(const std::vector<const MatchCode*>& parts, Value value, Frame& frame);
     bool match_sequence(const MatchCode& pattern, Value value, Frame& frame);
     bool match_dot(const MatchCode& pattern, Value value, Frame& frame);
 
@@ -108,6 +111,17 @@ private:
     Value subsets(Value set, Span span);
     Value maps(Value keys, Value values, Span span);
     static bool is_set(Value value);
+
+    // streams.cpp
+    struct Cut {
+        Value head;
+        Value tail;
+    };
+    static bool is_infinite(Value sequence);
+    Value stream(Values first, Value rest, const Code* comprehension, const Frame& frame);
+    /// The first element of an infinite sequence and the sequence of the others.
+    Cut cut(Value sequence, Span span);
+    bool element_of_infinite(Value element, Value sequence, Span span);
 
     // dots.cpp
     Value head_value(int head);
@@ -197,7 +211,8 @@ private:
     process::EventTable& events_;
     process::TermStore& terms_;
 
-    std::vector<Value> calls_;  // tuples: function, arguments...
+    std::vector<const Code*> streams_;  // the comprehensions that infinite sequences come from
+    std::vector<Value> calls_;          // tuples: function, arguments...
     std::unordered_map<Value, std::uint32_t> call_index_;
     std::vector<std::pair<PrefixKind, Value>> prefixes_;
     std::unordered_map<Value, std::uint32_t> prefix_index_[8];

@@ -26,7 +26,7 @@ TermId Evaluator::prefix(const Code& code, Frame& frame) {
     const auto chooses = [](const FieldCode& field) { return field.kind == FieldKind::nondeterministic; };
     const auto last = std::ranges::find_if_not(code.fields, chooses);
     if (std::any_of(last, code.fields.end(), chooses)) {
-        not_supported("$ after ? or !", code.span);
+        fail("a $ field stands before all ? and ! fields", code.span);
     }
     if (last == code.fields.begin()) return prefix_term(PrefixKind::script, std::move(key));
     // c$x -> P is |~| x @ c.x -> P.

@@ -96,6 +96,10 @@ void Evaluator::print(Value value, std::string& out) const {
         case Kind::sequence_from:
             out += "<" + std::to_string(value->number) + "..>";
             return;
+        case Kind::stream:
+            for (const Value item : value->items[0]->items) print_items({item}, "", "", " ^ ", out);
+            out += "<...>";
+            return;
         case Kind::processes:
             out += "Proc";
             return;

@@ -176,6 +176,7 @@ bool Evaluator::subset(Value a, Value b, Span span) {
 // Equality of sets that are written differently: a set of all sequences never equals a finite one.
 bool Evaluator::same(Value a, Value b, Span span) {
     if (a == b) return true;
+    if (is_infinite(a) && is_infinite(b)) fail("two infinite sequences cannot be compared", span);
     if (!is_set(a) || !is_set(b) || a->kind == b->kind) return false;
     const auto finite = [](Value set) {
         return set->kind == Kind::set || set->kind == Kind::subsets_of || set->kind == Kind::maps_over ||
@@ -188,6 +189,7 @@ bool Evaluator::same(Value a, Value b, Span span) {
 // The orders of FDR: numbers and characters; prefix of sequences; subset; maps and tuples by parts.
 bool Evaluator::less_equal(Value a, Value b, Span span) {
     if (is_set(a) && is_set(b)) return subset(a, b, span);
+    if (is_infinite(a) || is_infinite(b)) fail("an infinite sequence has no place in the order", span);
     if (a->kind != b->kind) fail("cannot compare " + text(a) + " with " + text(b), span);
     switch (a->kind) {
         case Kind::integer:

@@ -37,6 +37,7 @@ enum class Kind : std::uint8_t {
     subsets_of,      ///< Set(items[0])
     maps_over,       ///< Map(items[0], items[1])
     sequence_from,   ///< <n..>
+    stream,          ///< another infinite sequence (streams.cpp)
     group,           ///< the environment of a let's declarations
     thunk,
 };

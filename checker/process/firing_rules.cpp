@@ -47,8 +47,19 @@ void put_in_order(std::vector<Transition>& list) {
 }  // namespace
 
 void refuse_unsupported(const Term& compressed) {
-    if (Compression{compressed.payload} == Compression::deter)
-        throw SemanticsError("deter(P) is not supported: it changes the meaning of P");
+    const auto refuse = [](const char* name) {
+        throw SemanticsError(std::string(name) + " is not supported: FDR's manual does not say what it does");
+    };
+    switch (Compression{compressed.payload}) {
+        case Compression::deter:
+            return refuse("deter");
+        case Compression::trace_watchdog:
+            return refuse("trace_watchdog");
+        case Compression::failure_watchdog:
+            return refuse("failure_watchdog");
+        default:
+            return;
+    }
 }
 
 FiringRules::FiringRules(TermStore& terms, const KnownTransitions& known)

@@ -17,7 +17,7 @@ public:
     [[nodiscard]] virtual std::span<const Transition> of(TermId) const = 0;
 };
 
-/// Throws SemanticsError for `deter`, which is no compression in this sense: it may remove behaviour.
+/// Throws SemanticsError for `deter` and the watchdogs, which are no compressions in this sense.
 void refuse_unsupported(const Term& compressed);
 
 /// Derives a term's transitions from those of its operands.

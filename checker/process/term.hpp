@@ -77,7 +77,10 @@ enum class Compression : std::uint32_t {
     model_compress,
     explicate,
     deter,
-    lazyenumerate
+    lazyenumerate,
+    // Known by name alone: whoever asks what they do is refused. `sets` holds the watchdog's alphabet and event.
+    trace_watchdog,
+    failure_watchdog
 };
 
 /// Priorities for `prioritise`: level 0 first. Tau and tick rank with level 0. Events in no level are incomparable:

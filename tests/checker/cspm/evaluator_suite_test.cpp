@@ -46,7 +46,6 @@ std::string describe(const EvaluationError& error, const diagnostics::SourceMana
 const std::set<std::string> not_yet{
     "evaluator/should_pass/deter_test.csp",        // deter
     "evaluator/should_pass/failure_watchdog.csp",  // failure_watchdog
-    "evaluator/should_pass/lists.csp",             // generators over infinite sequences
     "evaluator/should_pass/trace_watchdog.csp",    // trace_watchdog
 };
 

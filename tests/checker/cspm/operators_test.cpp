@@ -95,5 +95,74 @@ assert Q :[deadlock free [F]] :[tau priority]: {tock}
                     "fhhfhffh");
 }
 
+// In T a trace; in F and FD only where the models can add nothing: the manual does not say what they ask.
+TEST(OperatorsTest, HasTraceInEachModel) {
+    expect_outcomes(R"(channel a, b
+P = a -> b -> STOP
+-- Performed and never refused: it holds in all models. A trace is not the whole of a run.
+assert P :[has trace [T]]: <a>
+assert P :[has trace [F]]: <a>
+assert P :[has trace [FD]]: <a, b>
+assert P :[has trace]: <a, b>
+-- Not performed: it fails in all.
+assert P :[has trace [T]]: <b>
+assert P :[has trace [F]]: <b>
+assert P :[has trace [FD]]: <a, a>
+-- b can be refused after a.
+Q = a -> (b -> STOP |~| STOP)
+assert Q :[has trace [T]]: <a, b>
+assert Q :[has trace [F]]: <a, b>
+assert Q :[has trace [FD]]: <a>
+-- P may diverge beside a; that counts in FD.
+assert DIV [] P :[has trace [F]]: <a, b>
+assert DIV [] P :[has trace [FD]]: <a, b>
+assert DIV [] P :[has trace [FD]]: <b>
+)",
+                    "hhhhfffh?hh??");
+}
+
+TEST(OperatorsTest, WhatTheManualDoesNotSayIsRefusedByName) {
+    const std::string why = " is not supported: FDR's manual does not say what it does";
+    EXPECT_EQ(process_failure("external deter\nX = deter(STOP)\n"), "deter" + why);
+    const std::string channels = "channel a, x\n";
+    for (const std::string name : {"trace_watchdog", "failure_watchdog"})
+        EXPECT_EQ(process_failure("external " + name + "\n" + channels + "X = " + name + "(STOP, {a}, x)\n"),
+                  name + why);
+}
+
+TEST(OperatorsTest, InfiniteSequences) {
+    EXPECT_EQ(value("head(tail(<x | x <- <0..>, x % 7 == 3>))"), "10");
+    EXPECT_EQ(value("head(tail(tail(<(x, y) | x <- <1..>, y <- <x..3>>)))"), "(1, 3)");
+    EXPECT_EQ(value("head(<y * y | y <- <x + 1 | x <- <4..>>>)"), "25");
+    EXPECT_EQ(value("let n = 3 within head(<x * n | x <- <2..>>)"), "6");
+    EXPECT_EQ(value("head(tail(<1> ^ <5..>))"), "5");
+    EXPECT_EQ(value("head(<5..> ^ <1>)"), "5");
+    EXPECT_EQ(value("elem(8, <2 * x | x <- <0..>>)"), "true");
+    EXPECT_EQ(value("null(<0..>) or <0..> == <1>"), "false");
+    EXPECT_EQ(value("let f(<x, y> ^ rest) = x + y + head(rest)\n f(_) = 0 within f(<1..>)"), "6");
+    EXPECT_EQ(value("let f(<x, y>) = 1\n f(_) = 0 within f(<1..>)"), "0");
+    EXPECT_EQ(value("#<0..>"), "error: the sequence <0..> is infinite");
+    EXPECT_EQ(value("<x | x <- <0..>> == <0..>"), "error: two infinite sequences cannot be compared");
+    EXPECT_EQ(value("{x | x <- <0..>}"),
+              "error: a generator over an infinite sequence, other than the first of a sequence comprehension, is not "
+              "supported");
+    EXPECT_EQ(value("<x | x <- <0..>, x < 0>"), "<...>");
+    EXPECT_EQ(value("head(<x | x <- <0..>, x < 0>)"),
+              "error: none of 200000 elements makes another one of the sequence");
+}
+
+// As FDR has it (libcspm: in the renamer and in the desugarer).
+TEST(OperatorsTest, WhereNondeterministicInputMayStand) {
+    const std::string channels = "channel c : {0, 1}.{0, 1}\nchannel tock\n";
+    EXPECT_EQ(process_failure(channels + "X = c?x$y -> STOP\n"), "a $ field stands before all ? and ! fields");
+    EXPECT_EQ(process_failure(channels + "f(_) = 0\nTimed(f) { X = c$x!0 -> STOP }\n"),
+              "$ is not allowed in a timed section");
+    expect_outcomes(channels + R"(P = c$x?y -> STOP
+assert |~| x : {0, 1} @ ([] y : {0, 1} @ c.x.y -> STOP) [FD= P
+assert P [FD= |~| x : {0, 1} @ ([] y : {0, 1} @ c.x.y -> STOP)
+)",
+                    "hh");
+}
+
 }  // namespace
 }  // namespace robochart::cspm::test
