@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "app/rules.hpp"
+#include "checker/cspm/types.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project.hpp"
 #include "semantics/lower.hpp"
@@ -78,7 +79,11 @@ std::unique_ptr<Project> load(const Options& options) {
 csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::Time time) {
     csp_emit::Options wanted;
     wanted.core_assertions = options.core;
-    return csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources, project.diagnostics);
+    csp_emit::Emission emission =
+        csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources, project.diagnostics);
+    // What the user wrote in CSPM is held to FDR's rules of types; without it the script is ours, and in order.
+    if (project.diagnostics.ok() && !project.system.csp_blocks.empty()) (void)cspm::check_types(emission.script, project.diagnostics);
+    return emission;
 }
 
 std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& wanted) {

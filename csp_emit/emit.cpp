@@ -148,13 +148,34 @@ bool applies(const Project& project, const ir::CspBlock& block) {
     return project.timed() ? block.timed : block.untimed;
 }
 
+/// `transparent` lines need not repeat what the library declares so.
+std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std::vector<DeclPtr>& library) {
+    const auto announces = [](const DeclPtr& decl) {
+        return decl->kind == cspm::DeclKind::transparent || decl->kind == cspm::DeclKind::external;
+    };
+    std::set<std::string> known;
+    for (const DeclPtr& decl : library)
+        if (announces(decl)) known.insert(decl->names.begin(), decl->names.end());
+    std::vector<DeclPtr> result;
+    for (const DeclPtr& decl : blocks) {
+        if (!announces(decl)) {
+            result.push_back(decl);
+            continue;
+        }
+        cspm::Decl kept = *decl;
+        std::erase_if(kept.names, [&](const std::string& name) { return !known.insert(name).second; });
+        if (!kept.names.empty()) result.push_back(std::make_shared<const cspm::Decl>(std::move(kept)));
+    }
+    return result;
+}
+
 /// The user's instantiations with the generated ones of all names that they leave out.
 void add_instantiations(const Project& project, std::vector<DeclPtr>& decls) {
     std::set<std::string> given;
     for (const ir::CspBlock& block : project.system.csp_blocks) {
         if (block.name != instantiations_block || !applies(project, block)) continue;
         project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
-        for (const DeclPtr& decl : read_block(project, block)) {
+        for (const DeclPtr& decl : declared_once(read_block(project, block), decls)) {
             given.insert(decl->names.begin(), decl->names.end());
             if (decl->kind == cspm::DeclKind::value && !decl->patterns.empty())
                 for (const auto& pattern : decl->patterns.front()) given.insert(pattern->text);
@@ -171,6 +192,41 @@ void append(std::vector<DeclPtr>& decls, const std::vector<DeclPtr>& more) {
     decls.insert(decls.end(), more.begin(), more.end());
 }
 
+/// The blocks of this time but the instantiations, in order.
+std::vector<DeclPtr> user_blocks(const Project& project) {
+    std::vector<DeclPtr> result;
+    for (const ir::CspBlock& block : project.system.csp_blocks)
+        if (applies(project, block) && block.name != instantiations_block) append(result, read_block(project, block));
+    return result;
+}
+
+/// Names that the declarations define at the top; those of timed sections stand there too.
+void defined_names(const std::vector<DeclPtr>& decls, std::set<std::string>& names) {
+    for (const DeclPtr& decl : decls) {
+        if (decl->kind == cspm::DeclKind::function) names.insert(decl->names.begin(), decl->names.end());
+        if (decl->kind == cspm::DeclKind::value && decl->patterns.front().front()->kind == cspm::PatternKind::name)
+            names.insert(decl->patterns.front().front()->text);
+        if (decl->kind == cspm::DeclKind::timed) defined_names(decl->decls, names);
+    }
+}
+
+/// The declarations without those of these names.
+std::vector<DeclPtr> without(const std::vector<DeclPtr>& decls, const std::set<std::string>& names) {
+    std::vector<DeclPtr> result;
+    for (const DeclPtr& decl : decls) {
+        std::set<std::string> own;
+        if (decl->kind != cspm::DeclKind::timed) defined_names({decl}, own);
+        if (std::any_of(own.begin(), own.end(), [&](const std::string& name) { return names.contains(name); }))
+            continue;
+        result.push_back(decl);
+        if (decl->kind != cspm::DeclKind::timed) continue;
+        cspm::Decl section = *decl;
+        section.decls = without(decl->decls, names);
+        result.back() = std::make_shared<const cspm::Decl>(std::move(section));
+    }
+    return result;
+}
+
 }  // namespace
 
 Emission emit(const ir::System& system, const ir::Instantiation& instantiation, Time time, const Options& options,
@@ -181,7 +237,10 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     NameSurvey(project, names).all();
     Emission result;
     std::vector<DeclPtr>& definitions = result.definitions.decls;
-    append(definitions, library(project));
+    const std::vector<DeclPtr> blocks = user_blocks(project);
+    std::set<std::string> given;
+    defined_names(blocks, given);
+    append(definitions, without(library(project), given));  // a user's definition takes the library's place
     append(definitions, data_definitions(project));
     add_instantiations(project, definitions);
     Emitted emitted;
@@ -189,9 +248,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     EventMeaning tock{MeaningKind::tock, "one time unit passes", {}, {}};
     if (project.timed()) emitted.provenance.events["tock"] = tock;
     result.script = result.definitions;
-    for (const ir::CspBlock& block : system.csp_blocks)
-        if (applies(project, block) && block.name != instantiations_block)
-            append(result.script.decls, read_block(project, block));
+    append(result.script.decls, declared_once(blocks, definitions));
     result.obligations = obligations(project, emitted);
     for (const Obligation& obligation : result.obligations) append(result.script.decls, obligation.assertions);
     result.provenance = std::move(emitted.provenance);

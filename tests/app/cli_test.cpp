@@ -96,7 +96,32 @@ TEST(Cli, ABlockThatNamesNothingIsBadInput) {
     const TemporaryFile block("model.assertions", "csp P csp-begin\nP = Nowhere\ncsp-end\nassertion A1 : P is divergence-free\n");
     const Ran ran = run({"check", model.path(), block.path()});
     EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
-    EXPECT_THAT(ran.out, AllOf(HasSubstr("Nowhere"), HasSubstr("model.assertions:2")));
+    EXPECT_THAT(ran.err, AllOf(HasSubstr("Nowhere"), HasSubstr("model.assertions:2")));
+}
+
+TEST(Cli, ABlockThatIsIllTypedIsBadInput) {
+    const TemporaryFile model("model.rct", counter);
+    const TemporaryFile block("model.assertions",
+                              "csp P csp-begin\nchannel c : {0..1}\nP = c.true -> STOP\ncsp-end\nassertion A1 : P is divergence-free\n");
+    for (const char* const verb : {"check", "emit"}) {
+        const Ran ran = verb == std::string("check") ? run({verb, model.path(), block.path()})
+                                                     : run({verb, "csp", model.path(), block.path(), "--out", block.path() + ".out"});
+        EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+        EXPECT_THAT(ran.err, AllOf(HasSubstr("CSPM-T"), HasSubstr("model.assertions:3"), HasSubstr("c.true")));
+    }
+    const TemporaryFile right("model.assertions",
+                              "csp P csp-begin\nchannel c : {0..1}\nP = c.1 -> STOP\ncsp-end\nassertion A1 : P is divergence-free\n");
+    EXPECT_EQ(run({"check", model.path(), right.path()}).exit, 0);
+}
+
+// A block may say again what the library declares transparent, and define the library's names its own way.
+TEST(Cli, ABlockMayDefineWhatTheLibraryDefines) {
+    const TemporaryFile model("model.rct", counter);
+    const TemporaryFile block("model.assertions",
+                              "timed csp P csp-begin\ntransparent sbisim\nTimed(OneStep) {\nEndBy(p,d) = p /\\ STOP\n"
+                              "P = sbisim(EndBy(STOP, 1))\n}\ncsp-end\ntimed assertion A1 : P is divergence-free\n");
+    const Ran ran = run({"check", model.path(), block.path()});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
 }
 
 TEST(Cli, ReplacedInstantiationsAreNoted) {
