@@ -211,7 +211,12 @@ Value Evaluator::map_builtin(Builtin which, const Values& arguments, Span span) 
     if (which == Builtin::map_from_list) return put_all({}, arguments[0]);
     if (which == Builtin::map_type) return store_.make(Kind::maps_over, 0, {arguments[0], arguments[1]});
     Values items = map_items(arguments[0], span);
-    if (which == Builtin::map_update_multiple) return put_all(std::move(items), arguments[1]);
+    if (which == Builtin::map_update_multiple) {
+        // Of pairs with one key the first counts, where mapFromList takes the last (libcspm, Evaluator).
+        Values pairs = sequence(arguments[1], span);
+        std::reverse(pairs.begin(), pairs.end());
+        return put_all(std::move(items), store_.sequence(std::move(pairs)));
+    }
     if (which == Builtin::map_to_list) {
         Values pairs;
         for (std::size_t i = 0; i + 1 < items.size(); i += 2) pairs.push_back(store_.tuple({items[i], items[i + 1]}));

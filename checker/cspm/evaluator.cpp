@@ -22,6 +22,7 @@ void Evaluator::fail(const std::string& message, Span span) const {
         }
         stack.push_back(std::move(line));
     }
+    if (!span.known()) span = activations_.empty() ? prefix_place_ : activations_.back().function->span;
     throw EvaluationError(message, span, std::move(stack));
 }
 

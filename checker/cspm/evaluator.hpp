@@ -212,7 +212,8 @@ private:
     process::TermStore& terms_;
 
     std::vector<const Code*> streams_;  // the comprehensions that infinite sequences come from
-    std::vector<Value> calls_;          // tuples: function, arguments...
+    Span prefix_place_;  // of the prefix whose events are asked for: a fault's place where there is no nearer one
+    std::vector<Value> calls_;  // tuples: function, arguments...
     std::unordered_map<Value, std::uint32_t> call_index_;
     std::vector<std::pair<PrefixKind, Value>> prefixes_;
     std::unordered_map<Value, std::uint32_t> prefix_index_[8];

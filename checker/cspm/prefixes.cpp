@@ -100,6 +100,7 @@ void Evaluator::perform(const Code& code, std::size_t field, Value base, Frame& 
 
 std::vector<Branch> Evaluator::script_branches(Value key) {
     const Code& code = *program_.prefixes[static_cast<std::size_t>(key->items[0]->number)];
+    prefix_place_ = code.span;
     Frame frame(static_cast<std::size_t>(code.unit->size), nullptr);
     for (std::size_t i = 0; i < code.unit->captures.size(); ++i) {
         frame[static_cast<std::size_t>(code.unit->captures[i].second)] = key->items[i + 1];
@@ -111,6 +112,7 @@ std::vector<Branch> Evaluator::script_branches(Value key) {
 
 std::vector<Branch> Evaluator::chosen_branches(Value key) {
     const Code& code = *program_.prefixes[static_cast<std::size_t>(key->items[0]->number)];
+    prefix_place_ = code.span;
     Frame frame(key->items.begin() + 3, key->items.end());
     std::vector<Branch> result;
     perform(code, static_cast<std::size_t>(key->items[1]->number), key->items[2], frame, result);

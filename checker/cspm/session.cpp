@@ -123,7 +123,7 @@ struct Session::Impl {
             case Model::failures_divergences:
                 return refine::Model::failures_divergences;
             default:
-                throw EvaluationError("the models R, RD, V and VD are not supported yet", assertion.span, {});
+                throw EvaluationError("the models R, RD, V and VD are not supported", assertion.span, {});
         }
     }
 

@@ -132,6 +132,10 @@ std::string_view name_of(Compression kind) {
             return "deter";
         case Compression::lazyenumerate:
             return "lazyenumerate";
+        case Compression::trace_watchdog:
+            return "trace_watchdog";
+        case Compression::failure_watchdog:
+            return "failure_watchdog";
     }
     return "";
 }

@@ -130,6 +130,29 @@ TEST(OperatorsTest, WhatTheManualDoesNotSayIsRefusedByName) {
                   name + why);
 }
 
+TEST(OperatorsTest, ModelsWithoutASupportAreRefusedByName) {
+    for (const std::string model : {"R", "RD", "V", "VD"}) {
+        const Reading reading("assert STOP [" + model + "= STOP\n");
+        Session session(reading.script);
+        EXPECT_THROW((void)session.check(*session.assertions()[0], {}), EvaluationError) << model;
+    }
+}
+
+// What FDR's users try: each fault has a place, which process_failure asks for.
+TEST(OperatorsTest, FaultsOfProcessesHaveAPlace) {
+    EXPECT_EQ(process_failure("channel c : Int\nX = c?x -> X\n"), "the set Int is infinite");
+    EXPECT_EQ(process_failure("channel c : Int\nX = c$x -> X\n"), "the set Int is infinite");
+    EXPECT_EQ(process_failure("channel c : {0, 1}\nX = [] i : {0..2} @ c.i -> STOP\n"),
+              "2 is not a value of its field in c.2 (the field's type is {0, 1})");
+    EXPECT_EQ(process_failure("X = |~| i : {} @ STOP\n"), "|~| over an empty set");
+    EXPECT_EQ(process_failure("channel c : {0..9}\nf(0) = 1\nX = c!f(3) -> STOP\n"), "no clause of 'f' matches (3)");
+}
+
+TEST(OperatorsTest, MapsWithOneKeyTwice) {
+    EXPECT_EQ(value("mapFromList(<(1, 2), (1, 3)>)"), "(| 1 => 3 |)");
+    EXPECT_EQ(value("mapUpdateMultiple((| 1 => 0, 2 => 5 |), <(1, 2), (1, 3)>)"), "(| 1 => 2, 2 => 5 |)");
+}
+
 TEST(OperatorsTest, InfiniteSequences) {
     EXPECT_EQ(value("head(tail(<x | x <- <0..>, x % 7 == 3>))"), "10");
     EXPECT_EQ(value("head(tail(tail(<(x, y) | x <- <1..>, y <- <x..3>>)))"), "(1, 3)");

@@ -60,6 +60,7 @@ inline std::string process_failure(const std::string& text) {
         (void)session.check(*session.assertions().back(), {});
         return "no error";
     } catch (const EvaluationError& error) {
+        EXPECT_TRUE(error.span.known()) << "no place: " << error.what();
         return error.what();
     }
 }
