@@ -45,6 +45,15 @@ private:
     Span span_;
 };
 
+/// At most so much of a description that a line holds it; characters stay whole.
+std::string brief(std::string text) {
+    constexpr std::size_t longest = 80;
+    if (text.size() <= longest) return text;
+    std::size_t end = longest;
+    while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    return text.substr(0, end) + "…";
+}
+
 void collect_assertions(const std::vector<DeclPtr>& decls, std::vector<DeclPtr>& out) {
     for (const DeclPtr& decl : decls) {
         if (decl->kind == DeclKind::assertion) out.push_back(decl);
@@ -147,7 +156,7 @@ struct Session::Impl {
 
     void tell_stage(refine::Progress& progress) const {
         const machine::Compiler::Stage& stage = compiler.stage();
-        if (stage.component) progress.part = process::describe(terms, *stage.component);
+        if (stage.component) progress.part = brief(process::describe(terms, *stage.component));
         progress.component = stage.number;
         progress.components = stage.of;
         progress.states = stage.states;
@@ -173,7 +182,8 @@ struct Session::Impl {
     std::string stage_reached() const {
         const machine::Compiler::Stage& stage = compiler.stage();
         if (!stage.component) return "";
-        std::string text = fmt::format("; {} states of {}", stage.states, process::describe(terms, *stage.component));
+        std::string text =
+            fmt::format("; {} states of {}", stage.states, brief(process::describe(terms, *stage.component)));
         if (stage.of > 0) text += fmt::format(", component {} of {}", stage.number, stage.of);
         return text;
     }

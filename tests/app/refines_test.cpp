@@ -262,6 +262,19 @@ TEST(Limits, HoldWhileEvaluating) {
     EXPECT_THAT(ran.out, HasSubstr("time limit"));
 }
 
+TEST(Limits, WhileCompilingTellTheComponentInALine) {
+    std::string wide_menu =
+        "channel a, tick_tock_tick_tock_tick_tock_tick_tock_tick_tock_tick_tock_tick_tock_tick_tock_tick_tock\n";
+    wide_menu +=
+        "P(n) = a -> P(n+1) [] "
+        "tick_tock_tick_tock_tick_tock_tick_tock_tick_tock_tick_tock_tick_tock_tick_tock_tick_tock -> P(n+2)\n";
+    const TemporaryFile script("endless.csp", wide_menu + "assert P(0) ||| P(1) :[deadlock free [F]]\n");
+    const Ran ran = run({"cspm", script.path(), "--timeout", "0.15"});
+    EXPECT_EQ(ran.exit, 3);
+    EXPECT_THAT(ran.out,
+                AllOf(HasSubstr("while compiling"), HasSubstr("states of a → …"), HasSubstr("…, component 1 of 2")));
+}
+
 class Signal : public ::testing::TestWithParam<std::tuple<const char*, int>> {};
 
 TEST_P(Signal, EndsWithWhatIsKnown) {
