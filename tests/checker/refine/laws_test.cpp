@@ -137,5 +137,11 @@ RC_GTEST_PROP(Laws, PrioritiseWithOneLevelIsTheIdentity, ()) {
     l.refined_by(l.p(), make(Kind::compress, {l.p()}));
 }
 
+// FDR manual, chase: it follows some of the taus and drops the rest, so it only removes behaviour.
+RC_GTEST_PROP(Laws, ChaseRefines, ()) {
+    Laws laws;
+    laws.refined_by(laws.p(), make(Kind::chase, {laws.p()}));
+}
+
 }  // namespace
 }  // namespace robochart::refine
