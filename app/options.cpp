@@ -89,6 +89,7 @@ void add_common(CLI::App& app, Options& o) {
     app.add_option("--memory", o.memory_bytes, "memory bound of the program while it checks, e.g. 4GiB; at most 3/4 of the machine's by default")
         ->transform(as_size)->option_text("SIZE [16GiB]");
     app.add_option("--timeout", o.timeout_seconds, "time bound of a check in seconds; 0 for none")->check(CLI::NonNegativeNumber)->option_text("SECONDS [0]");
+    app.add_option("--threads", o.threads, "threads of a check at most, where its space is wide; 0 for one a core")->check(CLI::Range(0U, 64U))->option_text("N [0]");
     app.add_option("--max-states", o.max_states, "bound on states of a check")->check(CLI::PositiveNumber)->option_text("N [500000000]");
 }
 
@@ -276,6 +277,7 @@ refine::Limits limits(const Options& o, const std::string& subject) {
     result.max_states = o.max_states;
     result.memory_bytes = o.memory_bytes > 0 ? o.memory_bytes : default_memory();
     result.progress = progress_of(o, subject);
+    result.threads = o.threads;
     result.interrupted = interrupted;
     if (o.timeout_seconds > 0) {
         result.deadline = std::chrono::steady_clock::now() +

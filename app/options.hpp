@@ -63,6 +63,7 @@ struct Options {
     std::uint64_t memory_bytes = 0;       ///< 0: what `default_memory` says
     double timeout_seconds = 0;           ///< 0: none
     std::uint64_t max_states = 500'000'000;
+    unsigned threads = 0;  ///< 0: one a core
 };
 
 /// Result of reading the command line: options, or an exit code with a text to print.

@@ -6,25 +6,29 @@
 namespace robochart::lts {
 namespace {
 
-constexpr std::uint32_t most_segments = 64;
-/// Below this a segment might fill up while the table as a whole has room.
-constexpr std::uint32_t least_segment = 1024;
+/// Shorter segments might fill up while the table as a whole has room.
+constexpr std::uint32_t least_segment = 256;
+
+std::uint32_t segments_of(std::uint32_t buckets) {
+    for (const std::uint32_t segments : {IndexTable::most_segments, 8U})
+        if (buckets >= segments * least_segment) return segments;
+    return 1;
+}
 
 }  // namespace
 
 void IndexTable::grow(std::uint64_t numbers) {
     std::uint64_t wanted = bucket_count_;
     while (wanted * bucket_size * 4 / 5 < numbers) wanted = std::max(wanted + 1, wanted * 3 / 2);
-    if (wanted > no_state) throw std::length_error("more than 2^32 states");
+    if (wanted > no_state - 64) throw std::length_error("more than 2^32 states");
     reset(static_cast<std::uint32_t>(wanted));
 }
 
 /// The old memory goes before the new one comes: there is never both.
 void IndexTable::reset(std::uint32_t bucket_count) {
-    const bool divided = bucket_count >= most_segments * least_segment;
-    const std::uint32_t rest = divided ? bucket_count % most_segments : 0;
-    bucket_count_ = rest == 0 ? bucket_count : bucket_count + most_segments - rest;
-    segment_length_ = divided ? bucket_count_ / most_segments : bucket_count_;
+    segments_ = segments_of(bucket_count);
+    segment_length_ = (bucket_count + segments_ - 1) / segments_;
+    bucket_count_ = segment_length_ * segments_;
     memory_.reset();
     memory_ = zeroed_pages(std::size_t{bucket_count_} * sizeof(Bucket));
 }

@@ -44,7 +44,6 @@ public:
         Slot slot;
         slot.tag_ = static_cast<std::uint8_t>(hash);
         std::uint32_t home = home_of(hash);
-        const std::uint32_t first = home - home % segment_length_;
         for (std::uint32_t tried = 0; tried < segment_length_; ++tried) {
             Bucket& bucket = buckets()[home];
             for (std::uint64_t matches = bucket.matches(slot.tag_); matches != 0; matches &= matches - 1) {
@@ -59,7 +58,7 @@ public:
                 slot.place_ = bucket.used;
                 return slot;
             }
-            if (++home == first + segment_length_) home = first;
+            if (++home % segment_length_ == 0) home -= segment_length_;
         }
         return slot;
     }
@@ -92,8 +91,10 @@ public:
     void grow(std::uint64_t numbers);
 
     /// Look-ups with hashes of different segments touch different memory.
-    [[nodiscard]] std::uint32_t segments() const { return bucket_count_ / segment_length_; }
-    [[nodiscard]] std::uint32_t segment(std::uint64_t hash) const { return home_of(hash) / segment_length_; }
+    [[nodiscard]] std::uint32_t segment(std::uint64_t hash) const {  // home_of(hash) / segment_length_
+        return static_cast<std::uint32_t>(((hash >> 32U) * segments_) >> 32U);
+    }
+    static constexpr std::uint32_t most_segments = 64;
 
 private:
     static constexpr std::uint32_t bucket_size = 12;
@@ -119,6 +120,7 @@ private:
 
     Pages memory_;
     std::uint32_t bucket_count_ = 0;
+    std::uint32_t segments_ = 1;
     std::uint32_t segment_length_ = 1;
 };
 

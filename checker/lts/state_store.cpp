@@ -1,6 +1,5 @@
 #include "checker/lts/state_store.hpp"
 
-#include <algorithm>
 #include <new>
 #include <stdexcept>
 
@@ -23,13 +22,6 @@ std::uint64_t StateStore::hash(StateView state) {
 }
 
 StateStore::StateStore(std::size_t width) : width_(width) {}
-
-bool StateStore::equal(StateIndex index, StateView state) const {
-    const Word* const words = row(index);
-    for (std::size_t i = 0; i < width_; ++i)
-        if (words[i] != state[i]) return false;
-    return true;
-}
 
 /// Makes the table anew from the states in their order, so that old and new table need not stand beside each other.
 void StateStore::grow(std::uint64_t states) {
@@ -73,6 +65,16 @@ StateStore::Insertion StateStore::insert(StateView state, std::uint64_t hash) {
     IndexTable::put(slot, index);
     ++size_;
     return {index, true};
+}
+
+void StateStore::make_room(std::uint64_t states) {
+    make_chunks(states);
+    size_ = states;
+}
+
+void StateStore::publish(const IndexTable::Slot& slot, StateIndex index, StateView state) {
+    slot.set(index);
+    std::copy(state.begin(), state.end(), row(index));
 }
 
 StateIndex StateStore::find(StateView state, std::uint64_t hash) const {

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <thread>
 
 namespace robochart::refine {
 namespace {
@@ -36,12 +38,17 @@ Budget::Budget(const Limits& limits, Progress::Phase phase)
       resident_(resident_at_start_) {}
 
 void Budget::states(std::uint64_t count) const {
-    if (count > limits_.max_states)
-        throw LimitReached(fmt::format("the limit of {} states was reached{}", limits_.max_states, whilst()));
+    constexpr std::uint64_t most_numbers = 4'000'000'000;  // states have numbers of 32 bits, with room to spare
+    const std::uint64_t most = std::min(limits_.max_states, most_numbers);
+    if (count > most) throw LimitReached(fmt::format("the limit of {} states was reached{}", most, whilst()));
 }
 
 double Budget::seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+unsigned Budget::threads() const {
+    return limits_.threads != 0 ? limits_.threads : std::max(1U, std::thread::hardware_concurrency());
 }
 
 std::string Budget::whilst() const {

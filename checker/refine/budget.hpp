@@ -30,6 +30,9 @@ public:
     [[nodiscard]] const Limits& limits() const { return limits_; }
     /// Who fills in the figures when progress is told; empty: nobody.
     void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
+    /// How many may work on the check, at least one.
+    [[nodiscard]] unsigned threads() const;
+    [[nodiscard]] std::size_t wide_level() const { return limits_.wide_level; }
 
 private:
     using Time = std::chrono::steady_clock::time_point;

@@ -35,6 +35,9 @@ struct Limits {
     std::uint64_t max_states = 500'000'000;
     std::uint64_t memory_bytes = 16ULL << 30U;
     std::optional<std::chrono::steady_clock::time_point> deadline;
+    unsigned threads = 0;  ///< at most so many, where a space is wide; 0: one a core. Verdicts do not depend on it
+    std::size_t wide_level =
+        2048;  ///< levels of fewer states are done by one thread, as it is sooner done than others woken
     std::function<bool()> interrupted;  ///< polled; true stops the search
     /// Told a few times a second, by the thread that called the check.
     std::function<void(const Progress&)> progress;

@@ -13,6 +13,11 @@ void Expansion::clear(std::size_t width) {
     error = nullptr;
 }
 
+bool Expansion::eventful() const {
+    return error ||
+           std::any_of(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.fault || pair.forbidden; });
+}
+
 std::span<lts::Word> Expansion::add(bool by_tau) {
     if (size_ == hashes_.size()) {
         const std::size_t larger = std::max<std::size_t>(64, 2 * size_);

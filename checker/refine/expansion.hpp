@@ -32,6 +32,9 @@ public:
     void set_hash(std::uint64_t hash) { hashes_[size_ - 1] = hash; }
     void shrink(std::size_t size) { size_ = size; }
 
+    /// Whether anything happened but rows.
+    [[nodiscard]] bool eventful() const;
+
     std::vector<Pair> pairs;
     std::exception_ptr error;  ///< met by the pair after the last
 

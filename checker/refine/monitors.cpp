@@ -10,6 +10,7 @@ using process::EventSet;
 
 /// T: every trace is one of the specification's. FD: where the specification diverges, whatever follows refines it.
 Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
+    const std::scoped_lock lock(*turn_);
     const std::optional<NormalForm::Node> next = specification_.after(node, event);
     if (!next) return {Effect::violation};
     if (model_ == Model::failures_divergences && specification_.diverges(*next)) return {Effect::ignore};
@@ -22,11 +23,21 @@ std::optional<ViolationKind> RefinementMonitor::examine(Node node, const Offer& 
     if (model_ == Model::traces || (offer.tau && !offer.ticks())) return std::nullopt;
     const auto first = offer.events.begin();
     const auto last = offer.ticks() ? first + 1 : offer.events.end();
-    const std::vector<EventSet>& acceptances = specification_.acceptances(node);
-    const bool allowed = std::any_of(acceptances.begin(), acceptances.end(), [&](const EventSet& required) {
+    const std::vector<EventSet>& wanted = acceptances(node);
+    const bool allowed = std::any_of(wanted.begin(), wanted.end(), [&](const EventSet& required) {
         return std::includes(first, last, required.begin(), required.end());
     });
     return allowed ? std::nullopt : std::optional(ViolationKind::refusal);
+}
+
+/// They stay where they are once they have been made.
+const std::vector<EventSet>& RefinementMonitor::acceptances(Node node) {
+    if (node >= acceptances_.size()) acceptances_.resize(std::max<std::size_t>(node + 1U, 2 * acceptances_.size()));
+    if (acceptances_[node] == nullptr) {
+        const std::scoped_lock lock(*turn_);
+        acceptances_[node] = &specification_.acceptances(node);
+    }
+    return *acceptances_[node];
 }
 
 std::optional<ViolationKind> StateMonitor::examine(Node /*node*/, const Offer& offer) {

@@ -1,6 +1,8 @@
 // What the questions watch along a run.
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "checker/refine/monitor.hpp"
@@ -11,14 +13,24 @@ namespace robochart::refine {
 /// specification [M= implementation: nodes are those of the specification's normal form.
 class RefinementMonitor final : public Monitor {
 public:
-    RefinementMonitor(NormalForm& specification, Model model) : specification_(specification), model_(model) {}
+    RefinementMonitor(NormalForm& specification, Model model)
+        : RefinementMonitor(specification, model, std::make_shared<std::mutex>()) {}
     Node start() override { return specification_.initial(); }
     Advance advance(Node node, process::Event event) override;
     std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
+    [[nodiscard]] std::unique_ptr<Monitor> another() override {
+        return std::unique_ptr<Monitor>(new RefinementMonitor(specification_, model_, turn_));
+    }
 
 private:
+    RefinementMonitor(NormalForm& specification, Model model, std::shared_ptr<std::mutex> turn)
+        : specification_(specification), model_(model), turn_(std::move(turn)) {}
+    const std::vector<process::EventSet>& acceptances(Node node);
+
     NormalForm& specification_;
     Model model_;
+    std::shared_ptr<std::mutex> turn_;  // whose it is may use the specification
+    std::vector<const std::vector<process::EventSet>*> acceptances_;
 };
 
 /// Nothing but the reachable states: for deadlock (a state where nothing is possible) and divergence alone.
@@ -29,6 +41,7 @@ public:
     Advance advance(Node node, process::Event /*event*/) override { return {Effect::follow, node}; }
     std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
     [[nodiscard]] bool watches_states_only() const override { return true; }
+    [[nodiscard]] std::unique_ptr<Monitor> another() override { return std::make_unique<StateMonitor>(*this); }
 
 private:
     bool forbid_deadlock_;

@@ -59,12 +59,54 @@ std::optional<Finding> Search::first_violation() {
 }
 
 std::optional<Finding> Search::search_level(StateIndex first, StateIndex end) {
+    if (end - first >= budget_.wide_level() && several_threads()) return search_wide_level(first, end);
     while (first != end) {
         expander_.expand(first, ahead_ ? end : first + 1, rows_at_once, expansion_);
         if (const std::optional<Finding> finding = take(expansion_, first)) return finding;
         first += static_cast<StateIndex>(expansion_.pairs.size());
     }
     return std::nullopt;
+}
+
+/// Threads are started when the first wide level is met.
+bool Search::several_threads() {
+    if (!wide_ && !one_thread_ && budget_.threads() > 1)
+        wide_ = WideLevel::make(system_, monitor_, pairs_, budget_.threads());
+    one_thread_ = !wide_;
+    return !one_thread_;
+}
+
+std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex end) {
+    while (first != end) {
+        const StateIndex next = wide_->expand(first, end);
+        if (!forbidden_ && !wide_->eventful()) {
+            wide_->enter();
+            for (std::size_t i = 0; i < wide_->size(); ++i) note_entered(i);
+        } else {
+            for (std::size_t i = 0; i < wide_->size(); ++i) {
+                if (const std::optional<Finding> finding = take((*wide_)[i], first)) return finding;
+                first += static_cast<StateIndex>((*wide_)[i].pairs.size());
+            }
+        }
+        first = next;
+    }
+    return std::nullopt;
+}
+
+/// What `take` notes of the rows that it enters.
+void Search::note_entered(std::size_t number) {
+    const Expansion& expansion = (*wide_)[number];
+    std::size_t row = 0;
+    for (std::size_t i = 0; i < expansion.pairs.size(); ++i) {
+        budget_.charge();
+        transitions_ += expansion.pairs[i].transitions;
+        lineage_.expanded(wide_->found(number, i));
+        if (!keep_taus_) continue;
+        first_tau_.push_back(tau_targets_.size());
+        for (; row < expansion.pairs[i].end_row; ++row)
+            if (expansion.by_tau(row)) tau_targets_.push_back(wide_->target(number, row));
+    }
+    budget_.states(pairs_.size());
 }
 
 /// Enters what the pairs from `first` on have given.

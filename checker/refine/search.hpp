@@ -12,6 +12,7 @@
 #include "checker/refine/lineage.hpp"
 #include "checker/refine/monitor.hpp"
 #include "checker/refine/run.hpp"
+#include "checker/refine/wide_level.hpp"
 
 namespace robochart::refine {
 
@@ -56,6 +57,9 @@ private:
     std::optional<Finding> search_level(lts::StateIndex first, lts::StateIndex end);
     std::optional<Finding> take(const Expansion& expansion, lts::StateIndex first);
     void insert(const Expansion& expansion, std::size_t first, std::size_t end);
+    std::optional<Finding> search_wide_level(lts::StateIndex first, lts::StateIndex end);
+    bool several_threads();
+    void note_entered(std::size_t number);
 
     lts::TransitionSystem& system_;
     Monitor& monitor_;
@@ -72,6 +76,8 @@ private:
 
     Expander expander_;
     Expansion expansion_;
+    std::unique_ptr<WideLevel> wide_;
+    bool one_thread_ = false;
     bool ahead_ = false;                // several pairs may be expanded before the first one's targets are known
     std::optional<Finding> forbidden_;  // the first forbidden event, while its level is finished
 };

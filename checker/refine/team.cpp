@@ -1,0 +1,35 @@
+#include "checker/refine/team.hpp"
+
+namespace robochart::refine {
+
+Team::Team(unsigned size) {
+    for (unsigned member = 1; member < size; ++member) helpers_.emplace_back([this, member] { help(member); });
+}
+
+Team::~Team() {
+    over_ = true;
+    round_.fetch_add(1);
+    round_.notify_all();
+    for (std::thread& helper : helpers_) helper.join();
+}
+
+void Team::run(const std::function<void(unsigned)>& work) {
+    work_ = &work;
+    busy_.store(static_cast<unsigned>(helpers_.size()));
+    round_.fetch_add(1);
+    round_.notify_all();
+    work(0);
+    for (unsigned busy = busy_.load(); busy != 0; busy = busy_.load()) busy_.wait(busy);
+}
+
+void Team::help(unsigned member) {
+    for (unsigned seen = 0;;) {
+        round_.wait(seen);
+        ++seen;
+        if (over_) return;
+        (*work_)(member);
+        if (busy_.fetch_sub(1) == 1) busy_.notify_one();
+    }
+}
+
+}  // namespace robochart::refine

@@ -1,0 +1,34 @@
+// Threads that do one piece of work together, again and again, and sleep in between.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace robochart::refine {
+
+class Team {
+public:
+    /// `size` counts the caller's thread too.
+    explicit Team(unsigned size);
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+    ~Team();
+
+    [[nodiscard]] unsigned size() const { return static_cast<unsigned>(helpers_.size()) + 1; }
+    /// Calls `work` with every member's number, 0 by the caller itself, and returns when all have come back. What one
+    /// member has written before is seen by all after. `work` throws nothing.
+    void run(const std::function<void(unsigned member)>& work);
+
+private:
+    void help(unsigned member);
+
+    const std::function<void(unsigned)>* work_ = nullptr;
+    std::atomic<unsigned> round_ = 0;
+    std::atomic<unsigned> busy_ = 0;
+    bool over_ = false;
+    std::vector<std::thread> helpers_;
+};
+
+}  // namespace robochart::refine
