@@ -53,6 +53,7 @@ void Expander::expand(lts::StateIndex pair) {
     node_ = nodes_ ? words[0] : 0;
     offer_.tau = false;
     offer_.events.clear();
+    offer_.branches = false;
     pair_ = {};
     system_.successors(nodes_ ? words.subspan(1) : words, *this);
     settle_offer();
@@ -67,7 +68,9 @@ void Expander::settle_offer() {
     const bool unstable = offer_.tau && std::find(events.begin(), events.end(), process::tick) == events.end();
     if (!nodes_ || unstable) return;
     std::sort(events.begin(), events.end());
-    events.erase(std::unique(events.begin(), events.end()), events.end());
+    const auto end = std::unique(events.begin(), events.end());
+    offer_.branches = end != events.end();
+    events.erase(end, events.end());
 }
 
 /// The monitor's answer, from memory if it is fresh.
@@ -89,7 +92,7 @@ void Expander::add(Event event, lts::StateView target, Event /*revealed*/) {
         if (offer_.events.empty()) offer_.events.push_back(event);
         return add_row(node_, target, false);
     }
-    if (offer_.events.empty() || offer_.events.back() != event) offer_.events.push_back(event);
+    offer_.events.push_back(event);
     if (pair_.forbidden) return;
     const Monitor::Advance next = advance(event);
     if (next.effect == Monitor::Effect::violation) pair_.forbidden = event;

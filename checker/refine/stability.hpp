@@ -15,6 +15,7 @@ namespace robochart::refine {
 struct Offer {
     bool tau = false;
     process::EventSet events;
+    bool branches = false;  ///< some event is offered more than once
 
     [[nodiscard]] bool ticks() const { return !events.empty() && events.front() == process::tick; }
     [[nodiscard]] bool nothing() const { return !tau && events.empty(); }
