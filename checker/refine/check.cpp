@@ -100,11 +100,12 @@ Counterexample told_violation(NormalForm& normal, const Confirmed& confirmed) {
 }
 
 void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
-                       Budget& budget, Verdict& verdict) {
+                       Search::Pairs pairs, Budget& budget, Verdict& verdict) {
     const bool with_divergence = model == Model::failures_divergences;
     NormalForm normal(specification, budget);
+    if (pairs == Search::Pairs::all) normal.refuse_growth();
     RefinementMonitor monitor(normal, model);
-    Search search(implementation, monitor, budget, with_divergence);
+    Search search(implementation, monitor, budget, with_divergence, pairs);
     const Tally tally(search, verdict.statistics, &normal);
     verdict.outcome = Outcome::holds;
     if (with_divergence && normal.diverges(normal.initial())) return;  // everything refines divergence
@@ -235,7 +236,12 @@ std::optional<Violation> first_divergence(Search& search) {
 Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
                 const Limits& limits) {
     return decide({&specification, &implementation}, limits, [&](Budget& budget, Verdict& verdict) {
-        decide_refinement(specification, implementation, model, budget, verdict);
+        try {
+            decide_refinement(specification, implementation, model, Search::Pairs::all, budget, verdict);
+        } catch (const SpecificationGrows&) {
+            verdict.statistics = {};
+            decide_refinement(specification, implementation, model, Search::Pairs::antichain, budget, verdict);
+        }
     });
 }
 

@@ -29,6 +29,8 @@ public:
     virtual std::optional<ViolationKind> examine(Node node, const Offer& offer) = 0;
     /// Every event keeps the one node: runs are not watched, only states are.
     [[nodiscard]] virtual bool watches_states_only() const { return false; }
+    /// Whether a violation after `larger` is one after `smaller` too, by the same run or a shorter one.
+    [[nodiscard]] virtual bool includes(Node /*larger*/, Node /*smaller*/) const { return false; }
     /// A monitor that gives the same answers, for use in another thread at the same time; null if there is none.
     [[nodiscard]] virtual std::unique_ptr<Monitor> another() { return nullptr; }
 };

@@ -18,6 +18,9 @@ public:
     Node start() override { return specification_.initial(); }
     Advance advance(Node node, process::Event event) override;
     std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
+    [[nodiscard]] bool includes(Node larger, Node smaller) const override {
+        return specification_.includes(larger, smaller);
+    }
     [[nodiscard]] std::unique_ptr<Monitor> another() override {
         return std::unique_ptr<Monitor>(new RefinementMonitor(specification_, model_, turn_));
     }

@@ -77,6 +77,7 @@ Offer LazyGraph::offer(StateIndex state) {
 
 namespace {
 
+constexpr std::size_t few_nodes = 256;
 constexpr NormalForm::Node unresolved = std::numeric_limits<NormalForm::Node>::max();
 
 bool shorter(const EventSet& a, const EventSet& b) {
@@ -121,6 +122,8 @@ NormalForm::Node NormalForm::node_of(Members seeds) {
     const auto [entry, fresh] = ids_.emplace(std::move(seeds), static_cast<Node>(nodes_.size()));
     if (fresh) {
         budget_.states(nodes_.size());
+        if (!may_grow_ && nodes_.size() > std::max(few_nodes, 2 * graph_.size()))
+            throw SpecificationGrows("the specification's normal form is larger than the specification");
         nodes_.emplace_back().members = &entry->first;
     }
     return entry->second;
@@ -173,6 +176,12 @@ EventSet NormalForm::initials(Node node) {
     EventSet events;
     for (const Arc& arc : arcs(node)) events.push_back(arc.event);
     return events;
+}
+
+bool NormalForm::includes(Node larger, Node smaller) const {
+    const Members& all = *nodes_[larger].members;
+    const Members& some = *nodes_[smaller].members;
+    return some.size() <= all.size() && std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
 
 const std::vector<EventSet>& NormalForm::acceptances(Node node) {

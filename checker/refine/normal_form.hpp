@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
@@ -28,6 +29,7 @@ public:
     std::span<const Edge> edges(lts::StateIndex state);
     std::span<const Edge> edges(lts::StateIndex state, process::Event event);
     [[nodiscard]] Offer offer(lts::StateIndex state);
+    [[nodiscard]] std::size_t size() const { return states_.size(); }
 
 private:
     struct Extent {
@@ -43,6 +45,12 @@ private:
     lts::StateStore states_;
     std::vector<Extent> extents_;
     std::vector<Edge> edges_;
+};
+
+/// There are more nodes than a specification has whose normal form is worth having.
+class SpecificationGrows : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
 };
 
 class NormalForm {
@@ -61,7 +69,11 @@ public:
     const std::vector<process::EventSet>& acceptances(Node node);
     /// Whether the specification can perform taus for ever here.
     bool diverges(Node node);
+    /// Whether all states of one node are states of the other.
+    [[nodiscard]] bool includes(Node larger, Node smaller) const;
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+    /// From now on a node too many, by far more than there are states, throws SpecificationGrows.
+    void refuse_growth() { may_grow_ = false; }
 
 private:
     using Members = std::vector<lts::StateIndex>;
@@ -90,6 +102,7 @@ private:
     std::deque<NodeData> nodes_;
     std::vector<std::uint32_t> mark_;  // per state, the closure it was last put into
     std::uint32_t closure_ = 0;
+    bool may_grow_ = true;
     std::vector<std::uint8_t> divergence_;  // per state: see state_diverges
 };
 

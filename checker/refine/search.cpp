@@ -18,14 +18,16 @@ constexpr std::size_t rows_at_once = 256;
 
 }  // namespace
 
-Search::Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool keep_taus)
+Search::Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool keep_taus, Pairs pairs)
     : system_(system),
       monitor_(monitor),
       budget_(budget),
       nodes_(!monitor.watches_states_only()),
       pairs_(system.width() + (nodes_ ? 1 : 0)),
       keep_taus_(keep_taus),
-      expander_(system, monitor, pairs_) {}
+      expander_(system, monitor, pairs_) {
+    if (pairs == Pairs::antichain) antichain_ = std::make_unique<Antichain>(system.width());
+}
 
 Search::~Search() {
     budget_.report_by({});
@@ -41,7 +43,7 @@ void Search::begin() {
     std::vector<lts::Word> first(pairs_.width());
     if (nodes_) first[0] = monitor_.start();
     system_.initial(std::span(first).subspan(nodes_ ? 1 : 0));
-    pairs_.insert(first);
+    enter(first, lts::StateStore::hash(first));
     ahead_ = system_.another() != nullptr;
 }
 
@@ -59,11 +61,30 @@ std::optional<Finding> Search::first_violation() {
 }
 
 std::optional<Finding> Search::search_level(StateIndex first, StateIndex end) {
+    if (antichain_) return search_antichain_level(first, end);
     if (end - first >= budget_.wide_level() && several_threads()) return search_wide_level(first, end);
     while (first != end) {
         expander_.expand(first, ahead_ ? end : first + 1, rows_at_once, expansion_);
         if (const std::optional<Finding> finding = take(expansion_, first)) return finding;
         first += static_cast<StateIndex>(expansion_.pairs.size());
+    }
+    return std::nullopt;
+}
+
+/// Leaves out pairs that another of this level or before covers; but the first pair of each state gives its tau edges.
+std::optional<Finding> Search::search_antichain_level(StateIndex first, StateIndex end) {
+    std::vector<bool> needed;
+    for (StateIndex pair = first; pair != end; ++pair) {
+        const StateIndex number = antichain_->number(state(pair));
+        needed.push_back(antichain_->first_pair(number) == pair || !antichain_->outdoes(number, node(pair), monitor_));
+    }
+    for (StateIndex pair = first; pair != end; ++pair) {
+        if (!needed[pair - first]) {
+            lineage_.expanded(0);
+            continue;
+        }
+        expander_.expand(pair, pair + 1, 1, expansion_);
+        if (const std::optional<Finding> finding = take(expansion_, pair)) return finding;
     }
     return std::nullopt;
 }
@@ -116,7 +137,8 @@ std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first
         budget_.charge();
         ++expanded_;
         transitions_ += pair.transitions;
-        if (!forbidden_) insert(expansion, row, pair.end_row);  // after it only this level's states are still examined
+        if (!forbidden_)
+            insert(expansion, first, row, pair.end_row);  // after it only this level's states are still examined
         row = pair.end_row;
         budget_.states(pairs_.size());
         if (pair.fault) return Finding{*pair.fault, first};
@@ -128,17 +150,31 @@ std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first
 }
 
 /// The targets of one pair. Their lines have been asked for; those of the states behind them are, some rows ahead.
-void Search::insert(const Expansion& expansion, std::size_t first, std::size_t end) {
+void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t first, std::size_t end) {
     constexpr std::size_t lead = 16;
-    if (keep_taus_) first_tau_.push_back(tau_targets_.size());
+    const bool keep_taus = keep_taus_ && first_of_its_state(pair);
+    if (keep_taus) first_tau_.push_back(tau_targets_.size());
     std::uint32_t found = 0;
     for (std::size_t i = first; i < end; ++i) {
         if (i + lead < expansion.size()) pairs_.prefetch_state(expansion.hash(i + lead));
-        const lts::StateStore::Insertion insertion = pairs_.insert(expansion.row(i), expansion.hash(i));
+        const lts::StateStore::Insertion insertion = enter(expansion.row(i), expansion.hash(i));
         if (insertion.fresh) ++found;
-        if (keep_taus_ && expansion.by_tau(i)) tau_targets_.push_back(insertion.index);
+        if (keep_taus && expansion.by_tau(i)) tau_targets_.push_back(insertion.index);
     }
     lineage_.expanded(found);
+}
+
+/// The number is the pair's, or with an antichain its state's: a state diverges whatever the node.
+lts::StateStore::Insertion Search::enter(StateView row, std::uint64_t hash) {
+    if (!antichain_) return pairs_.insert(row, hash);
+    const StateIndex state = antichain_->number(row.subspan(1));
+    if (pairs_.find(row, hash) != lts::no_state || antichain_->covers(state, row[0], monitor_)) return {state, false};
+    antichain_->enter(state, row[0], pairs_.insert(row, hash).index);
+    return {state, true};
+}
+
+bool Search::first_of_its_state(StateIndex pair) {
+    return !antichain_ || antichain_->first_pair(antichain_->number(state(pair))) == pair;
 }
 
 namespace {
@@ -157,7 +193,7 @@ public:
         : monitor_(monitor), from_(from), to_(to), target_(target), only_tau_(only_tau) {}
     void add(Event event, StateView target, Event revealed) override {
         if (found || !std::equal(target.begin(), target.end(), target_.begin())) return;
-        if (event == process::tau ? from_ == to_ : leads_on(event))
+        if (event == process::tau ? only_tau_ || from_ == to_ : leads_on(event))
             found = RunStep{event, revealed, {target.begin(), target.end()}};
     }
     std::optional<RunStep> found;
@@ -178,11 +214,16 @@ private:
 }  // namespace
 
 std::optional<StateIndex> Search::first_tau_cycle() {
-    return least_on_cycle(tau_graph(first_tau_, tau_targets_));
+    const std::optional<StateIndex> vertex = least_on_cycle(tau_graph(first_tau_, tau_targets_));
+    return vertex && antichain_ ? std::optional(antichain_->first_pair(*vertex)) : vertex;
 }
 
 std::vector<StateIndex> Search::tau_cycle(StateIndex pair) {
-    return shortest_cycle(tau_graph(first_tau_, tau_targets_), pair);
+    const GraphView graph = tau_graph(first_tau_, tau_targets_);
+    if (!antichain_) return shortest_cycle(graph, pair);
+    std::vector<StateIndex> cycle = shortest_cycle(graph, antichain_->number(state(pair)));
+    for (StateIndex& vertex : cycle) vertex = antichain_->first_pair(vertex);
+    return cycle;
 }
 
 std::vector<StateIndex> Search::path_to(StateIndex pair) const {

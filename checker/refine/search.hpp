@@ -7,6 +7,7 @@
 
 #include "checker/lts/chunked_vector.hpp"
 #include "checker/lts/state_store.hpp"
+#include "checker/refine/antichain.hpp"
 #include "checker/refine/budget.hpp"
 #include "checker/refine/expansion.hpp"
 #include "checker/refine/lineage.hpp"
@@ -25,7 +26,10 @@ struct Finding {
 
 class Search {
 public:
-    Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool keep_taus = false);
+    /// How pairs are kept apart: all, or those alone that no other covers (antichain.hpp).
+    enum class Pairs { all, antichain };
+    Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool keep_taus = false,
+           Pairs pairs = Pairs::all);
 
     Search(const Search&) = delete;
     Search& operator=(const Search&) = delete;
@@ -55,10 +59,13 @@ public:
 private:
     void begin();
     std::optional<Finding> search_level(lts::StateIndex first, lts::StateIndex end);
+    std::optional<Finding> search_antichain_level(lts::StateIndex first, lts::StateIndex end);
     std::optional<Finding> take(const Expansion& expansion, lts::StateIndex first);
-    void insert(const Expansion& expansion, std::size_t first, std::size_t end);
+    void insert(const Expansion& expansion, lts::StateIndex pair, std::size_t first, std::size_t end);
     std::optional<Finding> search_wide_level(lts::StateIndex first, lts::StateIndex end);
     bool several_threads();
+    lts::StateStore::Insertion enter(lts::StateView row, std::uint64_t hash);
+    bool first_of_its_state(lts::StateIndex pair);
     void note_entered(std::size_t number);
 
     lts::TransitionSystem& system_;
@@ -76,6 +83,7 @@ private:
 
     Expander expander_;
     Expansion expansion_;
+    std::unique_ptr<Antichain> antichain_;  // if there is one, vertices of the tau graph are its states
     std::unique_ptr<WideLevel> wide_;
     bool one_thread_ = false;
     bool ahead_ = false;                // several pairs may be expanded before the first one's targets are known
