@@ -65,6 +65,8 @@ private:
     [[nodiscard]] std::vector<Assignment> assignments(const std::vector<Action>& actions) const;
     void initialise(NodeId id, std::map<std::uint32_t, Local>& values) const;
     void turn_off(NodeId id, std::map<std::uint32_t, Local>& values) const;
+    [[nodiscard]] std::vector<std::vector<double>> chances(const Region& region) const;
+    [[nodiscard]] Leading leading(const Region& region, std::uint32_t participant) const;
     void finish(Region& region, Vectors vectors) const;
     void pack();
 
@@ -343,10 +345,45 @@ std::vector<Assignment> Combiner::assignments(const std::vector<Action>& actions
     return result;
 }
 
+/// Per participant and event, in which part of its states it can do the event; for regions inside, a guess.
+std::vector<std::vector<double>> Combiner::chances(const Region& region) const {
+    std::vector<std::vector<double>> result;
+    for (std::size_t who = 0; who < region.participants.size(); ++who) {
+        const Participant& participant = region.participants[who];
+        const auto events = static_cast<double>(region.alphabets[who].size());
+        result.emplace_back(region.alphabets[who].size(), participant.is_region ? 1.0 / events : 0.0);
+        if (participant.is_region) continue;
+        const Component& component = *result_.components[participant.index];
+        const double share = 1.0 / static_cast<double>(component.size());
+        for (Local state = 0; state < component.size(); ++state)
+            for (const Component::Edge& edge : component.edges(state)) result.back()[edge.event] += share;
+    }
+    return result;
+}
+
+Leading Combiner::leading(const Region& region, std::uint32_t participant) const {
+    Leading result;
+    if (region.participants[participant].is_region) return result;
+    const Component& component = *result_.components[region.participants[participant].index];
+    const std::vector<std::uint32_t>& rule = region.first_rule[participant];
+    result.first.push_back(0);
+    for (Local state = 0; state < component.size(); ++state) {
+        for (const Component::Edge& edge : component.edges(state))
+            if (rule[edge.event] < rule[edge.event + 1U]) result.edges.push_back(edge);
+        result.first.push_back(static_cast<std::uint32_t>(result.edges.size()));
+    }
+    return result;
+}
+
 void Combiner::finish(Region& region, Vectors vectors) const {
+    const std::vector<std::vector<double>> chance = chances(region);
     for (Vector& each : vectors)
-        std::sort(each.parts.begin(), each.parts.end(),
-                  [](const Requirement& a, const Requirement& b) { return a.participant < b.participant; });
+        std::sort(each.parts.begin(), each.parts.end(), [&](const Requirement& a, const Requirement& b) {
+            const auto key = [&](const Requirement& r) {
+                return std::pair(chance[r.participant][r.event], r.participant);
+            };
+            return key(a) < key(b);
+        });
     region.alphabet = events_of(vectors);
     std::stable_sort(vectors.begin(), vectors.end(), [](const Vector& a, const Vector& b) {
         const auto key = [](const Vector& v) { return std::pair(v.parts.front().participant, v.parts.front().event); };
@@ -372,6 +409,7 @@ void Combiner::finish(Region& region, Vectors vectors) const {
                                         static_cast<std::uint32_t>(region.assignments.size())});
             }
         }
+    for (std::uint32_t who = 0; who < region.participants.size(); ++who) region.leading.push_back(leading(region, who));
 }
 
 /// Components side by side in words of 32 bits; none crosses a word's border.

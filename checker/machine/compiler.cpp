@@ -42,6 +42,26 @@ private:
     std::unordered_map<std::uint32_t, Local> numbers_;
 };
 
+/// The states and edges of a compiled process, with the names of hidden events.
+class RowCollector final : public lts::SuccessorSink {
+public:
+    explicit RowCollector(std::size_t width) : states(width) {}
+    void begin(TermId meaning) {
+        found.rows.emplace_back();
+        found.meaning.push_back(meaning);
+    }
+    void add(Event event, lts::StateView target, Event revealed) override {
+        found.rows.back().push_back({event, revealed, static_cast<Local>(states.insert(target).index)});
+    }
+    void end() {
+        std::stable_sort(found.rows.back().begin(), found.rows.back().end(),
+                         [](const auto& a, const auto& b) { return a.event < b.event; });
+    }
+
+    lts::StateStore states;
+    ExplicitMachine found;
+};
+
 /// Which events of each component have a part in a rule.
 std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
     std::vector<std::vector<bool>> used;
@@ -116,16 +136,59 @@ ComponentPtr Compiler::gate(const Node& node) const {
                                              std::vector<TermId>{node.term});
 }
 
+std::vector<ComponentPtr> Compiler::components(const Skeleton& skeleton, const std::function<void()>& poll) {
+    std::vector<ComponentPtr> result;
+    for (NodeId id : skeleton.slots) {
+        const Node& node = skeleton.nodes[id];
+        stage_ = {node.term, result.size() + 1, skeleton.slots.size(), 0};
+        result.push_back(node.kind == Node::Kind::gate ? gate(node) : component(node.term, poll));
+    }
+    return result;
+}
+
+/// The prioritised processes inside, outermost first, whose components together have few states.
+std::set<TermId> Compiler::small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const {
+    std::set<TermId> result;
+    for (const Node& node : skeleton.nodes) {
+        const bool inside = &node != &skeleton.nodes.front() && node.term != skeleton.nodes.front().term;
+        if (!inside || node.kind != Node::Kind::operation || node.op != Op::prioritise) continue;
+        double states = 1;
+        for (std::uint32_t slot = node.first_slot; slot < node.end_slot; ++slot)
+            states *= static_cast<double>(components[slot]->size() + 1);
+        if (states <= static_cast<double>(bounds_.region_states)) result.insert(node.term);
+    }
+    return result;
+}
+
+/// A whole compiled process as one component.
+ComponentPtr Compiler::region(TermId term, const std::function<void()>& poll) {
+    if (const auto known = components_.find(term); known != components_.end()) return known->second;
+    const auto system = compile(term, poll);
+    if (!system) throw NotCompiled("a process inside was not compiled");
+    RowCollector collector(system->width());
+    std::vector<lts::Word> state(system->width());
+    system->initial(state);
+    collector.states.insert(state);
+    for (lts::StateIndex next = 0; next < collector.states.size(); ++next) {
+        if (poll) poll();
+        collector.begin(term);
+        system->successors(collector.states[next], collector);
+        collector.end();
+    }
+    return components_[term] = reduced(std::move(collector.found), poll);
+}
+
 std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std::function<void()>& poll) {
     process::TermStore& terms = semantics_.terms();
     try {
-        const std::optional<Skeleton> skeleton = skeleton_of(terms, term);
+        std::optional<Skeleton> skeleton = skeleton_of(terms, term);
         if (!skeleton) return nullptr;
-        std::vector<ComponentPtr> components;
-        for (NodeId id : skeleton->slots) {
-            const Node& node = skeleton->nodes[id];
-            stage_ = {node.term, components.size() + 1, skeleton->slots.size(), 0};
-            components.push_back(node.kind == Node::Kind::gate ? gate(node) : component(node.term, poll));
+        std::vector<ComponentPtr> components = this->components(*skeleton, poll);
+        const std::set<TermId> regions = small_regions(*skeleton, components);
+        for (TermId each : regions) region(each, poll);
+        if (auto simpler = skeleton_of(terms, term, regions)) {
+            skeleton = std::move(simpler);
+            components = this->components(*skeleton, poll);
         }
         Supercombinator combined = combine(terms, *skeleton, components, bounds_.rules);
         while (prune(combined, components, poll)) combined = combine(terms, *skeleton, components, bounds_.rules);

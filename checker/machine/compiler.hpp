@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "checker/lts/compressor.hpp"
 #include "checker/machine/component.hpp"
@@ -22,6 +23,9 @@ struct Bounds {
     std::size_t rules = 2'000'000;
     /// Components up to this size are minimised by strong bisimilarity, which keeps every model (FDR does the same).
     std::size_t minimised_states = 50'000;
+    /// A prioritise inside whose components have fewer states together than this is explored to one component: most of
+    /// what its operand offers it does not, and every state of the whole would have to find that out again.
+    std::size_t region_states = 100'000;
 };
 
 /// Keeps the components of one store's terms, so that equal ones are explored once.
@@ -47,6 +51,9 @@ private:
     ComponentPtr component(TermId term, const std::function<void()>& poll);
     ComponentPtr explored(TermId term, const std::function<void()>& poll);
     ComponentPtr gate(const Node& node) const;
+    std::vector<ComponentPtr> components(const Skeleton& skeleton, const std::function<void()>& poll);
+    std::set<TermId> small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const;
+    ComponentPtr region(TermId term, const std::function<void()>& poll);
     ComponentPtr reduced(ExplicitMachine machine, const std::function<void()>& poll) const;
     bool prune(const Supercombinator& combined, std::vector<ComponentPtr>& components,
                const std::function<void()>& poll) const;

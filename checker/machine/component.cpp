@@ -5,7 +5,7 @@
 namespace robochart::machine {
 namespace {
 
-constexpr std::size_t largest_index = std::size_t{1} << 22U;
+constexpr std::size_t largest_index = std::size_t{1} << 24U;
 
 std::uint32_t place_of(const EventSet& alphabet, Event event) {
     return static_cast<std::uint32_t>(std::lower_bound(alphabet.begin(), alphabet.end(), event) - alphabet.begin());

@@ -18,7 +18,7 @@ constexpr std::size_t most_nodes = 200'000;
 
 class Builder {
 public:
-    explicit Builder(process::TermStore& terms) : terms_(terms) {}
+    Builder(process::TermStore& terms, const std::set<TermId>& leaves) : terms_(terms), leaves_(leaves) {}
 
     Skeleton build(TermId term) {
         node(term, 0, {}, 0);
@@ -41,6 +41,7 @@ private:
     TermId unfolded(TermId term);
 
     process::TermStore& terms_;
+    const std::set<TermId>& leaves_;
     Skeleton result_;
     std::map<std::pair<TermId, int>, bool> composite_;  // false while it is not known
 };
@@ -54,6 +55,7 @@ TermId Builder::unfolded(TermId term) {
 bool Builder::composite(TermId id, int depth, int prefixes) {
     if (depth > deepest_look) return false;
     id = unfolded(id);
+    if (leaves_.contains(id)) return false;
     const auto [known, fresh] = composite_.emplace(std::pair(id, prefixes), false);
     if (fresh) known->second = looks_composite(terms_[id], depth, prefixes);
     return known->second;
@@ -176,8 +178,8 @@ void Builder::operation(NodeId id, const Tail& tail, int depth) {
 
 }  // namespace
 
-std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term) {
-    Builder builder(terms);
+std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term, const std::set<TermId>& leaves) {
+    Builder builder(terms, leaves);
     if (!builder.composite(term)) return std::nullopt;
     return builder.build(term);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "checker/process/operational_semantics.hpp"
@@ -38,8 +39,9 @@ struct Skeleton {
     std::vector<NodeId> slots;  ///< of each component, its node
 };
 
-/// Takes a term apart. Nothing if it has no parallel operator to take apart. May evaluate definitions and throw what
-/// they throw.
-[[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term);
+/// Takes a term apart, down to the terms in `leaves` and those without operators that stay. Nothing if it has no
+/// parallel operator to take apart. May evaluate definitions and throw what they throw.
+[[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term,
+                                                  const std::set<TermId>& leaves = {});
 
 }  // namespace robochart::machine

@@ -17,6 +17,17 @@ struct Participant {
     std::uint32_t index = 0;  ///< slot, or region
 };
 
+/// Of a component, the edges by events that some rule begins with.
+struct Leading {
+    std::vector<std::uint32_t> first;  ///< per state, one more at the end
+    std::vector<Component::Edge> edges;
+    /// None where the component is off.
+    [[nodiscard]] Component::Edges of(Local state) const {
+        if (state + 1U >= first.size()) return {};
+        return Component::Edges(edges).subspan(first[state], first[state + 1U] - first[state]);
+    }
+};
+
 struct Requirement {
     std::uint32_t participant;
     std::uint32_t event;  ///< place in the participant's alphabet
@@ -36,9 +47,11 @@ struct Rule {
     std::uint32_t first_assignment, end_assignment;
 };
 
-/// The rules between two prioritise operators: what lies above a prioritise sees only what it lets pass.
+/// The rules between two prioritise operators: what lies above a prioritise sees only what it lets pass. A rule begins
+/// with the participant that can do its part in the fewest of its states: rules that cannot fire are seldom looked at.
 struct Region {
     std::vector<Participant> participants;
+    std::vector<Leading> leading;                        ///< of each participant; empty for regions
     std::vector<EventSet> alphabets;                     ///< of each participant
     std::vector<Rule> rules;                             ///< ordered by first participant and its event
     std::vector<std::vector<std::uint32_t>> first_rule;  ///< per participant and event, one more at the end

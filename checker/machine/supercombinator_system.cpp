@@ -56,8 +56,7 @@ public:
 
 private:
     void of_component(std::uint32_t who, std::uint32_t slot) {
-        const Component& component = *system_.combined_->components[slot];
-        for (const Component::Edge& edge : component.edges(system_.locals_[slot])) {
+        for (const Component::Edge& edge : region_.leading[who].of(system_.locals_[slot])) {
             const std::vector<std::uint32_t>& first = region_.first_rule[who];
             for (std::uint32_t rule = first[edge.event]; rule < first[edge.event + 1U]; ++rule) {
                 system_.changes_.clear();
