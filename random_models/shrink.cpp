@@ -70,9 +70,24 @@ private:
         for (const auto& signature : context.signatures) whole(signature->span);
     }
 
+    /// A node with its transitions: a junction cannot lose them one by one (J1, J2).
+    void with_transitions(const State& node, const NodeContainer& container) {
+        std::vector<diagnostics::Span> parts = {node.span};
+        for (const auto& transition : container.transitions)
+            if (transition->from.text() == node.name || transition->to.text() == node.name)
+                parts.push_back(transition->span);
+        std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
+        std::string kept;
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+            const std::string_view gap = text_.substr(parts[i - 1].end, parts[i].begin - parts[i - 1].end);
+            kept += gap.substr(0, gap.find_last_not_of(" \n") + 1);
+        }
+        add(parts.front().begin, parts.back().end, std::move(kept));
+    }
+
     void nodes(const NodeContainer& container) {
         for (const auto& node : container.nodes) {
-            whole(node->span);
+            with_transitions(*node, container);
             for (const Action& action : node->actions) {
                 whole(action.span);
                 if (action.statement) statement(*action.statement);
