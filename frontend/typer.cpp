@@ -150,8 +150,9 @@ TypePtr Typer::matrix(Expr& expr, Surroundings& around) {
         const long rows = static_cast<long>(expr.args.size() / expr.columns);
         return rows == 1 ? make_vector(all->args[0], columns) : make_matrix(all->args[0], rows, columns);
     }
-    const TypePtr operand = type(expr.args[0], around);
-    if (!operand) return nullptr;
+    const TypePtr operand = simplify(type(expr.args[0], around));
+    // `last(<>)` and the like may be of every type.
+    if (!operand || operand->form == TypeForm::any) return nullptr;
     const bool transposes = expr.kind == ExprKind::transpose;
     // A vector is a column: transposed it is one row.
     if (operand->form == TypeForm::vector && transposes) return make_matrix(operand->args[0], 1, operand->sizes[0]);

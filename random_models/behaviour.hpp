@@ -14,12 +14,14 @@ struct Port {
     const DataType* type = nullptr;  ///< null: untyped
     bool receives = true;            ///< seen from the component; otherwise it sends
     bool both_ways = false;          ///< connected by [mult]
+    bool broadcast = false;
 };
 
 /// An operation that may be called.
 struct Signature {
     std::string name;
     std::vector<const DataType*> parameters;
+    std::string interface = {};  ///< that declares it
 };
 
 /// A state that can be named in `sinceEntry`, with its container's transitions.
@@ -83,6 +85,10 @@ private:
     std::string assignment();
     std::string communication();
     std::string call();
+    /// What a communication on a broadcast event accepts: `[| x = from | p |]`; "" for everything.
+    std::string filter(const Port& port, const std::string& peer);
+    /// The variable that an input on the port is stored into, as it is written; "" if there is none.
+    std::string stored(const Port& port);
     std::string timed();
     std::string conditional(std::size_t depth);
     std::string sequence(std::size_t depth);
@@ -102,6 +108,7 @@ private:
     Types& types_;
     const Surroundings& around_;
     Expressions expressions_;
+    std::string inside_;  ///< the state whose nodes are being written; "" for those of the machine
 };
 
 }  // namespace robochart::random_models

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "random_models/behaviour.hpp"
 
@@ -13,10 +14,10 @@ std::string Behaviour::trigger() {
         if (port.receives || port.both_ways) inputs.push_back(port);
     if (inputs.empty()) return {};
     const Port port = random_.pick(inputs);
-    if (port.type == nullptr) return port.name;
-    for (const Named& variable : around_.writable)
-        if (variable.type == port.type) return port.name + "?" + variable.name;
-    return {};
+    const std::string accepted = filter(port, "from");
+    if (port.type == nullptr) return port.name + accepted;
+    const std::string variable = stored(port);
+    return variable.empty() ? "" : port.name + accepted + "?" + variable;
 }
 
 /// A condition over variables, clocks and states of the container (TE4, TE5).
@@ -28,7 +29,8 @@ std::string Behaviour::condition(const Nodes& nodes) {
         const std::string clock = random_.pick(around_.clocks);
         return fmt::format("since({}) {} {}", clock, order, expressions_.number());
     }
-    const std::string state = random_.pick(nodes.states);
+    const bool qualified = shape_.qualified_names && !inside_.empty() && random_.chance(40);
+    const std::string state = (qualified ? inside_ + "::" : "") + random_.pick(nodes.states);
     return fmt::format("sinceEntry({}) {} {}", state, order, expressions_.number());
 }
 
@@ -98,7 +100,11 @@ void Behaviour::state(Lines& out, const std::string& name, std::size_t depth) {
     if (!composite && !entry && !during && !exit && random_.chance(70)) return out.line("state " + name + " {}");
     out.open("state " + name);
     if (entry) out.line("entry " + action());
-    if (composite) container(out, depth - 1, false);
+    if (composite) {
+        const std::string outer = std::exchange(inside_, name);
+        container(out, depth - 1, false);
+        inside_ = outer;
+    }
     if (during) out.line("during " + action());
     if (exit) out.line("exit " + action());
     out.close();

@@ -91,22 +91,44 @@ std::string Behaviour::assignment() {
     return fmt::format("{} = {}", target.name, expressions_.of(type));
 }
 
+std::string Behaviour::filter(const Port& port, const std::string& peer) {
+    if (!port.broadcast || random_.chance(40)) return {};
+    std::string origin;
+    if (peer == "from" && random_.chance(60))
+        for (const Named& variable : around_.writable)
+            if (variable.type->form == Form::nat) origin = variable.name + " = from";
+    std::string condition;
+    if (origin.empty() || random_.chance(50))
+        condition =
+            fmt::format("{} == {} /\\ {}", peer, expressions_.number(), expressions_.operand(*types_.boolean(), 4));
+    return fmt::format("[|{}{}{}|]", origin, origin.empty() || condition.empty() ? "" : " | ", condition);
+}
+
+std::string Behaviour::stored(const Port& port) {
+    for (const Named& variable : around_.writable) {
+        if (variable.type != port.type) continue;
+        const bool qualified = shape_.qualified_names && !variable.interface.empty() && random_.chance(20);
+        return (qualified ? variable.interface + "::" : "") + variable.name;
+    }
+    return {};
+}
+
 /// "" if nothing can be said on the event drawn. Directions are those that connections are made for (Cn8, Cn9).
 std::string Behaviour::communication() {
     constexpr int call_level = 12;
     const Port port = random_.pick(around_.ports);
     const std::string send = random_.chance(20) ? "send " : "";
     if (!port.receives || port.both_ways) {
-        if (port.type == nullptr) return send + port.name;
+        const std::string accepted = filter(port, "to");
+        if (port.type == nullptr) return send + port.name + accepted;
         const std::string value = expressions_.operand(*port.type, call_level);
         const bool selection = value.find_first_of(".[") != std::string::npos;
         const std::string sign = random_.chance(90) ? "!" : ".";
-        return send + port.name + sign + (selection && value.front() != '(' ? "(" + value + ")" : value);
+        return send + port.name + accepted + sign + (selection && value.front() != '(' ? "(" + value + ")" : value);
     }
     if (!shape_.inputs_in_actions || port.type == nullptr) return {};
-    for (const Named& variable : around_.writable)
-        if (variable.type == port.type) return fmt::format("{}{}?{}", send, port.name, variable.name);
-    return {};
+    const std::string variable = stored(port);
+    return variable.empty() ? "" : fmt::format("{}{}{}?{}", send, port.name, filter(port, "from"), variable);
 }
 
 std::string Behaviour::call() {
@@ -116,7 +138,8 @@ std::string Behaviour::call() {
         const std::string value = expressions_.of(*type);
         arguments += (arguments.empty() ? "" : ", ") + value;
     }
-    return operation.name + "(" + arguments + ")";
+    const bool qualified = shape_.qualified_names && random_.chance(10);
+    return (qualified ? operation.interface + "::" : "") + operation.name + "(" + arguments + ")";
 }
 
 std::string Behaviour::timed() {

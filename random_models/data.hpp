@@ -3,9 +3,11 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "frontend/ast.hpp"
 #include "random_models/names.hpp"
 #include "random_models/random.hpp"
 #include "random_models/shape.hpp"
@@ -26,21 +28,25 @@ enum class Form {
     set,
     vector,
     matrix,
+    function,
+    relation,
 };
 
 /// A type; equal types are one object.
 struct DataType {
     Form form = Form::nat;
-    std::string written;                 ///< as RoboChart text
-    std::vector<const DataType*> parts;  ///< element, operands, types of fields
-    std::vector<std::string> labels;     ///< literals, fields; given: the function that yields a value
-    std::size_t rows = 0, columns = 0;   ///< matrix; vector: columns
+    std::string written;                                  ///< as RoboChart text
+    std::vector<const DataType*> parts;                   ///< element, operands, types of fields, argument and result
+    std::vector<std::string> labels;                      ///< literals, fields; given: the function that yields a value
+    std::size_t rows = 0, columns = 0;                    ///< matrix; vector: columns
+    std::vector<std::vector<const DataType*>> arguments;  ///< enumeration: of each literal
 };
 
 /// A variable, constant, parameter or bound variable.
 struct Named {
     std::string name;
     const DataType* type = nullptr;
+    std::string interface = {};  ///< that is required for it; "" if none is
 };
 
 /// A declared function.
@@ -49,6 +55,22 @@ struct Operator {
     std::vector<const DataType*> parameters;
     const DataType* result = nullptr;
 };
+
+/// A function over type variables: a toolkit's, or declared so in the model.
+struct Generic {
+    std::string name;
+    std::string package;  ///< of a toolkit; "" for the model's own
+    std::vector<frontend::TypeExprPtr> parameters;
+    frontend::TypeExprPtr result;
+};
+
+/// The functions that a text declares.
+[[nodiscard]] std::vector<Generic> read_generics(const std::string& package, const std::string& text);
+/// Those of the four toolkits.
+[[nodiscard]] const std::vector<Generic>& toolkit_functions();
+
+/// What stands for each type variable.
+using TypeChoice = std::map<std::string, const DataType*>;
 
 /// Text of an expression and how tightly it binds (levels of the grammar, `iff` 0 to atoms 13).
 struct Written {
@@ -67,9 +89,18 @@ public:
     const DataType* existing();
     /// The same for a part of a product: no wider numbers inside of it, so that tuples of equal type are comparable.
     const DataType* existing_part();
+    /// A type that need not be one for variables, such as that of an argument of a toolkit's function.
+    const DataType* sought(DataType type);
+    /// The types under type variables with which `written` is a type that fits; false if there are none.
+    bool unify(const frontend::TypeExpr& written, const DataType& type, TypeChoice& choice) const;
+    /// The type written; chooses types for variables that are still open.
+    const DataType* instance(const frontend::TypeExpr& written, TypeChoice& choice);
     [[nodiscard]] const DataType* boolean() const { return &types_[0]; }
     [[nodiscard]] const DataType* nat() const { return &types_[1]; }
     [[nodiscard]] const std::vector<Operator>& functions() const { return functions_; }
+    [[nodiscard]] const std::vector<Generic>& generics() const { return generics_; }
+    /// Declares functions over type variables, if the shape has them.
+    void declare_generics();
     /// Declares a function over the types that exist, if the shape has functions.
     void declare_function();
     /// The declarations made so far, each a definition of its own.
@@ -81,15 +112,22 @@ private:
     const DataType* enumeration();
     const DataType* record();
     const DataType* given();
+    const DataType* mapping(Form form);
+    [[nodiscard]] const DataType* basic(const std::string& name) const;
     [[nodiscard]] std::vector<Form> compound_forms() const;
 
     Random& random_;
     const Shape& shape_;
     Names& names_;
     std::deque<DataType> types_;
+    std::deque<DataType> sought_;
     std::vector<Operator> functions_;
+    std::vector<Generic> generics_;
     std::vector<std::string> declarations_;
 };
+
+/// A value of type `from` may stand where `to` is expected.
+[[nodiscard]] bool fits(const DataType& from, const DataType& to);
 
 /// Writes expressions over what is in scope.
 class Expressions {
@@ -121,6 +159,14 @@ private:
     Written application(const DataType& type, std::size_t depth);
     Written part(const DataType& type);
     Written call(const DataType& type, std::size_t depth);
+    Written generic_call(const DataType& type, std::size_t depth);
+    Written generic_call(const Generic& function, TypeChoice choice, std::size_t depth);
+    Written generic_comparison(std::size_t depth);
+    std::string mapping(const DataType& type, std::size_t depth);
+    std::string literal_of(const DataType& type, std::size_t depth);
+    Written type_test(std::size_t depth);
+    Written comprehension(const DataType& element, std::size_t depth);
+    Written matrix(const DataType& type, std::size_t depth);
     Written boolean(std::size_t depth);
     Written comparison(std::size_t depth);
     Written membership(std::size_t depth);

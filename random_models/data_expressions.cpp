@@ -29,9 +29,8 @@ bool is_number(const DataType& type) {
     return type.form == Form::nat || type.form == Form::integer || type.form == Form::real;
 }
 
-/// A value of type `from` may stand where `to` is expected.
-bool fits(const DataType& from, const DataType& to) {
-    return &from == &to || (is_number(from) && is_number(to) && from.form < to.form);
+bool is_mapping(const DataType& type) {
+    return type.form == Form::function || type.form == Form::relation;
 }
 
 std::string parenthesised(const std::string& text) {
@@ -39,6 +38,10 @@ std::string parenthesised(const std::string& text) {
 }
 
 }  // namespace
+
+bool fits(const DataType& from, const DataType& to) {
+    return &from == &to || (is_number(from) && is_number(to) && from.form < to.form);
+}
 
 std::string Expressions::of(const DataType& type) {
     return operand(type, quantifier_level);
@@ -85,7 +88,7 @@ std::string Expressions::literal_text(const DataType& type) {
         case Form::given:
             return type.labels[0] + "()";
         case Form::enumeration:
-            return type.written + "::" + random_.pick(type.labels);
+            return literal_of(type, 0);
         case Form::set:
             return flag ? "{}" : "{" + literal_text(*type.parts[0]) + "}";
         case Form::sequence:
@@ -119,6 +122,7 @@ std::string Expressions::tuple_parts(const DataType& type, std::size_t depth) {
 /// Records, products, sequences, vectors and matrices from their parts.
 std::string Expressions::constructor(const DataType& type, std::size_t depth) {
     if (type.form == Form::product) return "(|" + tuple_parts(type, depth) + "|)";
+    if (type.form == Form::function || type.form == Form::relation) return mapping(type, depth);
     if (type.form == Form::sequence) {
         const std::vector<const DataType*> parts(random_.between(1, 3), type.parts[0]);
         const std::string elements = list(parts, depth, plus_level);
@@ -176,8 +180,11 @@ Written Expressions::compound(const DataType& type, std::size_t depth) {
             return set(type, depth);
         case Form::vector:
         case Form::matrix:
-            if (random_.chance(30)) return binary(type, random_.chance(50) ? "+" : "-", type, plus_level, depth);
-            return {constructor(type, depth), atom_level};
+            return matrix(type, depth);
+        case Form::enumeration:
+            return shape_.data.constructors ? Written{literal_of(type, depth), select_level} : leaf(type);
+        case Form::function:
+        case Form::relation:
         case Form::record:
         case Form::product:
             return {constructor(type, depth), atom_level};
@@ -191,6 +198,7 @@ Written Expressions::common(const DataType& type, std::size_t depth) {
     const std::size_t way = random_.below(6);
     if (way == 5 && shape_.data.binders) return application(type, depth);
     if (way == 0) return conditional(type, depth);
+    if (way == 1 && shape_.data.toolkits && calls && random_.chance(50)) return generic_call(type, depth);
     if (way == 1 && shape_.data.functions && calls) return call(type, depth);
     if (way == 2 && shape_.data.binders) return let(type, depth);
     if (way == 3 && shape_.data.binders) return the(type, depth);
@@ -217,6 +225,8 @@ Written Expressions::let(const DataType& type, std::size_t depth) {
 Written Expressions::the(const DataType& type, std::size_t depth) {
     const std::string value = at(let_level, type, depth);
     const std::string name = "b" + std::to_string(bound_++);
+    if (shape_.data.type_tests && random_.chance(30))
+        return {fmt::format("the {} : {} @ {}", name, types_.existing()->written, value), let_level};
     return {fmt::format("the {0} : {1} | {0} == {2} @ {0}", name, type.written, value), let_level};
 }
 
@@ -237,7 +247,7 @@ Written Expressions::part(const DataType& type) {
     for (const Named& named : scope) {
         const DataType& whole = *named.type;
         for (std::size_t i = 0; i < whole.parts.size(); ++i) {
-            if (!fits(*whole.parts[i], type) || whole.form == Form::set) continue;
+            if (!fits(*whole.parts[i], type) || whole.form == Form::set || is_mapping(whole)) continue;
             const std::string place = std::to_string(i + 1);
             parts.push_back(whole.form == Form::record   ? named.name + "." + whole.labels[i]
                             : whole.form == Form::matrix ? named.name + "[1, " + place + "]"
@@ -252,6 +262,9 @@ Written Expressions::call(const DataType& type, std::size_t depth) {
     std::vector<const Operator*> functions;
     for (const Operator& function : types_.functions())
         if (fits(*function.result, type)) functions.push_back(&function);
+    for (const Named& named : scope)
+        if (named.type->form == Form::function && fits(*named.type->parts[1], type) && random_.chance(50))
+            return {named.name + "(" + list({named.type->parts[0]}, depth, quantifier_level) + ")", select_level};
     if (functions.empty()) return leaf(type);
     const Operator& function = *random_.pick(functions);
     return {function.name + "(" + list(function.parameters, depth, quantifier_level) + ")", select_level};
@@ -268,6 +281,9 @@ Written Expressions::binary(const DataType& left, const std::string& op, const D
 
 Written Expressions::boolean(std::size_t depth) {
     const DataType& type = *types_.boolean();
+    if (shape_.data.type_tests && random_.chance(5)) return type_test(depth);
+    if (shape_.data.toolkits && calls && random_.chance(8))
+        return random_.chance(50) ? generic_call(type, depth) : generic_comparison(depth);
     switch (random_.below(shape_.data.binders ? 9 : 8)) {
         case 0:
             return {"not " + at(not_level, type, depth), not_level};
@@ -360,15 +376,8 @@ Written Expressions::set(const DataType& type, std::size_t depth) {
     const DataType& element = *type.parts[0];
     const std::size_t way = random_.below(4);
     if (way == 0 && element.form == Form::nat) return {interval(depth), atom_level};
-    if (way == 1 && shape_.data.binders) {
-        scope.push_back({"b" + std::to_string(bound_++), &element});
-        const std::string name = scope.back().name;
-        const std::string condition = at(quantifier_level, *types_.boolean(), depth);
-        std::string body;
-        if (random_.chance(50)) body = " @ " + at(quantifier_level, element, depth);
-        scope.pop_back();
-        return {fmt::format("{{{} : {} | {}{}}}", name, element.written, condition, body), atom_level};
-    }
+    if (way == 1 && shape_.data.binders) return comprehension(element, depth);
+    if (way == 2 && shape_.data.toolkits && calls) return generic_call(type, depth);
     const std::vector<const DataType*> parts(random_.between(1, 3), &element);
     return {"{" + list(parts, depth, quantifier_level) + "}", atom_level};
 }

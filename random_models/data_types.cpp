@@ -20,11 +20,11 @@ std::string joined(const std::vector<const DataType*>& parts) {
 }  // namespace
 
 Types::Types(Random& random, const Shape& shape, Names& names) : random_(random), shape_(shape), names_(names) {
-    types_.push_back({Form::boolean, "boolean", {}, {}, 0, 0});
-    types_.push_back({Form::nat, "nat", {}, {}, 0, 0});
-    if (shape.data.integers) types_.push_back({Form::integer, "int", {}, {}, 0, 0});
-    if (shape.data.reals) types_.push_back({Form::real, "real", {}, {}, 0, 0});
-    if (shape.data.strings) types_.push_back({Form::string, "string", {}, {}, 0, 0});
+    types_.push_back({Form::boolean, "boolean", {}, {}, 0, 0, {}});
+    types_.push_back({Form::nat, "nat", {}, {}, 0, 0, {}});
+    if (shape.data.integers) types_.push_back({Form::integer, "int", {}, {}, 0, 0, {}});
+    if (shape.data.reals) types_.push_back({Form::real, "real", {}, {}, 0, 0, {}});
+    if (shape.data.strings) types_.push_back({Form::string, "string", {}, {}, 0, 0, {}});
 }
 
 const DataType* Types::intern(DataType type) {
@@ -43,7 +43,8 @@ const DataType* Types::existing() {
 const DataType* Types::existing_part() {
     const DataType* type = existing();
     const bool wide = type->form == Form::sequence || type->form == Form::set || type->form == Form::vector ||
-                      type->form == Form::matrix || type->form == Form::product;
+                      type->form == Form::matrix || type->form == Form::product || type->form == Form::function ||
+                      type->form == Form::relation;
     return wide ? boolean() : type;
 }
 
@@ -57,6 +58,7 @@ std::vector<Form> Types::compound_forms() const {
     if (data.sequences) forms.push_back(Form::sequence);
     if (data.sets) forms.push_back(Form::set);
     if (data.vectors) forms.insert(forms.end(), {Form::vector, Form::matrix});
+    if (data.relations) forms.insert(forms.end(), {Form::function, Form::relation});
     return forms;
 }
 
@@ -76,6 +78,9 @@ const DataType* Types::compound(Form form) {
             return enumeration();
         case Form::record:
             return record();
+        case Form::function:
+        case Form::relation:
+            return mapping(form);
         case Form::product:
             for (std::size_t i = random_.between(2, 3); i > 0; --i) type.parts.push_back(existing_part());
             type.written = joined(type.parts);
@@ -90,7 +95,7 @@ const DataType* Types::compound(Form form) {
     }
     type.parts = {shape_.data.reals && random_.chance(70) ? &types_[shape_.data.integers ? 3 : 2] : nat()};
     type.rows = random_.between(2, 3);
-    type.columns = random_.between(2, 3);
+    type.columns = random_.between(shape_.data.relations && form == Form::matrix ? 1 : 2, 3);
     type.written = form == Form::vector
                        ? fmt::format("vector({}, {})", type.parts[0]->written, type.columns)
                        : fmt::format("matrix({}, {}, {})", type.parts[0]->written, type.rows, type.columns);
@@ -113,8 +118,27 @@ const DataType* Types::enumeration() {
     type.written = names_.fresh("Mode");
     for (std::size_t i = random_.between(1, 4); i > 0; --i) type.labels.push_back(names_.fresh("L"));
     std::string text = "enumeration " + type.written + " {\n";
-    for (const std::string& label : type.labels) text += "    " + label + "\n";
+    for (const std::string& label : type.labels) {
+        std::string arguments;
+        type.arguments.emplace_back();
+        if (shape_.data.constructors && random_.chance(25))
+            for (std::size_t i = random_.between(1, 2); i > 0; --i) {
+                type.arguments.back().push_back(any());
+                arguments += (arguments.empty() ? "" : ", ") + type.arguments.back().back()->written;
+            }
+        text += "    " + label + (arguments.empty() ? "" : "(" + arguments + ")") + "\n";
+    }
     declarations_.push_back(text + "}\n");
+    return intern(std::move(type));
+}
+
+/// `A -> B` or `A <-> B`. The parts are no wider than those of products are, and for the same reason.
+const DataType* Types::mapping(Form form) {
+    DataType type;
+    type.form = form;
+    for (int i = 0; i < 2; ++i) type.parts.push_back(existing_part());
+    type.written =
+        fmt::format("{} {} {}", type.parts[0]->written, form == Form::function ? "->" : "<->", type.parts[1]->written);
     return intern(std::move(type));
 }
 

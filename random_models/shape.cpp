@@ -29,9 +29,12 @@ Shape Shape::whole_language() {
     Data& data = shape.data;
     data.integers = data.reals = data.strings = data.given = data.records = data.products = true;
     data.sequences = data.sets = data.vectors = data.functions = data.binders = true;
+    data.relations = data.constructors = data.toolkits = data.type_tests = true;
     data.largest = 20;
     data.expression_depth = 3;
     shape.inputs_in_actions = shape.time = shape.open_constants = shape.else_conditions = true;
+    shape.bodiless_operations = shape.operation_events = shape.broadcast = true;
+    shape.qualified_names = shape.varied_places = true;
     shape.probabilistic = shape.bidirectional = shape.contracts = shape.escaped_names = shape.comments = true;
     return shape;
 }

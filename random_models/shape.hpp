@@ -17,17 +17,21 @@ struct Data {
     bool integers = false;
     bool reals = false;
     bool strings = false;
-    bool given = false;        ///< `type X`, with a function that yields a value of it
-    bool enumerations = true;  ///< without parameters
+    bool given = false;  ///< `type X`, with a function that yields a value of it
+    bool enumerations = true;
     bool records = false;
     bool products = false;
     bool sequences = false;
     bool sets = false;
-    bool vectors = false;     ///< and matrices
-    bool functions = false;   ///< function declarations with contracts, and lambda
-    bool binders = false;     ///< quantifiers, let, the, comprehensions
-    bool arithmetic = true;   ///< + and * (and - / % where their types are allowed)
-    std::size_t largest = 3;  ///< of literals
+    bool vectors = false;       ///< and matrices
+    bool relations = false;     ///< `A -> B` and `A <-> B`
+    bool constructors = false;  ///< enumeration literals with parameters
+    bool toolkits = false;      ///< functions of the four toolkits, and generic ones (`?X`)
+    bool type_tests = false;    ///< `is`
+    bool functions = false;     ///< function declarations with contracts, and lambda
+    bool binders = false;       ///< quantifiers, let, the, comprehensions
+    bool arithmetic = true;     ///< + and * (and - / % where their types are allowed)
+    std::size_t largest = 3;    ///< of literals
     std::size_t expression_depth = 2;
 };
 
@@ -61,16 +65,21 @@ struct Shape {
     bool time = false;               ///< clocks, since, sinceEntry, wait, deadlines
     bool shared_variables = true;    ///< of the platform and of controllers
     bool open_constants = false;     ///< constants without a value
+    bool varied_places = false;      ///< members of interfaces in components, and those of components in interfaces
     bool references = true;          ///< rref, cref, sref, opref beside definitions in place
     bool unconnected_events = true;
     bool else_conditions = false;  ///< `condition else`
     bool probabilistic = false;
     bool bidirectional = false;  ///< [mult]
     bool contracts = false;      ///< conditions of operations
-    bool packages = true;        ///< named packages and imports
-    bool escaped_names = false;  ///< `^end` and other reserved words as names
-    bool assertions = true;      ///< a file of claims about each module
-    bool comments = false;
+    bool bodiless_operations = false;
+    bool operation_events = false;  ///< events that operations communicate on, those of their callers
+    bool broadcast = false;         ///< `_broadcast` events, and what their communications accept: `[| x = from | p |]`
+    bool packages = true;           ///< named packages and imports
+    bool qualified_names = false;   ///< `P::X` where `X` would do
+    bool escaped_names = false;     ///< `^end` and other reserved words as names
+    bool assertions = true;         ///< a file of claims about each module
+    bool comments = false;          ///< and `diagram`
 
     /// One machine or a few, booleans, small numbers and enumerations, no time: state spaces stay small.
     [[nodiscard]] static Shape untimed_core();

@@ -53,7 +53,7 @@ std::unique_ptr<Declaration> SyntaxBuilder::function() {
 
 void SyntaxBuilder::context(Context& context, bool clauses) {
     if (clauses)
-        for (std::size_t i = random_.below(3); i > 0; --i) {
+        for (std::size_t i = random_.below(4); i > 0; --i) {
             const auto use = static_cast<InterfaceUse>(random_.below(3));
             context.interfaces.push_back({use, qualified(), nullptr});
         }
@@ -112,7 +112,7 @@ std::unique_ptr<State> SyntaxBuilder::node(std::size_t depth) {
     auto state = std::make_unique<State>(kinds[random_.below(6)]);
     state->name = name();
     if (state->kind != DeclKind::state) return state;
-    for (std::size_t i = random_.below(3); i > 0; --i) {
+    for (std::size_t i = random_.below(4); i > 0; --i) {
         Action action;
         action.kind = static_cast<ActionKind>(random_.below(3));
         action.statement = statement(depth_of_expressions);
@@ -130,6 +130,8 @@ void SyntaxBuilder::nodes(NodeContainer& container, std::size_t depth) {
 std::unique_ptr<Machine> SyntaxBuilder::machine(DeclKind kind) {
     auto result = std::make_unique<Machine>(kind);
     result->name = name();
+    result->has_body = kind == DeclKind::state_machine;
+    if (random_.chance(5)) return result;  // with nothing in it
     context(*result, true);
     if (kind == DeclKind::operation) {
         parameters(result->parameters);
@@ -173,6 +175,7 @@ std::unique_ptr<Connection> SyntaxBuilder::connection() {
 std::unique_ptr<Component> SyntaxBuilder::controller() {
     auto result = std::make_unique<Component>(DeclKind::controller);
     result->name = name();
+    if (random_.chance(5)) return result;  // with nothing in it
     context(*result, true);
     for (std::size_t i = random_.below(4); i > 0; --i) {
         const std::size_t way = random_.below(4);

@@ -194,7 +194,7 @@ SyntaxBuilder::Leveled SyntaxBuilder::bracketed(std::size_t depth) {
     switch (random_.below(9)) {
         case 0: {
             ExprPtr expr = make(ExprKind::tuple);
-            add_list(expr->args, 1, 3, depth);
+            add_list(expr->args, 0, 3, depth);
             return {std::move(expr), atom_level};
         }
         case 1: {

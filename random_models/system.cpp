@@ -22,32 +22,53 @@ std::string SystemBuilder::place(Lines& out, const std::string& word, const std:
     return reference;
 }
 
+void SystemBuilder::define_interface(const Shared& shared) {
+    Lines out;
+    out.open("interface " + shared.interface);
+    for (const std::string& member : shared.members) out.line(member);
+    out.close();
+    define(out.text());
+}
+
+void SystemBuilder::declare_in_interface(Lines& out, const std::string& stem, const std::vector<std::string>& members) {
+    const Shared shared{names_.fresh(stem), {}, {}, members, {}, {}};
+    define_interface(shared);
+    out.line("uses " + shared.interface);
+}
+
+void SystemBuilder::offer(Lines& out, const std::string& word, const Shared& shared) {
+    if (shared.interface.empty()) return;
+    if (!shape_.varied_places || random_.chance(70)) return out.line(word + shared.interface);
+    for (const std::string& member : shared.members) out.line(member);
+}
+
 void SystemBuilder::platform_interfaces() {
     if (shape_.shared_variables && random_.chance(40)) {
-        platform_variables_.interface = names_.fresh("PlatformData");
-        Lines out;
-        out.open("interface " + platform_variables_.interface);
+        Shared& shared = platform_variables_;
+        shared.interface = names_.fresh("PlatformData");
         for (std::size_t i = random_.between(1, 2); i > 0; --i) {
             const DataType* type = types_.existing();
-            platform_variables_.variables.push_back({names_.fresh("shared"), type});
-            out.line(fmt::format("var {} : {}", platform_variables_.variables.back().name, type->written));
+            shared.variables.push_back({names_.fresh("shared"), type, shared.interface});
+            shared.members.push_back(fmt::format("var {} : {}", shared.variables.back().name, type->written));
         }
-        out.close();
-        define(out.text());
+        if (shape_.varied_places && random_.chance(40)) {
+            const DataType* type = types_.existing();
+            shared.constants.push_back({names_.fresh("fixed"), type, shared.interface});
+            const std::string value = Expressions(random_, shape_, types_).literal(*type);
+            shared.members.push_back(fmt::format("const {} : {} = {}", shared.constants[0].name, type->written, value));
+        }
+        define_interface(shared);
     }
     const std::size_t count = random_.between(shape_.platform_operations.low, shape_.platform_operations.high);
     if (count == 0) return;
     platform_operations_.interface = names_.fresh("Services");
-    Lines out;
-    out.open("interface " + platform_operations_.interface);
     for (std::size_t i = 0; i < count; ++i) {
-        Signature signature{names_.fresh("move"), {}};
+        Signature signature{names_.fresh("move"), {}, platform_operations_.interface};
         Surroundings inside;
-        out.line(signature.name + "(" + parameters(signature, inside) + ")");
+        platform_operations_.members.push_back(signature.name + "(" + parameters(signature, inside) + ")");
         platform_operations_.operations.push_back(std::move(signature));
     }
-    out.close();
-    define(out.text());
+    define_interface(platform_operations_);
 }
 
 /// Events stand in the component itself or in an interface that it uses.
@@ -58,7 +79,8 @@ void SystemBuilder::declare_ports(Lines& out, const std::vector<Port>& ports) {
     if (in_interface) declared.open("interface " + interface);
     Lines& lines = in_interface ? declared : out;
     for (const Port& port : ports)
-        lines.line("event " + port.name + (port.type != nullptr ? " : " + port.type->written : ""));
+        lines.line((port.broadcast ? "_broadcast event " : "event ") + port.name +
+                   (port.type != nullptr ? " : " + port.type->written : ""));
     if (!in_interface) return;
     declared.close();
     define(declared.text());
@@ -68,25 +90,26 @@ void SystemBuilder::declare_ports(Lines& out, const std::vector<Port>& ports) {
 std::string SystemBuilder::platform(const std::string& name, const std::vector<Port>& ports) {
     Lines out;
     out.open("robotic platform " + name);
-    if (!platform_variables_.interface.empty()) out.line("provides " + platform_variables_.interface);
-    if (!platform_operations_.interface.empty()) out.line("provides " + platform_operations_.interface);
+    offer(out, "provides ", platform_variables_);
+    offer(out, "provides ", platform_operations_);
     declare_ports(out, ports);
     out.close();
     return out.text();
 }
 
 /// Joins ports of the parts with each other or with the component around them, whose ports are returned. Each port has
-/// one connection at most (C6, M3).
+/// one connection at most (C6, M3). Broadcasts are passed on from level to level (Cn4).
 std::vector<Port> SystemBuilder::connect(std::vector<Part> parts, const std::string& outer, std::vector<Link>& links) {
     std::vector<Port> ports;
+    const bool closed = shape_.varied_places && random_.chance(10);  // nothing goes out
     for (std::size_t i = 0; i < parts.size(); ++i)
         for (Port& port : parts[i].ports) {
             if (port.name.empty()) continue;  // connected already
             Port* partner = nullptr;
             std::size_t owner = i + 1;
-            for (; owner < parts.size() && partner == nullptr && !port.both_ways; ++owner)
+            for (; owner < parts.size() && partner == nullptr && !port.both_ways && !port.broadcast; ++owner)
                 for (Port& other : parts[owner].ports)
-                    if (!other.name.empty() && !other.both_ways && other.type == port.type &&
+                    if (!other.name.empty() && !other.both_ways && !other.broadcast && other.type == port.type &&
                         other.receives != port.receives)
                         partner = &other;
             if (partner != nullptr && random_.chance(60)) {
@@ -98,8 +121,8 @@ std::vector<Port> SystemBuilder::connect(std::vector<Part> parts, const std::str
                 partner->name.clear();
                 continue;
             }
-            if (shape_.unconnected_events && random_.chance(8)) continue;
-            ports.push_back({names_.fresh("e"), port.type, port.receives, port.both_ways});
+            if (closed || (shape_.unconnected_events && random_.chance(8))) continue;
+            ports.push_back({names_.fresh("e"), port.type, port.receives, port.both_ways, port.broadcast});
             const std::string& above = ports.back().name;
             if (port.receives)
                 links.push_back({outer, above, parts[i].name, port.name, false, port.both_ways});
@@ -121,6 +144,7 @@ System SystemBuilder::build() {
     for (std::size_t i = random_.below(6); i > 0; --i) types_.any();
     if (shape_.data.functions)
         for (std::size_t i = random_.below(3); i > 0; --i) types_.declare_function();
+    types_.declare_generics();
     platform_interfaces();
     System system;
     system.module = names_.fresh("Module");

@@ -34,7 +34,10 @@ private:
     struct Shared {
         std::string interface;
         std::vector<Named> variables;
+        std::vector<Named> constants;
+        std::vector<std::string> members;  ///< as they are declared
         std::vector<Signature> operations;
+        std::vector<Port> ports;  ///< of the operations: their callers need the same
     };
     /// A component in the eyes of the one around it.
     struct Part {
@@ -51,6 +54,10 @@ private:
     void define(const std::string& text);
     std::string place(Lines& out, const std::string& word, const std::string& name, const std::string& text);
     void platform_interfaces();
+    /// `provides I` or `uses I`, or what I declares.
+    void offer(Lines& out, const std::string& word, const Shared& shared);
+    void define_interface(const Shared& shared);
+    void declare_in_interface(Lines& out, const std::string& stem, const std::vector<std::string>& members);
     std::string platform(const std::string& name, const std::vector<Port>& ports);
     void declare_ports(Lines& out, const std::vector<Port>& ports);
     std::vector<Port> connect(std::vector<Part> parts, const std::string& outer, std::vector<Link>& links);
@@ -62,6 +69,9 @@ private:
     Shared controller_operations(Lines& out, const Shared& variables);
     std::string operation(const Signature& signature, const std::string& parameters, Surroundings around,
                           const Shared& variables);
+    void declare_places(Lines& out, Surroundings& around);
+    std::vector<Port> operation_ports();
+    Port make_port();
     Part machine(Lines& out, const Shared& variables, const Shared& operations);
     std::vector<Port> make_ports();
     void declare_data(Lines& out, Surroundings& around);

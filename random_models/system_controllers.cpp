@@ -23,6 +23,7 @@ void SystemBuilder::require(Lines& out, const Shared& shared, Surroundings& arou
         around.readable.push_back(variable);
         around.writable.push_back(variable);
     }
+    around.readable.insert(around.readable.end(), shared.constants.begin(), shared.constants.end());
     around.operations.insert(around.operations.end(), shared.operations.begin(), shared.operations.end());
 }
 
@@ -33,7 +34,12 @@ void SystemBuilder::declare_data(Lines& out, Surroundings& around) {
         const DataType* type = types_.existing();
         const std::string name = names_.fresh("c");
         const bool open = shape_.open_constants && random_.chance(30);
-        out.line(fmt::format("const {} : {}{}", name, type->written, open ? "" : " = " + values.literal(*type)));
+        const std::string written =
+            fmt::format("const {} : {}{}", name, type->written, open ? "" : " = " + values.literal(*type));
+        if (shape_.varied_places && random_.chance(20))
+            declare_in_interface(out, "Constants", {written});
+        else
+            out.line(written);
         around.readable.push_back({name, type});
     }
     for (std::size_t i = random_.between(shape_.variables.low, shape_.variables.high); i > 0; --i) {
@@ -47,20 +53,45 @@ void SystemBuilder::declare_data(Lines& out, Surroundings& around) {
     if (!shape_.time) return;
     for (std::size_t i = random_.between(shape_.clocks.low, shape_.clocks.high); i > 0; --i) {
         around.clocks.push_back(names_.fresh("T"));
-        out.line("clock " + around.clocks.back());
+        if (shape_.varied_places && random_.chance(20))
+            declare_in_interface(out, "Clocks", {"clock " + around.clocks.back()});
+        else
+            out.line("clock " + around.clocks.back());
     }
 }
 
 std::vector<Port> SystemBuilder::make_ports() {
     std::vector<Port> ports;
-    for (std::size_t i = random_.between(shape_.events.low, shape_.events.high); i > 0; --i) {
-        const bool typed = shape_.typed_events && random_.chance(40);
-        const DataType* type = typed ? types_.existing() : nullptr;
-        const bool receives = random_.chance(55);
-        const bool both_ways = shape_.bidirectional && random_.chance(5);
-        ports.push_back({names_.fresh("e"), type, receives, both_ways});
-    }
+    for (std::size_t i = random_.between(shape_.events.low, shape_.events.high); i > 0; --i)
+        ports.push_back(make_port());
     return ports;
+}
+
+Port SystemBuilder::make_port() {
+    const bool typed = shape_.typed_events && random_.chance(40);
+    const DataType* type = typed ? types_.existing() : nullptr;
+    const bool receives = random_.chance(55);
+    const bool both_ways = shape_.bidirectional && random_.chance(5);
+    const bool broadcast = shape_.broadcast && random_.chance(10);
+    return {names_.fresh("e"), type, receives, both_ways, broadcast};
+}
+
+std::vector<Port> SystemBuilder::operation_ports() {
+    std::vector<Port> ports;
+    if (shape_.operation_events)
+        while (random_.chance(30)) ports.push_back(make_port());
+    return ports;
+}
+
+/// What a typed trigger receives needs a place.
+void SystemBuilder::declare_places(Lines& out, Surroundings& around) {
+    for (const Port& port : around.ports)
+        if (port.type != nullptr) {
+            const std::string place = names_.fresh("x");
+            out.line(fmt::format("var {} : {}", place, port.type->written));
+            around.readable.push_back({place, port.type});
+            around.writable.push_back({place, port.type});
+        }
 }
 
 SystemBuilder::Part SystemBuilder::machine(Lines& out, const Shared& variables, const Shared& operations) {
@@ -76,14 +107,9 @@ SystemBuilder::Part SystemBuilder::machine(Lines& out, const Shared& variables, 
     if (random_.chance(50)) require(text, platform_variables_, around);
     declare_data(text, around);
     around.ports = make_ports();
-    // What a typed trigger receives needs a place.
-    for (const Port& port : around.ports)
-        if (port.type != nullptr) {
-            const std::string place = names_.fresh("x");
-            text.line(fmt::format("var {} : {}", place, port.type->written));
-            around.readable.push_back({place, port.type});
-            around.writable.push_back({place, port.type});
-        }
+    // An operation communicates on the events of its caller (STM9).
+    if (calls) around.ports.insert(around.ports.end(), operations.ports.begin(), operations.ports.end());
+    declare_places(text, around);
     declare_ports(text, around.ports);
     Behaviour(random_, shape_, names_, types_, around).container(text, shape_.depth, false);
     text.close();
@@ -98,6 +124,8 @@ std::string SystemBuilder::operation(const Signature& signature, const std::stri
     if (random_.chance(50)) require(text, variables, around);
     if (random_.chance(50)) require(text, platform_operations_, around);
     declare_data(text, around);
+    declare_places(text, around);
+    if (!around.ports.empty()) declare_ports(text, around.ports);
     Behaviour behaviour(random_, shape_, names_, types_, around);
     if (contract) {
         text.line("terminates");
@@ -114,16 +142,13 @@ SystemBuilder::Shared SystemBuilder::controller_variables(Lines& out) {
     Shared shared;
     if (!shape_.shared_variables || random_.chance(60)) return shared;
     shared.interface = names_.fresh("Data");
-    Lines text;
-    text.open("interface " + shared.interface);
     for (std::size_t i = random_.between(1, 2); i > 0; --i) {
         const DataType* type = types_.existing();
-        shared.variables.push_back({names_.fresh("d"), type});
-        text.line(fmt::format("var {} : {}", shared.variables.back().name, type->written));
+        shared.variables.push_back({names_.fresh("d"), type, shared.interface});
+        shared.members.push_back(fmt::format("var {} : {}", shared.variables.back().name, type->written));
     }
-    text.close();
-    define(text.text());
-    out.line("uses " + shared.interface);
+    define_interface(shared);
+    offer(out, "uses ", shared);
     return shared;
 }
 
@@ -136,12 +161,18 @@ SystemBuilder::Shared SystemBuilder::controller_operations(Lines& out, const Sha
     Lines text;
     text.open("interface " + shared.interface);
     for (std::size_t i = 0; i < count; ++i) {
-        Signature signature{names_.fresh("op"), {}};
+        Signature signature{names_.fresh("op"), {}, shared.interface};
         Surroundings inside;
         const std::string written = parameters(signature, inside);
         const bool terminates = shape_.contracts && random_.chance(20);
         text.line(fmt::format("{}({}){}", signature.name, written, terminates ? " [ terminates ]" : ""));
-        place(out, "opref", signature.name, operation(signature, written, inside, variables));
+        if (shape_.bodiless_operations && random_.chance(15)) {
+            place(out, "opref", signature.name, fmt::format("operation {}({}) {{\n}}\n", signature.name, written));
+        } else {
+            inside.ports = operation_ports();
+            shared.ports.insert(shared.ports.end(), inside.ports.begin(), inside.ports.end());
+            place(out, "opref", signature.name, operation(signature, written, inside, variables));
+        }
         shared.operations.push_back(std::move(signature));
     }
     text.close();

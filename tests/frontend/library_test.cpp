@@ -56,6 +56,18 @@ TEST(Library, ResolvesWithoutAFinding) {
     EXPECT_EQ(reading->model.files.size(), 1 + published.size());
 }
 
+/// `last(<>)` has no type of its own: it fits everywhere, matrices included.
+TEST(Library, WhatMayBeOfEveryTypeCanBeTurned) {
+    const auto reading = testing::resolved(
+        "import sequence_toolkit::* function f() : matrix(real, 2, 2) { "
+        "postcondition result == inverse(last(<>)) postcondition result == transpose(last(<>)) }");
+    EXPECT_EQ(reading->findings.errors(), 0U) << reading->report();
+    const auto wrong = testing::resolved(
+        "import sequence_toolkit::* function f() : matrix(real, 2, 2) { "
+        "postcondition result == inverse(last(<1>)) postcondition result == transpose(last(<1>)) }");
+    EXPECT_EQ(wrong->findings.errors(), 2U) << wrong->report();
+}
+
 TEST(Library, CoreNeedsNoImportAndIsDeclaredSomewhere) {
     const auto reading = testing::resolved("interface I { var a:nat, b:core::boolean }");
     EXPECT_TRUE(reading->findings.empty()) << reading->report();

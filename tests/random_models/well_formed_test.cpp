@@ -118,7 +118,8 @@ TEST(WellFormed, TheWholeLanguageIsUsed) {
 TEST(WellFormed, TheCoresKeepToTheirParts) {
     const std::string untimed = syntax_of(Shape::untimed_core());
     for (const char* construct : {"(clock", "(wait", "(deadline", "(since", "(transition-deadline", "(real", "(string",
-                                  "(probabilistic", "(function-declaration", "(forall", "(matrix"})
+                                  "(probabilistic", "(function-declaration", "(forall", "(matrix", "broadcast", "(is ",
+                                  "(call ", "no-body", "(relation", "diagram"})
         EXPECT_THAT(untimed, ::testing::Not(::testing::HasSubstr(construct)));
     EXPECT_THAT(syntax_of(Shape::timed_core()), ::testing::HasSubstr("(since"));
 }
