@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    std::uint32_t region(NodeId top, std::vector<std::uint32_t> level);
+    std::uint32_t region(NodeId top, const std::vector<std::uint32_t>& level);
     Vectors vectors(NodeId id, Region& region);
     Vectors operator_vectors(const Node& node, Region& region);
     Vectors participant(Region& region, Participant who, const EventSet& alphabet);
@@ -67,7 +67,8 @@ private:
     void turn_off(NodeId id, std::map<std::uint32_t, Local>& values) const;
     [[nodiscard]] std::vector<std::vector<double>> chances(const Region& region) const;
     [[nodiscard]] Leading leading(const Region& region, std::uint32_t participant) const;
-    void finish(Region& region, Vectors vectors) const;
+    void finish(Region& region, Vectors vectors, const std::vector<std::uint32_t>& level) const;
+    void add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level) const;
     void pack();
 
     const process::TermStore& terms_;
@@ -82,10 +83,9 @@ void Combiner::charge(std::size_t vectors) {
     if (made_ > most_rules_) throw NotCompiled("too many rules");
 }
 
-std::uint32_t Combiner::region(NodeId top, std::vector<std::uint32_t> level) {
+std::uint32_t Combiner::region(NodeId top, const std::vector<std::uint32_t>& level) {
     Region made;
-    made.level = std::move(level);
-    finish(made, vectors(top, made));
+    finish(made, vectors(top, made), level);
     result_.regions.push_back(std::move(made));
     return static_cast<std::uint32_t>(result_.regions.size() - 1);
 }
@@ -345,14 +345,16 @@ std::vector<Assignment> Combiner::assignments(const std::vector<Action>& actions
     return result;
 }
 
-/// Per participant and event, in which part of its states it can do the event; for regions inside, a guess.
+/// Per participant and event, in which part of its states it can do the event; for regions inside, their guess.
 std::vector<std::vector<double>> Combiner::chances(const Region& region) const {
     std::vector<std::vector<double>> result;
     for (std::size_t who = 0; who < region.participants.size(); ++who) {
         const Participant& participant = region.participants[who];
-        const auto events = static_cast<double>(region.alphabets[who].size());
-        result.emplace_back(region.alphabets[who].size(), participant.is_region ? 1.0 / events : 0.0);
-        if (participant.is_region) continue;
+        if (participant.is_region) {
+            result.push_back(result_.regions[participant.index].chance);
+            continue;
+        }
+        result.emplace_back(region.alphabets[who].size(), 0.0);
         const Component& component = *result_.components[participant.index];
         const double share = 1.0 / static_cast<double>(component.size());
         for (Local state = 0; state < component.size(); ++state)
@@ -375,38 +377,48 @@ Leading Combiner::leading(const Region& region, std::uint32_t participant) const
     return result;
 }
 
-void Combiner::finish(Region& region, Vectors vectors) const {
+void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level) const {
+    Rule rule{};
+    rule.event = vector.event;
+    rule.revealed = vector.revealed;
+    rule.place = static_cast<std::uint32_t>(
+        std::lower_bound(region.alphabet.begin(), region.alphabet.end(), vector.event) - region.alphabet.begin());
+    rule.level = vector.event < level.size() ? level[vector.event] : no_level;
+    rule.lead = vector.parts.front();
+    rule.first_requirement = static_cast<std::uint32_t>(region.requirements.size());
+    region.requirements.insert(region.requirements.end(), vector.parts.begin() + 1, vector.parts.end());
+    rule.end_requirement = static_cast<std::uint32_t>(region.requirements.size());
+    rule.first_assignment = static_cast<std::uint32_t>(region.assignments.size());
+    const std::vector<Assignment> made = assignments(vector.actions);
+    region.assignments.insert(region.assignments.end(), made.begin(), made.end());
+    rule.end_assignment = static_cast<std::uint32_t>(region.assignments.size());
+    region.by_event[rule.place].push_back(static_cast<std::uint32_t>(region.rules.size()));
+    region.rules.push_back(rule);
+}
+
+void Combiner::finish(Region& region, Vectors vectors, const std::vector<std::uint32_t>& level) const {
     const std::vector<std::vector<double>> chance = chances(region);
+    const auto chance_of = [&](const Requirement& part) { return chance[part.participant][part.event]; };
     for (Vector& each : vectors)
         std::sort(each.parts.begin(), each.parts.end(), [&](const Requirement& a, const Requirement& b) {
-            const auto key = [&](const Requirement& r) {
-                return std::pair(chance[r.participant][r.event], r.participant);
-            };
-            return key(a) < key(b);
+            return std::pair(chance_of(a), a.participant) < std::pair(chance_of(b), b.participant);
         });
     region.alphabet = events_of(vectors);
-    std::stable_sort(vectors.begin(), vectors.end(), [](const Vector& a, const Vector& b) {
-        const auto key = [](const Vector& v) { return std::pair(v.parts.front().participant, v.parts.front().event); };
-        return key(a) < key(b);
-    });
+    region.by_event.resize(region.alphabet.size());
+    region.chance.resize(region.alphabet.size());
+    const auto lead = [](const Vector& v) { return std::pair(v.parts.front().participant, v.parts.front().event); };
+    std::stable_sort(vectors.begin(), vectors.end(),
+                     [&](const Vector& a, const Vector& b) { return lead(a) < lead(b); });
     region.first_rule.resize(region.participants.size());
     auto next = vectors.begin();
     for (std::uint32_t who = 0; who < region.participants.size(); ++who)
         for (std::uint32_t event = 0; event <= region.alphabets[who].size(); ++event) {
             region.first_rule[who].push_back(static_cast<std::uint32_t>(region.rules.size()));
-            const auto is_here = [&] {
-                return next != vectors.end() && next->parts.front().participant == who &&
-                       next->parts.front().event == event;
-            };
-            for (; is_here(); ++next) {
-                const auto parts = static_cast<std::uint32_t>(region.requirements.size());
-                region.requirements.insert(region.requirements.end(), next->parts.begin() + 1, next->parts.end());
-                const auto values = static_cast<std::uint32_t>(region.assignments.size());
-                const std::vector<Assignment> made = assignments(next->actions);
-                region.assignments.insert(region.assignments.end(), made.begin(), made.end());
-                region.rules.push_back({next->event, next->revealed, parts,
-                                        static_cast<std::uint32_t>(region.requirements.size()), values,
-                                        static_cast<std::uint32_t>(region.assignments.size())});
+            for (; next != vectors.end() && lead(*next) == std::pair(who, event); ++next) {
+                add_rule(region, *next, level);
+                double together = 1;
+                for (const Requirement& part : next->parts) together *= chance_of(part);
+                region.chance[region.rules.back().place] += together;
             }
         }
     for (std::uint32_t who = 0; who < region.participants.size(); ++who) region.leading.push_back(leading(region, who));

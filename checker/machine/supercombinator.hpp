@@ -17,6 +17,9 @@ struct Participant {
     std::uint32_t index = 0;  ///< slot, or region
 };
 
+/// The event neither prevents nor is prevented.
+inline constexpr std::uint32_t no_level = 0xffffffffU;
+
 /// Of a component, the edges by events that some rule begins with.
 struct Leading {
     std::vector<std::uint32_t> first;  ///< per state, one more at the end
@@ -42,7 +45,10 @@ struct Assignment {
 /// "Where these participants perform these events, the region performs this one."
 struct Rule {
     Event event;
-    Event revealed;  ///< of a hidden event, its name; tau: that of the participant's tau; else the event
+    Event revealed;       ///< of a hidden event, its name; tau: that of the participant's tau; else the event
+    std::uint32_t place;  ///< of the event in the region's alphabet
+    std::uint32_t level;  ///< of the event in the region's priorities, or no_level
+    Requirement lead;     ///< of the first participant
     std::uint32_t first_requirement, end_requirement;  ///< of the participants after the first
     std::uint32_t first_assignment, end_assignment;
 };
@@ -54,15 +60,13 @@ struct Region {
     std::vector<Leading> leading;                        ///< of each participant; empty for regions
     std::vector<EventSet> alphabets;                     ///< of each participant
     std::vector<Rule> rules;                             ///< ordered by first participant and its event
+    std::vector<std::vector<std::uint32_t>> by_event;    ///< per place in the alphabet, the rules
+    std::vector<double> chance;                          ///< per place: a guess in which part of the states it happens
     std::vector<std::vector<std::uint32_t>> first_rule;  ///< per participant and event, one more at the end
     std::vector<Requirement> requirements;
     std::vector<Assignment> assignments;
-    EventSet alphabet;                 ///< of all rules
-    std::vector<std::uint32_t> level;  ///< by event; empty: no priorities. See no_level
+    EventSet alphabet;  ///< of all rules
 };
-/// The event neither prevents nor is prevented.
-inline constexpr std::uint32_t no_level = 0xffffffffU;
-
 /// Where a component's state lies in the packed state.
 struct Field {
     std::uint32_t word, shift, mask;

@@ -1,5 +1,6 @@
 // Successors by rules: each event of each participant's present state is looked up in the rules that it comes first in,
-// and a rule fires in all the ways in which its other participants can do their part.
+// and a rule fires in all the ways in which its other participants can do their part. The moves of regions inside are
+// looked for when a rule around asks for them; whether a priority prevents an event, when such an event is at hand.
 #include "checker/machine/supercombinator_system.hpp"
 
 #include <algorithm>
@@ -14,9 +15,16 @@ SupercombinatorSystem::SupercombinatorSystem(std::shared_ptr<const Supercombinat
       terms_(terms),
       locals_(combined_->components.size()),
       moves_(combined_->regions.size()),
-      target_(combined_->words) {}
+      target_(combined_->words) {
+    for (std::size_t region = 0; region < moves_.size(); ++region)
+        moves_[region].by_event.resize(combined_->regions[region].alphabet.size());
+}
 
 namespace {
+
+Local get(lts::StateView state, const Field& field) {
+    return (state[field.word] >> field.shift) & field.mask;
+}
 
 void put(std::span<lts::Word> state, const Field& field, Local value) {
     state[field.word] = (state[field.word] & ~(field.mask << field.shift)) | (value << field.shift);
@@ -31,93 +39,124 @@ void SupercombinatorSystem::initial(std::span<lts::Word> state) {
 }
 
 void SupercombinatorSystem::unpack(lts::StateView state) {
-    for (std::size_t slot = 0; slot < locals_.size(); ++slot) {
-        const Field& field = combined_->fields[slot];
-        locals_[slot] = (state[field.word] >> field.shift) & field.mask;
-    }
+    for (std::size_t slot = 0; slot < locals_.size(); ++slot) locals_[slot] = get(state, combined_->fields[slot]);
 }
 
-/// Fires the rules of one region in one state.
+/// Fires rules of one region in the present state.
 class SupercombinatorSystem::Firing {
 public:
-    Firing(SupercombinatorSystem& system, const Region& region, Moves& out, lts::StateView state,
-           lts::SuccessorSink* sink)
-        : system_(system), region_(region), out_(out), state_(state), sink_(sink) {}
+    Firing(SupercombinatorSystem& system, std::uint32_t region)
+        : system_(system), number_(region), region_(system.combined_->regions[region]), base_(system.changes_.size()) {}
 
-    void run() {
-        for (std::uint32_t who = 0; who < region_.participants.size(); ++who) {
-            const Participant& participant = region_.participants[who];
-            if (participant.is_region)
-                of_region(who, system_.moves_[participant.index]);
-            else
-                of_component(who, participant.index);
-        }
+    /// The rules whose events rules around begin with go into the region's list of moves.
+    void list_leading(const std::vector<std::uint32_t>& first_rule_around) {
+        around_ = &first_rule_around;
+        enumerate();
+    }
+    /// So do those of one event.
+    void list_event(std::uint32_t event) {
+        for (const std::uint32_t rule : region_.by_event[event])
+            part(region_.rules[rule], region_.rules[rule].lead, region_.rules[rule].first_requirement, tau);
+    }
+    /// All become successors of the state.
+    void pass(lts::StateView state, lts::SuccessorSink& sink) {
+        state_ = state;
+        sink_ = &sink;
+        enumerate();
+    }
+    /// The first level of a rule that can fire, or no_level.
+    std::uint32_t probe() {
+        probing_ = true;
+        enumerate();
+        return best_;
     }
 
 private:
-    void of_component(std::uint32_t who, std::uint32_t slot) {
-        for (const Component::Edge& edge : region_.leading[who].of(system_.locals_[slot])) {
+    void enumerate() {
+        for (std::uint32_t who = 0; who < region_.participants.size(); ++who) {
+            const Participant& participant = region_.participants[who];
             const std::vector<std::uint32_t>& first = region_.first_rule[who];
-            for (std::uint32_t rule = first[edge.event]; rule < first[edge.event + 1U]; ++rule) {
-                system_.changes_.clear();
-                system_.changes_.push_back({slot, edge.target});
-                others(region_.rules[rule], region_.rules[rule].first_requirement, edge.revealed);
+            if (!participant.is_region) {
+                for (const Component::Edge& edge : region_.leading[who].of(system_.locals_[participant.index]))
+                    begin(participant.index, edge, first[edge.event], first[edge.event + 1U]);
+                continue;
+            }
+            const Range moves = system_.leading_moves(participant.index, first);
+            for (std::size_t i = moves.from; i < moves.to; ++i) {
+                const Move move = system_.moves_[participant.index].list[i];
+                begin(participant.index, move, first[move.event], first[move.event + 1U]);
             }
         }
     }
 
-    void of_region(std::uint32_t who, const Moves& moves) {
-        for (const Move& move : moves.list) {
-            const std::vector<std::uint32_t>& first = region_.first_rule[who];
-            for (std::uint32_t rule = first[move.event]; rule < first[move.event + 1U]; ++rule) {
-                system_.changes_.clear();
-                add_changes(moves, move);
-                others(region_.rules[rule], region_.rules[rule].first_requirement, move.revealed);
-            }
-        }
+    /// The rules [rule, end) with this way of their first participant.
+    template <typename Way>
+    void begin(std::uint32_t who, const Way& way, std::uint32_t rule, std::uint32_t end) {
+        for (; rule < end; ++rule)
+            if (wanted(region_.rules[rule]))
+                take(region_.rules[rule], who, way, region_.rules[rule].first_requirement, tau);
     }
 
-    void add_changes(const Moves& moves, const Move& move) {
-        system_.changes_.insert(system_.changes_.end(), moves.changes.begin() + move.first_change,
-                                moves.changes.begin() + move.end_change);
+    [[nodiscard]] bool wanted(const Rule& rule) const {
+        if (probing_) return rule.level < best_;
+        return around_ == nullptr || (*around_)[rule.place] < (*around_)[rule.place + 1U];
     }
 
-    /// The participants after the first, from this requirement on, in all their ways.
-    void others(const Rule& rule, std::uint32_t next, Event revealed) {
-        if (next == rule.end_requirement) return perform(rule, revealed);
-        const Requirement& wanted = region_.requirements[next];
-        const Participant& participant = region_.participants[wanted.participant];
+    /// What one participant changes, then the requirements from `next` on. A tau is called what the first one reveals.
+    template <typename Way>
+    void take(const Rule& rule, std::uint32_t who, const Way& way, std::uint32_t next, Event revealed) {
         const std::size_t before = system_.changes_.size();
+        change(who, way);
+        const Event name = next == rule.first_requirement ? way.revealed : revealed;
+        if (next == rule.end_requirement)
+            perform(rule, name);
+        else
+            part(rule, region_.requirements[next], next + 1, name);
+        system_.changes_.resize(before);
+    }
+
+    void change(std::uint32_t slot, const Component::Edge& edge) { system_.changes_.push_back({slot, edge.target}); }
+    void change(std::uint32_t region, const Move& move) {
+        const std::vector<Assignment>& inside = system_.moves_[region].changes;
+        system_.changes_.insert(system_.changes_.end(), inside.begin() + move.first_change,
+                                inside.begin() + move.end_change);
+    }
+
+    /// One participant does its part in all its ways.
+    void part(const Rule& rule, const Requirement& wanted, std::uint32_t next, Event revealed) {
+        const Participant& participant = region_.participants[wanted.participant];
         if (!participant.is_region) {
             const Component& component = *system_.combined_->components[participant.index];
-            for (const Component::Edge& edge : component.edges(system_.locals_[participant.index], wanted.event)) {
-                system_.changes_.push_back({participant.index, edge.target});
-                others(rule, next + 1, revealed);
-                system_.changes_.resize(before);
-            }
+            for (const Component::Edge& edge : component.edges(system_.locals_[participant.index], wanted.event))
+                take(rule, participant.index, edge, next, revealed);
             return;
         }
-        const Moves& moves = system_.moves_[participant.index];
-        const auto less = [](const Move& a, const Move& b) { return a.event < b.event; };
-        const auto [from, to] =
-            std::equal_range(moves.list.begin(), moves.list.end(), Move{wanted.event, 0, 0, 0, 0}, less);
-        for (auto move = from; move != to; ++move) {
-            add_changes(moves, *move);
-            others(rule, next + 1, revealed);
-            system_.changes_.resize(before);
+        const Range moves = system_.moves_by(participant.index, wanted.event);
+        for (std::size_t i = moves.from; i < moves.to; ++i) {
+            const Move move = system_.moves_[participant.index].list[i];
+            take(rule, participant.index, move, next, revealed);
         }
     }
 
+    /// Priority as in process/composition_rules.cpp, prioritise: an event is prevented by one of a higher level.
     void perform(const Rule& rule, Event revealed_by_participant) {
+        if (probing_) {
+            best_ = std::min(best_, rule.level);
+            return;
+        }
+        if (rule.level != 0 && rule.level != no_level && system_.best_level(number_) < rule.level) return;
         const Event revealed = rule.revealed == tau ? revealed_by_participant : rule.revealed;
-        if (sink_ != nullptr) return to_sink(rule, revealed);
-        const auto from = static_cast<std::uint32_t>(out_.changes.size());
-        out_.changes.insert(out_.changes.end(), system_.changes_.begin(), system_.changes_.end());
-        out_.changes.insert(out_.changes.end(), region_.assignments.begin() + rule.first_assignment,
-                            region_.assignments.begin() + rule.end_assignment);
-        const auto place = static_cast<std::uint32_t>(
-            std::lower_bound(region_.alphabet.begin(), region_.alphabet.end(), rule.event) - region_.alphabet.begin());
-        out_.list.push_back({place, rule.event, revealed, from, static_cast<std::uint32_t>(out_.changes.size())});
+        sink_ != nullptr ? to_sink(rule, revealed) : to_list(rule, revealed);
+    }
+
+    void to_list(const Rule& rule, Event revealed) {
+        Moves& out = system_.moves_[number_];
+        const auto from = static_cast<std::uint32_t>(out.changes.size());
+        out.changes.insert(out.changes.end(), system_.changes_.begin() + static_cast<std::ptrdiff_t>(base_),
+                           system_.changes_.end());
+        out.changes.insert(out.changes.end(), region_.assignments.begin() + rule.first_assignment,
+                           region_.assignments.begin() + rule.end_assignment);
+        out.list.push_back({rule.place, revealed, from, static_cast<std::uint32_t>(out.changes.size())});
     }
 
     void to_sink(const Rule& rule, Event revealed) {
@@ -131,32 +170,45 @@ private:
     }
 
     SupercombinatorSystem& system_;
+    std::uint32_t number_;
     const Region& region_;
-    Moves& out_;
+    std::size_t base_;  // of the changes under way, those before belong to rules of regions around
+    const std::vector<std::uint32_t>* around_ = nullptr;
+    bool probing_ = false;
+    std::uint32_t best_ = no_level;
     lts::StateView state_;
-    lts::SuccessorSink* sink_;
+    lts::SuccessorSink* sink_ = nullptr;
 };
 
-/// Priority as in process/composition_rules.cpp, prioritise: an event is prevented by one of a higher level.
-void SupercombinatorSystem::prefer(const Region& region, Moves& moves) const {
-    const auto level_of = [&](Event event) { return event < region.level.size() ? region.level[event] : no_level; };
-    std::uint32_t best = no_level;
-    for (const Move& move : moves.list) best = std::min(best, level_of(move.name));
-    std::erase_if(moves.list, [&](const Move& move) {
-        const std::uint32_t own = level_of(move.name);
-        return own != no_level && own > best;
-    });
+SupercombinatorSystem::Range SupercombinatorSystem::leading_moves(std::uint32_t region,
+                                                                  const std::vector<std::uint32_t>& first_rule_around) {
+    Moves& moves = moves_[region];
+    if (moves.leading.state != state_number_) {
+        const std::size_t from = moves.list.size();
+        Firing(*this, region).list_leading(first_rule_around);
+        moves.leading = {state_number_, from, moves.list.size()};
+    }
+    return moves.leading;
 }
 
-void SupercombinatorSystem::fire(std::size_t index, lts::StateView state, lts::SuccessorSink* sink) {
-    const Region& region = combined_->regions[index];
-    Moves& moves = moves_[index];
-    moves.list.clear();
-    moves.changes.clear();
-    Firing(*this, region, moves, state, sink).run();
-    if (!region.level.empty()) prefer(region, moves);
-    std::stable_sort(moves.list.begin(), moves.list.end(),
-                     [](const Move& a, const Move& b) { return a.event < b.event; });
+SupercombinatorSystem::Range SupercombinatorSystem::moves_by(std::uint32_t region, std::uint32_t event) {
+    Moves& moves = moves_[region];
+    Range& known = moves.by_event[event];
+    if (known.state != state_number_) {
+        const std::size_t from = moves.list.size();
+        Firing(*this, region).list_event(event);
+        known = {state_number_, from, moves.list.size()};
+    }
+    return known;
+}
+
+std::uint32_t SupercombinatorSystem::best_level(std::uint32_t region) {
+    Moves& moves = moves_[region];
+    if (moves.state != state_number_) {
+        moves.best = Firing(*this, region).probe();
+        moves.state = state_number_;
+    }
+    return moves.best;
 }
 
 void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
@@ -174,25 +226,19 @@ void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink&
 
 void SupercombinatorSystem::pass_successors(lts::StateView state, lts::SuccessorSink& sink) {
     unpack(state);
-    const std::size_t whole = combined_->regions.size() - 1;
-    for (std::size_t region = 0; region < whole; ++region) fire(region, state, nullptr);
-    if (combined_->regions[whole].level.empty()) return fire(whole, state, &sink);
-    fire(whole, state, nullptr);
-    for (const Move& move : moves_[whole].list) {
-        std::copy(state.begin(), state.end(), target_.begin());
-        for (std::uint32_t i = move.first_change; i < move.end_change; ++i) {
-            const Assignment& change = moves_[whole].changes[i];
-            put(target_, combined_->fields[change.slot], change.value);
-        }
-        sink.add(move.name, target_, move.revealed);
+    ++state_number_;
+    changes_.clear();  // a sink may have thrown
+    for (Moves& moves : moves_) {
+        moves.list.clear();
+        moves.changes.clear();
     }
+    Firing(*this, static_cast<std::uint32_t>(moves_.size() - 1)).pass(state, sink);
 }
 
 std::string SupercombinatorSystem::describe(lts::StateView state) const {
     std::string text;
     for (std::size_t slot = 0; slot < locals_.size(); ++slot) {
-        const Field& field = combined_->fields[slot];
-        const Local local = (state[field.word] >> field.shift) & field.mask;
+        const Local local = get(state, combined_->fields[slot]);
         const Component& component = *combined_->components[slot];
         if (local >= component.size()) continue;
         text += (text.empty() ? "" : " ‖ ") + process::describe(terms_, component.meaning(local));

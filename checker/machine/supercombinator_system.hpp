@@ -26,27 +26,37 @@ public:
 private:
     struct Move {
         std::uint32_t event;  ///< place in the region's alphabet
-        Event name;
         Event revealed;
         std::uint32_t first_change, end_change;
     };
-    /// What a region inside can do in the present state; ordered by event.
+    /// A part of a region's moves, found in the state of that number.
+    struct Range {
+        std::uint64_t state = 0;
+        std::size_t from = 0, to = 0;
+    };
+    /// What is known of a region inside in the present state. Its moves are looked for only when they are asked for.
     struct Moves {
         std::vector<Move> list;
         std::vector<Assignment> changes;
+        Range leading;                ///< those that rules around begin with
+        std::vector<Range> by_event;  ///< those asked for by name
+        std::uint64_t state = 0;      ///< for which `best` is known
+        std::uint32_t best = 0;       ///< the first level that has a move, or no_level
     };
     class Firing;
 
     void pass_successors(lts::StateView state, lts::SuccessorSink& sink);
     void unpack(lts::StateView state);
-    void fire(std::size_t region, lts::StateView state, lts::SuccessorSink* sink);
-    void prefer(const Region& region, Moves& moves) const;
+    Range leading_moves(std::uint32_t region, const std::vector<std::uint32_t>& first_rule_around);
+    Range moves_by(std::uint32_t region, std::uint32_t event);
+    std::uint32_t best_level(std::uint32_t region);
 
     std::shared_ptr<const Supercombinator> combined_;
     const process::TermStore& terms_;
     std::vector<Local> locals_;
-    std::vector<Moves> moves_;  // by region
-    std::vector<Assignment> changes_;
+    std::vector<Moves> moves_;         // by region
+    std::vector<Assignment> changes_;  // of the rules under way, those of inner regions last
+    std::uint64_t state_number_ = 0;   // of the states whose successors were asked for
     std::vector<lts::Word> target_;
     bool busy_ = false;
 };

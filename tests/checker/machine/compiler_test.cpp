@@ -198,6 +198,28 @@ TEST_F(Compiled, ServesItsOwnSinks) {
     EXPECT_EQ(nested.events.size(), 6U) << "two at the first state and after a, one after a, a and after a, a, b";
 }
 
+TEST_F(Compiled, GoesOnAfterASinkHasThrown) {
+    const auto system = compiler.compile(s.prioritise(pair(), {{"a", "b"}}), {});
+    struct Throwing final : lts::SuccessorSink {
+        void add(Event, lts::StateView, Event) override { throw TooLarge(); }
+    } throwing;
+    std::vector<lts::Word> state(system->width());
+    system->initial(state);
+    EXPECT_THROW(system->successors(state, throwing), TooLarge);
+    EXPECT_EQ(graph_of(*system).size(), states_of_pair);
+}
+
+TEST_F(Compiled, PrioritiesOfRegionsThatRulesAroundAskFor) {
+    // Two prioritised pairs inside: b before a in each. Outside they meet on a, and c before all else.
+    const TermId inner = s.prioritise(s.op(Op::external_choice, {pair(), s.prefix("c", stop)}), {{"b", "c"}, {"a"}});
+    const TermId meeting = s.over(Op::parallel, {inner, inner}, {"a"});
+    states(meeting);
+    states(s.prioritise(meeting, {{"c"}, {"b"}, {"a"}}));
+    states(s.over(Op::parallel, {meeting, twice("a")}, {"a"}));
+    states(
+        s.prioritise(s.over(Op::parallel, {s.prioritise(meeting, {{"a"}, {"b"}}), twice("c")}, {"c"}), {{"b"}, {"c"}}));
+}
+
 TEST_F(Compiled, ServesCompressions) {
     MachineCompressor compressor;
     process::OperationalSemantics compressing(s.store, &compressor);
