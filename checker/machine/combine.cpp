@@ -305,14 +305,7 @@ Vectors Combiner::gated(const Node& node, std::vector<Vectors> operands) {
 }
 
 std::vector<std::uint32_t> Combiner::levels(const Node& prioritise) const {
-    std::vector<std::uint32_t> level(process::first_visible, 0);
-    const process::PriorityOrder& order = terms_[process::OrderId{terms_[prioritise.term].payload}];
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-        for (Event event : order[i]) {
-            if (event >= level.size()) level.resize(event + 1U, no_level);
-            level[event] = std::min(level[event], i);
-        }
-    return level;
+    return process::levels_of(terms_[process::OrderId{terms_[prioritise.term].payload}]);
 }
 
 void Combiner::turn_off(NodeId id, std::map<std::uint32_t, Local>& values) const {

@@ -8,17 +8,17 @@
 #include "checker/machine/component.hpp"
 #include "checker/machine/not_compiled.hpp"
 #include "checker/machine/skeleton.hpp"
+#include "checker/process/priority_order.hpp"
 
 namespace robochart::machine {
+
+using process::no_level;
 
 /// One that takes part in the rules of a region: a component, or a region inside.
 struct Participant {
     bool is_region = false;
     std::uint32_t index = 0;  ///< slot, or region
 };
-
-/// The event neither prevents nor is prevented.
-inline constexpr std::uint32_t no_level = 0xffffffffU;
 
 /// Of a component, the edges by events that some rule begins with.
 struct Leading {

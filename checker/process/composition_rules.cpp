@@ -1,17 +1,13 @@
 // Firing rules of the operators that a system is composed by: parallel, hiding, renaming, priority, chase. Notation and
 // sources as in firing_rules.cpp.
 #include <algorithm>
-#include <limits>
 #include <unordered_set>
 
 #include "checker/process/firing_rules.hpp"
+#include "checker/process/priority_order.hpp"
 
 namespace robochart::process {
-namespace {
-
-constexpr std::uint32_t no_level = std::numeric_limits<std::uint32_t>::max();
-
-}  // namespace
+namespace {}  // namespace
 
 // UCS 9.2:  P --x--> P'  (x ∉ A, x ≠ ✓)          P --a--> P', Q --a--> Q'  (a ∈ A)
 //           P [|A|] Q --x--> P' [|A|] Q          P [|A|] Q --a--> P' [|A|] Q'
@@ -160,14 +156,7 @@ const std::vector<std::uint32_t>& FiringRules::levels(OrderId id) {
     const auto index = static_cast<std::uint32_t>(id);
     if (index >= levels_.size()) levels_.resize(index + 1U);
     std::vector<std::uint32_t>& level = levels_[index];
-    if (!level.empty()) return level;
-    level.assign(first_visible, 0);
-    const PriorityOrder& order = terms_[id];
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-        for (Event event : order[i]) {
-            if (event >= level.size()) level.resize(event + 1U, no_level);
-            level[event] = std::min(level[event], i);
-        }
+    if (level.empty()) level = levels_of(terms_[id]);
     return level;
 }
 

@@ -29,6 +29,16 @@ std::set<Event> reached(const Below& direct, Event from) {
 
 }  // namespace
 
+std::vector<std::uint32_t> levels_of(const PriorityOrder& order) {
+    std::vector<std::uint32_t> level(first_visible, 0);
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        for (Event event : order[i]) {
+            if (event >= level.size()) level.resize(event + 1U, no_level);
+            level[event] = std::min(level[event], i);
+        }
+    return level;
+}
+
 std::variant<Renaming, OrderFault> priority_order(const EventSet& prioritised, const std::vector<EventPair>& pairs,
                                                   const EventSet& maximal) {
     using Kind = OrderFault::Kind;

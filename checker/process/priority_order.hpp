@@ -1,4 +1,4 @@
-// The partial orders of prioritisepo (FDR manual, "prioritisepo"; Roscoe, UCS 20.2: prioritise by a partial order).
+// The orders of prioritise and prioritisepo (FDR manual, there; Roscoe, UCS 20.2: prioritise by a partial order).
 #pragma once
 
 #include <variant>
@@ -6,6 +6,12 @@
 #include "checker/process/term.hpp"
 
 namespace robochart::process {
+
+/// The event neither prevents nor is prevented.
+inline constexpr std::uint32_t no_level = 0xffffffffU;
+
+/// Per event its level in the order of a prioritise; events beyond the end have none (no_level).
+[[nodiscard]] std::vector<std::uint32_t> levels_of(const PriorityOrder& order);
 
 /// Why events and pairs are no order that prioritisepo takes.
 struct OrderFault {
