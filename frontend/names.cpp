@@ -169,6 +169,12 @@ std::string Names::full_name(const Declaration* declaration) const {
     return found != full_names_.end() ? found->second : declaration->name;
 }
 
+bool Names::qualifies(const QualifiedName& name, const Declaration& member) const {
+    if (name.parts.size() < 2) return true;
+    const std::string full = "::" + qualified(full_name(member.parent), member.name);
+    return full.ends_with("::" + name.text());
+}
+
 bool Names::is_lost(const QualifiedName& name) const {
     asked_lost_ = true;
     if (lost_declarations_) return true;

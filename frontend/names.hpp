@@ -48,6 +48,8 @@ public:
     [[nodiscard]] const Declaration* anywhere(std::string_view simple_name, const Kinds& kinds) const;
     /// `P::C::S` of an entered declaration.
     [[nodiscard]] std::string full_name(const Declaration* declaration) const;
+    /// Do the parts before the last name what the declaration is in: `I::v` or `P::I::v` for `v` of `P::I`?
+    [[nodiscard]] bool qualifies(const QualifiedName& name, const Declaration& member) const;
     /// Is there a file of this package?
     [[nodiscard]] bool has_package(const std::string& name) const;
     /// Is it a package, or does one begin with it (`A` of `A::B`)?

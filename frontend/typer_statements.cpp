@@ -75,7 +75,8 @@ void Typer::call(Stmt& statement, Surroundings& around) {
     for (const ExprPtr& arg : statement.args) type(arg, around);
     if (around.scope == nullptr) return;
     const auto found = around.scope->operations.find(statement.name.parts.back());
-    if (found == around.scope->operations.end()) return unknown_operation(statement, around);
+    if (found == around.scope->operations.end() || !finder_.names().qualifies(statement.name, *found->second))
+        return unknown_operation(statement, around);
     const OperationSignature& signature = *found->second;
     statement.declaration = &signature;
     const std::size_t wanted = signature.parameters.size();
@@ -149,7 +150,7 @@ void Typer::unknown_event(const Communication& communication, Surroundings& arou
 const Variable* Typer::stored_into(const QualifiedName& name, Surroundings& around) {
     if (around.scope == nullptr) return nullptr;
     const auto found = around.scope->variables.find(name.parts.back());
-    if (found != around.scope->variables.end()) {
+    if (found != around.scope->variables.end() && finder_.names().qualifies(name, *found->second)) {
         const Variable& variable = *found->second;
         if (variable.kind == DeclKind::parameter)
             finder_.out().report(rules::parameter_assigned, name.span, {variable.name});

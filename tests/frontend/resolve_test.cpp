@@ -259,6 +259,21 @@ TEST(Names, AMachineDoesNotSeeItsController) {
     EXPECT_NE(reading->report().find("controller `C` has one"), std::string::npos) << reading->report();
 }
 
+/// What is before `::` names where the member is declared; anything else there names nothing.
+TEST(Names, QualifiersOfOperationsAndVariablesAreLookedAt) {
+    const auto entering = [](const std::string& statement) {
+        const auto reading = testing::resolved(
+            "package P interface I { op(p : nat) } interface V { var v : nat } stm S { requires I uses V "
+            "event e : nat initial i state s { entry " +
+            statement + " } transition t { from i to s } }");
+        return reading->findings.errors();
+    };
+    for (const char* right : {"op(1)", "I::op(1)", "P::I::op(1)", "e?v", "e?V::v", "e?P::V::v"})
+        EXPECT_EQ(entering(right), 0U) << right;
+    for (const char* wrong : {"V::op(1)", "X::op(1)", "Q::I::op(1)", "e?I::v", "e?X::v", "e?Q::V::v"})
+        EXPECT_EQ(entering(wrong), 1U) << wrong;
+}
+
 TEST(Names, SuggestsWhatWasMeant) {
     const auto reading = resolved("type Colour interface I { var v : Color }");
     ASSERT_EQ(reading->findings.sorted().size(), 1U);
