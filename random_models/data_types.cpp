@@ -132,13 +132,16 @@ const DataType* Types::enumeration() {
     return intern(std::move(type));
 }
 
-/// `A -> B` or `A <-> B`. The parts are no wider than those of products are, and for the same reason.
+/// `A -> B`, `A <-> B`, or with `A * B` before the arrow. Parts are no wider than those of products, and for the same
+/// reason.
 const DataType* Types::mapping(Form form) {
     DataType type;
     type.form = form;
-    for (int i = 0; i < 2; ++i) type.parts.push_back(existing_part());
-    type.written =
-        fmt::format("{} {} {}", type.parts[0]->written, form == Form::function ? "->" : "<->", type.parts[1]->written);
+    const bool pairs = shape_.data.products && random_.chance(25);
+    type.parts.push_back(pairs ? compound(Form::product) : existing_part());
+    type.parts.push_back(existing_part());
+    type.written = fmt::format("{} {} {}", product_operand(*type.parts[0]), form == Form::function ? "->" : "<->",
+                               type.parts[1]->written);
     return intern(std::move(type));
 }
 
