@@ -80,6 +80,7 @@ std::optional<Finding> Search::search_antichain_level(StateIndex first, StateInd
     }
     for (StateIndex pair = first; pair != end; ++pair) {
         if (!needed[pair - first]) {
+            ++expanded_;
             lineage_.expanded(0);
             continue;
         }
@@ -120,6 +121,7 @@ void Search::note_entered(std::size_t number) {
     std::size_t row = 0;
     for (std::size_t i = 0; i < expansion.pairs.size(); ++i) {
         budget_.charge();
+        ++expanded_;
         transitions_ += expansion.pairs[i].transitions;
         lineage_.expanded(wide_->found(number, i));
         if (!keep_taus_) continue;
