@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# The high-voltage controller's assertions from RoboTool's own script: builds our command in release form and nothing
+# else, decides them and compares with what FDR was recorded to answer (docs/benchmarks.md). Arguments are passed on:
+# numbers of assertions, --threads N. The folder: ROBOCHART_SHARED/bench/hvc.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset release > /dev/null
+cmake --build --preset release --target robochart-verify
+exec python3 benchmarks/decide_hvc.py --program build/release/app/robochart-verify \
+  --folder "${ROBOCHART_SHARED:-../shared}/bench/hvc" "$@"
