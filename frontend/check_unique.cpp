@@ -25,7 +25,8 @@ void report(std::string_view name, const Places& places, Diagnostics& out) {
     for (std::size_t i = 2; i < std::min(places.size(), max_shown); ++i)
         finding.notes.push_back({places[i], "declared again here"});
     if (places.size() > max_shown)
-        finding.notes.push_back({{}, fmt::format("and at {} more places", places.size() - max_shown)});
+        finding.notes.push_back(
+            {places.back(), fmt::format("and at {} more places, last here", places.size() - max_shown)});
 }
 
 /// Names as they are declared; told once each, in the order of names.
