@@ -360,7 +360,7 @@ bool Parser::missing_comma() {
     if (!item || peek().first_on_line || peek().escaped || at_ < quiet_until_) return false;
     const Span place{source_, previous().span.end, previous().span.end};
     diagnostics::Diagnostic* finding = report(syntax::unexpected, peek().span, {"`,`", found()});
-    finding->fixes.push_back({place, ",", "insert"});
+    if (finding != nullptr) finding->fixes.push_back({place, ",", "insert"});
     inserted_ = finding;
     return true;
 }

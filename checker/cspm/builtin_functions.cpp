@@ -333,10 +333,14 @@ process::TermId Evaluator::buffer(const Values& arguments, Span span) {
 
 /// The order of prioritisepo(P, prioritised, pairs, maximal).
 process::RenamingId Evaluator::partial_order(const Values& arguments, Span span) {
+    // One after the other: events are numbered in the order in which they are first met.
+    const process::EventSet prioritised = event_set(arguments[1], span);
     std::vector<process::EventPair> pairs;
-    for (const Value pair : elements(arguments[2], span))
-        pairs.emplace_back(event(pair->items.at(0), span), event(pair->items.at(1), span));
-    auto order = process::priority_order(event_set(arguments[1], span), pairs, event_set(arguments[3], span));
+    for (const Value pair : elements(arguments[2], span)) {
+        const process::Event higher = event(pair->items.at(0), span);
+        pairs.emplace_back(higher, event(pair->items.at(1), span));
+    }
+    auto order = process::priority_order(prioritised, pairs, event_set(arguments[3], span));
     if (const auto* fault = std::get_if<process::OrderFault>(&order)) {
         const std::string name = events_.name(fault->event);
         switch (fault->kind) {

@@ -31,7 +31,7 @@ public:
     /// After prefetch: the state that probably is the one with this hash.
     void prefetch_state(std::uint64_t hash) const {
         const StateIndex likely = table_.likely(hash);
-        if (likely != no_state) __builtin_prefetch(row(likely));
+        if (likely < size_) __builtin_prefetch(row(likely));  // others have claims, but no place yet
     }
     Insertion insert(StateView state, std::uint64_t hash);
     [[nodiscard]] StateIndex find(StateView state, std::uint64_t hash) const;

@@ -29,7 +29,7 @@ assert prioritisepo(SKIP [] a -> STOP, All, {}, {a}) :[has trace [T]]: <a>
         return process_failure("external prioritisepo\nchannel a, b, c\nX = prioritisepo(STOP, {a, b}, " + order +
                                ")\n");
     };
-    EXPECT_EQ(fault("{(a, b), (b, a)}, {}"), "prioritisepo: the order is cyclic, b lies above itself");
+    EXPECT_EQ(fault("{(a, b), (b, a)}, {}"), "prioritisepo: the order is cyclic, a lies above itself");
     EXPECT_EQ(fault("{(a, b)}, {b}"), "prioritisepo: b is given as maximal, but lies below another event");
     EXPECT_EQ(fault("{(a, c)}, {}"), "prioritisepo: c is not among the prioritised events");
     EXPECT_EQ(fault("{}, {c}"), "prioritisepo: c is not among the prioritised events");
