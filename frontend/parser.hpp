@@ -310,7 +310,9 @@ void Parser::braces(Member member, unsigned members) {
         }
         deeper = deeper || (peek().first_on_line && indentation(at_) > own);
         const std::size_t start = at_;
-        const bool read = guarded(member) || mended();
+        // Where all its words were missing a member is read without taking one: that is none.
+        const bool taken = guarded(member) && at_ != start;
+        const bool read = taken || mended();
         if (!read) {
             if (at_ == start && !at("{") && !at("<{")) advance();
             skip_to_member();
