@@ -9,14 +9,11 @@
 
 #include "cpp_emit/emit.hpp"
 #include "cpp_emit/runtime/explore_abi.h"
+#include "cpp_emit/shared_library.hpp"
 
 namespace robochart::conformance {
 
-struct BuildOptions {
-    std::string compiler = "c++";  ///< found through PATH; must accept g++'s options
-    std::string flags;             ///< separated by blanks
-    std::string work_dir;          ///< "": a fresh temporary folder, removed with the object
-};
+using BuildOptions = cpp_emit::BuildOptions;
 
 /// One loaded controller. Its code runs in this process: load only what this toolkit generated or tests wrote.
 class SharedObject {
@@ -26,20 +23,13 @@ public:
     static std::unique_ptr<SharedObject> build(const std::vector<cpp_emit::OutputFile>& files,
                                                const std::vector<std::string>& sources, const BuildOptions&,
                                                std::string& error);
-    ~SharedObject();
-    SharedObject(const SharedObject&) = delete;
-    SharedObject& operator=(const SharedObject&) = delete;
-
     [[nodiscard]] const rc_interface& interface() const { return *interface_; }
 
 private:
     SharedObject() = default;
-    [[nodiscard]] bool load(std::string& error);
+    [[nodiscard]] bool find_interface(std::string& error);
 
-    std::string folder_;
-    bool temporary_ = false;
-    std::string path_;
-    void* handle_ = nullptr;
+    std::unique_ptr<cpp_emit::SharedLibrary> library_;
     const rc_interface* interface_ = nullptr;
 };
 

@@ -1,0 +1,43 @@
+// Generated sources, compiled by the system's compiler and loaded into this process.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cpp_emit/emit.hpp"
+
+namespace robochart::cpp_emit {
+
+struct BuildOptions {
+    std::string compiler = "c++";  ///< found through PATH; must accept g++'s options
+    std::string flags;             ///< separated by blanks
+    std::string work_dir;          ///< "": a fresh temporary folder, removed with the object
+};
+
+/// A loaded shared object. Its code runs in this process: load only what this toolkit generated or tests wrote.
+class SharedLibrary {
+public:
+    /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and
+    /// loads it. On failure returns nothing and sets `error` to the cause, with the compiler's words if it spoke.
+    static std::unique_ptr<SharedLibrary> build(const std::vector<OutputFile>& files,
+                                                const std::vector<std::string>& sources, const BuildOptions&,
+                                                std::string& error);
+    ~SharedLibrary();
+    SharedLibrary(const SharedLibrary&) = delete;
+    SharedLibrary& operator=(const SharedLibrary&) = delete;
+
+    /// The address of an exported function; null if there is none of the name.
+    [[nodiscard]] void* symbol(const char* name) const;
+
+private:
+    SharedLibrary() = default;
+    [[nodiscard]] bool load(std::string& error);
+
+    std::string folder_;
+    bool temporary_ = false;
+    std::string path_;
+    void* handle_ = nullptr;
+};
+
+}  // namespace robochart::cpp_emit
