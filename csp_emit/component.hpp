@@ -31,6 +31,30 @@ struct ComponentEmission {
     std::vector<std::string> visible;  ///< channels of sem__events, relative to the component
 };
 
+/// The channels of a component (semantics 3.2), declared one by one; what each event means is told to the provenance.
+class ChannelDeclarations {
+public:
+    /// `owner`: qualified CSPM name of the component.
+    ChannelDeclarations(const Project& project, std::string owner, Provenance& provenance,
+                        std::vector<cspm::DeclPtr>& decls)
+        : project_(project), owner_(std::move(owner)), provenance_(provenance), decls_(decls) {}
+
+    /// `e : InOut` or `e : InOut.T`: `in` receives, `out` sends.
+    void event(const ir::Event&);
+    /// `opCall.args`: a call that no definition of the context answers.
+    void call(const ir::OperationSignature&);
+    /// `set_x` and, if others may write it too, `set_EXT_x`.
+    void variable(const std::string& name, ir::TypeId, bool written_by_others, const ir::Origin&);
+
+private:
+    void mean(const std::string& event, EventMeaning meaning);
+
+    const Project& project_;
+    std::string owner_;
+    Provenance& provenance_;
+    std::vector<cspm::DeclPtr>& decls_;
+};
+
 /// All that has been emitted so far: every component by its qualified CSPM name, nested ones included.
 struct Emitted {
     Provenance provenance;

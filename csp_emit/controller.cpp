@@ -45,31 +45,11 @@ private:
 void ControllerEmitter::declare_channels(std::vector<DeclPtr>& decls) {
     decls.push_back(b::channel({"terminate"}));
     mean("terminate", {MeaningKind::terminate, controller().name + " terminates", {}, controller().origin});
-    for (const ir::Event& event : controller().events) {
-        b::Exprs fields{b::name("InOut")};
-        std::vector<ir::TypeId> types;
-        if (event.type) {
-            fields.push_back(type_set(project(), *event.type));
-            types.push_back(*event.type);
-        }
-        decls.push_back(b::channel({event.name}, b::dot(fields)));
-        mean(event.name + ".in", {MeaningKind::trigger, "input " + event.name, types, event.origin});
-        mean(event.name + ".out", {MeaningKind::output, "output " + event.name, types, event.origin});
-    }
-    for (const ir::OperationSignature& call : leaving_calls(project().system, controller())) {
-        b::Exprs fields;
-        for (const ir::TypeId type : call.parameters) fields.push_back(type_set(project(), type));
-        decls.push_back(b::channel({call.name + "Call"}, fields.empty() ? nullptr : b::dot(fields)));
-        mean(call.name + "Call", {MeaningKind::call, "call " + call.name, call.parameters, call.origin});
-    }
+    ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
+    for (const ir::Event& event : controller().events) channels.event(event);
+    for (const ir::OperationSignature& call : leaving_calls(project().system, controller())) channels.call(call);
     for (const ir::Variable& variable : controller().variables) {
-        std::vector<std::string> names{"set_" + variable.name};
-        if (variable.scope == VariableScope::required) names.push_back("set_EXT_" + variable.name);
-        decls.push_back(b::channel(names, type_set(project(), variable.type)));
-        mean(names[0], {MeaningKind::assignment, "write " + variable.name, {variable.type}, variable.origin});
-        if (names.size() > 1)
-            mean(names[1],
-                 {MeaningKind::external_write, "others write " + variable.name, {variable.type}, variable.origin});
+        channels.variable(variable.name, variable.type, variable.scope == VariableScope::required, variable.origin);
         composition_.variables.push_back({variable.name, variable.type, variable.scope == VariableScope::required,
                                           variable.scope == VariableScope::required, nullptr});
     }

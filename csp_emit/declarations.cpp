@@ -61,25 +61,10 @@ DeclPtr MachineEmitter::module(std::vector<DeclPtr> points, const ExprPtr& initi
 void MachineEmitter::declare_channels(std::vector<DeclPtr>& decls) {
     if (machine().kind == ir::MachineKind::state_machine) decls.push_back(b::channel({"terminate"}));
     mean("terminate", {MeaningKind::terminate, machine().name + " terminates", {}, machine().origin});
-    for (const ir::Event& event : machine().events) {
-        b::Exprs fields{b::name("InOut")};
-        std::vector<ir::TypeId> types;
-        if (event.type) {
-            fields.push_back(type_set(project(), *event.type));
-            types.push_back(*event.type);
-        }
-        decls.push_back(b::channel({event.name}, b::dot(fields)));
-        mean(event.name + ".in", {MeaningKind::trigger, "input " + event.name, types, event.origin});
-        mean(event.name + ".out", {MeaningKind::output, "output " + event.name, types, event.origin});
-    }
-    for (const CellId cell : frames_[0].variables) {
-        if (!cells_[cell].shared) continue;
-        const std::string& name = cells_[cell].channel;
-        decls.push_back(b::channel({"set_" + name, "set_EXT_" + name}, type_set(project(), cells_[cell].type)));
-        const auto origin = machine().origin;
-        mean("set_" + name, {MeaningKind::assignment, "write " + name, {cells_[cell].type}, origin});
-        mean("set_EXT_" + name, {MeaningKind::external_write, "others write " + name, {cells_[cell].type}, origin});
-    }
+    ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
+    for (const ir::Event& event : machine().events) channels.event(event);
+    for (const CellId cell : frames_[0].variables)
+        if (cells_[cell].shared) channels.variable(cells_[cell].channel, cells_[cell].type, true, machine().origin);
     if (!transition_of_.empty()) {
         std::vector<cspm::Constructor> constructors;
         for (const auto& [place, name] : transition_of_) constructors.push_back(b::constructor(name));
@@ -93,13 +78,10 @@ void MachineEmitter::declare_channels(std::vector<DeclPtr>& decls) {
 }
 
 void MachineEmitter::declare_calls(std::vector<DeclPtr>& decls) {
+    ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
     for (const ir::OperationSignature& operation : machine().operations) {
         if (context_.definitions.count(operation.name) != 0) continue;
-        b::Exprs fields;
-        for (const ir::TypeId type : operation.parameters) fields.push_back(type_set(project(), type));
-        decls.push_back(b::channel({operation.name + "Call"}, fields.empty() ? nullptr : b::dot(fields)));
-        mean(operation.name + "Call",
-             {MeaningKind::call, "call " + operation.name, operation.parameters, operation.origin});
+        channels.call(operation);
         calls_.push_back(operation.name);
     }
 }

@@ -1,11 +1,10 @@
 // One function per family of ExprKind.
 #include "csp_emit/expressions.hpp"
 
-#include <limits>
-
 #include "checker/cspm/build.hpp"
 #include "csp_emit/names.hpp"
 #include "csp_emit/types.hpp"
+#include "semantics/evaluate.hpp"
 
 namespace robochart::csp_emit {
 
@@ -66,20 +65,10 @@ ExprPtr Translator::refused(const std::string& what, const ir::Expr& expr) const
     return b::number(0);
 }
 
-/// A decimal in units of 1/scale. The scale is chosen from the model's literals, so the division is exact there.
+/// A decimal in units of 1/scale. The scale is chosen from the model's literals, so nothing is rounded off there.
 ExprPtr Translator::real_literal(const ir::Expr& expr) const {
-    std::int64_t value = expr.decimal.unscaled;
-    std::int64_t units = scale();
-    for (std::uint32_t i = 0; i < expr.decimal.decimals; ++i) {
-        if (units % 10 == 0)
-            units /= 10;
-        else
-            value = value >= 0 ? value / 10 : -((9 - value) / 10);
-    }
-    if (units != 0 && (value > std::numeric_limits<std::int64_t>::max() / units ||
-                       value < std::numeric_limits<std::int64_t>::min() / units))
-        return refused("a real literal beyond 64 bits", expr);
-    return b::number(value * units);
+    const auto units = ir::scaled(expr.decimal, scale());
+    return units ? b::number(*units) : refused("a real literal beyond 64 bits", expr);
 }
 
 ExprPtr Translator::literal(const ir::Expr& expr) const {

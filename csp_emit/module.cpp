@@ -27,9 +27,6 @@ private:
     const Project& project() const { return *context_.project; }
     const ir::Module& module() const { return *context_.module; }
     const ir::Platform& platform() const { return module().platform; }
-    void mean(const std::string& event, EventMeaning meaning) {
-        emitted_.provenance.events[context_.path + "::" + event] = std::move(meaning);
-    }
     void declare_channels(std::vector<DeclPtr>& decls);
     void declare_variables(std::vector<DeclPtr>& decls);
     void declare_sets(std::vector<DeclPtr>& decls);
@@ -57,31 +54,16 @@ std::vector<ir::OperationSignature> ModuleEmitter::calls() const {
 
 void ModuleEmitter::declare_channels(std::vector<DeclPtr>& decls) {
     decls.push_back(b::channel({"terminate"}));
-    for (const ir::Event& event : platform().events) {
-        b::Exprs fields{b::name("InOut")};
-        std::vector<ir::TypeId> types;
-        if (event.type) {
-            fields.push_back(type_set(project(), *event.type));
-            types.push_back(*event.type);
-        }
-        decls.push_back(b::channel({event.name}, b::dot(fields)));
-        mean(event.name + ".in", {MeaningKind::trigger, "input " + event.name, types, event.origin});
-        mean(event.name + ".out", {MeaningKind::output, "output " + event.name, types, event.origin});
-    }
-    for (const ir::OperationSignature& call : calls()) {
-        b::Exprs fields;
-        for (const ir::TypeId type : call.parameters) fields.push_back(type_set(project(), type));
-        decls.push_back(b::channel({call.name + "Call"}, fields.empty() ? nullptr : b::dot(fields)));
-        mean(call.name + "Call", {MeaningKind::call, "call " + call.name, call.parameters, call.origin});
-    }
+    ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
+    for (const ir::Event& event : platform().events) channels.event(event);
+    for (const ir::OperationSignature& call : calls()) channels.call(call);
 }
 
 /// Provided variables are the platform's to see; an explicit initial value is told to the controllers at the start.
 void ModuleEmitter::declare_variables(std::vector<DeclPtr>& decls) {
+    ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
     for (const ir::Variable& variable : platform().variables) {
-        decls.push_back(b::channel({"set_" + variable.name}, type_set(project(), variable.type)));
-        mean("set_" + variable.name,
-             {MeaningKind::assignment, "write " + variable.name, {variable.type}, variable.origin});
+        channels.variable(variable.name, variable.type, false, variable.origin);
         SharedVariable shared{variable.name, variable.type, false, variable.scope == VariableScope::required, nullptr};
         if (variable.initial) {
             const auto value =
