@@ -20,7 +20,7 @@ struct Rule {
     std::string_view explanation;  ///< what `explain CODE` prints: the rule, the reason, an example
 };
 
-/// Points at another place that matters.
+/// Points at another place that matters, or, where the span is unknown, says more about the finding itself.
 struct Note {
     Span span;
     std::string message;
