@@ -69,22 +69,36 @@ std::string said(const Project& project, const cspm::EvaluationError& error) {
     return place.empty() ? error.what() : fmt::format("{}: {}", place, error.what());
 }
 
-/// An obligation holds if all its assertions do; the first that does not ends it.
+/// One assertion of an obligation: its answer, with its counterexample where it fails.
+void decide_one(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion, AssertionReport& report) {
+    report.answer = Answer::holds;
+    try {
+        take(context, obligation, context.session.check(assertion, limits(context.options)).verdict, report);
+    } catch (const cspm::EvaluationError& error) {
+        report.answer = Answer::error;
+        report.reason = said(context.project, error);
+    } catch (const std::bad_alloc&) {
+        report.answer = Answer::inconclusive;
+        report.reason = "out of memory";
+    }
+}
+
+/// All assertions must hold: the first that does not ends it. Or one suffices: the first that holds does, and only if
+/// each of them fails the claim does.
 void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
     const InterruptScope scope;
-    report.answer = Answer::holds;
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
-        try {
-            take(context, obligation, context.session.check(*assertion, limits(context.options)).verdict, report);
-        } catch (const cspm::EvaluationError& error) {
-            report.answer = Answer::error;
-            report.reason = said(context.project, error);
-        } catch (const std::bad_alloc&) {
+        const bool unknown = report.answer == Answer::inconclusive && !report.reason.empty();
+        const std::string reason = report.reason;
+        decide_one(context, obligation, *assertion, report);
+        if (report.answer == Answer::error || (report.answer == Answer::holds) == obligation.one_suffices) break;
+        if (unknown) {
             report.answer = Answer::inconclusive;
-            report.reason = "out of memory";
+            report.reason = reason;
         }
-        if (report.answer != Answer::holds) return;
     }
+    if (report.answer == Answer::holds) report.reason.clear();
+    if (report.answer == Answer::fails && obligation.one_suffices) report.reason = obligation.reason;
 }
 
 bool wanted(const Context& context, const csp_emit::Obligation& obligation) {

@@ -88,7 +88,9 @@ std::string StoryTeller::arguments(const csp_emit::EventMeaning& event, const st
 std::string StoryTeller::described(const std::string& name) const {
     std::string rest;
     const csp_emit::EventMeaning* found = meaning(name, rest);
-    return found == nullptr ? name : found->text + arguments(*found, rest);
+    if (found == nullptr) return name;
+    if (found->kind == csp_emit::MeaningKind::refusal) return found->text + " " + (rest == "tock" ? "the passing of time" : described(rest));
+    return found->text + arguments(*found, rest);
 }
 
 std::string StoryTeller::event(process::Event event) const { return described(events_.name(event)); }

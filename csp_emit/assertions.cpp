@@ -40,11 +40,18 @@ ExprPtr deadlock_watch(const ExprPtr& process) {
     return b::hide(b::call("prioritise", {both, b::sequence({others, b::set({tock()})})}), b::set({tock()}));
 }
 
+std::string wording(const ir::Property& property) {
+    const std::size_t colon = property.wording.find(':');
+    if (colon == std::string::npos) return property.wording;
+    return property.wording.substr(property.wording.find_first_not_of(' ', colon + 1));
+}
+
 class Asserter {
 public:
-    Asserter(const Project& project, const Emitted& emitted) : project_(project), emitted_(emitted) {}
+    Asserter(const Project& project, NameManager names, Emitted& emitted)
+        : project_(project), names_(std::move(names)), emitted_(emitted) {}
 
-    Obligation property(std::uint32_t index) const;
+    Obligation property(std::uint32_t index);
     void core(const std::string& path, const ComponentEmission& component, std::vector<Obligation>& out) const;
 
 private:
@@ -53,18 +60,23 @@ private:
     const ComponentEmission* component(const ir::ComponentRef& ref) const;
     ExprPtr process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const;
     ExprPtr argument(const std::string& parameter, const std::string& value, const ir::Property& property) const;
-    std::vector<DeclPtr> unary(AssertionKind kind, const ExprPtr& process, bool negated) const;
-    std::vector<DeclPtr> deadlock(const ExprPtr& process, bool negated) const;
+    std::vector<DeclPtr> unary(AssertionKind kind, const ExprPtr& process, cspm::Model model, bool negated) const;
+    std::vector<DeclPtr> deadlock(const ExprPtr& process, cspm::Model model, bool negated) const;
     std::vector<DeclPtr> timelock(const ExprPtr& process, bool negated) const;
-    std::vector<DeclPtr> termination(const ExprPtr& process, bool negated) const;
-    std::vector<DeclPtr> refinement(const ir::Property& property, bool both) const;
+    std::vector<DeclPtr> termination(const ExprPtr& process, cspm::Model model, bool negated) const;
+    void refinement(const ir::Property& property, Obligation& out);
+    std::string model_shifting(const ir::Property& property, Obligation& out);
+    ExprPtr alphabet(const ir::ComponentRef& ref) const;
+    bool has_alphabet(const ir::ComponentRef& ref) const;
     std::vector<DeclPtr> reachability(const ir::Property& property) const;
     ExprPtr renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef& other, const ExprPtr& process) const;
     std::string unavailable(const ir::Property& property) const;
-    std::vector<DeclPtr> forms(const ir::Property& property) const;
+    std::string unavailable_model(const ir::Property& property) const;
+    void forms(const ir::Property& property, Obligation& out);
 
     const Project& project_;
-    const Emitted& emitted_;
+    NameManager names_;
+    Emitted& emitted_;
 };
 
 const ComponentEmission* Asserter::component(const ir::ComponentRef& ref) const {
@@ -94,12 +106,13 @@ ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& prope
     return b::call(path(ref) + "::" + variant, arguments);
 }
 
-std::vector<DeclPtr> Asserter::unary(AssertionKind kind, const ExprPtr& process, bool negated) const {
-    return {b::assert_property(process, kind, cspm::Model::none, negated)};
+std::vector<DeclPtr> Asserter::unary(AssertionKind kind, const ExprPtr& process, cspm::Model model,
+                                     bool negated) const {
+    return {b::assert_property(process, kind, model, negated)};
 }
 
-std::vector<DeclPtr> Asserter::deadlock(const ExprPtr& process, bool negated) const {
-    if (!timed()) return unary(AssertionKind::deadlock_free, process, negated);
+std::vector<DeclPtr> Asserter::deadlock(const ExprPtr& process, cspm::Model model, bool negated) const {
+    if (!timed()) return unary(AssertionKind::deadlock_free, process, model, negated);
     return {b::assert_property(deadlock_watch(process), AssertionKind::divergence_free,
                                cspm::Model::failures_divergences, negated)};
 }
@@ -113,15 +126,15 @@ std::vector<DeclPtr> Asserter::timelock(const ExprPtr& process, bool negated) co
 
 /// Terminates: some deadlock or ✓ is reachable, and every deadlock is a ✓. Does not terminate: no ✓ is reachable,
 /// that is, the event r__ that stands behind the ✓ is in no trace.
-std::vector<DeclPtr> Asserter::termination(const ExprPtr& process, bool negated) const {
+std::vector<DeclPtr> Asserter::termination(const ExprPtr& process, cspm::Model model, bool negated) const {
     const ExprPtr after = b::name("r__");
     if (negated) {
         const ExprPtr marked = b::sequential({process, b::prefix(after, b::stop())});
         return {b::assert_refines(b::stop(), cspm::Model::traces, b::project(marked, b::set({after})))};
     }
     const ExprPtr running = b::sequential({process, b::call("RUN", {b::set({after})})});
-    return {b::assert_property(process, AssertionKind::deadlock_free, cspm::Model::none, true),
-            b::assert_property(running, AssertionKind::deadlock_free, cspm::Model::none, false)};
+    return {b::assert_property(process, AssertionKind::deadlock_free, model, true),
+            b::assert_property(running, AssertionKind::deadlock_free, model, false)};
 }
 
 /// Two components of the model are compared by the names of their events (csp-gen issue 91): one side is renamed.
@@ -136,13 +149,46 @@ ExprPtr Asserter::renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef
     return links.empty() ? process : b::rename(process, links);
 }
 
-std::vector<DeclPtr> Asserter::refinement(const ir::Property& property, bool both) const {
-    const ExprPtr subject = renamed_to(property.subject, property.other, process(property.subject, property, "D__"));
-    const ExprPtr other = process(property.other, property, "D__");
-    const cspm::Model model = model_of(property.model);
-    std::vector<DeclPtr> result{b::assert_refines(other, model, subject, property.negated)};
-    if (both) result.push_back(b::assert_refines(subject, model, other));
-    return result;
+ExprPtr Asserter::alphabet(const ir::ComponentRef& ref) const {
+    return b::name(ref.kind == ir::ComponentKind::process ? ref.path + "__sem__events" : path(ref) + "::sem__events");
+}
+
+/// Whether a CSP block of this time defines the alphabet of its process.
+bool Asserter::has_alphabet(const ir::ComponentRef& ref) const {
+    if (ref.kind != ir::ComponentKind::process) return true;
+    const std::string wanted = ref.path + "__sem__events";
+    const auto& blocks = project_.system.csp_blocks;
+    return std::any_of(blocks.begin(), blocks.end(), [&](const ir::CspBlock& block) {
+        return (timed() ? block.timed : block.untimed) && block.text.find(wanted) != std::string::npos;
+    });
+}
+
+/// An instance of the library's module for the events of both sides; its name.
+std::string Asserter::model_shifting(const ir::Property& property, Obligation& out) {
+    const std::string name = names_.unique("MS_" + flatten(property.name));
+    const ExprPtr events = b::call("union", {alphabet(property.other), alphabet(property.subject)});
+    out.preparation.push_back(b::instance(name, "model_shifting", {events}));
+    emitted_.provenance.events[name + "::ref"] = {MeaningKind::refusal, "refusal of", {}, {}};
+    return name;
+}
+
+/// `X refines Y` is `Y [M= X`; `equals` is both directions, and its negation the failure of either. The tick-tock
+/// model is that of traces after model shifting (assertions.md 4).
+void Asserter::refinement(const ir::Property& property, Obligation& out) {
+    ExprPtr subject = renamed_to(property.subject, property.other, process(property.subject, property, "D__"));
+    ExprPtr other = process(property.other, property, "D__");
+    cspm::Model model = model_of(property.model);
+    if (property.model == ir::PropertyModel::tick_tock) {
+        const std::string shifted = model_shifting(property, out) + "::TT";
+        subject = b::call(shifted, {subject});
+        other = b::call(shifted, {other});
+        model = cspm::Model::traces;
+    }
+    out.assertions.push_back(b::assert_refines(other, model, subject, property.negated));
+    if (property.kind != PropertyKind::equals) return;
+    out.assertions.push_back(b::assert_refines(subject, model, other, property.negated));
+    out.one_suffices = property.negated;
+    if (property.negated) out.reason = "each of the two refines the other";
 }
 
 /// RoboTool asserts over VS_O__; VS__ is the same process before compression, and a counterexample through it still
@@ -153,16 +199,34 @@ std::vector<DeclPtr> Asserter::reachability(const ir::Property& property) const 
     return {b::assert_refines(b::stop(), cspm::Model::traces, only, !property.negated)};
 }
 
+/// Why the property cannot be asked in its model; "" if it can.
+std::string Asserter::unavailable_model(const ir::Property& property) const {
+    const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
+    const bool of_traces = property.kind == PropertyKind::reachable || property.kind == PropertyKind::clock_initialised;
+    if (property.model == ir::PropertyModel::failures_divergences || of_traces) return "";
+    if (binary && property.model != ir::PropertyModel::tick_tock) return "";
+    if (binary && !timed()) return "the tick-tock model is about time";
+    if (binary && !has_alphabet(property.subject)) return property.subject.path + "__sem__events is not defined";
+    if (binary && !has_alphabet(property.other)) return property.other.path + "__sem__events is not defined";
+    if (binary) return "";
+    if (property.model == ir::PropertyModel::traces) return "traces do not tell what is refused or diverges";
+    if (property.kind == PropertyKind::divergence_free)
+        return "divergence is told by the failures-divergences model only";
+    if (property.model == ir::PropertyModel::tick_tock && property.kind != PropertyKind::timelock_free)
+        return "in the tick-tock model refinements and timelocks are decided";
+    if (property.kind == PropertyKind::deadlock_free && timed())
+        return "a deadlock in time is told by the failures-divergences model only";
+    return "";
+}
+
 /// Why a property has no CSPM form here; "" if it has one.
 std::string Asserter::unavailable(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
-    const bool component_only = property.kind == PropertyKind::reachable;
+    const bool component_only =
+        property.kind == PropertyKind::reachable || property.kind == PropertyKind::clock_initialised;
     if (property.kind == PropertyKind::clock_initialised)
         return "the semantics does not record whether a clock is initialised";
     if (property.kind == PropertyKind::timelock_free && !timed()) return "time cannot stop in the untimed semantics";
-    if (binary && property.model == ir::PropertyModel::tick_tock) return "the tick-tock model is not supported yet";
-    if (property.kind == PropertyKind::equals && property.negated)
-        return "inequality is the failure of one of two refinements, which no CSPM assertion states";
     const auto missing = [&](const ir::ComponentRef& ref) {
         return ref.kind != ir::ComponentKind::process && component(ref) == nullptr;
     };
@@ -170,45 +234,49 @@ std::string Asserter::unavailable(const ir::Property& property) const {
     if (binary && missing(property.other)) return property.other.path + " was not emitted";
     if (component_only && property.subject.kind == ir::ComponentKind::process)
         return "states are reached in components of the model only";
-    return "";
+    return unavailable_model(property);
 }
 
-std::vector<DeclPtr> Asserter::forms(const ir::Property& property) const {
+void Asserter::forms(const ir::Property& property, Obligation& out) {
     const auto subject = [&] { return process(property.subject, property, "D__"); };
+    // FDR's default for the properties of a process, which RoboTool leaves to it, is failures-divergences.
+    const cspm::Model model = property.model == ir::PropertyModel::failures ? cspm::Model::failures : cspm::Model::none;
     switch (property.kind) {
         case PropertyKind::deadlock_free:
-            return deadlock(subject(), property.negated);
+            out.assertions = deadlock(subject(), model, property.negated);
+            break;
         case PropertyKind::divergence_free:
-            return unary(AssertionKind::divergence_free, subject(), property.negated);
+            out.assertions = unary(AssertionKind::divergence_free, subject(), model, property.negated);
+            break;
         case PropertyKind::deterministic:
-            return unary(AssertionKind::deterministic, subject(), property.negated);
+            out.assertions = unary(AssertionKind::deterministic, subject(), model, property.negated);
+            break;
         case PropertyKind::timelock_free:
-            return timelock(subject(), property.negated);
+            out.assertions = timelock(subject(), property.negated);
+            break;
         case PropertyKind::terminates:
-            return termination(subject(), property.negated);
+            out.assertions = termination(subject(), model, property.negated);
+            break;
         case PropertyKind::refines:
-            return refinement(property, false);
         case PropertyKind::equals:
-            return refinement(property, true);
+            refinement(property, out);
+            break;
         case PropertyKind::reachable:
-            return reachability(property);
+            out.assertions = reachability(property);
+            break;
         default:
-            return {};
+            break;
     }
 }
 
-Obligation Asserter::property(std::uint32_t index) const {
+Obligation Asserter::property(std::uint32_t index) {
     const ir::Property& property = project_.system.properties[index];
     Obligation result;
     result.property = index;
     result.time = project_.time;
-    const std::size_t colon = property.wording.find(':');
-    const std::string claim = colon == std::string::npos
-                                  ? property.wording
-                                  : property.wording.substr(property.wording.find_first_not_of(' ', colon + 1));
-    result.title = property.name + (timed() ? " [timed] " : " [untimed] ") + claim;
+    result.title = property.name + (timed() ? " [timed] " : " [untimed] ") + wording(property);
     result.reason = unavailable(property);
-    if (result.reason.empty()) result.assertions = forms(property);
+    if (result.reason.empty()) forms(property, result);
     return result;
 }
 
@@ -226,16 +294,17 @@ void Asserter::core(const std::string& path, const ComponentEmission& component,
         obligation.assertions = std::move(assertions);
         out.push_back(std::move(obligation));
     };
-    add("deadlock-free", deadlock(process, false));
-    add("divergence-free", unary(AssertionKind::divergence_free, process, false));
-    add("deterministic", unary(AssertionKind::deterministic, process, false));
+    const auto plain = cspm::Model::none;
+    add("deadlock-free", deadlock(process, plain, false));
+    add("divergence-free", unary(AssertionKind::divergence_free, process, plain, false));
+    add("deterministic", unary(AssertionKind::deterministic, process, plain, false));
     if (timed()) add("timelock-free", timelock(process, false));
 }
 
 }  // namespace
 
-std::vector<Obligation> obligations(const Project& project, const Emitted& emitted) {
-    const Asserter asserter(project, emitted);
+std::vector<Obligation> obligations(const Project& project, NameManager names, Emitted& emitted) {
+    Asserter asserter(project, std::move(names), emitted);
     std::vector<Obligation> result;
     for (std::uint32_t i = 0; i < project.system.properties.size(); ++i) {
         const ir::Property& property = project.system.properties[i];

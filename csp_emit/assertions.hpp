@@ -2,10 +2,12 @@
 #pragma once
 
 #include "csp_emit/component.hpp"
+#include "csp_emit/names.hpp"
 
 namespace robochart::csp_emit {
 
 /// One obligation for each property that is decided in this time, then the generated core assertions if asked for.
-[[nodiscard]] std::vector<Obligation> obligations(const Project&, const Emitted&);
+/// What they add to the script gets names of its own, and its meaning goes to the provenance.
+[[nodiscard]] std::vector<Obligation> obligations(const Project&, NameManager, Emitted&);
 
 }  // namespace robochart::csp_emit

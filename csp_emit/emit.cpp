@@ -249,8 +249,11 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     if (project.timed()) emitted.provenance.events["tock"] = tock;
     result.script = result.definitions;
     append(result.script.decls, declared_once(blocks, definitions));
-    result.obligations = obligations(project, emitted);
-    for (const Obligation& obligation : result.obligations) append(result.script.decls, obligation.assertions);
+    result.obligations = obligations(project, names, emitted);
+    for (const Obligation& obligation : result.obligations) {
+        append(result.script.decls, obligation.preparation);
+        append(result.script.decls, obligation.assertions);
+    }
     result.provenance = std::move(emitted.provenance);
     return result;
 }

@@ -28,6 +28,7 @@ enum class MeaningKind {
     terminate,
     step,
     tock,
+    refusal,  ///< tick-tock: its argument is the event that is refused
 };
 struct EventMeaning {
     MeaningKind kind = MeaningKind::step;
@@ -50,13 +51,15 @@ struct Provenance {
     std::map<std::string, DefinitionMeaning> definitions;
 };
 
-/// One check to be made: an assertion of the model in one time, as one or more CSPM assertions that must all hold.
+/// One check to be made: an assertion of the model in one time, as one or more CSPM assertions.
 struct Obligation {
     std::uint32_t property = ir::no_id;  ///< index into System::properties; none for generated core assertions
     std::string title;                   ///< "A1 [timed] AggregationFSM is deadlock-free"
     Time time = Time::untimed;
-    std::vector<cspm::DeclPtr> assertions;  ///< members of the script below; empty: no check exists (`reason`)
-    std::string reason;
+    std::vector<cspm::DeclPtr> preparation;  ///< what the assertions mention and no other does; in the script too
+    std::vector<cspm::DeclPtr> assertions;   ///< members of the script below; empty: no check exists (`reason`)
+    bool one_suffices = false;               ///< the claim holds if one of the assertions does; else all must hold
+    std::string reason;                      ///< why there is no check; with `one_suffices`: what is so if none holds
 };
 
 struct Emission {

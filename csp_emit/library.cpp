@@ -2,6 +2,8 @@
 // parameter named like somebody's channel or constructor would be a pattern (checkers.md 3).
 #include "csp_emit/library.hpp"
 
+#include <algorithm>
+
 #include "checker/cspm/reader.hpp"
 
 namespace robochart::csp_emit {
@@ -61,6 +63,36 @@ clock_type_max(s__) = let largest__(<>,m__) = m__
                       within largest__(seq(s__),0)
 )";
 
+// Baxter, Ribeiro, Cavalcanti, Sound reasoning in tock-CSP (Acta Informatica 2022): what is refused is seen before
+// each tock and in the end, and nowhere else. Mestel, Roscoe, Reducing complex CSP models to traces via priority
+// (2016): an event `ref.e` that e has priority over is possible in stable states that refuse e.
+const char* const tick_tock_part = R"(
+external prioritisepo
+
+-- the tick-tock model over the events sigma__ as a model of traces: TT(p__) refines TT(q__) in traces where p__
+-- refines q__ in tick-tock. RT: the same for refusal testing, what is refused is seen everywhere
+module model_shifting(sigma__)
+  channel tick
+  observed = union(sigma__,{tock, tick})
+  order = {(e__,ref.e__) | e__ <- observed}
+  refusals(p__) = prioritisepo(p__ ||| RUN({|ref|}),union(observed,{|ref|}),order,observed)
+  events_first = ([] e__ : observed @ e__ -> events_first) [] ref?_ -> then_time
+  then_time = ref?_ -> then_time [] tock -> events_first
+  ended(p__) = prioritise(p__,<{}, {tock}>) ; tick -> SKIP
+exports
+  channel ref : union(sigma__,{tock, tick})
+  RT(p__) = refusals(ended(p__))
+  TT(p__) = refusals(ended(p__)) [| union(observed,{|ref|}) |] events_first
+endmodule
+)";
+
+bool uses_tick_tock(const ir::System& system) {
+    return std::any_of(system.properties.begin(), system.properties.end(),
+                       [](const auto& property) { return property.model == ir::PropertyModel::tick_tock; }) ||
+           std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(),
+                       [](const auto& block) { return block.text.find("model_shifting") != std::string::npos; });
+}
+
 }  // namespace
 
 std::string library_text(Time time) {
@@ -68,7 +100,9 @@ std::string library_text(Time time) {
 }
 
 std::vector<cspm::DeclPtr> library(const Project& project) {
-    const auto source = project.sources.add("<library of generated scripts>", library_text(project.time));
+    std::string text = library_text(project.time);
+    if (project.timed() && uses_tick_tock(project.system)) text += tick_tock_part;
+    const auto source = project.sources.add("<library of generated scripts>", text);
     return cspm::read(project.sources, source, project.diagnostics).decls;
 }
 

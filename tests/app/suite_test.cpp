@@ -28,10 +28,7 @@ const std::map<std::string, std::string>& not_yet() {
         {"clocks2", "clocks initialised"},
         {"clocks5", "clocks initialised"},
         {"clocks6", "clocks of operations on their own"},
-        {"multi_final_state", "the tick-tock model"},
         {"rp-var-visible", "blocks that use a wait"},
-        {"simGeneric-1", "the tick-tock model"},
-        {"simGeneric-8", "the tick-tock model"},
         {"test-vector-matrix", "vectors and matrices"},
     };
     return table;

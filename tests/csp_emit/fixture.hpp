@@ -39,6 +39,8 @@ struct Told {
 [[nodiscard]] std::vector<Told> story(Model&, Time, const std::string& process, const std::string& specification);
 /// Decides every assertion of a script.
 [[nodiscard]] std::vector<std::string> decide(const cspm::Script&);
+/// The verdict on each obligation of the model in this time: "holds", "fails", "no check: why" or another outcome.
+[[nodiscard]] std::vector<std::string> claims(Model&, Time);
 /// `holds` for both refinements in the failures-divergences model; else what went wrong, with the counterexample's
 /// trace.
 [[nodiscard]] std::string equal(Model&, Time, const std::string& process, const std::string& specification,

@@ -280,7 +280,9 @@ TEST(Assertions, EachPropertyHasItsForm) {
         untimed assertion A6 : S::A is reachable in S
         untimed assertion A7 : S::A is not reachable in S
         untimed assertion A8 : S refines S in the traces model
-        untimed assertion A9 : S equals S in the tick-tock model
+        timed assertion A9 : S refines S in the tick-tock model
+        untimed assertion B2 : S is not equal to S in the failures model
+        untimed assertion B3 : S is deadlock-free in the failures model
         untimed assertion B1 : S is not deterministic
     )");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
@@ -289,7 +291,8 @@ TEST(Assertions, EachPropertyHasItsForm) {
         for (const Obligation& obligation : m->emit(time).obligations) {
             text += obligation.title + "\n";
             cspm::Script script;
-            script.decls = obligation.assertions;
+            script.decls = obligation.preparation;
+            script.decls.insert(script.decls.end(), obligation.assertions.begin(), obligation.assertions.end());
             text += obligation.assertions.empty() ? obligation.reason + "\n" : cspm::print(script);
         }
     }
@@ -298,7 +301,9 @@ TEST(Assertions, EachPropertyHasItsForm) {
           "assert S::D__(0) ; RUN({r__}) :[deadlock free]\n", "assert STOP [T= (S::D__(0) ; r__ -> STOP) |\\ {r__}\n",
           "assert not STOP [T= S::VS__(0) |\\ {| S::A::entered |}\n",
           "assert STOP [T= S::VS__(0) |\\ {| S::A::entered |}\n", "assert S::D__(0) [T= S::D__(0)\n",
-          "tick-tock model is not supported", "assert not S::D__(0) :[deterministic]\n",
+          "assert MS_A9::TT(S::D__(0)) [T= MS_A9::TT(S::D__(0))\n", "instance MS_A9 = model_shifting(",
+          "assert not S::D__(0) [F= S::D__(0)\nassert not S::D__(0) [F= S::D__(0)\n",
+          "S::D__(0) :[deadlock free [F]]\n", "assert not S::D__(0) :[deterministic]\n",
           "S::D__(0)[[ tock <- tock, tock <- tock' ]]",
           "assert RUN({tock}) ||| CHAOS(diff(Events, {| tock |})) [F= S::D__(0)\n", "A2 [timed] S is deadlock-free"})
         EXPECT_THAT(text, HasSubstr(part));

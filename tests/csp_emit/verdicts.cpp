@@ -56,6 +56,23 @@ std::vector<std::string> decide(const cspm::Script& script) {
     return result;
 }
 
+std::vector<std::string> claims(Model& model, Time time) {
+    const Emission emission = model.emit(time);
+    if (!model.diagnostics.ok()) return {model.messages()};
+    cspm::Session session(emission.script);
+    std::vector<std::string> result;
+    for (const Obligation& obligation : emission.obligations) {
+        std::string answer = obligation.assertions.empty() ? "no check: " + obligation.reason : "holds";
+        for (const auto& assertion : obligation.assertions) {
+            const auto outcome = session.check(*assertion, {}).verdict.outcome;
+            answer = outcome == refine::Outcome::holds ? "holds" : outcome == refine::Outcome::fails ? "fails" : "?";
+            if ((answer == "holds") == obligation.one_suffices) break;
+        }
+        result.push_back(answer);
+    }
+    return result;
+}
+
 std::vector<Told> story(Model& model, Time time, const std::string& process, const std::string& specification) {
     Emission emission = model.emit(time);
     const auto source = model.sources.add("story.csp", "assert " + specification + " [T= " + process + "\n");

@@ -1,0 +1,224 @@
+// Every form of assertion in its models (assertions.md 4): what holds and what fails follows from the semantics of the
+// small machines, by hand.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/csp_emit/fixture.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+using testing::claims;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::model;
+using testing::verdicts;
+
+// Ready offers a or b as the environment likes; Chosen decides by itself; More offers a third way.
+const char* const machines = R"(
+interface I {
+    event a
+    event b
+}
+stm Ready {
+    uses I
+    initial i
+    state S {
+    }
+    final f
+    transition t0 {
+        from i
+        to S
+    }
+    transition t1 {
+        from S
+        to f
+        trigger a
+    }
+    transition t2 {
+        from S
+        to f
+        trigger b
+    }
+}
+stm Twin {
+    uses I
+    initial start
+    state Waiting {
+    }
+    final over
+    transition t0 {
+        from start
+        to Waiting
+    }
+    transition t1 {
+        from Waiting
+        to over
+        trigger b
+    }
+    transition t2 {
+        from Waiting
+        to over
+        trigger a
+    }
+}
+stm Chosen {
+    uses I
+    initial i
+    junction j
+    state A {
+    }
+    state B {
+    }
+    final f
+    transition t0 {
+        from i
+        to j
+    }
+    transition t1 {
+        from j
+        to A
+    }
+    transition t2 {
+        from j
+        to B
+    }
+    transition t3 {
+        from A
+        to f
+        trigger a
+    }
+    transition t4 {
+        from B
+        to f
+        trigger b
+    }
+}
+stm OnlyA {
+    uses I
+    initial i
+    state S {
+    }
+    final f
+    transition t0 {
+        from i
+        to S
+    }
+    transition t1 {
+        from S
+        to f
+        trigger a
+    }
+}
+)";
+
+std::vector<std::string> decided(const std::string& assertions, Time time) {
+    const auto m = model(machines, assertions);
+    EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
+    return claims(*m, time);
+}
+
+TEST(Assertions, ComponentsAreComparedByTheNamesOfTheirEvents) {
+    for (const Time time : {Time::untimed, Time::timed})
+        EXPECT_THAT(decided("assertion A : Ready equals Twin\n"
+                            "assertion B : Ready refines Chosen\n"
+                            "assertion C : Chosen does not refine Ready\n"
+                            "assertion D : Chosen refines Ready in the traces model\n"
+                            "assertion E : Ready refines Chosen in the failures model\n"
+                            "assertion F : Chosen does not refine Ready in the failures model\n",
+                            time),
+                    ElementsAre("holds", "holds", "holds", "holds", "holds", "holds"));
+}
+
+// Not equal: one of the two refinements fails, or both.
+TEST(Assertions, NotEqualIsTheFailureOfOneRefinement) {
+    for (const Time time : {Time::untimed, Time::timed})
+        EXPECT_THAT(decided("assertion A : Ready is not equal to Twin\n"
+                            "assertion B : Ready is not equal to Chosen\n"
+                            "assertion C : Chosen is not equal to Ready\n"
+                            "assertion D : Ready is not equal to Chosen in the traces model\n"
+                            "assertion E : OnlyA is not equal to Chosen in the traces model\n"
+                            "assertion F : Ready is not equal to Chosen in the failures model\n",
+                            time),
+                    ElementsAre("fails", "holds", "holds", "fails", "holds", "holds"));
+}
+
+TEST(Assertions, TickTockComparesComponents) {
+    EXPECT_THAT(decided("timed assertion A : Ready equals Twin in the tick-tock model\n"
+                        "timed assertion B : Ready refines Chosen in the tick-tock model\n"
+                        "timed assertion C : Chosen refines Ready in the tick-tock model\n"
+                        "timed assertion D : Chosen is not equal to Ready in the tick-tock model\n"
+                        "timed assertion E : Ready is not equal to Twin in the tick-tock model\n",
+                        Time::timed),
+                ElementsAre("holds", "holds", "fails", "holds", "fails"));
+}
+
+TEST(Assertions, WhatAModelCannotTellIsSaid) {
+    EXPECT_THAT(decided("untimed assertion A : Ready equals Twin in the tick-tock model\n"
+                        "untimed assertion B : Ready is deadlock-free in the traces model\n"
+                        "untimed assertion C : Ready is divergence-free in the failures model\n"
+                        "untimed assertion D : Ready is timelock-free\n",
+                        Time::untimed),
+                ::testing::Each(HasSubstr("no check: ")));
+    EXPECT_THAT(decided("timed assertion A : Ready is deterministic in the tick-tock model\n"
+                        "timed assertion B : P refines Ready in the tick-tock model\n"
+                        "timed csp P csp-begin\nP = STOP\ncsp-end\n",
+                        Time::timed),
+                ElementsAre(HasSubstr("no check: "), HasSubstr("P__sem__events is not defined")));
+}
+
+TEST(Assertions, PropertiesInTheFailuresModel) {
+    EXPECT_THAT(decided("untimed assertion A : Ready is not deadlock-free in the failures model\n"
+                        "untimed assertion B : Ready is deterministic in the failures model\n"
+                        "untimed assertion C : Chosen is not deterministic in the failures model\n"
+                        "untimed assertion D : Ready terminates in the failures model\n",
+                        Time::untimed),
+                ElementsAre("holds", "holds", "holds", "holds"));
+    EXPECT_THAT(decided("timed assertion A : Ready is timelock-free in the tick-tock model\n", Time::timed),
+                ElementsAre("fails"));  // it can terminate, and a terminated process lets no time pass
+}
+
+// Laws of tick-tock (Baxter, Ribeiro, Cavalcanti): what is refused before time passes is part of a trace, what is
+// refused before another event is not.
+TEST(TickTock, Laws) {
+    const auto m = model(machines, "timed csp Shift csp-begin\n-- model_shifting\ncsp-end\n");
+    const auto results = verdicts(*m, Time::timed, R"(
+channel a, b, c, d
+instance M = model_shifting({a,b,c,d})
+Timed(OneStep) {
+  Either = a -> STOP [] b -> STOP
+  Neither = (a -> STOP |~| b -> STOP) |~| STOP
+  Law = Either |~| STOP
+  Wait1 = WAIT(1) ; a -> STOP
+  Wait2 = WAIT(1) ; (a -> STOP |~| STOP)
+  Late = WAIT(2) ; a -> STOP
+  Over = SKIP
+}
+P1 = (a -> b -> STOP [] c -> STOP) |~| a -> d -> STOP
+P2 = (a -> d -> STOP [] c -> STOP) |~| a -> b -> STOP
+Stopped = USTOP
+-- in failures-divergences the two sides are equal
+assert Law [FD= Neither
+assert Neither [FD= Law
+-- in tick-tock they are not: a may come after b was refused for a time unit
+assert not M::TT(Law) [T= M::TT(Neither)
+assert M::TT(Neither) [T= M::TT(Law)
+assert M::TT(Wait2) [T= M::TT(Wait1)
+assert not M::TT(Wait1) [T= M::TT(Wait2)
+assert not M::TT(Wait1) [T= M::TT(Late)
+assert not M::TT(Late) [T= M::TT(Wait1)
+-- a timelock refuses tock, and STOP does not
+assert not M::TT(Over) [T= M::TT(Stopped)
+assert not M::TT(Stopped) [T= M::TT(Over)
+assert not M::TT(Wait1) [T= M::TT(Stopped)
+-- refusal testing is finer
+assert M::TT(P1) [T= M::TT(P2)
+assert M::TT(P2) [T= M::TT(P1)
+assert not M::RT(P1) [T= M::RT(P2)
+)");
+    EXPECT_THAT(results, ::testing::Each("holds"));
+    EXPECT_EQ(results.size(), 14U);
+}
+
+}  // namespace
+}  // namespace robochart::csp_emit
