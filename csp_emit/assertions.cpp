@@ -59,7 +59,7 @@ private:
     std::string path(const ir::ComponentRef& ref) const { return qualified(ref.package, ref.path); }
     const ComponentEmission* component(const ir::ComponentRef& ref) const;
     ExprPtr process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const;
-    ExprPtr argument(const std::string& parameter, const std::string& value, const ir::Property& property) const;
+    ExprPtr argument(const std::vector<std::string>& names, const ir::Property& property) const;
     std::vector<DeclPtr> unary(AssertionKind kind, const ExprPtr& process, cspm::Model model, bool negated) const;
     std::vector<DeclPtr> deadlock(const ExprPtr& process, cspm::Model model, bool negated) const;
     std::vector<DeclPtr> timelock(const ExprPtr& process, bool negated) const;
@@ -84,10 +84,11 @@ const ComponentEmission* Asserter::component(const ir::ComponentRef& ref) const 
     return found == emitted_.components.end() ? nullptr : &found->second;
 }
 
-ExprPtr Asserter::argument(const std::string& parameter, const std::string& value, const ir::Property& property) const {
+/// What the assertion sets one of these names to; null if nothing.
+ExprPtr Asserter::argument(const std::vector<std::string>& names, const ir::Property& property) const {
     for (const auto& [name, given] : property.constants)
-        if (name == parameter || name == value) return expression(project_, {}, *given);
-    return value.empty() ? nullptr : b::name(value);
+        if (std::find(names.begin(), names.end(), name) != names.end()) return expression(project_, {}, *given);
+    return nullptr;
 }
 
 /// `P::X::D__(0, constants...)`; for a process of a CSP block its name.
@@ -97,11 +98,13 @@ ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& prope
     b::Exprs arguments{b::number(0)};
     if (found != nullptr) {
         for (const ArgumentParameter& parameter : found->arguments) {
-            const ExprPtr given = argument(parameter.name, "", property);
+            const ExprPtr given = argument({parameter.name}, property);
             arguments.push_back(given ? given : default_literal(project_, parameter.type));
         }
-        for (const ConstantParameter& constant : found->constants)
-            arguments.push_back(argument(constant.parameter, constant.value, property));
+        for (const ConstantParameter& constant : found->constants) {
+            const ExprPtr given = argument({constant.parameter, constant.source}, property);
+            arguments.push_back(given ? given : b::name(constant.value));
+        }
     }
     return b::call(path(ref) + "::" + variant, arguments);
 }

@@ -32,8 +32,10 @@ private:
     void declare_sets(std::vector<DeclPtr>& decls);
     void add_constants();
     void add_part(const ir::MachineInstance& instance, std::vector<DeclPtr>& decls);
-    std::string constant_argument(const ir::MachineInstance& instance, const ConstantParameter& constant);
-    std::string part_of(const ir::MachineInstance& instance, const ir::Machine& owner) const;
+    std::string constant_argument(const std::string& part, const ConstantParameter& constant);
+    std::string part_of(const std::string& instance, const ir::Machine& owner) const;
+    ComponentEmission emit_part(const ir::Machine& machine, const std::string& name, std::vector<DeclPtr>& decls);
+    void add_operations(std::vector<DeclPtr>& decls);
     void add_connections();
 
     const ControllerContext& context_;
@@ -76,60 +78,98 @@ void ControllerEmitter::add_constants() {
     for (std::uint32_t i = 0; i < controller().constants.size(); ++i) {
         const ir::Constant& constant = controller().constants[i];
         const std::string name = ir::constant_name(controller().package, controller().path, constant.name);
-        composition_.constants.push_back({name, constant.name, name, nullptr, {i}, constant.type});
+        const std::string source = ir::constant_source(context_.module, controller(), {i}).name;
+        composition_.constants.push_back({name, constant.name, source, nullptr, {i}, constant.type, source});
     }
 }
 
 /// The reference that a constant belongs to: the machine's, or that of the operation it calls.
-std::string ControllerEmitter::part_of(const ir::MachineInstance& instance, const ir::Machine& owner) const {
+std::string ControllerEmitter::part_of(const std::string& instance, const ir::Machine& owner) const {
     for (std::size_t i = 0; i < controller().definitions.size(); ++i)
         if (&project().system.machine(controller().definitions[i]) == &owner)
             return controller().definition_names.at(i);
-    return instance.name;
+    return instance;
 }
 
 /// The controller's parameter for a machine's constant; added if it is a new one.
-std::string ControllerEmitter::constant_argument(const ir::MachineInstance& instance,
-                                                 const ConstantParameter& constant) {
+std::string ControllerEmitter::constant_argument(const std::string& part, const ConstantParameter& constant) {
+    // Alone: what the platform provides comes to the controller as a parameter of its own.
     const ir::Machine& owner = *constant.owner;
     const auto source =
-        ir::constant_source(project().system, nullptr, &controller(), part_of(instance, owner), owner, constant.id);
+        ir::constant_source(project().system, nullptr, &controller(), part_of(part, owner), owner, constant.id);
     const auto known = std::any_of(composition_.constants.begin(), composition_.constants.end(),
                                    [&](const ConstantParameter& c) { return c.parameter == source.name; });
     if (!known) {
         ConstantParameter added = constant;
         added.parameter = source.name;
-        added.value = default_constant(project(), constant.value, source.name);
         composition_.constants.push_back(added);
     }
     return source.name;
 }
 
-void ControllerEmitter::add_part(const ir::MachineInstance& instance, std::vector<DeclPtr>& decls) {
-    const ir::Machine& machine = project().system.machine(instance.machine);
+/// A machine in this controller: its operations are the controller's, and what it requires is provided.
+ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const std::string& name,
+                                               std::vector<DeclPtr>& decls) {
     MachineContext context;
     context.project = &project();
     context.machine = &machine;
-    context.name = instance.name;
-    context.path = context_.path + "::" + instance.name;
+    context.name = name;
+    context.path = context_.path + "::" + name;
     context.names = context_.names;
     for (const ir::MachineId id : controller().definitions) context.definitions[project().system.machine(id).name] = id;
-    for (std::size_t i = 0; i < instance.definitions.size(); ++i)
-        if (instance.definitions[i].valid())
-            context.definitions[machine.operations.at(i).name] = instance.definitions[i];
-    const auto definitions = context.definitions;
+    for (const ir::OperationSignature& operation : machine.operations)
+        if (const ir::MachineId id = ir::definition_in(project().system, controller(), operation); id.valid())
+            context.definitions[operation.name] = id;
+    const std::string path = context.path;
+    ComponentEmission result = emit_machine(std::move(context), emitted_);
+    decls.push_back(result.module);
+    for (ConstantParameter& constant : result.constants) {
+        const ir::Machine& owner = *constant.owner;
+        const auto source = ir::constant_source(project().system, context_.module, &controller(), part_of(name, owner),
+                                                owner, constant.id);
+        const bool provided = source.constant != &owner.constants.at(constant.id.index);
+        constant.source = source.name;
+        constant.value = provided ? source.name : default_constant(project(), constant.value, source.name);
+    }
+    emitted_.components[path] = result;
+    return result;
+}
+
+void ControllerEmitter::add_part(const ir::MachineInstance& instance, std::vector<DeclPtr>& decls) {
+    const ir::Machine& machine = project().system.machine(instance.machine);
     Part part;
     part.name = instance.name;
-    part.emission = emit_machine(std::move(context), emitted_);
-    decls.push_back(part.emission.module);
+    part.emission = emit_part(machine, instance.name, decls);
     for (const ir::Event& event : machine.events) part.events.push_back(event.name);
     for (const ir::Variable& variable : machine.variables)
         if (variable.scope == VariableScope::required) part.variables.push_back(variable.name);
+    const auto defined = [&](const ir::OperationSignature& operation) {
+        return std::any_of(controller().definitions.begin(), controller().definitions.end(),
+                           [&](ir::MachineId id) { return project().system.machine(id).name == operation.name; });
+    };
     for (const ir::OperationSignature& operation : machine.operations)
-        if (definitions.count(operation.name) == 0) part.calls.push_back(operation.name);
+        if (!defined(operation)) part.calls.push_back(operation.name);
     for (const ConstantParameter& constant : part.emission.constants)
-        part.arguments.push_back(constant_argument(instance, constant));
+        part.arguments.push_back(constant_argument(instance.name, constant));
     composition_.parts.push_back(std::move(part));
+}
+
+/// `C::OP_o`: an operation on its own, as the controller defines it. Only where somebody speaks of it.
+void ControllerEmitter::add_operations(std::vector<DeclPtr>& decls) {
+    for (std::size_t i = 0; i < controller().definitions.size(); ++i) {
+        const ir::Machine& machine = project().system.machine(controller().definitions[i]);
+        const std::string name = module_name(machine);
+        const std::string path = context_.path + "::" + name;
+        if (!project().speaks_of(path)) continue;
+        ComponentEmission& emission = emitted_.components[path] = emit_part(machine, name, decls);
+        const std::string place = controller().path + "::" + controller().definition_names.at(i);
+        std::size_t next = 0;
+        for (const ir::Variable& variable : machine.variables) {
+            if (variable.scope != VariableScope::parameter) continue;
+            const std::string constant = ir::constant_name(controller().package, place, variable.name);
+            emission.arguments.at(next++).name = "param_" + constant.substr(std::string("const_").size());
+        }
+    }
 }
 
 void ControllerEmitter::add_connections() {
@@ -148,6 +188,7 @@ ComponentEmission ControllerEmitter::emit() {
     declare_sets(decls);
     add_constants();
     for (const ir::MachineInstance& instance : controller().machines) add_part(instance, decls);
+    add_operations(decls);
     add_connections();
     define_composition(composition_, decls);
     ComponentEmission result;

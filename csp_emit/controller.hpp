@@ -11,6 +11,7 @@ struct ControllerContext {
     std::string name;  ///< of the CSPM module
     std::string path;  ///< qualified CSPM name
     NameManager names;
+    const ir::Module* module = nullptr;  ///< the module that the controller runs in; null: it stands alone
 };
 
 [[nodiscard]] ComponentEmission emit_controller(const ControllerContext&, Emitted&);

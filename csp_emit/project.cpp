@@ -1,9 +1,43 @@
 // Reporting and excerpts.
 #include "csp_emit/project.hpp"
 
+#include <algorithm>
+#include <cctype>
+
+#include "csp_emit/names.hpp"
 #include "csp_emit/rules.hpp"
 
 namespace robochart::csp_emit {
+
+namespace {
+
+bool in_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
+}
+
+bool has_name(const std::string& text, const std::string& name) {
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+        const bool begins = at == 0 || !in_name(text[at - 1]);
+        const bool ends = at + name.size() == text.size() || !in_name(text[at + name.size()]);
+        if (begins && ends) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool Project::mentions(const std::string& name) const {
+    return std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(), [&](const ir::CspBlock& block) {
+        return (timed() ? block.timed : block.untimed) && has_name(block.text, name);
+    });
+}
+
+bool Project::speaks_of(const std::string& path) const {
+    const auto names = [&](const ir::ComponentRef& ref) { return qualified(ref.package, ref.path) == path; };
+    return mentions(path) || std::any_of(system.properties.begin(), system.properties.end(), [&](const auto& property) {
+               return names(property.subject) || names(property.other);
+           });
+}
 
 void Project::refuse(const std::string& construct, diagnostics::Span span) const {
     diagnostics.report(rules::unsupported, span, {construct});

@@ -18,6 +18,10 @@ struct Project {
     [[nodiscard]] bool timed() const { return time == Time::timed; }
     /// Reports RC-C01: the construct is named and refused.
     void refuse(const std::string& construct, diagnostics::Span span) const;
+    /// Whether a CSP block of this time names it: a qualified or plain name, or its end behind `::`.
+    [[nodiscard]] bool mentions(const std::string& name) const;
+    /// Whether a CSP block or an assertion of this time speaks of the component of this qualified CSPM name.
+    [[nodiscard]] bool speaks_of(const std::string& path) const;
     /// The model's text at a place, blanks folded, at most 80 characters; "" if the place is unknown.
     [[nodiscard]] std::string text(diagnostics::Span span) const;
 };
