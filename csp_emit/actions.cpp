@@ -76,6 +76,7 @@ bool MachineEmitter::visible(const Place& place, const ir::Stmt& stmt) const {
     const Frame& frame = frames_[place.owner->frame];
     if (stmt.kind == StmtKind::communicate) return true;
     if (stmt.kind == StmtKind::call) return !defined(place, stmt);
+    if (stmt.kind == StmtKind::clock_reset) return announced(place.owner->frame, stmt.clock) != nullptr;
     return stmt.kind == StmtKind::assign && cells_[frame.variables.at(stmt.variable.index)].shared;
 }
 
@@ -267,6 +268,12 @@ void MachineEmitter::statement_branches(const Place& place, bool alone, std::vec
         out.push_back(step(frame, stmt, "", perform(place, {})));
     } else if (input) {
         out.push_back(reception(place, stmt));
+    } else if (stmt.kind == StmtKind::clock_reset) {
+        Values changed;
+        const auto& cell = frames_[frame].clocks.at(stmt.clock.index);
+        if (cell && cells_[*cell].reading.empty()) changed[*cell] = b::number(0);
+        const ExprPtr event = b::dot({b::name("clockReset"), b::name(*announced(frame, stmt.clock))});
+        out.push_back(b::prefix(event, go(place.put(running(place.thread->rest->tail)), changed)));
     } else if (!steady) {
         out.push_back(step(frame, stmt, "read ", freeze(place, stmt)));
     } else if (stmt.kind == StmtKind::communicate) {

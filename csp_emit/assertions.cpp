@@ -6,6 +6,7 @@
 #include "checker/cspm/build.hpp"
 #include "csp_emit/expressions.hpp"
 #include "csp_emit/names.hpp"
+#include "csp_emit/rules.hpp"
 #include "csp_emit/types.hpp"
 
 namespace robochart::csp_emit {
@@ -60,6 +61,8 @@ private:
     const ComponentEmission* component(const ir::ComponentRef& ref) const;
     ExprPtr process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const;
     ExprPtr argument(const std::vector<std::string>& names, const ir::Property& property) const;
+    bool takes(const ir::ComponentRef& ref, const std::string& constant) const;
+    void report_unused(const ir::Property& property) const;
     std::vector<DeclPtr> unary(AssertionKind kind, const ExprPtr& process, cspm::Model model, bool negated) const;
     std::vector<DeclPtr> deadlock(const ExprPtr& process, cspm::Model model, bool negated) const;
     std::vector<DeclPtr> timelock(const ExprPtr& process, bool negated) const;
@@ -91,6 +94,25 @@ ExprPtr Asserter::argument(const std::vector<std::string>& names, const ir::Prop
     return nullptr;
 }
 
+bool Asserter::takes(const ir::ComponentRef& ref, const std::string& constant) const {
+    const ComponentEmission* found = component(ref);
+    if (found == nullptr) return false;
+    return std::any_of(found->constants.begin(), found->constants.end(),
+                       [&](const ConstantParameter& c) {
+                           return c.parameter == constant || c.source == constant || c.value == constant;
+                       }) ||
+           std::any_of(found->arguments.begin(), found->arguments.end(),
+                       [&](const ArgumentParameter& argument) { return argument.name == constant; });
+}
+
+/// RC-C08, once for the two times.
+void Asserter::report_unused(const ir::Property& property) const {
+    if (timed() && property.untimed) return;
+    for (const auto& [name, value] : property.constants)
+        if (!takes(property.subject, name) && !takes(property.other, name))
+            project_.diagnostics.report(rules::constant_without_use, property.origin.span, {property.name, name});
+}
+
 /// `P::X::D__(0, constants...)`; for a process of a CSP block its name.
 ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const {
     if (ref.kind == ir::ComponentKind::process) return b::name(ref.path);
@@ -102,7 +124,7 @@ ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& prope
             arguments.push_back(given ? given : default_literal(project_, parameter.type));
         }
         for (const ConstantParameter& constant : found->constants) {
-            const ExprPtr given = argument({constant.parameter, constant.source}, property);
+            const ExprPtr given = argument({constant.parameter, constant.source, constant.value}, property);
             arguments.push_back(given ? given : b::name(constant.value));
         }
     }
@@ -279,6 +301,7 @@ Obligation Asserter::property(std::uint32_t index) {
     result.time = project_.time;
     result.title = property.name + (timed() ? " [timed] " : " [untimed] ") + wording(property);
     result.reason = unavailable(property);
+    report_unused(property);
     if (result.reason.empty()) forms(property, result);
     return result;
 }

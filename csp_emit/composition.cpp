@@ -265,6 +265,9 @@ void Definer::define() {
     define("D__", variant("D__", false));
     define("VS__", variant("VS__", false));
     define("O__", compressed(*c_.project, variant("O__", false)));
+    for (const char* name : {"FVS__", "FVS_C__"})
+        if (c_.project->mentions(name)) define(name, variant(name, false));
+    if (c_.project->mentions("HUP__")) define("HUP__", b::call("O__", arguments));
     define("VS_O__", compressed(*c_.project, variant("VS_O__", false)));
     if (c_.hides_termination) {
         define("AS_O__", compressed(*c_.project, variant("O__", true)));

@@ -82,6 +82,7 @@ std::string key(const Activation& activation) {
     result += ")" + key(activation.control);
     for (const During& during : activation.durings)
         result += "|" + std::to_string(during.node.index) + key(during.thread);
+    if (activation.clocks_read > 0) result += "#" + std::to_string(activation.clocks_read);
     return result;
 }
 

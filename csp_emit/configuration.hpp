@@ -66,6 +66,7 @@ struct Activation {
     std::vector<ir::NodeId> entered;  ///< states that may be interrupted, outermost first
     Thread control;                   ///< the running transition; done: settled
     std::vector<During> durings;      ///< unfinished during actions, outermost first
+    std::uint32_t clocks_read = 0;    ///< outermost, settled: how many clocks of the caller its guards know by now
 };
 
 /// Equal keys mean equal configurations.

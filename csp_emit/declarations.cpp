@@ -48,6 +48,8 @@ std::vector<ir::NodeId> MachineEmitter::states() const {
 DeclPtr MachineEmitter::module(std::vector<DeclPtr> points, const ExprPtr& initial) {
     std::vector<DeclPtr> decls;
     declare_channels(decls);
+    declare_mentioned(decls);
+    declare_clocks(decls);
     declare_calls(decls);
     declare_states(decls);
     declare_sets(decls);
@@ -75,6 +77,56 @@ void MachineEmitter::declare_channels(std::vector<DeclPtr>& decls) {
         const auto last = static_cast<std::int64_t>(step_of_.size()) - 1;
         decls.push_back(b::channel({"step__"}, b::set_range(b::number(0), b::number(last)), "steps of actions"));
     }
+}
+
+/// Channels of RoboTool's that are nothing here, private or plumbing, but that CSP blocks may name (semantics 3.2).
+void MachineEmitter::declare_mentioned(std::vector<DeclPtr>& decls) {
+    for (std::size_t i = 0; i < machine().variables.size(); ++i) {
+        const ir::Variable& variable = machine().variables[i];
+        const bool shared = cells_[frames_[0].variables[i]].shared;
+        for (const char* prefix : {"get_", "set_", "set_EXT_", "setL_", "setR_"}) {
+            const bool declared = shared && (std::string(prefix) == "set_" || std::string(prefix) == "set_EXT_");
+            if (declared || !project().mentions(prefix + variable.name)) continue;
+            decls.push_back(b::channel({prefix + variable.name}, type_set(project(), variable.type)));
+        }
+    }
+}
+
+/// Resets that are events, clocks that are asked for, and the values of clocks where CSP blocks name them.
+void MachineEmitter::declare_clocks(std::vector<DeclPtr>& decls) {
+    if (!timed()) return;
+    std::vector<cspm::Constructor> constructors;
+    b::Exprs local;
+    const Frame& root = frames_[0];
+    for (std::uint32_t i = 0; i < machine().clocks.size(); ++i) {
+        const ir::Clock& clock = machine().clocks[i];
+        const std::string name = "CLID_" + flatten(clock.name);
+        const std::string reading = "get_" + name;
+        if (const std::string* reset = announced(0, {i})) {
+            constructors.push_back(b::constructor(*reset));
+            const ExprPtr event = b::dot({b::name("clockReset"), b::name(*reset)});
+            mean("clockReset." + context_.path + "::" + *reset,
+                 {MeaningKind::step, "reset of " + clock.name, {}, clock.origin});
+            (is_callers(clock) ? clock_events_ : local).push_back(event);
+        }
+        const bool read = root.clocks[i] && !cells_[*root.clocks[i]].reading.empty();
+        if (read) {
+            clock_events_.push_back(b::name(reading));
+            mean(reading, {MeaningKind::step, "since(" + clock.name + ") is read", {}, clock.origin});
+        }
+        if (read || project().mentions(reading)) decls.push_back(b::channel({reading}, b::name("core_clock_type")));
+        if (!project().mentions(name + "_clock_type")) continue;
+        std::vector<std::string> parameters{"id__"};
+        for (const ConstantParameter& constant : constants_) parameters.push_back(constant.parameter);
+        const ExprPtr limit = root.clocks[i] ? cells_[*root.clocks[i]].limit : b::number(1);
+        decls.push_back(
+            b::function_decl(name + "_clock_type", b::variables(parameters), b::set_range(b::number(0), limit)));
+    }
+    if (constructors.empty()) return;
+    decls.push_back(b::datatype("ClockSet", constructors));
+    decls.push_back(b::channel({"clockReset"}, b::name("ClockSet")));
+    local_resets_ = !local.empty();
+    if (local_resets_) decls.push_back(b::value("localClockResets", b::productions(local)));
 }
 
 void MachineEmitter::declare_calls(std::vector<DeclPtr>& decls) {
@@ -115,11 +167,13 @@ void MachineEmitter::declare_sets(std::vector<DeclPtr>& decls) {
     }
     for (const ir::Event& event : machine().events) visible.push_back(b::name(event.name));
     for (const std::string& call : calls_) visible.push_back(b::name(call + "Call"));
+    visible.insert(visible.end(), clock_events_.begin(), clock_events_.end());
     for (const ir::NodeId state : states()) entered.push_back(b::name(machine().nodes[state.index].path + "::entered"));
     b::Exprs hidden;
     if (!transition_of_.empty()) hidden.push_back(b::name("internal__"));
     if (!step_of_.empty()) hidden.push_back(b::name("step__"));
-    for (const ExprPtr& channel : visible) visible_.push_back(channel->text);
+    for (const ExprPtr& channel : visible)
+        if (channel->kind == cspm::ExprKind::name) visible_.push_back(channel->text);
     decls.push_back(b::value("sem__events", b::productions(visible)));
     decls.push_back(b::value("shared_variable_events", b::productions(external)));
     decls.push_back(b::value("enteredSS", b::productions(entered)));
@@ -133,8 +187,10 @@ void MachineEmitter::declare_variants(std::vector<DeclPtr>& decls, const ExprPtr
         decls.push_back(b::function_decl(name, b::variables(parameters), process));
     };
     const auto of = [&](const std::string& name) { return constant_call(name, true); };
-    const ExprPtr inside = b::name("internal_events");
+    const ExprPtr within = b::name("internal_events");
+    const ExprPtr inside = local_resets_ ? b::call("union", {within, b::name("localClockResets")}) : within;
     define("STM__", initial);
+    if (project().mentions("FVS_C__")) define("FVS_C__", maximal_progress(project(), b::hide(of("STM__"), within)));
     define("FVS__", maximal_progress(project(), b::hide(of("STM__"), inside)));
     define("D__", maximal_progress(project(), b::hide(of("STM__"), b::call("union", {inside, b::name("enteredSS")}))));
     define("O__", compressed(project(), of("D__")));

@@ -86,18 +86,35 @@ void MachineEmitter::add_variables(Frame& frame, bool root) {
     }
 }
 
+/// Whether the clock is that of the caller, and this is the operation on its own.
+bool MachineEmitter::is_callers(const ir::Clock& clock) const {
+    return machine().kind == ir::MachineKind::operation && clock.required;
+}
+
+/// The constructor of the event clockReset that a reset of the clock is; null if it is no event.
+const std::string* MachineEmitter::announced(std::uint32_t frame, ir::ClockId clock) const {
+    const auto& names = frames_[frame].announced;
+    return clock.index < names.size() && !names[clock.index].empty() ? &names[clock.index] : nullptr;
+}
+
 void MachineEmitter::add_clocks(Frame& frame, bool root) {
     const ir::Machine& opened = *frame.machine;
     const auto below = callable();
+    const bool all_announced = project().mentions("clockReset") || project().mentions("FVS_C__");
     for (std::uint32_t i = 0; i < opened.clocks.size(); ++i) {
         const ir::Clock& clock = opened.clocks[i];
+        frame.announced.emplace_back();
         if (!root && clock.required) {
             const Frame& caller = frames_[frame.parent];
             if (const auto found = find_named(caller.machine->clocks, clock.name)) {
                 frame.clocks.push_back(caller.clocks[*found]);
+                frame.announced.back() = caller.announced[*found];
                 continue;
             }
         }
+        const bool outside = root && is_callers(clock);
+        if (outside || (root && all_announced && !clock.entry_of.valid()))
+            frame.announced.back() = "CLID_" + flatten(clock.name);
         const auto inherits = [&](const ir::Machine* operation) {
             const auto found = find_named(operation->clocks, clock.name);
             return found && operation->clocks[*found].required &&
@@ -113,8 +130,9 @@ void MachineEmitter::add_clocks(Frame& frame, bool root) {
         cell.meaning = clock.entry_of.valid() ? "sinceEntry(" + opened.nodes[clock.entry_of.index].path + ")"
                                               : "since(" + clock.name + ")";
         cell.limit = clock_limit(opened, clock.name, clock.entry_of);
+        if (outside) cell.reading = "get_CLID_" + flatten(clock.name);
         frame.clocks.push_back(add_cell(cell));
-        frame.own.push_back(*frame.clocks.back());
+        if (!outside) frame.own.push_back(*frame.clocks.back());
     }
 }
 
@@ -151,6 +169,13 @@ void MachineEmitter::add_monitors(Frame& frame) {
     for (std::uint32_t i = 0; i < frame.machine->transitions.size(); ++i) {
         const ir::Transition& transition = frame.machine->transitions[i];
         if (!transition.deadline) continue;
+        const auto outside = [&](const ir::Expr& part) {
+            if (part.kind != ir::ExprKind::since || !frame.clocks.at(part.clock.index)) return false;
+            return !cells_[*frame.clocks[part.clock.index]].reading.empty();
+        };
+        if (transition.guard && mentions(*transition.guard, outside))
+            project().refuse("the deadline of " + transition.name + " under a condition on the caller's clock",
+                             transition.origin.span);
         Cell cell;
         cell.kind = CellKind::monitor;
         cell.name = "m_" + frame.prefix + transition.name;

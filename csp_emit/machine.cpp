@@ -169,6 +169,10 @@ std::vector<CellId> MachineEmitter::cells_of(const Activation& config) const {
     for (const Place& call : now.calls) add_cells(call.thread->rest, all);
     for (const Place& place : now.places) add_cells(place.thread->rest, all);
     for (const auto& [cell, guard] : monitors(now, {})) all.push_back(cell);
+    if (config.clocks_read > 0) {
+        const auto known = clocks_needed(config);
+        all.insert(all.end(), known.begin(), known.begin() + config.clocks_read);
+    }
     std::vector<CellId> result;
     std::set<CellId> seen;
     for (const CellId cell : all)
@@ -184,7 +188,48 @@ ExprPtr MachineEmitter::body(const Point& point) {
     return b::choice(branches(point.config));
 }
 
-std::vector<ExprPtr> MachineEmitter::branches(const Activation& config) {
+/// The clocks of the caller that guards of the running machines ask for here, in order of declaration.
+std::vector<CellId> MachineEmitter::clocks_needed(const Activation& config) const {
+    std::vector<CellId> result;
+    const View now = view(config);
+    for (const Spot& spot : now.spots) {
+        const Frame& frame = frames_[spot.activation->frame];
+        const auto reads = [&](const ir::Expr& part) {
+            if (part.kind != ir::ExprKind::since || !frame.clocks.at(part.clock.index)) return false;
+            const CellId cell = *frame.clocks[part.clock.index];
+            if (!cells_[cell].reading.empty()) result.push_back(cell);
+            return false;
+        };
+        for (const ir::TransitionId id : candidates(*spot.activation))
+            if (const auto& guard = frame.machine->transitions[id.index].guard) (void)mentions(*guard, reads);
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+/// An operation on its own asks for its caller's clocks, one after the other, before its guards are evaluated, and
+/// again when time has passed (semantics 3.10: `get_CLID_C?C -> TimeOut_1(choices, SKIP) ; Trans`).
+std::vector<ExprPtr> MachineEmitter::reading_branches(const Activation& config, CellId clock) {
+    std::vector<ExprPtr> result;
+    const View now = view(config);
+    Activation next = config;
+    ++next.clocks_read;
+    result.push_back(
+        b::prefix(b::name(cells_[clock].reading), {b::input("in__")}, go(next, {{clock, b::name("in__")}})));
+    for (const Place& place : now.places) item_branches(place, false, result);
+    external_writes(config, now, result);
+    const bool alone = now.places.size() == 1;
+    if (std::none_of(now.places.begin(), now.places.end(), [&](const Place& p) { return stops_time(p, alone); }))
+        tock_branch(config, now, result);
+    return result;
+}
+
+std::vector<ExprPtr> MachineEmitter::branches(const Activation& settled) {
+    const std::vector<CellId> clocks = timed() ? clocks_needed(settled) : std::vector<CellId>{};
+    if (settled.clocks_read < clocks.size()) return reading_branches(settled, clocks[settled.clocks_read]);
+    Activation config = settled;
+    config.clocks_read = 0;
     std::vector<ExprPtr> result;
     const View now = view(config);
     // Visible termination, then ✓ (semantics 3.9).
@@ -192,7 +237,7 @@ std::vector<ExprPtr> MachineEmitter::branches(const Activation& config) {
     for (const Spot& spot : now.spots) transition_branches(spot, result);
     for (const Place& place : now.places) item_branches(place, now.places.size() == 1, result);
     external_writes(config, now, result);
-    if (timed()) tock_branch(config, now, result);
+    if (timed() && !urgent(now)) tock_branch(config, now, result);
     return result;
 }
 

@@ -42,6 +42,7 @@ struct Cell {
     bool parameter = false;  ///< an operation's parameter: read-only
     std::string channel;     ///< variable: its name in set_x
     cspm::ExprPtr limit;     ///< clock: where it saturates
+    std::string reading;     ///< clock of the caller of an operation on its own: the channel that tells it
 };
 
 /// A machine, or an operation called at one place of it.
@@ -51,6 +52,7 @@ struct Frame {
     std::string prefix;                         ///< in front of its names: "Turn_"
     std::vector<CellId> variables;              ///< by VariableId; required ones are the caller's
     std::vector<std::optional<CellId>> clocks;  ///< by ClockId; those that nothing reads have none
+    std::vector<std::string> announced;         ///< by ClockId: CLID_C where a reset is an event; empty otherwise
     std::vector<cspm::ExprPtr> constants;       ///< by ConstantId
     std::vector<std::string> events;            ///< by EventId: the channel
     std::vector<CellId> own;                    ///< cells that live while the frame does
@@ -82,6 +84,8 @@ private:
     std::vector<cspm::DeclPtr> point_definitions(ExprPtr& initial);
     cspm::DeclPtr definition(const Point& point, const Function& function, const std::vector<bool>& live) const;
     std::vector<ExprPtr> branches(const Activation& config);
+    std::vector<ExprPtr> reading_branches(const Activation& config, CellId clock);
+    std::vector<CellId> clocks_needed(const Activation& config) const;
     Activation start() const;
     Values initial_values() const;
     ExprPtr initial_value(std::uint32_t frame, const ir::Variable& variable) const;
@@ -92,6 +96,9 @@ private:
     cspm::DeclPtr module(std::vector<cspm::DeclPtr> points, const ExprPtr& initial);
     void declare_channels(std::vector<cspm::DeclPtr>& decls);
     void declare_calls(std::vector<cspm::DeclPtr>& decls);
+    void declare_mentioned(std::vector<cspm::DeclPtr>& decls);
+    void declare_clocks(std::vector<cspm::DeclPtr>& decls);
+    bool is_callers(const ir::Clock& clock) const;
     void declare_states(std::vector<cspm::DeclPtr>& decls);
     void declare_sets(std::vector<cspm::DeclPtr>& decls);
     void declare_variants(std::vector<cspm::DeclPtr>& decls, const ExprPtr& initial);
@@ -159,7 +166,8 @@ private:
     ExprPtr fire_trigger(const Spot& spot, ir::TransitionId id);
     ExprPtr transition_event(std::uint32_t frame, ir::TransitionId id);
     CellId trigger_cell(std::uint32_t frame, ir::TransitionId id);
-    Activation leave(const Activation& activation, ir::TransitionId id, Program first) const;
+    Activation leave(const Activation& activation, ir::TransitionId id, Program first);
+    const ir::Stmt* reset_statement(std::uint32_t frame, ir::TransitionId id, ir::ClockId clock);
     ExprPtr guard_of(std::uint32_t frame, const ir::Transition& transition, const Values& values,
                      ExprPtr trigger_value) const;
     Values reset_clocks(const Frame& frame, const ir::Transition& transition) const;
@@ -170,7 +178,9 @@ private:
     bool refuses_writes(const Place& place) const;
 
     // time.cpp (semantics 3.10)
+    bool urgent(const View& view) const;
     void tock_branch(const Activation& config, const View& view, std::vector<ExprPtr>& out);
+    const std::string* announced(std::uint32_t frame, ir::ClockId clock) const;
     ExprPtr after_tock(const Activation& config, const Values& values);
     ExprPtr start_wait(const Place& place, const ir::Stmt& stmt, const Program& rest, const Values& values);
     ExprPtr wait_for(const Place& place, const ir::Stmt& stmt, const ExprPtr& units, const Program& rest,
@@ -202,8 +212,11 @@ private:
     std::map<std::string, std::size_t> step_of_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> transition_of_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, CellId> trigger_cells_;
-    std::vector<std::string> calls_;    ///< operations that remain events
-    std::vector<std::string> visible_;  ///< channels of sem__events
+    std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, ir::Stmt> reset_statements_;
+    std::vector<std::string> calls_;     ///< operations that remain events
+    std::vector<std::string> visible_;   ///< channels of sem__events
+    std::vector<ExprPtr> clock_events_;  ///< of sem__events: readings and resets of the caller's clocks
+    bool local_resets_ = false;          ///< resets of own clocks are events: a CSP block speaks of them
     std::vector<cspm::DeclPtr> clock_limits_;
 };
 

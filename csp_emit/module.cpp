@@ -112,7 +112,7 @@ std::string ModuleEmitter::constant_argument(const ir::Controller& controller, c
 
 void ModuleEmitter::add_part(const ir::ControllerInstance& instance, std::vector<DeclPtr>& decls) {
     const ir::Controller& controller = project().system.controller(instance.controller);
-    ControllerContext context{&project(), &controller, instance.name, context_.path + "::" + instance.name,
+    ControllerContext context{&project(),     &controller, instance.name, context_.path + "::" + instance.name,
                               context_.names, &module()};
     Part part;
     part.name = instance.name;

@@ -37,10 +37,16 @@ const Rule instantiations_replaced{
     "A block named Instantiations is used instead of the generated carriers, constants and functions, as RoboTool "
     "does; it must define all names that the script needs."};
 
+const Rule constant_without_use{
+    "RC-C08", Severity::warning, "assertion {} sets {}, which nothing that it is about takes",
+    "A constant or parameter that an assertion sets counts for the components that have it: where the value is "
+    "declared, or where it is provided to what requires it. Here neither side of the assertion takes it, so the "
+    "assertion is decided as if the clause were not there."};
+
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 7> table{
-        &unsupported, &recursive_call,  &missing_in_caller,      &reserved_name,
-        &racing_exit, &too_many_points, &instantiations_replaced};
+    static constexpr std::array<const Rule*, 8> table{
+        &unsupported, &recursive_call,  &missing_in_caller,       &reserved_name,
+        &racing_exit, &too_many_points, &instantiations_replaced, &constant_without_use};
     return table;
 }
 

@@ -14,6 +14,7 @@ extern const diagnostics::Rule reserved_name;            // RC-C04
 extern const diagnostics::Rule racing_exit;              // RC-C05
 extern const diagnostics::Rule too_many_points;          // RC-C06
 extern const diagnostics::Rule instantiations_replaced;  // RC-C07
+extern const diagnostics::Rule constant_without_use;     // RC-C08
 
 /// Every rule above, in order of code.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

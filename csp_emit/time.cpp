@@ -79,6 +79,7 @@ ExprPtr MachineEmitter::clock_limit(const ir::Machine& opened, const std::string
     std::int64_t literal = 0;
     b::Exprs sets;
     auto machines = callable();
+    std::erase(machines, &opened);
     machines.insert(machines.begin(), &opened);
     for (const ir::Machine* checked : machines) {
         if (checked != &opened && entry_of.valid()) continue;
@@ -171,16 +172,21 @@ std::vector<std::pair<CellId, ExprPtr>> MachineEmitter::monitors(const View& vie
     return result;
 }
 
-void MachineEmitter::tock_branch(const Activation& config, const View& view, std::vector<ExprPtr>& out) {
+/// Whether something happens before time can pass.
+bool MachineEmitter::urgent(const View& view) const {
     const bool alone = view.places.size() == 1;
-    for (const Place& place : view.places)
-        if (stops_time(place, alone)) return;
-    for (const Spot& spot : view.spots)
-        if (has_urgent_transition(*spot.activation)) return;
+    return std::any_of(view.places.begin(), view.places.end(),
+                       [&](const Place& place) { return stops_time(place, alone); }) ||
+           std::any_of(view.spots.begin(), view.spots.end(),
+                       [&](const Spot& spot) { return has_urgent_transition(*spot.activation); });
+}
+
+void MachineEmitter::tock_branch(const Activation& config, const View& view, std::vector<ExprPtr>& out) {
     Values values;
     for (const CellId cell : cells_of(config)) {
         const ExprPtr name = b::name(cells_[cell].name);
-        if (cells_[cell].kind == CellKind::clock) values[cell] = b::call("clock_step", {name, cells_[cell].limit});
+        if (cells_[cell].kind == CellKind::clock && cells_[cell].reading.empty())
+            values[cell] = b::call("clock_step", {name, cells_[cell].limit});
         if (cells_[cell].kind == CellKind::deadline) values[cell] = minus_one(name);
     }
     for (const auto& [cell, condition] : monitors(view, {})) {

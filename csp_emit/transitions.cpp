@@ -59,17 +59,39 @@ ExprPtr MachineEmitter::guard_of(std::uint32_t frame, const ir::Transition& tran
 Values MachineEmitter::reset_clocks(const Frame& frame, const ir::Transition& transition) const {
     Values result;
     for (const ir::ClockId clock : transition.resets)
-        if (frame.clocks.at(clock.index)) result[*frame.clocks[clock.index]] = b::number(0);
+        if (frame.clocks.at(clock.index) && (frame.announced.empty() || frame.announced[clock.index].empty()))
+            result[*frame.clocks[clock.index]] = b::number(0);
     return result;
 }
 
-/// The configuration in which the transition runs: `first`, then exits innermost first, action, target.
-Activation MachineEmitter::leave(const Activation& activation, ir::TransitionId id, Program first) const {
+/// A reset on a transition as a statement, where it is an event.
+const ir::Stmt* MachineEmitter::reset_statement(std::uint32_t frame, ir::TransitionId id, ir::ClockId clock) {
+    const auto [found, added] = reset_statements_.try_emplace({frame, id.index, clock.index});
+    if (added) {
+        const ir::Machine& owner = *frames_[frame].machine;
+        found->second.kind = ir::StmtKind::clock_reset;
+        found->second.clock = clock;
+        found->second.origin = owner.transitions[id.index].origin;
+        const auto clocks = static_cast<std::uint32_t>(owner.clocks.size());
+        found->second.point = owner.points + id.index * clocks + clock.index;  // none of the machine's own
+    }
+    return &found->second;
+}
+
+/// The configuration in which the transition runs: `first`, resets, exits innermost first, action, target.
+Activation MachineEmitter::leave(const Activation& activation, ir::TransitionId id, Program first) {
     const ir::Machine& left = *frames_[activation.frame].machine;
     const ir::Transition& transition = left.transitions[id.index];
     const NodeId source = transition.source;
     std::vector<Item> items;
     for (; first; first = first->tail) items.push_back(first->head);
+    for (const ir::ClockId clock : transition.resets) {
+        if (announced(activation.frame, clock) == nullptr) continue;
+        Item reset;
+        reset.stmt = reset_statement(activation.frame, id, clock);
+        reset.label = "transition " + transition.name;
+        items.push_back(reset);
+    }
     for (NodeId node = activation.at; node.valid(); node = left.nodes[node.index].parent) {
         if (left.nodes[node.index].exit) {
             Item exit;

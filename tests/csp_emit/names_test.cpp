@@ -1,0 +1,250 @@
+// The names and signatures of RoboTool's scripts that CSP blocks may use (semantics 3.2, 3.12, 3.13): each is there and
+// means what it means there.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "tests/csp_emit/fixture.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+// A machine with everything that has a name: a constant, a shared and a private variable, a clock, calls, a parameter.
+const char* const rct = R"(
+package P
+interface Events {
+    event e : nat
+    event f
+}
+interface Shared {
+    var y : nat
+}
+interface Calls {
+    go(n : nat)
+    rest(n : nat)
+}
+interface Watch {
+    clock C
+}
+operation rest(n : nat) {
+    requires Watch
+    const extra : nat = 0
+    initial i
+    state Resting {
+    }
+    final f
+    transition t0 {
+        from i
+        to Resting
+    }
+    transition t1 {
+        from Resting
+        to f
+        #C
+        condition since(C) >= n
+    }
+}
+stm S {
+    uses Events
+    requires Shared
+    requires Calls
+    const k : nat = 2
+    var x : nat
+    clock C
+    initial i
+    state A {
+    }
+    state B {
+    }
+    final over
+    transition t0 {
+        from i
+        to A
+    }
+    transition t1 {
+        from A
+        to B
+        trigger e ? x
+        #C
+        action go(x) ; y = k
+    }
+    transition t2 {
+        from B
+        to over
+        trigger f
+        condition since(C) < 3
+    }
+}
+controller Ctrl {
+    uses Events
+    requires Shared
+    requires Calls
+    opref r = rest
+    sref s = S
+    connection Ctrl on e to s on e
+    connection Ctrl on f to s on f
+}
+robotic platform R {
+    uses Events
+    provides Shared
+    provides Calls
+}
+module M {
+    rref r = R
+    cref c = Ctrl
+    connection r on e to c on e ( _async )
+    connection r on f to c on f ( _async )
+}
+)";
+
+struct Use {
+    const char* name;
+    Time time;
+    const char* text;  ///< a CSP block; its assertions hold
+};
+
+void PrintTo(const Use& use, std::ostream* out) {
+    *out << use.name;
+}
+
+class Names : public ::testing::TestWithParam<Use> {};
+
+TEST_P(Names, AreThereForBlocks) {
+    const Use& use = GetParam();
+    const std::string block = std::string(use.time == Time::timed ? "timed" : "untimed") + " csp Names csp-begin\n" +
+                              use.text + "\ncsp-end\n";
+    const auto m = testing::model(rct, block);
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    const Emission emission = m->emit(use.time);
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    const auto verdicts = testing::decide(emission.script);
+    EXPECT_FALSE(verdicts.empty());
+    EXPECT_THAT(verdicts, ::testing::Each("holds"));
+}
+
+const Use uses[] = {
+    {"D", Time::untimed,
+     "assert not STOP [T= P::S::D__(0,2) |\\ {P::S::e.in.2}\nassert SKIP [T= P::S::D__(0,2) |\\ {P::S::e.out.2}"},
+    {"O", Time::untimed, "assert P::S::O__(0,2) [FD= P::S::D__(0,2)\nassert P::S::D__(0,2) [FD= P::S::O__(0,2)"},
+    {"VS", Time::untimed, "assert not STOP [T= P::S::VS__(0,2) |\\ {|P::S::B::entered|}"},
+    {"VS_O", Time::untimed, "assert not STOP [T= P::M::VS_O__(0,2) |\\ {|P::M::c::s::B::entered|}"},
+    {"FVS", Time::untimed,
+     "assert not STOP [T= P::S::FVS__(0,2) |\\ {|P::S::A::entered|}\n"
+     "assert not STOP [T= P::Ctrl::FVS__(0,2) |\\ {|P::Ctrl::s::A::entered|}"},
+    {"FVS_C", Time::timed,
+     "assert not STOP [T= P::S::FVS_C__(0,2) |\\ {|P::S::clockReset.P::S::CLID_C|}\n"
+     "Hidden = prioritise(P::S::FVS_C__(0,2) \\ {|P::S::clockReset|}, <{},{tock}>)\n"
+     "assert Hidden [FD= P::S::FVS__(0,2)\nassert P::S::FVS__(0,2) [FD= Hidden"},
+    {"HEXT", Time::untimed,
+     "assert not STOP [T= P::S::D__(0,2) |\\ {|P::S::set_EXT_y|}\n"
+     "assert SKIP [T= P::S::HEXT__(0,2) |\\ {|P::S::set_EXT_y|}\n"
+     "assert SKIP [T= P::Ctrl::HEXT__(0,2) |\\ {|P::Ctrl::set_EXT_y|}"},
+    {"HUP", Time::untimed,
+     "assert P::S::HUP__(0,2) [FD= P::S::O__(0,2)\nassert P::Ctrl::HUP__(0,2) [FD= P::Ctrl::O__(0,2)"},
+    {"AS_O", Time::untimed, "assert not STOP [T= P::M::AS_O__(0,2) |\\ {|P::M::set_y|}"},
+    {"sem_events", Time::untimed,
+     "assert SKIP [T= P::S::D__(0,2) \\ P::S::sem__events\nassert SKIP [T= P::Ctrl::D__(0,2) \\ P::Ctrl::sem__events\n"
+     "assert SKIP [T= P::M::D__(0,2) \\ P::M::sem__events\n"
+     "assert not STOP [T= ([] v : P::S::sem__events @ v -> STOP) |\\ {|P::S::terminate|}"},
+    {"get", Time::untimed,
+     "assert P::S::D__(0,2) [FD= P::S::D__(0,2) \\ {|P::S::get_x, P::S::set_x, P::S::setL_x, P::S::setR_x|}"},
+    {"set", Time::untimed,
+     "assert not STOP [T= P::S::D__(0,2) |\\ {P::S::set_y.2}\nassert SKIP [T= P::S::D__(0,2) |\\ {P::S::set_y.1}"},
+    {"call", Time::untimed, "assert not STOP [T= P::S::D__(0,2) |\\ {P::S::goCall.1}"},
+    {"const", Time::untimed,
+     "assert not STOP [T= P::S::D__(0,const_P_S_k) |\\ {P::S::set_y.const_P_S_k}\n"
+     "assert not STOP [T= P::M::D__(0,const_P_Ctrl_s_k) |\\ {P::M::set_y.2}"},
+    {"carriers", Time::untimed,
+     "channel yes\nassert not STOP [T= (if core_nat == {0..2} and core_int == {0-2..2} and core_boolean == Bool and "
+     "core_clock_type == {0..10} then yes -> STOP else STOP)"},
+    {"arithmetic", Time::untimed,
+     "channel yes\nassert not STOP [T= (if Plus(1,1,core_nat) == 2 and Plus(2,1,core_nat) == 2 and "
+     "Mult(1,2,core_nat) == 2 and Minus(2,1,core_nat) == 1 and Neg(1,core_int) == -1 and Div(2,2,core_nat) == 1 and "
+     "Modulus(2,2,core_nat) == 0 then yes -> STOP else STOP)"},
+    {"waits", Time::timed,
+     "channel go\n"
+     "Timed(OneStep) {\n  A = timed_priority(WAIT(2) ; go -> STOP)\n  B = timed_priority(SHARE_WAIT(2) ; go -> STOP)\n"
+     "  C = timed_priority(WAIT_INTERVAL({2}) ; go -> STOP)\n}\n"
+     "D = tock -> tock -> E\nE = go -> F [] tock -> E\nF = tock -> F\n"
+     "assert A [FD= B\nassert A [FD= C\nassert A [FD= D\nassert D [FD= A"},
+    {"deadlines", Time::timed,
+     "channel go\n"
+     "Timed(OneStep) {\n  A = EDeadline(go,1) ; USTOP\n  B = StartBy(go -> SKIP,1) ; USTOP\n"
+     "  C = Deadline(go -> SKIP,1) ; USTOP\n}\n"
+     "Spec = go -> STOP [] tock -> go -> STOP\n"
+     "assert Spec [FD= prioritise(A,<{},{tock}>)\nassert prioritise(A,<{},{tock}>) [FD= Spec\n"
+     "assert Spec [FD= prioritise(B,<{},{tock}>)\nassert prioritise(B,<{},{tock}>) [FD= Spec\n"
+     "assert Spec [FD= prioritise(C,<{},{tock}>)\nassert prioritise(C,<{},{tock}>) [FD= Spec\nassert STOP [FD= USTOP"},
+    {"operation", Time::timed,
+     "Clock(x__) = P::Ctrl::OP_rest::get_CLID_C!x__ -> Clock(x__)\n"
+     "  [] P::Ctrl::OP_rest::clockReset.P::Ctrl::OP_rest::CLID_C -> Clock(0)\n"
+     "  [] tock -> Clock(Plus(x__,1,P::Ctrl::OP_rest::CLID_C_clock_type(0,0)))\n"
+     "Rest = prioritise((Clock(0) [| {|P::Ctrl::OP_rest::get_CLID_C, P::Ctrl::OP_rest::clockReset, tock|} |]\n"
+     "  (P::Ctrl::OP_rest::D__(0,2,0) ; Idle)) \\ {|P::Ctrl::OP_rest::get_CLID_C|}, <{},{tock}>)\n"
+     "Idle = tock -> Idle\n"
+     "Spec = tock -> tock -> Reset\n"
+     "Reset = P::Ctrl::OP_rest::clockReset.P::Ctrl::OP_rest::CLID_C -> Idle [] tock -> Reset\n"
+     "assert Spec [FD= Rest\nassert Rest [FD= Spec"},
+    {"operation_alone", Time::untimed,
+     "assert SKIP [FD= P::OP_rest::D__(0,2,0)\nassert SKIP [FD= P::OP_rest::O__(0,0,0)"},
+    {"clock_types", Time::timed,
+     "channel yes\nassert not STOP [T= (if P::S::CLID_C_clock_type(0,2) == {0..4} then yes -> STOP else STOP)\n"
+     "assert P::S::D__(0,2) [FD= P::S::D__(0,2) \\ {|P::S::get_CLID_C|}"},
+};
+
+INSTANTIATE_TEST_SUITE_P(RoboTool, Names, ::testing::ValuesIn(uses),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(Constants, CountWhereAnAssertionSetsThem) {
+    const char* const project = R"(
+        package P
+        interface K { const c : nat = 1 }
+        interface E { event a : nat }
+        stm S {
+            requires K
+            uses E
+            const d : nat = 2
+            initial i
+            state A { entry a ! c ; a ! d }
+            transition t { from i to A }
+        }
+        controller C {
+            uses E
+            requires K
+            sref s = S
+            connection s on a to C on a
+        }
+        robotic platform R { provides K event a : nat }
+        module M {
+            rref r = R
+            cref c = C
+            connection c on a to r on a ( _async )
+        }
+    )";
+    // c is the platform's in the module, the controller's in the controller, the machine's own alone; what is set for a
+    // machine counts where it is used, unless what it requires is provided there.
+    const std::map<std::string, std::set<std::string>> counts{{"S", {"S"}},
+                                                              {"C", {"C", "C::s"}},
+                                                              {"C::s", {"C", "C::s", "S"}},
+                                                              {"M", {"M", "M::c", "M::c::s"}},
+                                                              {"M::c", {"M", "M::c", "M::c::s", "C", "C::s"}},
+                                                              {"M::c::s", {"M", "M::c", "M::c::s", "S"}}};
+    for (const auto& [path, places] : counts)
+        for (const auto& [place, unused] : counts) {
+            const bool counted = places.contains(place);
+            const std::string event = "P::" + path + "::a.out.";
+            const auto m =
+                testing::model(project, "csp Set csp-begin\nSet = " + event + (counted ? "0" : "1") + " -> " + event +
+                                            "2 -> STOP\ncsp-end\nuntimed assertion A : P::" + path +
+                                            " equals Set with constant c of P::" + place + " set to 0\n");
+            ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+            EXPECT_THAT(testing::claims(*m, Time::untimed), ::testing::ElementsAre("holds")) << path << " " << place;
+            EXPECT_EQ(m->codes(), counted ? std::vector<std::string>{} : std::vector<std::string>{"RC-C08"})
+                << path << " " << place;
+        }
+}
+
+}  // namespace
+}  // namespace robochart::csp_emit
