@@ -30,6 +30,7 @@ struct Core {
 [[nodiscard]] std::string timer_header();
 [[nodiscard]] std::string explore_helpers();
 [[nodiscard]] std::string explore_header();
+[[nodiscard]] std::string drive_header();
 
 /// "Generated from RoboChart ... edit the model" for the top of a file.
 void file_comment(const Generation&, CodeWriter&, const std::string& what);

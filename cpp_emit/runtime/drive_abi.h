@@ -1,0 +1,80 @@
+/* The plain C interface between a generated controller, compiled as a shared object over the types it ships with
+ * (double, 64-bit integers), and whoever runs many of them: simulators. One cycle = one call of `step`; a controller
+ * is one value of `state_size` bytes, so thousands of them are an array. Ships with the generated code.
+ * Copyright: see LICENSE (Apache-2.0). */
+#ifndef ROBOCHART_DRIVE_ABI_H
+#define ROBOCHART_DRIVE_ABI_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define ROBOCHART_DRIVE_ABI_VERSION 1
+#define ROBOCHART_DRIVE_MAX_ARGUMENTS 8
+#define ROBOCHART_DRIVE_MAX_ACTIONS 64
+
+/* A value of type real is `real`; booleans (0, 1), nat, int and indices of enumeration literals are `whole`. */
+typedef union rc_value {
+    double real;
+    int64_t whole;
+} rc_value;
+
+/* One input in one cycle. */
+typedef struct rc_signal {
+    uint32_t present;
+    uint32_t filler;
+    rc_value value;
+} rc_signal;
+
+/* One thing the controller did: an event sent, an operation called, a shared variable written. */
+typedef struct rc_action {
+    uint32_t output;
+    uint32_t count;
+    rc_value argument[ROBOCHART_DRIVE_MAX_ARGUMENTS];
+} rc_action;
+
+typedef struct rc_actions {
+    uint32_t count;
+    uint32_t overflow; /* set when more than ROBOCHART_DRIVE_MAX_ACTIONS were done in one cycle */
+    rc_action action[ROBOCHART_DRIVE_MAX_ACTIONS];
+} rc_actions;
+
+typedef enum rc_drive_result {
+    RC_DRIVE_QUIESCENT = 0,
+    RC_DRIVE_TERMINATED = 1,
+    RC_DRIVE_STEP_BOUND = 2,   /* a loop without time: the model diverges, or the bound is too small */
+    RC_DRIVE_PRECONDITION = 3, /* an operation was called outside its precondition */
+    RC_DRIVE_DEADLINE = 4      /* a deadline was missed */
+} rc_drive_result;
+
+typedef struct rc_drive {
+    uint32_t abi_version;
+    const char* component;
+    uint32_t state_size; /* bytes of a controller */
+    uint32_t state_alignment;
+    uint32_t inputs;
+    const char* const* input; /* "seeRobot.in", "set_EXT_reached" */
+    uint32_t outputs;
+    const char* const* output; /* "out.out", "MoveCall", "set_linearSpeed" */
+    uint32_t states;
+    const char* const* state; /* of the machine: "Forward", "Forward::Fast" */
+    void (*initial)(void* controller);
+    rc_drive_result (*step)(void* controller, const rc_signal* signals, rc_actions* actions);
+    uint32_t (*state_of)(const void* controller);    /* index into state; `states` in between */
+    const char* (*place_of)(const void* controller); /* the element it is in, with file and line */
+} rc_drive;
+
+/* The only exported symbol, also of objects compiled with -fvisibility=hidden. */
+#if defined(__GNUC__)
+__attribute__((visibility("default")))
+#endif
+const rc_drive*
+robochart_drive(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

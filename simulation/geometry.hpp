@@ -1,0 +1,51 @@
+// Points, segments and rays in the plane. Lengths are centimetres, angles radians, counter-clockwise from the x axis.
+#pragma once
+
+#include <optional>
+
+namespace robochart::simulation {
+
+struct Vector {
+    double x = 0;
+    double y = 0;
+
+    friend bool operator==(const Vector&, const Vector&) = default;
+};
+
+inline Vector operator+(Vector a, Vector b) {
+    return {a.x + b.x, a.y + b.y};
+}
+inline Vector operator-(Vector a, Vector b) {
+    return {a.x - b.x, a.y - b.y};
+}
+inline Vector operator*(double k, Vector a) {
+    return {k * a.x, k * a.y};
+}
+inline double dot(Vector a, Vector b) {
+    return a.x * b.x + a.y * b.y;
+}
+inline double cross(Vector a, Vector b) {
+    return a.x * b.y - a.y * b.x;
+}
+[[nodiscard]] double length(Vector);
+
+/// A straight wall without thickness.
+struct Segment {
+    Vector from, to;
+};
+
+struct Pose {
+    Vector at;
+    double heading = 0;
+};
+
+/// Where a ray from `origin` along the unit vector `direction` enters a disk; 0 if it starts inside.
+[[nodiscard]] std::optional<double> hit_disk(Vector origin, Vector direction, Vector centre, double radius);
+/// Where it meets a wall.
+[[nodiscard]] std::optional<double> hit_segment(Vector origin, Vector direction, const Segment&);
+/// The point of a wall that is nearest.
+[[nodiscard]] Vector nearest_point(const Segment&, Vector);
+/// The same angle in (-pi, pi].
+[[nodiscard]] double normal_angle(double);
+
+}  // namespace robochart::simulation

@@ -1,0 +1,29 @@
+// Pseudo-random numbers of a trial: xoshiro256++ 1.0 (Blackman, Vigna: "Scrambled linear pseudorandom number
+// generators", ACM TOMS 47, 2021), its state filled from the seed by SplitMix64 (Steele, Lea, Flood, OOPSLA 2014), as
+// its authors advise. Same seed, same numbers, on every machine.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace robochart::simulation {
+
+class Random {
+public:
+    explicit Random(std::uint64_t seed);
+
+    /// The next 64 bits.
+    std::uint64_t next();
+    /// Uniform in [0, 1), a multiple of 2^-53.
+    double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+    /// Approximately normal with mean 0 and deviation 1: the sum of twelve uniforms (no function of libm).
+    double normal();
+    /// True with the probability given. Draws nothing for 0 and 1.
+    bool chance(double probability);
+
+private:
+    std::array<std::uint64_t, 4> state_;
+};
+
+}  // namespace robochart::simulation
