@@ -97,11 +97,24 @@ private:
             if (!event.output.empty())
                 outputs_.push_back(channel(Port::Kind::event, *event.outside, *event.outside + ".out", event.output,
                                            listed(event.type)));
-        for (const StoredVariable& variable : generation_.component.variables)
-            if (variable.visible)
-                outputs_.push_back(channel(Port::Kind::variable, variable.variable->name,
-                                           "set_" + variable.variable->name, variable.output,
-                                           {variable.variable->type}));
+        for (const StoredVariable& variable : generation_.component.variables) {
+            if (!variable.visible) continue;
+            outputs_.push_back(channel(Port::Kind::variable, variable.variable->name, "set_" + variable.variable->name,
+                                       variable.output, {variable.variable->type}));
+            outputs_.back().port.initial = initial(variable);
+        }
+    }
+
+    [[nodiscard]] double initial(const StoredVariable& variable) const {
+        switch (generation_.system.type(variable.variable->type).kind) {
+            case ir::TypeKind::real:
+                return static_cast<double>(variable.initial.number) / static_cast<double>(generation_.inst.scale);
+            case ir::TypeKind::nat:
+            case ir::TypeKind::integer:
+                return static_cast<double>(variable.initial.number);
+            default:
+                return 0;
+        }
     }
 
     void head() {

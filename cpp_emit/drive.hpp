@@ -19,6 +19,7 @@ struct Port {
     Kind kind = Kind::event;
     std::string name;                ///< in the model: "seeRobot", "MoveForward", "reached"
     std::vector<Carried> arguments;  ///< at most one for inputs
+    double initial = 0;              ///< variables: the value before the first write (truth values, literals: 0)
 };
 
 struct DriveEmission {

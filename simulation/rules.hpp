@@ -1,0 +1,28 @@
+// What can be wrong with a scenario, and what stops a simulation.
+#pragma once
+
+#include <span>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::simulation::rules {
+
+extern const diagnostics::Rule syntax;         ///< RC-M01
+extern const diagnostics::Rule wrong_unit;     ///< RC-M02
+extern const diagnostics::Rule out_of_range;   ///< RC-M03
+extern const diagnostics::Rule missing;        ///< RC-M04
+extern const diagnostics::Rule said_twice;     ///< RC-M05
+extern const diagnostics::Rule unknown_part;   ///< RC-M06
+extern const diagnostics::Rule unknown_name;   ///< RC-M07
+extern const diagnostics::Rule wrong_type;     ///< RC-M08
+extern const diagnostics::Rule no_room;        ///< RC-M09
+extern const diagnostics::Rule no_controller;  ///< RC-M10
+extern const diagnostics::Rule not_compiled;   ///< RC-M11
+extern const diagnostics::Rule stopped;        ///< RC-M12
+extern const diagnostics::Rule uneven_steps;   ///< RC-M13
+extern const diagnostics::Rule not_fed;        ///< RC-M14
+
+/// Every rule, for `explain` and for the tests.
+[[nodiscard]] std::span<const diagnostics::Rule* const> all();
+
+}  // namespace robochart::simulation::rules

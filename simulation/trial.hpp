@@ -1,0 +1,57 @@
+// One trial: the robots of a scenario, each with its controller, from the start to the end or to the first controller
+// that cannot go on.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/controller.hpp"
+#include "simulation/measures.hpp"
+#include "simulation/plan.hpp"
+#include "simulation/stage.hpp"
+
+namespace robochart::simulation {
+
+/// Where the robots were at one time.
+struct Frame {
+    double time = 0;
+    std::vector<Pose> poses;
+    std::vector<std::uint16_t> states;  ///< index into the controller's table of states; its size in between
+};
+
+/// Sees every cycle of every robot; for logs that are compared with the model. Called from the trial's thread.
+class Trace {
+public:
+    virtual ~Trace() = default;
+    virtual void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs) = 0;
+};
+
+/// A controller that could not go on.
+struct Stop {
+    std::size_t robot = 0;
+    double time = 0;
+    std::string cause;  ///< "it did not end its cycle within its bound of steps"
+    std::string place;  ///< element of the model
+};
+
+struct TrialResult {
+    std::uint64_t steps = 0;  ///< control steps done
+    bool complete = false;    ///< neither stopped nor interrupted
+    std::optional<Stop> stop;
+    std::vector<double> statistics;  ///< of each band; NaN: never came about
+    std::vector<Frame> frames;       ///< as Scenario::record, and at the times of pictures
+};
+
+struct TrialOptions {
+    bool record = true;      ///< keep frames
+    Trace* trace = nullptr;  ///< not owned
+    std::atomic<std::uint64_t>* steps_done = nullptr;
+    const std::atomic<bool>* interrupted = nullptr;
+};
+
+[[nodiscard]] TrialResult run_trial(const Plan&, const rc_drive&, Stage&, const TrialOptions&);
+
+}  // namespace robochart::simulation
