@@ -25,7 +25,8 @@ folder); several are read as one project.
 
 Exit status:
    0  everything as claimed: every assertion holds as worded, the code conforms
-   1  some assertion fails, some code does not conform, some file is not formatted (format --check)
+   1  some assertion fails, some code does not conform, some file is not formatted (format --check),
+      a simulation leaves its bands
    2  the input is wrong
    3  inconclusive: a limit was reached, or interrupted; what is known is printed
    4  wrong usage
@@ -38,7 +39,7 @@ struct VerbRow {
     const char* help;
     const char* input;
 };
-constexpr std::array<VerbRow, 10> verbs{{
+constexpr std::array<VerbRow, 11> verbs{{
     {Verb::verify, "verify", "", "all of it: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL"},
     {Verb::check, "check", "", "read the model and decide its assertions", "MODEL"},
     {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL"},
@@ -46,6 +47,7 @@ constexpr std::array<VerbRow, 10> verbs{{
     {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL"},
     {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT"},
     {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "CODE"},
+    {Verb::simulate, "simulate", "", "run a scenario's trials with the generated controllers: measures, bands, pictures", "SCENARIO"},
     {Verb::validate, "validate", "", "read the model and report what is wrong with it, nothing else", "MODEL"},
     {Verb::format, "format", "", "lay out model and assertion files in the house style, in place", "FILE"},
     {Verb::lsp, "lsp", "", "serve an editor over standard input and output (Language Server Protocol)", ""},
@@ -78,14 +80,18 @@ void add_format_choice(CLI::App& app, Options& o, bool script) {
         ->option_text(script ? "FORMAT [text] {text,plain,json,framed_json}" : "FORMAT [text]");
 }
 
-void add_common(CLI::App& app, Options& o) {
+void add_progress(CLI::App& app, Options& o) {
     const std::map<std::string, ProgressMode> modes{
         {"auto", ProgressMode::automatic}, {"json", ProgressMode::json}, {"never", ProgressMode::never}};
-    add_color(app, o);
-    app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
     app.add_option("--progress", o.progress, "auto (a line on a terminal), json or never")
         ->transform(CLI::CheckedTransformer(modes))
         ->option_text("HOW [auto] {auto,json,never}");
+}
+
+void add_common(CLI::App& app, Options& o) {
+    add_color(app, o);
+    app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
+    add_progress(app, o);
     app.add_option("--memory", o.memory_bytes, "memory bound of the program while it checks, e.g. 4GiB; at most 3/4 of the machine's by default")
         ->transform(as_size)->option_text("SIZE [16GiB]");
     app.add_option("--timeout", o.timeout_seconds, "time bound of a check in seconds; 0 for none")->check(CLI::NonNegativeNumber)->option_text("SECONDS [0]");
@@ -150,6 +156,27 @@ void add_code(CLI::App& app, Options& o) {
     app.add_option("--cycle", o.cycle, "time units of one control cycle")->check(CLI::Range(1U, 1000U))->option_text("N [1]");
 }
 
+void add_out(CLI::App& app, Options& o) {
+    app.add_option_function<std::string>("--out", [&o](const std::string& dir) {
+           o.out = dir;
+           o.out_given = true;
+       }, "folder for the files written")->option_text("DIR [out]");
+}
+
+void add_simulate(CLI::App& app, Options& o) {
+    add_format_choice(app, o, false);
+    add_color(app, o);
+    add_progress(app, o);
+    app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
+    app.add_option("--trials", o.trials, "number of trials, instead of the scenario's")->check(CLI::Range(1U, 100'000U))->option_text("N");
+    app.add_option("--seed", o.seed, "seed of the first trial, instead of the scenario's")->option_text("N");
+    app.add_option("--threads", o.threads, "trials at the same time at most; 0 for one a core")->check(CLI::Range(0U, 64U))->option_text("N [0]");
+    app.add_flag_callback("--no-pictures", [&o] { o.pictures = false; }, "write no tables and pictures");
+    app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
+    add_warnings(app, o);
+    add_out(app, o);
+}
+
 void add_format(CLI::App& app, Options& o) {
     add_color(app, o);
     app.add_flag("-q,--quiet", o.quiet, "do not list the files changed");
@@ -168,6 +195,7 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     inputs->required();
     if (row.verb == Verb::validate) return add_validate(app, o);
     if (row.verb == Verb::format) return add_format(app, o);
+    if (row.verb == Verb::simulate) return add_simulate(app, o);
     add_format_choice(app, o, row.verb == Verb::cspm);
     add_common(app, o);
     if (row.verb == Verb::cspm) return add_script(app, o);
@@ -175,10 +203,7 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::emit_csp) add_times(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::conform) add_checking(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::conform) add_code(app, o);
-    app.add_option_function<std::string>("--out", [&o](const std::string& dir) {
-           o.out = dir;
-           o.out_given = true;
-       }, "folder for the files written")->option_text("DIR [out]");
+    add_out(app, o);
 }
 
 /// `robochart-verify MODEL` is `robochart-verify verify MODEL`: the first word decides.

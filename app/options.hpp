@@ -21,7 +21,7 @@ enum class Exit : int {
     internal = 70,     ///< a fault of ours
 };
 
-enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain, format, lsp, validate };
+enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain, format, lsp, simulate, validate };
 enum class Format { text, json, sarif, plain, framed_json };
 enum class ProgressMode { automatic, json, never };
 enum class Color { automatic, always, never };
@@ -59,6 +59,9 @@ struct Options {
     std::vector<std::string> constants;   ///< NAME=VALUE
     std::vector<std::string> ranges;      ///< TYPE=LOW..HIGH
     std::vector<std::string> allowed;     ///< codes of warnings not wanted
+    std::uint32_t trials = 0;             ///< simulate: instead of the scenario's; 0: as it says
+    std::optional<std::uint64_t> seed;    ///< simulate: instead of the scenario's
+    bool pictures = true;                 ///< simulate: write tables and pictures
     bool deny_warnings = false;           ///< a warning is as bad as an error
     std::uint64_t memory_bytes = 0;       ///< 0: what `default_memory` says
     double timeout_seconds = 0;           ///< 0: none

@@ -11,6 +11,7 @@
 #include "frontend/rules.hpp"
 #include "frontend/syntax_rules.hpp"
 #include "semantics/rules.hpp"
+#include "simulation/rules.hpp"
 
 namespace robochart::app {
 namespace rules {
@@ -50,6 +51,7 @@ std::vector<const diagnostics::Rule*> all_rules() {
     add(cpp_emit::rules::all());
     add(cspm::rules::all());
     add(cspm::types::rules::all());
+    add(simulation::rules::all());
     all.insert(all.end(), {&rules::bad_option, &rules::no_component, &rules::unwritable});
     return all;
 }

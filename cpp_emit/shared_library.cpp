@@ -22,6 +22,31 @@ namespace robochart::cpp_emit {
 
 namespace fs = std::filesystem;
 
+int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error) {
+    std::vector<char*> arguments;
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    pid_t child = 0;
+    const int spawned = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (spawned != 0) {
+        error = fmt::format("cannot run {}: {}", command.front(), std::strerror(spawned));
+        return -1;
+    }
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno == EINTR) continue;
+        error = fmt::format("lost {}: {}", command.front(), std::strerror(errno));
+        return -1;
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
 namespace {
 
 std::string make_folder(const std::string& parent, std::string& error) {
@@ -69,32 +94,6 @@ std::vector<std::string> words(const std::string& text) {
     return found;
 }
 
-/// Runs a program with output and errors going to `log`. Returns its exit status, or -1 with `error` set.
-int run(const std::vector<std::string>& command, const std::string& log, std::string& error) {
-    std::vector<char*> arguments;
-    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    pid_t child = 0;
-    const int spawned = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (spawned != 0) {
-        error = fmt::format("cannot run {}: {}", command.front(), std::strerror(spawned));
-        return -1;
-    }
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno == EINTR) continue;
-        error = fmt::format("lost {}: {}", command.front(), std::strerror(errno));
-        return -1;
-    }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 std::vector<std::string> command_line(const BuildOptions& options, const fs::path& folder,
                                       const std::vector<std::string>& sources, const std::string& target) {
     std::vector<std::string> command{options.compiler};
@@ -109,11 +108,11 @@ bool compile(const BuildOptions& options, const fs::path& folder, const std::vec
     std::vector<std::string> command = command_line(options, folder, sources, target);
     command.insert(command.begin() + 1, "-fno-gnu-unique");
     const std::string log = target + ".log";
-    int status = run(command, log, error);
+    int status = run_program(command, log, error);
     std::string said = read_file(log);
     if (status > 0 && said.find("no-gnu-unique") != std::string::npos) {
         command.erase(command.begin() + 1);  // clang knows no unique symbols and no such option
-        status = run(command, log, error);
+        status = run_program(command, log, error);
         said = read_file(log);
     }
     std::error_code ignored;

@@ -15,6 +15,10 @@ struct BuildOptions {
     std::string work_dir;          ///< "": a fresh temporary folder, removed with the object
 };
 
+/// Runs a program found through PATH, its output and errors going to the file `log`. Returns its exit status; -1 with
+/// `error` set where it cannot be run.
+int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error);
+
 /// A loaded shared object. Its code runs in this process: load only what this toolkit generated or tests wrote.
 class SharedLibrary {
 public:

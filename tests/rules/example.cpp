@@ -10,6 +10,7 @@
 
 #include "app/options.hpp"
 #include "app/pipeline.hpp"
+#include "app/simulate.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/types.hpp"
@@ -94,7 +95,7 @@ std::vector<std::string> words_of(const std::string& console, const fs::path& fo
         if (word == "$") continue;
         if (word == "MODEL")
             word = folder.string();
-        else if (word.find('=') == std::string::npos && (word.ends_with(".rct") || word.ends_with(".csp")))
+        else if (word.find('=') == std::string::npos && (word.ends_with(".rct") || word.ends_with(".csp") || word.ends_with(".scenario")))
             word = (folder / word).string();
         words.push_back(word);
     }
@@ -104,6 +105,10 @@ std::vector<std::string> words_of(const std::string& console, const fs::path& fo
 /// Everything a verb does that may report: reading, lowering, writing. Searches are left out.
 void run(const app::Options& options, Judgement& result) {
     if (options.verb == app::Verb::cspm) return read_script(options.inputs.front(), result);
+    if (options.verb == app::Verb::simulate) {
+        const auto simulation = app::load_simulation(options);
+        return take(simulation->project->sources, simulation->project->diagnostics, result);
+    }
     const auto project = app::load(options);
     app::Report report;
     const bool all = options.verb == app::Verb::verify || options.verb == app::Verb::check;

@@ -103,7 +103,7 @@ TEST(LightRing, HalfOfItFacesAFarLight) {
 TEST(LightRing, LeaksAboutHalf) {
     Scene scene({{{0, 0}, 0}});
     double sum = 0;
-    for (int i = 0; i < 2000; ++i) sum += scene.sensing.lit_sensors(0, {}, {120, 0});
+    for (int i = 0; i < 2000; ++i) sum += scene.sensing.lit_sensors(0, {8, 0.5}, {120, 0});
     EXPECT_NEAR(sum / 2000, 6, 5 * 1.0 / 44) << "four that face, four at one half (deviation 1)";
 }
 

@@ -1,0 +1,166 @@
+// The verb `simulate`: a scenario, its model's generated controllers, trials, measures against bands, pictures.
+#include "app/simulate.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "app/interrupt.hpp"
+#include "app/rules.hpp"
+#include "app/verbs.hpp"
+#include "diagnostics/json.hpp"
+#include "simulation/report.hpp"
+#include "simulation/rules.hpp"
+
+namespace robochart::app {
+namespace fs = std::filesystem;
+namespace {
+
+/// The scenario's text into the project's sources; its scenario.
+simulation::Scenario read(Project& project, const Options& options) {
+    std::string error;
+    const auto source = project.sources.load(options.inputs.front(), error);
+    if (!source) {
+        project.diagnostics.report(rules::bad_option, {}, {error});
+        return {};
+    }
+    simulation::Scenario scenario = simulation::read_scenario(project.sources, *source, project.diagnostics);
+    if (options.trials > 0) scenario.trials = options.trials;
+    if (options.seed) scenario.seed = *options.seed;
+    return scenario;
+}
+
+std::string model_of(const simulation::Scenario& scenario, const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path();
+    const fs::path model = scenario.model.empty() ? folder : folder / scenario.model;
+    return model.empty() ? "." : model.string();
+}
+
+void emit(Simulation& simulation, const std::string& model) {
+    Project& project = *simulation.project;
+    const auto components = code_components(project.system, simulation.scenario.component.text);
+    if (components.empty()) {
+        project.diagnostics.report(simulation::rules::no_controller, simulation.scenario.component.span,
+                                   {simulation.scenario.component.text, model});
+        return;
+    }
+    cpp_emit::Options generator;
+    generator.cycle_length = simulation.scenario.units_per_step;
+    generator.sources = &project.sources;
+    simulation.emission = cpp_emit::emit_drive(project.system, project.instantiation, components.front(), generator, project.diagnostics);
+    if (!project.diagnostics.ok()) return;
+    simulation.plan = simulation::bind(simulation.scenario, simulation.emission, project.diagnostics);
+    // A look at the first start finds robots that do not fit before anything is compiled.
+    if (project.diagnostics.ok()) (void)simulation::start(simulation.scenario, 0, project.diagnostics);
+}
+
+std::string with_progress(const simulation::RunProgress& p) {
+    const double speed = p.seconds > 0 ? p.simulated_seconds / p.seconds : 0;
+    return fmt::format("trial {} of {}: {:.1f} of {:.0f} s simulated, {:.0f} times real time", std::min(p.trials_done + 1, p.trials),
+                       p.trials, p.simulated_seconds, p.total_seconds, speed);
+}
+
+std::function<void(const simulation::RunProgress&)> progress_of(const Options& options, const std::string& subject) {
+    if (options.progress == ProgressMode::json)
+        return [subject](const simulation::RunProgress& p) {
+            fmt::print(stderr,
+                       R"({{"event":"progress","subject":{},"phase":"simulating","seconds":{:.3f},"trials":{},"trialsDone":{},"simulatedSeconds":{:.1f},"totalSeconds":{:.1f}}})"
+                       "\n",
+                       diagnostics::json_string(subject), p.seconds, p.trials, p.trials_done, p.simulated_seconds, p.total_seconds);
+        };
+    const bool seen = !options.quiet && isatty(STDERR_FILENO) == 1;
+    if (options.progress == ProgressMode::never || !seen) return {};
+    return [](const simulation::RunProgress& p) {
+        fmt::print(stderr, "\r\x1b[K{}", with_progress(p));
+        if (p.trials_done == p.trials) fmt::print(stderr, "\r\x1b[K");
+        std::fflush(stderr);
+    };
+}
+
+Exit exit_of(const simulation::RunResult& result) {
+    if (result.interrupted) return Exit::inconclusive;
+    return result.holds() ? Exit::success : Exit::failed;
+}
+
+void print_text(const Simulation& simulation, const simulation::RunResult& result, const Options& options, const OtherStage& stage,
+                const std::vector<std::string>& files, const std::string& notes) {
+    const simulation::Scenario& scenario = simulation.scenario;
+    std::size_t held = 0;
+    for (const auto& band : result.bands) held += band.holds ? 1U : 0U;
+    if (!options.quiet) {
+        fmt::print("scenario {}: {} robots, {} trial{} of {:g} s, seed {}{}; controller {}\n", scenario.name.text, scenario.robots,
+                   scenario.trials, scenario.trials == 1 ? "" : "s", scenario.duration, scenario.seed,
+                   stage.name.empty() ? "" : ", in " + stage.name, scenario.component.text);
+        fmt::print("{}\n", simulation::run_text(scenario, result));
+        if (!result.bands.empty()) fmt::print("bands\n{}\n", simulation::bands_text(scenario, result));
+        if (!files.empty()) fmt::print("files\n");
+        for (const std::string& file : files) fmt::print("  {}\n", file);
+        fmt::print("{}{}", notes, files.empty() && notes.empty() ? "" : "\n");
+    }
+    if (result.interrupted) fmt::print("interrupted: the bands are not judged\n");
+    else if (result.stopped()) fmt::print("a controller stopped: see above\n");
+    else fmt::print("{} of {} bands hold\n", held, result.bands.size());
+}
+
+/// Builds the controller and runs; what goes wrong is among the project's diagnostics.
+std::unique_ptr<simulation::Controller> build(Simulation& simulation) {
+    std::string error;
+    auto controller = simulation::Controller::build(simulation.emission, "", error);
+    if (controller == nullptr) simulation.project->diagnostics.report(simulation::rules::not_compiled, simulation.scenario.component.span, {error});
+    return controller;
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> load_simulation(const Options& options) {
+    auto simulation = std::make_unique<Simulation>();
+    simulation->project = std::make_unique<Project>();
+    simulation->scenario = read(*simulation->project, options);
+    if (options.inputs.size() != 1)
+        simulation->project->diagnostics.report(rules::bad_option, {}, {"simulate takes one scenario at a time"});
+    if (!simulation->project->diagnostics.ok()) return simulation;
+    Options model = options;
+    model.inputs = {model_of(simulation->scenario, options.inputs.front())};
+    simulation->project = load(model);
+    if (!acceptable(*simulation->project, options)) return simulation;
+    simulation->scenario = read(*simulation->project, options);
+    emit(*simulation, model.inputs.front());
+    return simulation;
+}
+
+Exit run_simulate(const Options& options, const OtherStage& stage) {
+    const auto simulation = load_simulation(options);
+    Project& project = *simulation->project;
+    if (!acceptable(project, options)) return show_diagnostics(project, options), Exit::bad_input;
+    const auto controller = build(*simulation);
+    if (controller == nullptr) return show_diagnostics(project, options), Exit::bad_input;
+    simulation::RunOptions wanted;
+    wanted.threads = stage.parallel ? options.threads : 1;
+    wanted.stage = stage.make;
+    wanted.record = options.pictures;
+    wanted.interrupted = interrupted;
+    wanted.progress = progress_of(options, simulation->scenario.name.text);
+    const InterruptScope scope;
+    const simulation::RunResult result = simulation::run(simulation->plan, controller->drive(), wanted, project.diagnostics);
+    if (!project.diagnostics.ok() && !result.stopped()) return show_diagnostics(project, options), Exit::bad_input;
+    std::string notes;
+    std::vector<std::string> files;
+    if (options.pictures && !result.interrupted)
+        files = write_simulation_files(*simulation, result, controller->drive(), options, notes);
+    const Exit exit = exit_of(result);
+    if (options.format == Format::json) {
+        fmt::print("{}", simulation::result_json(simulation->scenario, result, files, static_cast<int>(exit)));
+        return exit;
+    }
+    show_diagnostics(project, options);
+    print_text(*simulation, result, options, stage, files, notes);
+    return exit;
+}
+
+Exit run_simulate(const Options& options) {
+    return run_simulate(options, {"", simulation::embedded_stage, true});
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,125 @@
+// The founding paper's two case studies with generated controllers: ten trials of twenty robots keep to the bands, and
+// broken controllers do not. The bands come from hand-written controllers in Enki and ARGoS.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness.hpp"
+#include "simulation/report.hpp"
+
+namespace robochart::simulation {
+namespace {
+
+using testing::Experiment;
+using testing::read_file;
+using testing::replaced;
+
+const std::string corpus = std::string(ROBOCHART_SOURCE_DIR) + "/corpus/";
+
+std::string aggregation_model() {
+    return read_file(corpus + "aggregation/aggregation.rct");
+}
+std::string aggregation_scenario() {
+    return read_file(corpus + "aggregation/aggregation.scenario");
+}
+std::string taxis_model() {
+    return read_file(corpus + "swarm_taxis/swarm_taxis.rct");
+}
+std::string taxis_scenario() {
+    return read_file(corpus + "swarm_taxis/swarm_taxis.scenario");
+}
+
+void expect_held(const std::string& model, const std::string& scenario) {
+    Experiment experiment(model, scenario);
+    const RunResult result = experiment.run();
+    EXPECT_EQ(result.trials.size(), 10U);
+    EXPECT_TRUE(result.holds()) << bands_text(experiment.scenario, result);
+}
+
+void expect_broken(const std::string& model, const std::string& scenario) {
+    Experiment experiment(model, scenario);
+    const RunResult result = experiment.run();
+    EXPECT_TRUE(experiment.diagnostics.ok()) << "it runs, " << experiment.messages();
+    ASSERT_FALSE(result.bands.empty());
+    EXPECT_FALSE(result.bands.front().holds) << "the first band, the claim of the paper\n"
+                                             << bands_text(experiment.scenario, result);
+}
+
+TEST(Aggregation, OneClusterInAllTenTrials) {
+    expect_held(aggregation_model(), aggregation_scenario());
+}
+
+TEST(Aggregation, EventsSwappedFails) {
+    std::string model = replaced(aggregation_model(), "S1 to S2 trigger seeRobot", "S1 to S2 trigger swapped");
+    model = replaced(model, "S2 to S1 trigger seeWall", "S2 to S1 trigger seeRobot");
+    expect_broken(replaced(model, "trigger swapped", "trigger seeWall"), aggregation_scenario());
+}
+
+TEST(Aggregation, NeverTurningFails) {
+    expect_broken(replaced(aggregation_model(), "entry RotateClockwise(-5.02)", "entry MoveClockwise(-0.75, -10.88)"),
+                  aggregation_scenario());
+}
+
+TEST(Aggregation, AlwaysTurningFails) {
+    expect_broken(replaced(aggregation_model(), "entry MoveClockwise(-0.75, -10.88)", "entry RotateClockwise(-5.02)"),
+                  aggregation_scenario());
+}
+
+TEST(Aggregation, StandingWhileSeeingFails) {
+    expect_broken(
+        replaced(aggregation_model(), "angularSpeed = angular; linearSpeed = 0;", "angularSpeed = 0; linearSpeed = 0;"),
+        aggregation_scenario());
+}
+
+TEST(SwarmTaxis, ReachesTheBeaconTogether) {
+    expect_held(taxis_model(), taxis_scenario());
+}
+
+TEST(SwarmTaxis, RadiiInvertedFails) {
+    expect_broken(replaced(taxis_model(), "if illuminated then avoidanceRadius = 0.2 else avoidanceRadius = 0.1 end",
+                           "if illuminated then avoidanceRadius = 0.1 else avoidanceRadius = 0.2 end"),
+                  taxis_scenario());
+}
+
+TEST(SwarmTaxis, EqualRadiiFail) {
+    expect_broken(replaced(taxis_model(), "avoidanceRadius = 0.2 else avoidanceRadius = 0.1 end",
+                           "avoidanceRadius = 0.2 else avoidanceRadius = 0.2 end"),
+                  taxis_scenario());
+}
+
+TEST(SwarmTaxis, NeverLitFails) {
+    expect_broken(replaced(taxis_model(), "if illuminated then", "if false then"), taxis_scenario());
+}
+
+TEST(SwarmTaxis, WithoutCoherenceFails) {
+    expect_broken(replaced(taxis_model(), "25", "25000"), taxis_scenario());
+}
+
+TEST(CaseStudies, ResultsDoNotDependOnThreads) {
+    Experiment experiment(aggregation_model(), replaced(aggregation_scenario(), "trials 10", "trials 4"));
+    const RunResult one = experiment.run(1);
+    const RunResult four = experiment.run(4);
+    ASSERT_EQ(one.trials.size(), four.trials.size());
+    for (std::size_t t = 0; t < one.trials.size(); ++t) {
+        EXPECT_EQ(one.trials[t].statistics, four.trials[t].statistics);
+        ASSERT_EQ(one.trials[t].frames.size(), four.trials[t].frames.size());
+        for (std::size_t r = 0; r < 20; ++r)
+            EXPECT_EQ(one.trials[t].frames.back().poses[r].at, four.trials[t].frames.back().poses[r].at);
+    }
+    EXPECT_NE(one.trials[0].frames.back().poses[0].at, one.trials[1].frames.back().poses[0].at) << "seeds differ";
+}
+
+/// The paper's figures: after 0, 20, 40 and 60 seconds, states recorded with the positions.
+TEST(CaseStudies, FramesAreKeptAtThePicturesTimes) {
+    Experiment experiment(aggregation_model(), replaced(aggregation_scenario(), "record 0.5 s", "record 7 s"));
+    const RunResult result = experiment.run();
+    std::vector<double> times;
+    for (const Frame& frame : result.trials[0].frames) times.push_back(frame.time);
+    for (const double time : {0.0, 20.0, 40.0, 60.0, 180.0})
+        EXPECT_THAT(times, ::testing::Contains(::testing::DoubleNear(time, 1e-9)));
+    EXPECT_EQ(result.trials[0].frames.back().states.size(), 20U);
+}
+
+}  // namespace
+}  // namespace robochart::simulation

@@ -1,0 +1,95 @@
+#include "harness.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "diagnostics/render.hpp"
+#include "frontend/project.hpp"
+#include "semantics/lower.hpp"
+
+namespace robochart::simulation::testing {
+
+namespace {
+
+/// The one component of the most comprehensive kind.
+ir::ComponentRef component(const ir::System& system, const std::string& name) {
+    ir::ComponentRef ref;
+    ref.path = name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1);
+    for (std::size_t i = 0; i < system.modules.size(); ++i)
+        if (system.modules[i].name == ref.path) {
+            ref.kind = ir::ComponentKind::module;
+            ref.definition = static_cast<std::uint32_t>(i);
+            ref.package = system.modules[i].package;
+            return ref;
+        }
+    for (std::size_t i = 0; i < system.machines.size(); ++i)
+        if (system.machines[i].name == ref.path) {
+            ref.kind = ir::ComponentKind::machine;
+            ref.definition = static_cast<std::uint32_t>(i);
+            ref.package = system.machines[i].package;
+            return ref;
+        }
+    ADD_FAILURE() << "no component " << name;
+    return ref;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    EXPECT_TRUE(in) << path;
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << "nothing to replace: " << what;
+    for (; at != std::string::npos; at = text.find(what, at + with.size())) text.replace(at, what.size(), with);
+    return text;
+}
+
+Experiment::Experiment(const std::string& model, const std::string& text) {
+    frontend::Model parsed;
+    parsed.files.push_back(frontend::parse(sources, sources.add("model.rct", model), false, diagnostics));
+    frontend::resolve(parsed, diagnostics);
+    system = ir::lower(parsed, sources, diagnostics);
+    instantiation = ir::instantiate(system, {}, diagnostics);
+    scenario = read_scenario(sources, sources.add("test.scenario", text), diagnostics);
+    if (!diagnostics.ok()) return;
+    cpp_emit::Options options;
+    options.cycle_length = scenario.units_per_step;
+    options.sources = &sources;
+    emission =
+        cpp_emit::emit_drive(system, instantiation, component(system, scenario.component.text), options, diagnostics);
+    if (diagnostics.ok()) plan = bind(scenario, emission, diagnostics);
+}
+
+RunResult Experiment::run(unsigned threads) {
+    EXPECT_TRUE(diagnostics.ok()) << messages();
+    std::string error;
+    if (controller == nullptr) controller = Controller::build(emission, "", error);
+    EXPECT_NE(controller, nullptr) << error;
+    if (controller == nullptr) return {};
+    RunOptions options;
+    options.threads = threads;
+    return simulation::run(plan, controller->drive(), options, diagnostics);
+}
+
+std::string Experiment::codes() const {
+    std::string result;
+    for (const auto& d : diagnostics.sorted())
+        if (!std::string(d.rule->code).starts_with("RC-W"))
+            result += (result.empty() ? "" : " ") + std::string(d.rule->code);
+    return result;
+}
+
+std::string Experiment::messages() const {
+    return diagnostics::render_text(sources, diagnostics);
+}
+
+}  // namespace robochart::simulation::testing

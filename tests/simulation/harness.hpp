@@ -1,0 +1,38 @@
+// A model and a scenario as texts, read, bound, built and run, for tests.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "diagnostics/diagnostic.hpp"
+#include "semantics/instantiation.hpp"
+#include "simulation/controller.hpp"
+#include "simulation/run.hpp"
+
+namespace robochart::simulation::testing {
+
+std::string read_file(const std::string& path);
+/// Every occurrence; fails the test if there is none.
+std::string replaced(std::string text, const std::string& what, const std::string& with);
+
+struct Experiment {
+    Experiment(const std::string& model, const std::string& scenario);
+
+    /// Builds the controller once and runs all trials. The experiment must have no errors.
+    RunResult run(unsigned threads = 2);
+    /// The codes of the findings, in order of place: "RC-M07 RC-M08".
+    [[nodiscard]] std::string codes() const;
+    /// The messages.
+    [[nodiscard]] std::string messages() const;
+
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    ir::System system;
+    ir::Instantiation instantiation;
+    Scenario scenario;
+    cpp_emit::DriveEmission emission;
+    Plan plan;
+    std::unique_ptr<Controller> controller;
+};
+
+}  // namespace robochart::simulation::testing
