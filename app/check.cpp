@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "app/bounds.hpp"
 #include "app/interrupt.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/session.hpp"
@@ -125,6 +126,8 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
     if (!project.diagnostics.ok() || emission.obligations.empty()) return;
     const std::unique_ptr<cspm::Session> session = open(project, emission, time, report);
     if (!session) return;
+    BoundWatch bounds(project, emission, time, report.bounds);
+    session->observe(bounds.observer());
     const Context context{project, options, emission, *session};
     for (const csp_emit::Obligation& obligation : emission.obligations) {
         if (!wanted(context, obligation)) continue;

@@ -34,6 +34,14 @@ void write_assertion(std::string& out, const AssertionReport& a, const std::stri
         out += fmt::format("                 events <{}>\n", fmt::join(a.raw, ", "));
 }
 
+/// What the verdicts are about where it is less than the model.
+void write_bounds(std::string& out, const std::vector<BoundReport>& bounds) {
+    if (bounds.empty()) return;
+    out += "\nbounds of the finite reading that were reached: the verdicts are about a smaller model\n";
+    for (const BoundReport& bound : bounds)
+        out += fmt::format("  {}: {} [{}]{}\n", bound.element, bound.text, bound.time, bound.place.empty() ? "" : "   " + bound.place);
+}
+
 void write_cycles(std::string& out, const conformance::Result& r) {
     for (std::size_t i = 0; i < r.cycles.size(); ++i) {
         const conformance::Cycle& cycle = r.cycles[i];
@@ -111,6 +119,7 @@ std::string render_text(const Report& report, const Options& options) {
     for (const AssertionReport& a : report.assertions) width = std::max(width, std::min<std::size_t>(a.title.size(), 80));
     if (!report.assertions.empty() && !options.quiet) out += "\nassertions\n";
     for (const AssertionReport& a : report.assertions) write_assertion(out, a, report.subject, width, options);
+    write_bounds(out, report.bounds);
     if (!report.conformance.empty() && !options.quiet) out += "\nconformance of the generated C++\n";
     for (const ConformanceReport& c : report.conformance) write_conformance(out, c, options);
     if (!options.quiet) {

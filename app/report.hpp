@@ -29,6 +29,14 @@ struct AssertionReport {
     std::vector<std::string> raw;         ///< the run in CSP events
 };
 
+/// Where the finite reading of the model showed while assertions were checked.
+struct BoundReport {
+    std::string element;  ///< "S::t1"
+    std::string place;    ///< "model.rct:12"
+    std::string text;     ///< the expression, and what was made of it
+    std::string time;     ///< "untimed", "timed", or both
+};
+
 struct ConformanceReport {
     std::string component;
     conformance::Result result;
@@ -47,6 +55,7 @@ struct Report {
     std::vector<std::string> notes;       ///< scale of reals, carriers
     std::string subject = "model";        ///< what it is that does what a counterexample tells
     std::vector<AssertionReport> assertions;
+    std::vector<BoundReport> bounds;
     std::vector<ConformanceReport> conformance;
     std::vector<FileReport> csp_files, cpp_files;
 

@@ -50,6 +50,9 @@ std::string render_json(const Report& report) {
               {"exit", static_cast<int>(report.exit())}};
     json["assertions"] = Json::array();
     for (const AssertionReport& a : report.assertions) json["assertions"].push_back(assertion(a));
+    json["bounds"] = Json::array();
+    for (const BoundReport& b : report.bounds)
+        json["bounds"].push_back({{"element", b.element}, {"place", b.place}, {"text", b.text}, {"time", b.time}});
     json["conformance"] = Json::array();
     for (const ConformanceReport& c : report.conformance) json["conformance"].push_back(conformance_json(c));
     json["cspFiles"] = files(report.csp_files);

@@ -124,7 +124,8 @@ std::vector<std::string> StoryTeller::changes(const std::string& before, const s
     for (const Place& place : places(after)) {
         for (const auto& now : place.values) {
             const bool clock = now.first.starts_with("since(");
-            if (!clock && std::find(old.begin(), old.end(), now) == old.end() &&
+            const bool unread = now.second == "'_'" || now.second == "_";  // nothing reads the value any more
+            if (!clock && !unread && std::find(old.begin(), old.end(), now) == old.end() &&
                 std::any_of(old.begin(), old.end(), [&](const auto& was) { return was.first == now.first; }))
                 result.push_back(fmt::format("{} = {}", now.first, now.second));
         }

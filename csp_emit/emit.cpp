@@ -169,8 +169,9 @@ std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std
     return result;
 }
 
-/// The user's instantiations with the generated ones of all names that they leave out.
-void add_instantiations(const Project& project, std::vector<DeclPtr>& decls) {
+/// The user's instantiations with the generated ones of all names that they leave out; of these the functions whose
+/// values are the finite reading's choice.
+void add_instantiations(const Project& project, std::vector<DeclPtr>& decls, std::set<std::string>& bounded) {
     std::set<std::string> given;
     for (const ir::CspBlock& block : project.system.csp_blocks) {
         if (block.name != instantiations_block || !applies(project, block)) continue;
@@ -184,7 +185,9 @@ void add_instantiations(const Project& project, std::vector<DeclPtr>& decls) {
     }
     for (const DeclPtr& decl : instantiations(project)) {
         const std::string name = !decl->names.empty() ? decl->names.front() : decl->patterns.front().front()->text;
-        if (given.count(name) == 0) decls.push_back(decl);
+        if (given.count(name) != 0) continue;
+        decls.push_back(decl);
+        if (decl->kind == cspm::DeclKind::function) bounded.insert(name);
     }
 }
 
@@ -242,7 +245,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     defined_names(blocks, given);
     append(definitions, without(library(project), given));  // a user's definition takes the library's place
     append(definitions, data_definitions(project));
-    add_instantiations(project, definitions);
+    add_instantiations(project, definitions, result.bounded);
     Emitted emitted;
     emit_components(project, names, emitted, definitions);
     EventMeaning tock{MeaningKind::tock, "one time unit passes", {}, {}};

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,7 @@ struct Emission {
     cspm::Script script;       ///< definitions, the CSP blocks, the assertions: what is checked
     std::vector<Obligation> obligations;
     Provenance provenance;
+    std::set<std::string> bounded;  ///< functions whose value the finite reading may choose (bounds.hpp)
 };
 
 struct Options {

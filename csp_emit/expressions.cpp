@@ -2,6 +2,7 @@
 #include "csp_emit/expressions.hpp"
 
 #include "checker/cspm/build.hpp"
+#include "csp_emit/bounds.hpp"
 #include "csp_emit/names.hpp"
 #include "csp_emit/types.hpp"
 #include "semantics/evaluate.hpp"
@@ -340,11 +341,13 @@ std::string function_name(const ir::Function& function) {
 }
 
 ExprPtr expression(const Project& project, const Scope& scope, const ir::Expr& expr) {
-    return Translator(project, scope).translate(expr);
+    const ExprPtr result = Translator(project, scope).translate(expr);
+    return scope.placed ? placed(result, expr.span) : result;
 }
 
 ExprPtr expression_as(const Project& project, const Scope& scope, const ir::Expr& expr, ir::TypeId wanted) {
-    return Translator(project, scope).as_type(expr, wanted);
+    const ExprPtr result = Translator(project, scope).as_type(expr, wanted);
+    return scope.placed ? placed(result, expr.span) : result;
 }
 
 std::vector<ExprPtr> preconditions(const Project& project, const Scope& scope, const ir::Expr& expr) {

@@ -15,6 +15,7 @@ struct Scope {
     std::function<cspm::ExprPtr(ir::ClockId)> clock;       ///< since(C)
     std::function<cspm::ExprPtr(ir::NodeId)> entry_clock;  ///< sinceEntry(S)
     cspm::ExprPtr trigger_value;
+    bool placed = true;  ///< calls know their place in the model, for reports; not what no state evaluates
 };
 
 /// The expression; what CSPM cannot say is reported by name (RC-C01).

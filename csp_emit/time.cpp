@@ -116,6 +116,7 @@ ExprPtr MachineEmitter::clock_bound(const ir::Machine& checked, const ir::Expr& 
     names.constant = [&](ir::ConstantId id) {
         return b::name(ir::constant_name(checked.package, checked.path, checked.constants.at(id.index).name));
     };
+    names.placed = false;  // all values of a type, not those of a state
     names.clock = [](ir::ClockId) { return b::number(0); };
     names.entry_clock = [](ir::NodeId) { return b::number(0); };
     const std::int64_t scale = project().instantiation.scale;

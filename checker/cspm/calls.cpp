@@ -32,7 +32,24 @@ Value Evaluator::call(Value function, Values arguments, Span span) {
                    function->items.begin() + static_cast<std::ptrdiff_t>(environment));
         return store_.closure(definition, std::move(all));
     }
-    return run(definition, function->items, all, span);
+    const Value result = run(definition, function->items, all, span);
+    if (observer_.tell) tell(definition, all, result, span);
+    return result;
+}
+
+/// The observer hears of the call with its numbers as they are known by now.
+void Evaluator::tell(const Function& function, const Values& arguments, Value result, Span span) {
+    if (function.watched < 0) function.watched = observer_.functions.contains(function.name) ? 1 : 0;
+    if (function.watched == 0) return;
+    // What has not been asked for stays unknown: it may have no value.
+    const auto number = [](Value value) -> std::optional<std::int64_t> {
+        if (value->kind == Kind::thunk) value = static_cast<const Thunk&>(*value).result;
+        if (value == nullptr || value->kind != Kind::integer) return std::nullopt;
+        return value->number;
+    };
+    ObservedCall observed{function.name, span, {}, number(result)};
+    for (const Value argument : arguments) observed.values.push_back(number(argument));
+    observer_.tell(observed);
 }
 
 Value Evaluator::run(const Function& function, const Values& environment, Values& arguments, Span span) {

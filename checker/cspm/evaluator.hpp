@@ -10,6 +10,7 @@
 
 #include "checker/cspm/code.hpp"
 #include "checker/cspm/evaluation_error.hpp"
+#include "checker/cspm/observed_call.hpp"
 #include "checker/process/term.hpp"
 
 namespace robochart::cspm {
@@ -26,6 +27,8 @@ public:
     // Entry points; each may be called from outside only.
     /// Called now and then while values are worked out; may throw to stop that. Empty: none.
     void watch(std::function<void()> poll) { poll_ = std::move(poll); }
+    /// Who is told of calls of some functions, before anything is evaluated.
+    void observe(CallObserver observer) { observer_ = std::move(observer); }
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
     [[nodiscard]] process::TermId process(const Code& code, const Unit& unit);
     [[nodiscard]] process::EventSet event_set(const Code& code, const Unit& unit);
@@ -77,6 +80,7 @@ private:
     // calls.cpp: functions, constants, groups
     Value call(Value function, Values arguments, Span span);
     Value run(const Function& function, const Values& environment, Values& arguments, Span span);
+    void tell(const Function& function, const Values& arguments, Value result, Span span);
     const FunctionClause& choose(const Function& function, const Values& environment, Values& arguments, Frame& frame,
                                  Span span);
     void install(const Unit& unit, const Function& function, const Values& environment, Frame& frame);
@@ -230,6 +234,7 @@ private:
     const char* stack_base_ = nullptr;
     std::uint64_t steps_ = 0;
     std::function<void()> poll_;
+    CallObserver observer_;
     unsigned entries_ = 0;
     unsigned shapes_ = 0;
 };

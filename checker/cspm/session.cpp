@@ -241,6 +241,10 @@ std::vector<DeclPtr> Session::assertions() const {
     return result;
 }
 
+void Session::observe(CallObserver observer) {
+    impl_->evaluator.observe(std::move(observer));
+}
+
 AssertionResult Session::check(const Decl& assertion, const refine::Limits& limits) {
     AssertionResult result;
     result.text = written(assertion);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "checker/cspm/evaluation_error.hpp"
+#include "checker/cspm/observed_call.hpp"
 #include "checker/cspm/syntax.hpp"
 #include "checker/lts/transition_system.hpp"
 #include "checker/process/behaviour.hpp"
@@ -37,6 +38,10 @@ public:
     [[nodiscard]] std::vector<DeclPtr> assertions() const;
     /// Decides one assertion. Evaluation errors are thrown; limits give inconclusive.
     [[nodiscard]] AssertionResult check(const Decl& assertion, const refine::Limits&);
+
+    /// Tells of calls of these functions while processes are worked out. Each state's calls are told once, whichever
+    /// assertion asks first; so it is to be set before the first check.
+    void observe(CallObserver observer);
 
     /// The run of a counterexample taken apart down to the components; the loop of a divergence follows the trace. None
     /// where its states are not terms.
