@@ -1,10 +1,9 @@
-// The product search, level by level. Where divergence matters, the tau edges are kept for the cycle search afterwards.
+// The product search, level by level. Where divergence matters, taus that do not lead forward are noted; the cycle
+// search afterwards begins with them and makes all taus again.
 #include "checker/refine/search.hpp"
 
 #include <algorithm>
 #include <stdexcept>
-
-#include "checker/refine/tau_cycle.hpp"
 
 namespace robochart::refine {
 
@@ -18,13 +17,13 @@ constexpr std::size_t rows_at_once = 256;
 
 }  // namespace
 
-Search::Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool keep_taus, Pairs pairs)
+Search::Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool note_taus, Pairs pairs)
     : system_(system),
       monitor_(monitor),
       budget_(budget),
       nodes_(!monitor.watches_states_only()),
       pairs_(system.width() + (nodes_ ? 1 : 0)),
-      keep_taus_(keep_taus),
+      note_taus_(note_taus),
       expander_(system, monitor, pairs_) {
     if (pairs == Pairs::antichain) antichain_ = std::make_unique<Antichain>(system.width());
 }
@@ -56,7 +55,6 @@ std::optional<Finding> Search::first_violation() {
         if (pairs_.size() != end) ++depth_;
         first = end;
     }
-    if (keep_taus_) first_tau_.push_back(tau_targets_.size());
     return std::nullopt;
 }
 
@@ -124,10 +122,9 @@ void Search::note_entered(std::size_t number) {
         ++expanded_;
         transitions_ += expansion.pairs[i].transitions;
         lineage_.expanded(wide_->found(number, i));
-        if (!keep_taus_) continue;
-        first_tau_.push_back(tau_targets_.size());
-        for (; row < expansion.pairs[i].end_row; ++row)
-            if (expansion.by_tau(row)) tau_targets_.push_back(wide_->target(number, row));
+        for (; note_taus_ && row < expansion.pairs[i].end_row; ++row)
+            if (expansion.by_tau(row))
+                back_taus_.note(static_cast<StateIndex>(expanded_ - 1), wide_->target(number, row));
     }
     budget_.states(pairs_.size());
 }
@@ -154,14 +151,13 @@ std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first
 /// The targets of one pair. Their lines have been asked for; those of the states behind them are, some rows ahead.
 void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t first, std::size_t end) {
     constexpr std::size_t lead = 16;
-    const bool keep_taus = keep_taus_ && first_of_its_state(pair);
-    if (keep_taus) first_tau_.push_back(tau_targets_.size());
+    const std::optional<StateIndex> vertex = note_taus_ ? tau_vertex(pair) : std::nullopt;
     std::uint32_t found = 0;
     for (std::size_t i = first; i < end; ++i) {
         if (i + lead < expansion.size()) pairs_.prefetch_state(expansion.hash(i + lead));
         const lts::StateStore::Insertion insertion = enter(expansion.row(i), expansion.hash(i));
         if (insertion.fresh) ++found;
-        if (keep_taus && expansion.by_tau(i)) tau_targets_.push_back(insertion.index);
+        if (vertex && expansion.by_tau(i)) back_taus_.note(*vertex, insertion.index);
     }
     lineage_.expanded(found);
 }
@@ -175,18 +171,14 @@ lts::StateStore::Insertion Search::enter(StateView row, std::uint64_t hash) {
     return {state, true};
 }
 
-bool Search::first_of_its_state(StateIndex pair) {
-    return !antichain_ || antichain_->first_pair(antichain_->number(state(pair))) == pair;
+/// In the graph of taus: the pair, or with an antichain its state, if it is the state's first pair.
+std::optional<StateIndex> Search::tau_vertex(StateIndex pair) {
+    if (!antichain_) return pair;
+    const StateIndex number = antichain_->number(state(pair));
+    return antichain_->first_pair(number) == pair ? std::optional(number) : std::nullopt;
 }
 
 namespace {
-
-GraphView tau_graph(const lts::ChunkedVector<std::uint64_t>& first, const lts::ChunkedVector<StateIndex>& targets) {
-    return {first.size() - 1, [&](StateIndex vertex, std::size_t i) {
-                const std::uint64_t place = first[vertex] + i;
-                return place < first[vertex + 1U] ? targets[place] : lts::no_state;
-            }};
-}
 
 /// Finds the transition between two given pairs.
 class StepFinder final : public lts::SuccessorSink {
@@ -215,13 +207,53 @@ private:
 
 }  // namespace
 
+/// The rows that taus lead to, asked for before any is looked up.
+class Search::TauRows final : public lts::SuccessorSink {
+public:
+    TauRows(const lts::StateStore& pairs, std::optional<Monitor::Node> node) : pairs_(pairs), node_(node) {}
+    void add(Event event, StateView target, Event /*revealed*/) override {
+        if (event != process::tau) return;
+        const std::size_t before = words.size();
+        if (node_) words.push_back(*node_);
+        words.insert(words.end(), target.begin(), target.end());
+        hashes.push_back(lts::StateStore::hash(StateView(words).subspan(before)));
+        pairs_.prefetch(hashes.back());
+    }
+    std::vector<lts::Word> words;
+    std::vector<std::uint64_t> hashes;
+
+private:
+    const lts::StateStore& pairs_;
+    std::optional<Monitor::Node> node_;
+};
+
+/// Every one of them is in the store, since the search has seen all.
+void Search::tau_targets(StateIndex pair, std::vector<StateIndex>& targets) {
+    budget_.charge();
+    TauRows rows(pairs_, nodes_ ? std::optional(node(pair)) : std::nullopt);
+    system_.successors(state(pair), rows);
+    for (std::size_t i = 0; i < rows.hashes.size(); ++i) {
+        const StateView row = StateView(rows.words).subspan(i * pairs_.width(), pairs_.width());
+        targets.push_back(antichain_ ? antichain_->number(row.subspan(1)) : pairs_.find(row, rows.hashes[i]));
+    }
+}
+
+GraphView Search::tau_graph() {
+    if (!antichain_)
+        return {pairs_.size(),
+                [this](StateIndex pair, std::vector<StateIndex>& targets) { tau_targets(pair, targets); }};
+    return {antichain_->size(), [this](StateIndex state, std::vector<StateIndex>& targets) {
+                tau_targets(antichain_->first_pair(state), targets);
+            }};
+}
+
 std::optional<StateIndex> Search::first_tau_cycle() {
-    const std::optional<StateIndex> vertex = least_on_cycle(tau_graph(first_tau_, tau_targets_));
+    const std::optional<StateIndex> vertex = least_on_cycle(tau_graph(), back_taus_.list());
     return vertex && antichain_ ? std::optional(antichain_->first_pair(*vertex)) : vertex;
 }
 
 std::vector<StateIndex> Search::tau_cycle(StateIndex pair) {
-    const GraphView graph = tau_graph(first_tau_, tau_targets_);
+    const GraphView graph = tau_graph();
     if (!antichain_) return shortest_cycle(graph, pair);
     std::vector<StateIndex> cycle = shortest_cycle(graph, antichain_->number(state(pair)));
     for (StateIndex& vertex : cycle) vertex = antichain_->first_pair(vertex);

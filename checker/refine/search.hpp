@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "checker/lts/chunked_vector.hpp"
 #include "checker/lts/state_store.hpp"
 #include "checker/refine/antichain.hpp"
 #include "checker/refine/budget.hpp"
@@ -13,6 +12,7 @@
 #include "checker/refine/lineage.hpp"
 #include "checker/refine/monitor.hpp"
 #include "checker/refine/run.hpp"
+#include "checker/refine/tau_cycle.hpp"
 #include "checker/refine/wide_level.hpp"
 
 namespace robochart::refine {
@@ -28,7 +28,8 @@ class Search {
 public:
     /// How pairs are kept apart: all, or those alone that no other covers (antichain.hpp).
     enum class Pairs { all, antichain };
-    Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool keep_taus = false,
+    /// `note_taus`: cycles of taus will be asked for.
+    Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool note_taus = false,
            Pairs pairs = Pairs::all);
 
     Search(const Search&) = delete;
@@ -38,7 +39,7 @@ public:
     /// The first violation by length of run; among runs of one length a state's fault comes before a forbidden event.
     /// None when all pairs have been seen. Throws LimitReached.
     std::optional<Finding> first_violation();
-    /// After a search without violation that kept taus: the first pair on a tau cycle.
+    /// After a search without violation that noted taus: the first pair on a tau cycle.
     std::optional<lts::StateIndex> first_tau_cycle();
     /// A shortest cycle of taus through the pair, as pairs; ends with the pair itself.
     std::vector<lts::StateIndex> tau_cycle(lts::StateIndex pair);
@@ -65,7 +66,10 @@ private:
     std::optional<Finding> search_wide_level(lts::StateIndex first, lts::StateIndex end);
     bool several_threads();
     lts::StateStore::Insertion enter(lts::StateView row, std::uint64_t hash);
-    bool first_of_its_state(lts::StateIndex pair);
+    class TauRows;
+    [[nodiscard]] std::optional<lts::StateIndex> tau_vertex(lts::StateIndex pair);
+    [[nodiscard]] GraphView tau_graph();
+    void tau_targets(lts::StateIndex pair, std::vector<lts::StateIndex>& targets);
     void note_entered(std::size_t number);
 
     lts::TransitionSystem& system_;
@@ -74,9 +78,8 @@ private:
     const bool nodes_;  // pairs begin with the monitor's node
     lts::StateStore pairs_;
     Lineage lineage_;
-    bool keep_taus_;
-    lts::ChunkedVector<std::uint64_t> first_tau_;  // per pair, where its targets begin; one more at the end
-    lts::ChunkedVector<lts::StateIndex> tau_targets_;
+    bool note_taus_;
+    BackTargets back_taus_;  // all that a cycle of taus needs to have been seen
     std::uint64_t expanded_ = 0;
     std::uint64_t transitions_ = 0;
     std::uint64_t depth_ = 0;

@@ -1,21 +1,39 @@
-// Cycles in a graph given by its adjacency: linear, whatever the graph's shape.
+// Cycles in a graph whose edges are made as they are asked for: linear, whatever the graph's shape.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "checker/lts/state_store.hpp"
 
 namespace robochart::refine {
 
-/// Vertices 0 .. size-1; edge(v, i) is the i-th successor of v, or no_state beyond its last.
+/// Vertices 0 .. size-1; `successors` adds those of a vertex to a list, the same every time.
 struct GraphView {
     std::size_t size;
-    std::function<lts::StateIndex(lts::StateIndex, std::size_t)> edge;
+    std::function<void(lts::StateIndex vertex, std::vector<lts::StateIndex>& targets)> successors;
 };
 
-/// The least vertex that lies on a cycle (a self-loop is one).
-[[nodiscard]] std::optional<lts::StateIndex> least_on_cycle(const GraphView& graph);
+/// The vertices to which an edge leads that does not lead forward, from a lower number to a higher: every cycle has
+/// one.
+class BackTargets {
+public:
+    void note(lts::StateIndex from, lts::StateIndex to) {
+        if (to <= from) add(to);
+    }
+    void add(lts::StateIndex vertex);
+    /// Ascending.
+    [[nodiscard]] std::vector<lts::StateIndex> list() const;
+
+private:
+    std::vector<bool> marked_;
+};
+
+/// The least vertex that lies on a cycle (a self-loop is one). `entrances`: the targets of edges that do not lead
+/// forward, all of them, ascending; what no such edge leads to by whatever way is not looked at.
+[[nodiscard]] std::optional<lts::StateIndex> least_on_cycle(const GraphView& graph,
+                                                            std::vector<lts::StateIndex> entrances);
 /// A shortest cycle through the vertex: the vertices after it, ending with itself. Empty if there is none.
 [[nodiscard]] std::vector<lts::StateIndex> shortest_cycle(const GraphView& graph, lts::StateIndex through);
 

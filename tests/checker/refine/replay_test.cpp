@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "checker/lts/term_system.hpp"
-#include "checker/refine/tau_cycle.hpp"
 #include "tests/checker/process/scripted.hpp"
 
 namespace robochart::refine {
@@ -67,18 +66,6 @@ TEST_F(Replay, RejectsViolationsThatAreNone) {
     lts::TermSystem system(semantics, ab);
     EXPECT_THROW(confirm_missing_trace(system, {s.event("a")}, run(ab, {}), budget), std::logic_error);
     EXPECT_THROW(confirm_trace(system, {s.event("b")}, run(ab, {{"a", stop}}), budget), std::logic_error);
-}
-
-TEST(TauCycle, FindsTheLeastVertexOnACycle) {
-    const std::vector<std::vector<lts::StateIndex>> edges{{1, 2}, {3}, {4}, {}, {5, 3}, {6}, {4}, {7}};
-    const GraphView graph{edges.size(), [&](lts::StateIndex v, std::size_t i) {
-                              return i < edges[v].size() ? edges[v][i] : lts::no_state;
-                          }};
-    EXPECT_EQ(least_on_cycle(graph), 4U);
-    EXPECT_EQ(shortest_cycle(graph, 4), (std::vector<lts::StateIndex>{5, 6, 4}));
-    EXPECT_EQ(shortest_cycle(graph, 7), (std::vector<lts::StateIndex>{7}));
-    EXPECT_TRUE(shortest_cycle(graph, 0).empty());
-    EXPECT_EQ(least_on_cycle(GraphView{2, [](lts::StateIndex, std::size_t) { return lts::no_state; }}), std::nullopt);
 }
 
 }  // namespace
