@@ -4,18 +4,6 @@
 #include <stdexcept>
 
 namespace robochart::lts {
-namespace {
-
-/// Shorter segments might fill up while the table as a whole has room.
-constexpr std::uint32_t least_segment = 256;
-
-std::uint32_t segments_of(std::uint32_t buckets) {
-    for (const std::uint32_t segments : {IndexTable::most_segments, 8U})
-        if (buckets >= segments * least_segment) return segments;
-    return 1;
-}
-
-}  // namespace
 
 void IndexTable::grow(std::uint64_t numbers) {
     std::uint64_t wanted = bucket_count_;
@@ -26,9 +14,7 @@ void IndexTable::grow(std::uint64_t numbers) {
 
 /// The old memory goes before the new one comes: there is never both.
 void IndexTable::reset(std::uint32_t bucket_count) {
-    segments_ = segments_of(bucket_count);
-    segment_length_ = (bucket_count + segments_ - 1) / segments_;
-    bucket_count_ = segment_length_ * segments_;
+    bucket_count_ = bucket_count;
     memory_.reset();
     memory_ = zeroed_pages(std::size_t{bucket_count_} * sizeof(Bucket));
 }

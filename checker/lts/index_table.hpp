@@ -4,9 +4,9 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "checker/lts/pages.hpp"
@@ -24,11 +24,17 @@ public:
     class Slot {
     public:
         [[nodiscard]] bool taken() const { return taken_; }
-        [[nodiscard]] StateIndex get() const { return bucket_->index[place_]; }
-        void set(StateIndex index) const { bucket_->index[place_] = index; }
+        [[nodiscard]] StateIndex get() const { return index().load(std::memory_order_acquire); }
+        void set(StateIndex number) const { index().store(number, std::memory_order_relaxed); }
+        void prefetch() const { __builtin_prefetch(bucket_, 1); }
+        /// Sets it if it still is `expected`; else tells what it is.
+        bool replace(StateIndex& expected, StateIndex number) const {
+            return index().compare_exchange_strong(expected, number, std::memory_order_acq_rel);
+        }
 
     private:
         friend class IndexTable;
+        [[nodiscard]] std::atomic_ref<StateIndex> index() const { return std::atomic_ref(bucket_->index[place_]); }
         Bucket* bucket_ = nullptr;
         std::uint32_t place_ = 0;
         std::uint8_t tag_ = 0;
@@ -44,73 +50,121 @@ public:
         Slot slot;
         slot.tag_ = static_cast<std::uint8_t>(hash);
         std::uint32_t home = home_of(hash);
-        for (std::uint32_t tried = 0; tried < segment_length_; ++tried) {
+        for (std::uint32_t tried = 0; tried < bucket_count_; ++tried) {
             Bucket& bucket = buckets()[home];
-            for (std::uint64_t matches = bucket.matches(slot.tag_); matches != 0; matches &= matches - 1) {
-                slot.place_ = bucket.place(matches);
-                if (!same(bucket.index[slot.place_])) continue;
+            const std::uint32_t used = bucket.used & ~locked;
+            if (seek(slot, bucket, 0, used, same)) return slot;
+            if (used < bucket_size) {
                 slot.bucket_ = &bucket;
-                slot.taken_ = true;
+                slot.place_ = used;
                 return slot;
             }
-            if (bucket.used < bucket_size) {
-                slot.bucket_ = &bucket;
-                slot.place_ = bucket.used;
-                return slot;
-            }
-            if (++home % segment_length_ == 0) home -= segment_length_;
+            if (++home == bucket_count_) home = 0;
         }
         return slot;
     }
     [[nodiscard]] static bool has_room(const Slot& slot) { return slot.bucket_ != nullptr; }
     /// Puts a number into a free slot, before any other is put into the table.
     static void put(const Slot& slot, StateIndex index) {
-        slot.bucket_->index[slot.place_] = index;
-        slot.bucket_->tag[slot.place_] = slot.tag_;
+        slot.set(index);
+        slot.bucket_->tag(slot.place_, slot.tag_);
         ++slot.bucket_->used;
     }
     /// Puts a number that is not in the table. False if there is no room.
     bool add(std::uint64_t hash, StateIndex index) {
-        const Slot slot = find(hash, [](StateIndex) { return false; });
-        if (has_room(slot)) put(slot, index);
-        return has_room(slot);
+        std::uint32_t home = home_of(hash);
+        for (std::uint32_t tried = 0; tried < bucket_count_; ++tried) {
+            Bucket& bucket = buckets()[home];
+            if (bucket.used < bucket_size) {
+                bucket.index[bucket.used] = index;
+                bucket.tag(bucket.used++, static_cast<std::uint8_t>(hash));
+                return true;
+            }
+            if (++home == bucket_count_) home = 0;
+        }
+        return false;
+    }
+
+    /// For several threads at once: the slot of the number for which `same` is true; without one, that of the number
+    /// that `own` gives, which has been put there. What was written before `own` returned is seen by whoever meets it.
+    template <class Same, class Own>
+    [[nodiscard]] Slot find_or_add(std::uint64_t hash, const Same& same, const Own& own) const {
+        Slot slot;
+        slot.tag_ = static_cast<std::uint8_t>(hash);
+        std::uint32_t home = home_of(hash);
+        for (std::uint32_t tried = 0; tried < bucket_count_; ++tried) {
+            Bucket& bucket = buckets()[home];
+            for (std::uint32_t known = 0;;) {
+                const std::uint32_t used = bucket.settled();
+                if (seek(slot, bucket, known, used, same)) return slot;
+                if (used == bucket_size) break;
+                known = used;
+                if (!bucket.lock(used)) continue;
+                slot.bucket_ = &bucket;
+                slot.place_ = used;
+                slot.set(own());
+                bucket.tag(used, slot.tag_);
+                bucket.unlock(used + 1);
+                return slot;
+            }
+            if (++home == bucket_count_) home = 0;
+        }
+        return slot;
     }
 
     /// The line that a look-up will read first.
     void prefetch(std::uint64_t hash) const { __builtin_prefetch(&buckets()[home_of(hash)]); }
-    /// A number in the first line whose hash agrees, as far as the line knows; or no_state.
-    [[nodiscard]] StateIndex likely(std::uint64_t hash) const {
-        const Bucket& bucket = buckets()[home_of(hash)];
-        const std::uint64_t matches = bucket.matches(static_cast<std::uint8_t>(hash));
-        return matches == 0 ? no_state : bucket.index[bucket.place(matches)];
-    }
 
     /// How many numbers it is made for; beyond that, look-ups become slow.
     [[nodiscard]] std::uint64_t capacity() const { return std::uint64_t{bucket_count_} * bucket_size * 4 / 5; }
     /// Forgets everything and gets ready for at least so many numbers.
     void grow(std::uint64_t numbers);
 
-    /// Look-ups with hashes of different segments touch different memory.
-    [[nodiscard]] std::uint32_t segment(std::uint64_t hash) const {  // home_of(hash) / segment_length_
-        return static_cast<std::uint32_t>(((hash >> 32U) * segments_) >> 32U);
-    }
-    static constexpr std::uint32_t most_segments = 64;
-
 private:
     static constexpr std::uint32_t bucket_size = 12;
+    static constexpr std::uint32_t locked = 0x80;  // in `used`, while a thread puts a number
     static_assert(std::endian::native == std::endian::little, "tags are found by their place in a word");
 
     struct alignas(64) Bucket {
         std::array<StateIndex, bucket_size> index;
-        std::array<std::uint8_t, bucket_size> tag;
-        std::uint8_t used;
+        std::uint64_t first_tags;
+        std::uint32_t last_tags;
+        std::uint32_t used;
 
-        /// One bit for each tag that agrees.
-        [[nodiscard]] std::uint64_t matches(std::uint8_t wanted) const;
+        /// One bit for each tag that agrees, of those from `first` on.
+        [[nodiscard]] std::uint64_t matches(std::uint8_t wanted, std::uint32_t first, std::uint32_t end);
         [[nodiscard]] static std::uint32_t place(std::uint64_t matches) {
             return static_cast<std::uint32_t>(std::countr_zero(matches));
         }
+        /// By whoever alone may do it.
+        void tag(std::uint32_t place, std::uint8_t tag);
+        /// How many are used, once nobody is putting one.
+        [[nodiscard]] std::uint32_t settled() {
+            for (;;) {
+                const std::uint32_t now = std::atomic_ref(used).load(std::memory_order_acquire);
+                if ((now & locked) == 0) return now;
+            }
+        }
+        [[nodiscard]] bool lock(std::uint32_t expected) {
+            return std::atomic_ref(used).compare_exchange_strong(expected, expected | locked,
+                                                                 std::memory_order_acquire);
+        }
+        void unlock(std::uint32_t now) { std::atomic_ref(used).store(now, std::memory_order_release); }
     };
+
+    /// Looks for the number in the places [first, end) of a bucket.
+    template <class Same>
+    [[nodiscard]] static bool seek(Slot& slot, Bucket& bucket, std::uint32_t first, std::uint32_t end,
+                                   const Same& same) {
+        for (std::uint64_t matches = bucket.matches(slot.tag_, first, end); matches != 0; matches &= matches - 1) {
+            slot.bucket_ = &bucket;
+            slot.place_ = Bucket::place(matches);
+            slot.taken_ = same(slot.get());
+            if (slot.taken_) return true;
+        }
+        slot.bucket_ = nullptr;
+        return false;
+    }
 
     void reset(std::uint32_t bucket_count);
     [[nodiscard]] Bucket* buckets() const { return static_cast<Bucket*>(memory_.get()); }
@@ -120,11 +174,18 @@ private:
 
     Pages memory_;
     std::uint32_t bucket_count_ = 0;
-    std::uint32_t segments_ = 1;
-    std::uint32_t segment_length_ = 1;
 };
 
-inline std::uint64_t IndexTable::Bucket::matches(std::uint8_t wanted) const {
+inline void IndexTable::Bucket::tag(std::uint32_t place, std::uint8_t tag) {
+    constexpr std::uint32_t first_places = sizeof first_tags;
+    if (place < first_places)
+        std::atomic_ref(first_tags).store(first_tags | std::uint64_t{tag} << (8 * place), std::memory_order_relaxed);
+    else
+        std::atomic_ref(last_tags).store(last_tags | std::uint32_t{tag} << (8 * (place - first_places)),
+                                         std::memory_order_relaxed);
+}
+
+inline std::uint64_t IndexTable::Bucket::matches(std::uint8_t wanted, std::uint32_t first, std::uint32_t end) {
     constexpr std::uint64_t ones = 0x0101010101010101ULL;
     constexpr std::uint64_t tops = ones << 7U;
     const auto agreeing = [wanted](std::uint64_t tags) {
@@ -133,12 +194,10 @@ inline std::uint64_t IndexTable::Bucket::matches(std::uint8_t wanted) const {
         return (~(low | differing) & tops) >> 7U;               // bit 0 of each byte that agrees
     };
     const auto gathered = [](std::uint64_t bits) { return (bits * 0x0102040810204080ULL) >> 56U; };
-    std::uint64_t first = 0;
-    std::uint32_t rest = 0;
-    std::memcpy(&first, tag.data(), sizeof first);
-    std::memcpy(&rest, tag.data() + sizeof first, sizeof rest);
-    const std::uint64_t all = gathered(agreeing(first)) | (gathered(agreeing(rest)) & 0xfU) << 8U;
-    return all & ((std::uint64_t{1} << used) - 1);
+    const std::uint64_t front = std::atomic_ref(first_tags).load(std::memory_order_relaxed);
+    const std::uint64_t back = std::atomic_ref(last_tags).load(std::memory_order_relaxed);
+    const std::uint64_t all = gathered(agreeing(front)) | (gathered(agreeing(back)) & 0xfU) << 8U;
+    return all & ((std::uint64_t{1} << end) - 1) & ~((std::uint64_t{1} << first) - 1);
 }
 
 }  // namespace robochart::lts

@@ -1,5 +1,6 @@
 #include "checker/lts/state_store.hpp"
 
+#include <atomic>
 #include <new>
 #include <stdexcept>
 
@@ -23,21 +24,42 @@ std::uint64_t StateStore::hash(StateView state) {
 
 StateStore::StateStore(std::size_t width) : width_(width) {}
 
-/// Makes the table anew from the states in their order, so that old and new table need not stand beside each other.
-void StateStore::grow(std::uint64_t states) {
-    constexpr std::size_t ahead = 16;
+template <class Add>
+bool StateStore::add_states(StateIndex first, StateIndex end, const Add& add) const {
+    constexpr std::uint64_t ahead = 16;
     std::array<std::uint64_t, ahead> hashes{};
-    bool complete = false;
-    for (std::uint64_t wanted = states; !complete; wanted += wanted / 2) {
+    for (std::uint64_t next = first; next < end + ahead; ++next) {
+        std::uint64_t& slot = hashes[next % ahead];
+        if (next >= first + ahead && !add(slot, static_cast<StateIndex>(next - ahead))) return false;
+        if (next >= end) continue;
+        slot = hash((*this)[static_cast<StateIndex>(next)]);
+        table_.prefetch(slot);
+    }
+    return true;
+}
+
+/// Makes the table anew from the states in their order, so that old and new table need not stand beside each other.
+void StateStore::grow(std::uint64_t states, const Sharing& share) {
+    constexpr std::uint64_t piece = 1U << 16U;
+    const auto all = static_cast<StateIndex>(size_);
+    const auto add_alone = [this](std::uint64_t hash, StateIndex index) { return table_.add(hash, index); };
+    const auto add = [this](std::uint64_t hash, StateIndex index) {
+        return IndexTable::has_room(table_.find_or_add(
+            hash, [](StateIndex) { return false; }, [index] { return index; }));
+    };
+    for (std::uint64_t wanted = states;; wanted += wanted / 2) {
         table_.grow(wanted);
-        complete = true;
-        for (std::uint64_t next = 0; complete && next < size_ + ahead; ++next) {
-            std::uint64_t& slot = hashes[next % ahead];
-            if (next >= ahead) complete = table_.add(slot, static_cast<StateIndex>(next - ahead));
-            if (next >= size_) continue;
-            slot = hash((*this)[static_cast<StateIndex>(next)]);
-            table_.prefetch(slot);
+        if (!share || size_ < 2 * piece) {
+            if (add_states(0, all, add_alone)) return;
+            continue;
         }
+        std::atomic<bool> complete = true;
+        share((size_ + piece - 1) / piece, [&](std::size_t number) {
+            const auto first = static_cast<StateIndex>(number * piece);
+            const auto end = static_cast<StateIndex>(std::min<std::uint64_t>(size_, first + piece));
+            if (complete && !add_states(first, end, add)) complete = false;
+        });
+        if (complete) return;
     }
 }
 
@@ -55,7 +77,7 @@ StateStore::Insertion StateStore::insert(StateView state, std::uint64_t hash) {
     IndexTable::Slot slot = table_.find(hash, same);
     if (slot.taken()) return {slot.get(), false};
     if (size_ >= table_.capacity() || !IndexTable::has_room(slot)) {
-        grow(size_ + 1);
+        grow(size_ + 1, {});
         slot = table_.find(hash, same);
         if (!IndexTable::has_room(slot)) throw std::bad_alloc();
     }

@@ -2,8 +2,10 @@
 // in chunks that never move; a table of hash bits finds them, and every hit compares the whole state.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 
 #include "checker/lts/index_table.hpp"
 #include "checker/lts/transition_system.hpp"
@@ -28,41 +30,55 @@ public:
     // Many states at a time: hash and prefetch one, go on with others, come back to it when memory has answered.
     [[nodiscard]] static std::uint64_t hash(StateView state);
     void prefetch(std::uint64_t hash) const { table_.prefetch(hash); }
-    /// After prefetch: the state that probably is the one with this hash.
-    void prefetch_state(std::uint64_t hash) const {
-        const StateIndex likely = table_.likely(hash);
-        if (likely < size_) __builtin_prefetch(row(likely));  // others have claims, but no place yet
-    }
     Insertion insert(StateView state, std::uint64_t hash);
     [[nodiscard]] StateIndex find(StateView state, std::uint64_t hash) const;
 
-    // New states entered by several threads, in three steps with all threads waiting for each other in between. First
-    // `reserve` by one; then `claim` by the owner of the hash's segment, each with a number from size() on that stands
-    // for the state until it has its own; then `make_room` by one; then `publish` by the owners.
+    // New states met by several threads at once. Each has a claim first: a number from `first_claim` on, in which the
+    // order of claims stands for that of the states to come. Of equal states the lowest claim stays. Once no thread
+    // claims any more, `make_room` is called by one, and those that stayed are published under their own numbers, or
+    // given up; by several threads again.
+    static constexpr StateIndex most_claims = StateIndex{1} << 27U;
+    static constexpr StateIndex first_claim = no_state - most_claims;
     struct Claim {
-        StateIndex index = no_state;  ///< none: there is no room
+        StateIndex index = no_state;  ///< the state's number, or its lowest claim; none: there is no room
         IndexTable::Slot slot;
     };
-    [[nodiscard]] std::uint32_t segment(std::uint64_t hash) const { return table_.segment(hash); }
-    /// Makes room in the table for so many states altogether.
-    void reserve(std::uint64_t states) {
-        if (states > table_.capacity()) grow(states);
-    }
-    /// The number of the state, or of an equal claim before. `row_of` gives the state of a claim's number.
-    template <class RowOf>
-    Claim claim(StateView state, std::uint64_t hash, StateIndex number, const RowOf& row_of) {
+    /// `claims.row(number)` is the state of a claim, `claims.keep(state)` keeps the state and is called before the
+    /// claim is made, and `claims.lose(number)` says that another has taken a claim's place.
+    template <class Claims>
+    Claim claim(StateView state, std::uint64_t hash, StateIndex number, Claims& claims) {
         const auto same = [&](StateIndex index) {
-            return index < size_ ? equal(index, state) : equal(row_of(index).data(), state);
+            if (index < size_) return equal(row(index), state);
+            return index != no_state && equal(claims.row(index), state);
         };
-        Claim claim{no_state, table_.find(hash, same)};
-        if (claim.slot.taken()) return {claim.slot.get(), claim.slot};
-        if (!IndexTable::has_room(claim.slot)) return claim;
-        IndexTable::put(claim.slot, number);
-        return {number, claim.slot};
+        const auto own = [&] {
+            claims.keep(state);
+            return number;
+        };
+        const IndexTable::Slot slot = table_.find_or_add(hash, same, own);
+        if (!IndexTable::has_room(slot)) return {};
+        if (!slot.taken()) return {number, slot};
+        StateIndex index = slot.get();
+        if (index > number) claims.keep(state);
+        while (index > number) {
+            if (!slot.replace(index, number)) continue;
+            claims.lose(index);
+            return {number, slot};
+        }
+        return {index, slot};
     }
     /// From now on there are so many states; those added are published next.
     void make_room(std::uint64_t states);
     void publish(const IndexTable::Slot& slot, StateIndex index, StateView state);
+    static void give_up(const IndexTable::Slot& slot) { slot.set(no_state); }
+
+    /// Calls a piece of work with 0, 1, ... count-1, in any order and at the same time.
+    using Sharing = std::function<void(std::size_t count, const std::function<void(std::size_t)>& piece)>;
+    /// How many more states go into the table as it is.
+    [[nodiscard]] std::uint64_t room() const { return table_.capacity() - std::min(table_.capacity(), size_); }
+    void reserve(std::uint64_t states, const Sharing& share) {
+        if (states > table_.capacity()) grow(states, share);
+    }
 
 private:
     // Chunk k holds first_chunk * 2^k states.
@@ -75,8 +91,13 @@ private:
         return static_cast<Word*>(chunks_[chunk].get()) + (place - (first_chunk << chunk)) * width_;
     }
     void make_chunks(std::uint64_t states);
-    void grow(std::uint64_t states);
-    [[nodiscard]] bool equal(StateIndex index, StateView state) const { return equal(row(index), state); }
+    void grow(std::uint64_t states, const Sharing& share);
+    template <class Add>
+    bool add_states(StateIndex first, StateIndex end, const Add& add) const;
+    /// A state given up has no number.
+    [[nodiscard]] bool equal(StateIndex index, StateView state) const {
+        return index < size_ && equal(row(index), state);
+    }
     [[nodiscard]] bool equal(const Word* words, StateView state) const {
         for (std::size_t i = 0; i < width_; ++i)
             if (words[i] != state[i]) return false;
@@ -84,7 +105,7 @@ private:
     }
 
     std::size_t width_;
-    std::size_t size_ = 0;
+    std::uint64_t size_ = 0;
     std::size_t chunk_count_ = 0;
     IndexTable table_;
     std::array<Pages, most_chunks> chunks_;

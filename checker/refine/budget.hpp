@@ -23,6 +23,10 @@ public:
     void charge() {
         if ((work_++ & 1023U) == 0) poll();
     }
+    void charge(std::uint64_t pieces) {
+        if (((work_ + pieces - 1) ^ (work_ - 1)) > 1023U) poll();
+        work_ += pieces;
+    }
     /// So many states are kept now. Throws LimitReached.
     void states(std::uint64_t count) const;
     [[nodiscard]] double seconds() const;

@@ -14,8 +14,12 @@ void Expansion::clear(std::size_t width) {
 }
 
 bool Expansion::eventful() const {
-    return error ||
-           std::any_of(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.fault || pair.forbidden; });
+    return faulty() ||
+           std::any_of(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.forbidden.has_value(); });
+}
+
+bool Expansion::faulty() const {
+    return error || std::any_of(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.fault.has_value(); });
 }
 
 std::span<lts::Word> Expansion::add(bool by_tau) {

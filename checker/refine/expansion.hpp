@@ -34,6 +34,8 @@ public:
 
     /// Whether anything happened but rows.
     [[nodiscard]] bool eventful() const;
+    /// Whether anything happened but rows and forbidden events.
+    [[nodiscard]] bool faulty() const;
 
     std::vector<Pair> pairs;
     std::exception_ptr error;  ///< met by the pair after the last

@@ -17,21 +17,43 @@ std::uint64_t place_of_one(std::uint64_t word, std::uint64_t number) {
 
 }  // namespace
 
-void Lineage::append(bool bit) {
-    if (size_ % word_bits == 0) {
-        if (words_.size() % block_words == 0) ones_before_.push_back(ones_);
-        words_.push_back(0);
+void Lineage::begin_word() {
+    if (words_.size() % block_words == 0) ones_before_.push_back(ones_);
+    words_.push_back(0);
+}
+
+/// The lowest `count` of the bits, at most a word of them; the others are zero.
+void Lineage::append(std::uint64_t bits, std::uint32_t count) {
+    const auto shift = static_cast<std::uint32_t>(size_ % word_bits);
+    if (shift == 0) begin_word();
+    words_.back() |= bits << shift;
+    if (shift + count > word_bits) {
+        const auto fitting = static_cast<std::uint32_t>(word_bits) - shift;
+        ones_ += static_cast<std::uint64_t>(std::popcount(bits << shift));
+        bits >>= fitting;
+        begin_word();
+        words_.back() = bits;
     }
-    if (bit) {
-        words_.back() |= std::uint64_t{1} << (size_ % word_bits);
-        ++ones_;
-    }
-    ++size_;
+    ones_ += static_cast<std::uint64_t>(std::popcount(bits));
+    size_ += count;
 }
 
 void Lineage::expanded(std::uint32_t found) {
-    for (; found != 0; --found) append(true);
-    append(false);
+    constexpr std::uint32_t at_once = 32;
+    for (; found > at_once; found -= at_once) append((std::uint64_t{1} << at_once) - 1, at_once);
+    append((std::uint64_t{1} << found) - 1, found + 1);
+}
+
+void Lineage::append(const Lineage& next) {
+    for (std::uint64_t done = 0; done < next.size_; done += word_bits)
+        append(next.words_[done / word_bits], static_cast<std::uint32_t>(std::min(word_bits, next.size_ - done)));
+}
+
+void Lineage::clear() {
+    words_.clear();
+    ones_before_.clear();
+    size_ = 0;
+    ones_ = 0;
 }
 
 lts::StateIndex Lineage::parent(lts::StateIndex state) const {

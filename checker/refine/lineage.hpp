@@ -14,11 +14,15 @@ class Lineage {
 public:
     /// The next state has been expanded and has found so many new ones.
     void expanded(std::uint32_t found);
+    /// Appends what another has noted of the states that come next.
+    void append(const Lineage& next);
+    void clear();
     /// Of any state that was found, that is, of all but state 0.
     [[nodiscard]] lts::StateIndex parent(lts::StateIndex state) const;
 
 private:
-    void append(bool bit);
+    void append(std::uint64_t bits, std::uint32_t count);
+    void begin_word();
 
     std::vector<std::uint64_t> words_;
     std::vector<std::uint64_t> ones_before_;  // each block of words

@@ -61,6 +61,10 @@ std::optional<Finding> Search::first_violation() {
 std::optional<Finding> Search::search_level(StateIndex first, StateIndex end) {
     if (antichain_) return search_antichain_level(first, end);
     if (end - first >= budget_.wide_level() && several_threads()) return search_wide_level(first, end);
+    return search_alone(first, end);
+}
+
+std::optional<Finding> Search::search_alone(StateIndex first, StateIndex end) {
     while (first != end) {
         expander_.expand(first, ahead_ ? end : first + 1, rows_at_once, expansion_);
         if (const std::optional<Finding> finding = take(expansion_, first)) return finding;
@@ -98,35 +102,25 @@ bool Search::several_threads() {
 
 std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex end) {
     while (first != end) {
-        const StateIndex next = wide_->expand(first, end);
-        if (!forbidden_ && !wide_->eventful()) {
-            wide_->enter();
-            for (std::size_t i = 0; i < wide_->size(); ++i) note_entered(i);
-        } else {
-            for (std::size_t i = 0; i < wide_->size(); ++i) {
-                if (const std::optional<Finding> finding = take((*wide_)[i], first)) return finding;
-                first += static_cast<StateIndex>((*wide_)[i].pairs.size());
-            }
-        }
+        const auto entering = note_taus_ ? WideLevel::Work::enter_note_taus : WideLevel::Work::enter;
+        first = wide_->run(first, end, forbidden_ ? WideLevel::Work::examine : entering);
+        for (std::size_t i = 0; i < wide_->size(); ++i) note((*wide_)[i]);
+        budget_.states(pairs_.size());
+        if (!wide_->stopped()) continue;
+        const StateIndex next = std::min(end - first, WideLevel::pairs_at_once) + first;
+        if (const std::optional<Finding> finding = search_alone(first, next)) return finding;
         first = next;
     }
     return std::nullopt;
 }
 
 /// What `take` notes of the rows that it enters.
-void Search::note_entered(std::size_t number) {
-    const Expansion& expansion = (*wide_)[number];
-    std::size_t row = 0;
-    for (std::size_t i = 0; i < expansion.pairs.size(); ++i) {
-        budget_.charge();
-        ++expanded_;
-        transitions_ += expansion.pairs[i].transitions;
-        lineage_.expanded(wide_->found(number, i));
-        for (; note_taus_ && row < expansion.pairs[i].end_row; ++row)
-            if (expansion.by_tau(row))
-                back_taus_.note(static_cast<StateIndex>(expanded_ - 1), wide_->target(number, row));
-    }
-    budget_.states(pairs_.size());
+void Search::note(const WideLevel::Stretch& stretch) {
+    budget_.charge(stretch.pairs);
+    expanded_ += stretch.pairs;
+    transitions_ += stretch.transitions;
+    if (!forbidden_) lineage_.append(stretch.found);
+    for (const StateIndex target : stretch.back_targets) back_taus_.add(target);
 }
 
 /// Enters what the pairs from `first` on have given.
@@ -148,13 +142,12 @@ std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first
     return std::nullopt;
 }
 
-/// The targets of one pair. Their lines have been asked for; those of the states behind them are, some rows ahead.
+/// The targets of one pair. Their lines in the table have been asked for; the states behind them are near, mostly:
+/// they have been found lately.
 void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t first, std::size_t end) {
-    constexpr std::size_t lead = 16;
     const std::optional<StateIndex> vertex = note_taus_ ? tau_vertex(pair) : std::nullopt;
     std::uint32_t found = 0;
     for (std::size_t i = first; i < end; ++i) {
-        if (i + lead < expansion.size()) pairs_.prefetch_state(expansion.hash(i + lead));
         const lts::StateStore::Insertion insertion = enter(expansion.row(i), expansion.hash(i));
         if (insertion.fresh) ++found;
         if (vertex && expansion.by_tau(i)) back_taus_.note(*vertex, insertion.index);

@@ -63,6 +63,7 @@ private:
     std::optional<Finding> search_antichain_level(lts::StateIndex first, lts::StateIndex end);
     std::optional<Finding> take(const Expansion& expansion, lts::StateIndex first);
     void insert(const Expansion& expansion, lts::StateIndex pair, std::size_t first, std::size_t end);
+    std::optional<Finding> search_alone(lts::StateIndex first, lts::StateIndex end);
     std::optional<Finding> search_wide_level(lts::StateIndex first, lts::StateIndex end);
     bool several_threads();
     lts::StateStore::Insertion enter(lts::StateView row, std::uint64_t hash);
@@ -70,7 +71,7 @@ private:
     [[nodiscard]] std::optional<lts::StateIndex> tau_vertex(lts::StateIndex pair);
     [[nodiscard]] GraphView tau_graph();
     void tau_targets(lts::StateIndex pair, std::vector<lts::StateIndex>& targets);
-    void note_entered(std::size_t number);
+    void note(const WideLevel::Stretch& stretch);
 
     lts::TransitionSystem& system_;
     Monitor& monitor_;

@@ -1,6 +1,21 @@
 #include "checker/refine/team.hpp"
 
+#include <chrono>
+
 namespace robochart::refine {
+namespace {
+
+constexpr std::chrono::microseconds moment{50};
+
+/// Returns when the value is another one.
+void await_change(const std::atomic<unsigned>& value, unsigned old) {
+    using Clock = std::chrono::steady_clock;
+    for (const Clock::time_point end = Clock::now() + moment; Clock::now() < end;)
+        if (value.load(std::memory_order_acquire) != old) return;
+    value.wait(old);
+}
+
+}  // namespace
 
 Team::Team(unsigned size) {
     for (unsigned member = 1; member < size; ++member) helpers_.emplace_back([this, member] { help(member); });
@@ -19,12 +34,12 @@ void Team::run(const std::function<void(unsigned)>& work) {
     round_.fetch_add(1);
     round_.notify_all();
     work(0);
-    for (unsigned busy = busy_.load(); busy != 0; busy = busy_.load()) busy_.wait(busy);
+    for (unsigned busy = busy_.load(); busy != 0; busy = busy_.load()) await_change(busy_, busy);
 }
 
 void Team::help(unsigned member) {
     for (unsigned seen = 0;;) {
-        round_.wait(seen);
+        await_change(round_, seen);
         ++seen;
         if (over_) return;
         (*work_)(member);

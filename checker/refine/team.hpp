@@ -1,4 +1,5 @@
-// Threads that do one piece of work together, again and again, and sleep in between.
+// Threads that do one piece of work together, again and again. In between they look out for the next one for a moment,
+// since being woken takes longer, then sleep.
 #pragma once
 
 #include <atomic>

@@ -1,9 +1,7 @@
 #include "checker/refine/wide_level.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <limits>
+#include <chrono>
 #include <new>
 
 namespace robochart::refine {
@@ -12,11 +10,39 @@ using lts::StateIndex;
 
 namespace {
 
-constexpr StateIndex pairs_at_once = 128;
-/// Few enough that their rows stay near.
-constexpr std::size_t most_parts = 48;
+constexpr std::size_t rows_at_once = 256;
+constexpr std::size_t most_parts = 128;
+static_assert(most_parts * Claims::most == lts::StateStore::most_claims);
+/// Fewer new states than this are not worth a call.
+constexpr std::uint64_t least_room = 4096;
+/// So long at most before limits are looked at.
+constexpr std::chrono::milliseconds longest{20};
 
 }  // namespace
+
+/// The claims of one part, as the store sees them.
+class WideLevel::Claiming {
+public:
+    Claiming(std::vector<Part>& parts, std::size_t number) : parts_(parts), own_(parts[number]), number_(number) {}
+    [[nodiscard]] StateIndex next() const {
+        return lts::StateStore::first_claim + static_cast<StateIndex>(number_ * Claims::most) + own_.claims.size();
+    }
+    [[nodiscard]] const lts::Word* row(StateIndex claim) const { return part(claim).claims.row(place(claim)); }
+    void keep(lts::StateView state) { own_.claims.keep(state); }
+    void lose(StateIndex claim) {
+        part(claim).claims.lose(place(claim));
+        part(claim).lost.fetch_add(1, std::memory_order_relaxed);
+    }
+
+private:
+    static std::uint32_t place(StateIndex claim) { return (claim - lts::StateStore::first_claim) % Claims::most; }
+    [[nodiscard]] Part& part(StateIndex claim) const {
+        return parts_[(claim - lts::StateStore::first_claim) / Claims::most];
+    }
+    std::vector<Part>& parts_;
+    Part& own_;
+    std::size_t number_;
+};
 
 std::unique_ptr<WideLevel> WideLevel::make(const lts::TransitionSystem& system, Monitor& monitor,
                                            lts::StateStore& pairs, unsigned threads) {
@@ -31,133 +57,130 @@ std::unique_ptr<WideLevel> WideLevel::make(const lts::TransitionSystem& system, 
 }
 
 WideLevel::WideLevel(lts::StateStore& pairs, std::vector<Member> members)
-    : pairs_(pairs), members_(std::move(members)), team_(static_cast<unsigned>(members_.size())), parts_(most_parts) {
-    for (Part& part : parts_) {
-        part.rows_of.resize(members_.size());
-        part.fresh_of.resize(members_.size());
-    }
-}
+    : pairs_(pairs), members_(std::move(members)), team_(static_cast<unsigned>(members_.size())), parts_(most_parts) {}
 
-/// The parts one by one to whoever has time.
-void WideLevel::each_part(const std::function<void(unsigned, Part&, std::size_t)>& work) {
+/// Numbers from 0 on to whoever has time, as long as there has not been enough.
+void WideLevel::share(std::size_t count, const std::function<void(unsigned, std::size_t)>& work) {
     next_ = 0;
+    enough_ = false;
     team_.run([&](unsigned member) {
-        for (std::size_t i = next_++; i < size_; i = next_++) work(member, parts_[i], i);
+        while (!enough_) {
+            const std::size_t number = next_++;
+            if (number >= count) return;
+            work(member, number);
+        }
     });
 }
 
-StateIndex WideLevel::expand(StateIndex first, StateIndex end) {
-    end = std::min<StateIndex>(end - first, pairs_at_once * most_parts) + first;
-    size_ = (end - first + pairs_at_once - 1) / pairs_at_once;
-    each_part([&](unsigned member, Part& part, std::size_t number) {
+void WideLevel::make_room() {
+    pairs_.reserve(pairs_.size() + least_room,
+                   [this](std::size_t count, const std::function<void(std::size_t)>& piece) {
+                       share(count, [&piece](unsigned, std::size_t number) { piece(number); });
+                   });
+}
+
+StateIndex WideLevel::run(StateIndex first, StateIndex end, Work work) {
+    work_ = work;
+    make_room();
+    claimed_ = 0;
+    const std::uint64_t room = pairs_.room();
+    const auto begun = std::chrono::steady_clock::now();
+    const std::size_t count = std::min<std::size_t>(most_parts, (end - first + pairs_at_once - 1) / pairs_at_once);
+    share(count, [&](unsigned member, std::size_t number) {
         const auto from = static_cast<StateIndex>(first + number * pairs_at_once);
-        const StateIndex to = std::min(end - from, pairs_at_once) + from;
-        members_[member].expander->expand(from, to, std::numeric_limits<std::size_t>::max(), part.expansion);
+        begin(parts_[number], from);
+        fill(members_[member], parts_[number], number, std::min(end - from, pairs_at_once) + from);
+        claimed_ += parts_[number].claims.size();
+        if (parts_[number].stopped || claimed_ >= room || std::chrono::steady_clock::now() - begun > longest)
+            enough_ = true;
     });
-    return end;
-}
-
-bool WideLevel::eventful() const {
-    return std::any_of(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(size_),
-                       [](const Part& part) { return part.expansion.eventful(); });
-}
-
-void WideLevel::enter() {
-    std::size_t rows = 0;
-    std::size_t most_rows = 1;
+    const std::size_t done = std::min<std::size_t>(next_, count);
+    const auto stop = std::find_if(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(done),
+                                   [](const Part& part) { return part.stopped; });
+    size_ = static_cast<std::size_t>(stop - parts_.begin());
+    stopped_ = size_ != done;
+    for (std::size_t i = size_; i < done; ++i) give_up(parts_[i]);
+    std::uint64_t next = pairs_.size();
     for (std::size_t i = 0; i < size_; ++i) {
-        rows += parts_[i].expansion.size();
-        most_rows = std::max(most_rows, parts_[i].expansion.size());
-    }
-    known_ = pairs_.size();
-    row_bits_ = static_cast<std::uint32_t>(std::bit_width(most_rows));
-    if (known_ + (size_ << row_bits_) >= lts::no_state) throw std::bad_alloc();
-    pairs_.reserve(known_ + rows);
-    full_ = false;
-    each_part([&](unsigned, Part& part, std::size_t) { divide(part); });
-    team_.run([&](unsigned member) { claim(member); });
-    if (full_) throw std::bad_alloc();
-    std::size_t next = known_;
-    for (std::size_t i = 0; i < size_; ++i) {
-        parts_[i].first_fresh = static_cast<StateIndex>(next);
-        for (const std::vector<Fresh>& fresh : parts_[i].fresh_of) next += fresh.size();
+        parts_[i].first_number = static_cast<StateIndex>(next);
+        next += parts_[i].claims.size() - parts_[i].lost;
     }
     pairs_.make_room(next);
-    each_part([&](unsigned, Part& part, std::size_t) { publish(part); });
+    if (work_ != Work::examine) share(size_, [&](unsigned, std::size_t number) { publish(parts_[number]); });
+    return size_ == 0 ? first : parts_[size_ - 1].first + parts_[size_ - 1].pairs;
 }
 
-/// Who enters which row.
-void WideLevel::divide(Part& part) const {
-    const Expansion& expansion = part.expansion;
-    part.numbers.resize(expansion.size());
-    part.finals.resize(expansion.size());
-    std::array<std::vector<std::uint32_t>*, lts::IndexTable::most_segments> rows_of{};
-    for (std::size_t segment = 0; segment < rows_of.size(); ++segment)
-        rows_of[segment] = &part.rows_of[segment % members_.size()];
-    for (std::size_t member = 0; member < members_.size(); ++member) {
-        part.rows_of[member].clear();
-        part.fresh_of[member].clear();
-    }
-    for (std::uint32_t row = 0; row < expansion.size(); ++row)
-        rows_of[pairs_.segment(expansion.hash(row))]->push_back(row);
+void WideLevel::begin(Part& part, StateIndex first) {
+    part.first = first;
+    part.pairs = 0;
+    part.transitions = 0;
+    part.back_targets.clear();
+    part.claims.clear(pairs_.width());
+    part.stopped = false;
 }
 
-void WideLevel::claim(unsigned member) {
-    for (std::size_t number = 0; number < size_; ++number) claim(member, number);
-}
-
-/// Of equal rows the first has the claim, as it would have with one thread.
-void WideLevel::claim(unsigned member, std::size_t number) {
-    constexpr std::size_t far = 24;
-    constexpr std::size_t near = 12;
-    Part& part = parts_[number];
-    const Expansion& expansion = part.expansion;
-    const std::vector<std::uint32_t>& rows = part.rows_of[member];
-    const auto row_of = [this](StateIndex claimed) {
-        const std::size_t place = claimed - known_;
-        return parts_[place >> row_bits_].expansion.row(place & ((std::size_t{1} << row_bits_) - 1));
-    };
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (i + far < rows.size()) pairs_.prefetch(expansion.hash(rows[i + far]));
-        if (i + near < rows.size()) pairs_.prefetch_state(expansion.hash(rows[i + near]));
-        const std::uint32_t row = rows[i];
-        const auto own = static_cast<StateIndex>(known_ + (number << row_bits_) + row);
-        const lts::StateStore::Claim claim = pairs_.claim(expansion.row(row), expansion.hash(row), own, row_of);
-        part.numbers[row] = claim.index;
-        if (claim.index == own) part.fresh_of[member].push_back({row, claim.slot});
-        if (claim.index == lts::no_state) full_ = true;
+void WideLevel::fill(Member& member, Part& part, std::size_t number, StateIndex end) {
+    Expansion& expansion = member.expansion;
+    while (!part.stopped && part.first + part.pairs != end) {
+        member.expander->expand(part.first + part.pairs, end, rows_at_once, expansion);
+        if (work_ == Work::examine)
+            part.stopped = expansion.faulty();
+        else
+            part.stopped = expansion.eventful() || !has_room(part, expansion) || !enter(expansion, part, number);
+        for (const Expansion::Pair& pair : expansion.pairs) part.transitions += pair.transitions;
+        part.pairs += static_cast<StateIndex>(expansion.pairs.size());
     }
 }
 
-/// Merges what the members have found new, in the order of rows, and enters it for good.
+bool WideLevel::has_room(Part& part, const Expansion& expansion) {
+    try {
+        part.back_targets.reserve(part.back_targets.size() + expansion.size());
+        return part.claims.make_room(expansion.size());
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+}
+
+/// False if there is no room in the table.
+bool WideLevel::enter(const Expansion& expansion, Part& part, std::size_t number) {
+    Claiming claiming(parts_, number);
+    std::uint32_t pair = 0;
+    for (std::size_t row = 0; row < expansion.size(); ++row) {
+        while (expansion.pairs[pair].end_row <= row) ++pair;
+        const StateIndex own = claiming.next();
+        const lts::StateStore::Claim claim = pairs_.claim(expansion.row(row), expansion.hash(row), own, claiming);
+        if (claim.index == lts::no_state) return false;
+        if (claim.index == own)
+            part.claims.add(claim.slot, part.pairs + pair);
+        else if (work_ == Work::enter_note_taus && expansion.by_tau(row) &&
+                 claim.index <= part.first + part.pairs + pair)
+            part.back_targets.push_back(claim.index);
+    }
+    return true;
+}
+
+/// Enters the states that are new by the part's claims for good.
 void WideLevel::publish(Part& part) {
-    std::vector<std::size_t> next(members_.size(), 0);
-    part.found.assign(part.expansion.pairs.size(), 0);
-    StateIndex number = part.first_fresh;
-    std::size_t pair = 0;
-    for (;;) {
-        const Fresh* first = nullptr;
-        std::size_t owner = 0;
-        for (std::size_t member = 0; member < members_.size(); ++member) {
-            const std::vector<Fresh>& fresh = part.fresh_of[member];
-            if (next[member] == fresh.size() || (first != nullptr && first->row < fresh[next[member]].row)) continue;
-            first = &fresh[next[member]];
-            owner = member;
+    constexpr std::uint32_t ahead = 8;
+    StateIndex number = part.first_number;
+    std::uint32_t next = 0;
+    part.found.clear();
+    for (std::uint32_t pair = 0; pair < part.pairs; ++pair) {
+        const StateIndex before = number;
+        for (; next < part.claims.size() && part.claims[next].pair == pair; ++next) {
+            if (next + ahead < part.claims.size()) part.claims[next + ahead].slot.prefetch();
+            if (!part.claims[next].lost)
+                pairs_.publish(part.claims[next].slot, number++, {part.claims.row(next), pairs_.width()});
         }
-        if (first == nullptr) return;
-        ++next[owner];
-        while (part.expansion.pairs[pair].end_row <= first->row) ++pair;
-        ++part.found[pair];
-        part.finals[first->row] = number;
-        pairs_.publish(first->slot, number++, part.expansion.row(first->row));
+        part.found.expanded(number - before);
     }
+    part.lost = 0;
 }
 
-StateIndex WideLevel::target(std::size_t number, std::size_t row) const {
-    const StateIndex claimed = parts_[number].numbers[row];
-    if (claimed < known_) return claimed;
-    const std::size_t place = claimed - known_;
-    return parts_[place >> row_bits_].finals[place & ((std::size_t{1} << row_bits_) - 1)];
+void WideLevel::give_up(Part& part) {
+    for (std::uint32_t i = 0; i < part.claims.size(); ++i)
+        if (!part.claims[i].lost) lts::StateStore::give_up(part.claims[i].slot);
+    part.lost = 0;
 }
 
 }  // namespace robochart::refine

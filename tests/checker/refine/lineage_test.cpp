@@ -23,5 +23,23 @@ TEST(Lineage, RemembersTheParentOfEveryState) {
     for (lts::StateIndex state = 1; state < parents.size(); ++state) ASSERT_EQ(lineage.parent(state), parents[state]);
 }
 
+TEST(Lineage, IsTheSameNotedInStretches) {
+    std::mt19937 random(12);
+    Lineage whole;
+    Lineage together;
+    Lineage stretch;
+    std::uint32_t states = 1;
+    for (int i = 0; i < 3000; ++i) {
+        const auto found = static_cast<std::uint32_t>(random() % 10 == 0 ? random() % 100 : random() % 3);
+        states += found;
+        whole.expanded(found);
+        stretch.expanded(found);
+        if (random() % 20 != 0 && i + 1 != 3000) continue;
+        together.append(stretch);
+        stretch.clear();
+    }
+    for (lts::StateIndex state = 1; state < states; ++state) ASSERT_EQ(together.parent(state), whole.parent(state));
+}
+
 }  // namespace
 }  // namespace robochart::refine
