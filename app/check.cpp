@@ -37,17 +37,21 @@ std::vector<std::string> raw_events(const refine::Counterexample& c, const proce
     return names;
 }
 
-bool claims_unreachable(const Context& context, const csp_emit::Obligation& obligation) {
-    return obligation.property != ir::no_id &&
-           context.project.system.properties[obligation.property].kind == ir::PropertyKind::reachable;
+/// What is wrong in the claim's words; "" where the checker's are right.
+std::string violation(const Context& context, const csp_emit::Obligation& obligation) {
+    if (obligation.property == ir::no_id) return "";
+    switch (context.project.system.properties[obligation.property].kind) {
+        case ir::PropertyKind::reachable: return "the state has been reached";
+        case ir::PropertyKind::clock_initialised: return obligation.one_suffices ? obligation.reason : "the clock is read before its first reset";
+        default: return "";
+    }
 }
 
 std::string told(const Context& context, const csp_emit::Obligation& obligation, const refine::Counterexample& c) {
     const StoryTeller teller(context.emission.provenance, context.project.system, context.project.instantiation,
                              context.project.sources, context.session.event_table());
     Story story = teller.tell(c);
-    // The checker's words are about refinement; this claim was about a state.
-    if (claims_unreachable(context, obligation)) story.why = "the state has been reached";
+    if (const std::string why = violation(context, obligation); !why.empty()) story.why = why;
     return render(story, "                 ");
 }
 
@@ -99,7 +103,7 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
         }
     }
     if (report.answer == Answer::holds) report.reason.clear();
-    if (report.answer == Answer::fails && obligation.one_suffices) report.reason = obligation.reason;
+    if (report.answer == Answer::fails && report.counterexample.empty()) report.reason = obligation.reason;
 }
 
 bool wanted(const Context& context, const csp_emit::Obligation& obligation) {

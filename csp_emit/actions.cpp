@@ -174,6 +174,7 @@ ExprPtr MachineEmitter::perform_statement(const Place& place, const ir::Stmt& st
             return start_wait(place, stmt, rest, values);
         case StmtKind::clock_reset: {
             Values changed = values;
+            note_reset(frames_[place.owner->frame], stmt.clock, changed);
             if (timed() && frames_[place.owner->frame].clocks.at(stmt.clock.index))
                 changed[*frames_[place.owner->frame].clocks[stmt.clock.index]] = b::number(0);
             return go(place.put(running(rest)), changed);
@@ -272,6 +273,7 @@ void MachineEmitter::statement_branches(const Place& place, bool alone, std::vec
         Values changed;
         const auto& cell = frames_[frame].clocks.at(stmt.clock.index);
         if (cell && cells_[*cell].reading.empty()) changed[*cell] = b::number(0);
+        note_reset(frames_[frame], stmt.clock, changed);
         const ExprPtr event = b::dot({b::name("clockReset"), b::name(*announced(frame, stmt.clock))});
         out.push_back(b::prefix(event, go(place.put(running(place.thread->rest->tail)), changed)));
     } else if (!steady) {

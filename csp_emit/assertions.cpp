@@ -5,6 +5,7 @@
 
 #include "checker/cspm/build.hpp"
 #include "csp_emit/expressions.hpp"
+#include "csp_emit/machine.hpp"
 #include "csp_emit/names.hpp"
 #include "csp_emit/rules.hpp"
 #include "csp_emit/types.hpp"
@@ -47,6 +48,12 @@ std::string wording(const ir::Property& property) {
     return property.wording.substr(property.wording.find_first_not_of(' ', colon + 1));
 }
 
+/// The process does nothing, or (negated) something. RoboTool's specification is STOP, which forbids ✓ as well and so
+/// takes every state of a machine that terminates for reachable.
+DeclPtr never(const ExprPtr& process, bool negated) {
+    return b::assert_refines(b::skip(), cspm::Model::traces, process, negated);
+}
+
 class Asserter {
 public:
     Asserter(const Project& project, NameManager names, Emitted& emitted)
@@ -59,6 +66,7 @@ private:
     bool timed() const { return project_.timed(); }
     std::string path(const ir::ComponentRef& ref) const { return qualified(ref.package, ref.path); }
     const ComponentEmission* component(const ir::ComponentRef& ref) const;
+    b::Exprs arguments(const ir::ComponentRef& ref, const ir::Property& property) const;
     ExprPtr process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const;
     ExprPtr argument(const std::vector<std::string>& names, const ir::Property& property) const;
     bool takes(const ir::ComponentRef& ref, const std::string& constant) const;
@@ -72,6 +80,7 @@ private:
     ExprPtr alphabet(const ir::ComponentRef& ref) const;
     bool has_alphabet(const ir::ComponentRef& ref) const;
     std::vector<DeclPtr> reachability(const ir::Property& property) const;
+    void initialisation(const ir::Property& property, Obligation& out);
     ExprPtr renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef& other, const ExprPtr& process) const;
     std::string unavailable(const ir::Property& property) const;
     std::string unavailable_model(const ir::Property& property) const;
@@ -116,6 +125,11 @@ void Asserter::report_unused(const ir::Property& property) const {
 /// `P::X::D__(0, constants...)`; for a process of a CSP block its name.
 ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const {
     if (ref.kind == ir::ComponentKind::process) return b::name(ref.path);
+    return b::call(path(ref) + "::" + variant, arguments(ref, property));
+}
+
+/// `0`, an operation's parameters, the constants: what the assertion sets, else what stands in the instantiations.
+b::Exprs Asserter::arguments(const ir::ComponentRef& ref, const ir::Property& property) const {
     const ComponentEmission* found = component(ref);
     b::Exprs arguments{b::number(0)};
     if (found != nullptr) {
@@ -128,7 +142,7 @@ ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& prope
             arguments.push_back(given ? given : b::name(constant.value));
         }
     }
-    return b::call(path(ref) + "::" + variant, arguments);
+    return arguments;
 }
 
 std::vector<DeclPtr> Asserter::unary(AssertionKind kind, const ExprPtr& process, cspm::Model model,
@@ -221,7 +235,35 @@ void Asserter::refinement(const ir::Property& property, Obligation& out) {
 std::vector<DeclPtr> Asserter::reachability(const ir::Property& property) const {
     const ExprPtr entered = b::name(path(property.subject) + "::" + property.state + "::entered");
     const ExprPtr only = b::project(process(property.subject, property, "VS__"), b::productions({entered}));
-    return {b::assert_refines(b::stop(), cspm::Model::traces, only, !property.negated)};
+    return {never(only, !property.negated)};
+}
+
+/// `clock C is initialised`: no guard reads it before its first reset, and some run resets it. A copy of the machine
+/// that keeps watch (watch.cpp) tells both.
+void Asserter::initialisation(const ir::Property& property, Obligation& out) {
+    const ComponentEmission& subject = *component(property.subject);
+    MachineContext context;
+    context.project = &project_;
+    context.machine = subject.machine;
+    context.name = names_.unique("CLW_" + flatten(property.name));
+    context.path = context.name;
+    context.definitions = subject.definitions;
+    context.names = names_;
+    context.watched = property.state;
+    const std::string name = context.name;
+    Emitted apart;
+    const ComponentEmission watching = emit_machine(std::move(context), apart);
+    emitted_.provenance.events.merge(apart.provenance.events);
+    emitted_.provenance.definitions.merge(apart.provenance.definitions);
+    out.preparation.push_back(watching.module);
+    const ExprPtr process = b::call(name + "::D__", arguments(property.subject, property));
+    const auto only = [&](const std::string& channel) {
+        return b::project(process, b::productions({b::name(name + "::" + channel)}));
+    };
+    if (watching.reads_of_watched > 0) out.assertions.push_back(never(only("unset__"), property.negated));
+    out.assertions.push_back(never(only("reset__"), !property.negated));
+    out.one_suffices = property.negated;
+    out.reason = property.negated ? "every read of it follows a reset" : "no run resets it";
 }
 
 /// Why the property cannot be asked in its model; "" if it can.
@@ -249,8 +291,6 @@ std::string Asserter::unavailable(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
     const bool component_only =
         property.kind == PropertyKind::reachable || property.kind == PropertyKind::clock_initialised;
-    if (property.kind == PropertyKind::clock_initialised)
-        return "the semantics does not record whether a clock is initialised";
     if (property.kind == PropertyKind::timelock_free && !timed()) return "time cannot stop in the untimed semantics";
     const auto missing = [&](const ir::ComponentRef& ref) {
         return ref.kind != ir::ComponentKind::process && component(ref) == nullptr;
@@ -258,7 +298,9 @@ std::string Asserter::unavailable(const ir::Property& property) const {
     if (missing(property.subject)) return property.subject.path + " was not emitted";
     if (binary && missing(property.other)) return property.other.path + " was not emitted";
     if (component_only && property.subject.kind == ir::ComponentKind::process)
-        return "states are reached in components of the model only";
+        return "states are reached and clocks reset in components of the model only";
+    if (property.kind == PropertyKind::clock_initialised && component(property.subject)->machine == nullptr)
+        return "clocks belong to machines and operations";
     return unavailable_model(property);
 }
 
@@ -289,7 +331,8 @@ void Asserter::forms(const ir::Property& property, Obligation& out) {
         case PropertyKind::reachable:
             out.assertions = reachability(property);
             break;
-        default:
+        case PropertyKind::clock_initialised:
+            initialisation(property, out);
             break;
     }
 }

@@ -29,7 +29,10 @@ struct ComponentEmission {
     cspm::DeclPtr module;
     std::vector<ArgumentParameter> arguments;  ///< operations: between id__ and the constants
     std::vector<ConstantParameter> constants;
-    std::vector<std::string> visible;  ///< channels of sem__events, relative to the component
+    std::vector<std::string> visible;                  ///< channels of sem__events, relative to the component
+    std::size_t reads_of_watched = 0;                  ///< guards that read MachineContext::watched
+    const ir::Machine* machine = nullptr;              ///< machines and operations
+    std::map<std::string, ir::MachineId> definitions;  ///< machines: operations defined where they run
 };
 
 /// The channels of a component (semantics 3.2), declared one by one; what each event means is told to the provenance.

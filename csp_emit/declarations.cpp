@@ -53,6 +53,7 @@ DeclPtr MachineEmitter::module(std::vector<DeclPtr> points, const ExprPtr& initi
     declare_calls(decls);
     declare_states(decls);
     declare_sets(decls);
+    declare_watch(decls);
     decls.insert(decls.end(), points.begin(), points.end());
     declare_variants(decls, initial);
     const bool operation = machine().kind == ir::MachineKind::operation;

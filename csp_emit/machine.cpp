@@ -69,6 +69,9 @@ ComponentEmission MachineEmitter::emit() {
         result.arguments.push_back({"param_" + name.substr(std::string("const_").size()), variable.type});
     }
     result.visible = visible_;
+    result.machine = &machine();
+    result.definitions = context_.definitions;
+    result.reads_of_watched = reads_of_watched_.size();
     emitted_.components[context_.path] = result;
     return result;
 }
@@ -112,6 +115,7 @@ Values MachineEmitter::initial_values() const {
     }
     for (const auto& clock : frames_[0].clocks)
         if (clock) result[*clock] = b::number(0);
+    if (watch_) result[*watch_] = b::boolean(false);
     return result;
 }
 
@@ -184,8 +188,8 @@ ExprPtr MachineEmitter::body(const Point& point) {
     run_ = 0;
     branching_ = 0;
     if (auto moved = silent(point.config, {})) return *moved;
-    if (is_final(point.config) && machine().kind == ir::MachineKind::operation) return b::skip();
-    return b::choice(branches(point.config));
+    if (is_final(point.config) && machine().kind == ir::MachineKind::operation) return was_reset(b::skip());
+    return was_reset(b::choice(branches(point.config)));
 }
 
 /// The clocks of the caller that guards of the running machines ask for here, in order of declaration.
@@ -235,6 +239,7 @@ std::vector<ExprPtr> MachineEmitter::branches(const Activation& settled) {
     // Visible termination, then ✓ (semantics 3.9).
     if (is_final(config)) result.push_back(b::prefix(b::name("terminate"), b::skip()));
     for (const Spot& spot : now.spots) transition_branches(spot, result);
+    watch_branches(now, result);
     for (const Place& place : now.places) item_branches(place, now.places.size() == 1, result);
     external_writes(config, now, result);
     if (timed() && !urgent(now)) tock_branch(config, now, result);

@@ -26,6 +26,9 @@ struct MachineContext {
     std::string path;                                  ///< qualified CSPM name, "P::C::stm_ref0"
     std::map<std::string, ir::MachineId> definitions;  ///< operations defined in this context
     NameManager names;                                 ///< everything that parameters and functions must not be called
+    /// A clock whose first reset matters: the machine remembers whether it has been, and offers `unset__` where a guard
+    /// reads it before that, `reset__` wherever it has been.
+    std::string watched = {};
 };
 
 /// Emits the machine's CSPM module and adds to the provenance.
@@ -52,6 +55,7 @@ struct Frame {
     std::string prefix;                         ///< in front of its names: "Turn_"
     std::vector<CellId> variables;              ///< by VariableId; required ones are the caller's
     std::vector<std::optional<CellId>> clocks;  ///< by ClockId; those that nothing reads have none
+    std::optional<ir::ClockId> watched;         ///< the clock MachineContext::watched
     std::vector<std::string> announced;         ///< by ClockId: CLID_C where a reset is an event; empty otherwise
     std::vector<cspm::ExprPtr> constants;       ///< by ConstantId
     std::vector<std::string> events;            ///< by EventId: the channel
@@ -124,6 +128,13 @@ private:
     ExprPtr value_of(CellId cell, const Values& values) const;
     CellId cell_for(std::uint32_t frame, const ir::Stmt& stmt, std::size_t index, CellKind kind,
                     const std::string& name);
+
+    // watch.cpp: the first reset of a clock
+    void add_watch(Frame& frame, bool root);
+    void note_reset(const Frame& frame, ir::ClockId clock, Values& values) const;
+    void watch_branches(const View& view, std::vector<ExprPtr>& out);
+    ExprPtr was_reset(const ExprPtr& process) const;
+    void declare_watch(std::vector<cspm::DeclPtr>& decls) const;
 
     // actions.cpp: statements (semantics 3.5)
     std::optional<ExprPtr> silent(const Activation& config, const Values& values);
@@ -216,7 +227,9 @@ private:
     std::vector<std::string> calls_;     ///< operations that remain events
     std::vector<std::string> visible_;   ///< channels of sem__events
     std::vector<ExprPtr> clock_events_;  ///< of sem__events: readings and resets of the caller's clocks
-    bool local_resets_ = false;          ///< resets of own clocks are events: a CSP block speaks of them
+    std::optional<CellId> watch_;        ///< whether the watched clock has been reset
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> reads_of_watched_;  ///< (frame, transition)
+    bool local_resets_ = false;  ///< resets of own clocks are events: a CSP block speaks of them
     std::vector<cspm::DeclPtr> clock_limits_;
 };
 

@@ -58,6 +58,7 @@ ExprPtr MachineEmitter::guard_of(std::uint32_t frame, const ir::Transition& tran
 
 Values MachineEmitter::reset_clocks(const Frame& frame, const ir::Transition& transition) const {
     Values result;
+    for (const ir::ClockId clock : transition.resets) note_reset(frame, clock, result);
     for (const ir::ClockId clock : transition.resets)
         if (frame.clocks.at(clock.index) && (frame.announced.empty() || frame.announced[clock.index].empty()))
             result[*frame.clocks[clock.index]] = b::number(0);

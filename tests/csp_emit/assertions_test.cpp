@@ -178,6 +178,60 @@ TEST(Assertions, PropertiesInTheFailuresModel) {
                 ElementsAre("fails"));  // it can terminate, and a terminated process lets no time pass
 }
 
+// A machine that terminates has ✓ in its traces; a state that nothing leads to is not reachable all the same.
+TEST(Assertions, StatesOfMachinesThatTerminate) {
+    const auto m = model(
+        "stm S { initial i state A { } state B { } final f transition t0 { from i to A } "
+        "transition t1 { from A to f } transition t2 { from B to f } }",
+        "assertion A : S::A is reachable in S\nassertion B : S::B is not reachable in S\n"
+        "assertion C : S::B is reachable in S\n");
+    for (const Time time : {Time::untimed, Time::timed})
+        EXPECT_THAT(claims(*m, time), ElementsAre("holds", "holds", "fails"));
+}
+
+/// The verdicts that C is initialised and that it is not, for a machine with this body.
+std::vector<std::string> initialised(const std::string& body, Time time) {
+    const auto m = model(
+        "interface W { clock C }\noperation start() { requires W initial i final f "
+        "transition t { from i to f #C } }\ninterface O { start() }\n"
+        "controller K { opref o = start stm S { requires O clock C clock D event a event b initial i " +
+            body + " } }",
+        "assertion A : clock K::S::C is initialised\nassertion B : clock K::S::C is not initialised\n");
+    EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
+    return claims(*m, time);
+}
+
+TEST(Assertions, ClocksAreInitialisedIfResetBeforeTheyAreRead) {
+    const auto yes = ElementsAre("holds", "fails");
+    const auto no = ElementsAre("fails", "holds");
+    const std::string states = "state A { } state B { } state X { } ";
+    const std::string read = "transition r { from B to B trigger a condition since(C) > 1 } ";
+    for (const Time time : {Time::untimed, Time::timed}) {
+        const auto check = [&](const std::string& body) { return initialised(states + body, time); };
+        EXPECT_THAT(check("transition t { from i to B }" + read), no) << "read at once";
+        EXPECT_THAT(check("transition t { from i to B #C }" + read), yes) << "reset on the way";
+        EXPECT_THAT(check("transition t { from i to A } transition u { from A to B #C }" + read), yes) << "later";
+        EXPECT_THAT(check("transition t { from i to B action #C }" + read), yes) << "reset in an action";
+        EXPECT_THAT(check("transition t { from i to B action start() }" + read), yes) << "reset in an operation";
+        EXPECT_THAT(check("transition t { from i to A } transition u { from A to B trigger a } "
+                          "transition v { from A to B trigger b #C }" +
+                          read),
+                    no)
+            << "one way does not reset it";
+        EXPECT_THAT(check("transition t { from i to A #C } transition u { from X to B }" + read), yes)
+            << "the read is not reachable";
+        EXPECT_THAT(check("transition t { from i to A }"), no) << "never reset, never read";
+        EXPECT_THAT(check("transition t { from i to B #D }" + read), no) << "another clock";
+    }
+    // In time A is left by the way that resets C; without time both ways are open.
+    const std::string race = states +
+                             "transition t { from i to A } transition u { from A to B condition since(D) >= 2 } "
+                             "transition v { from A to B #C condition since(D) >= 1 }" +
+                             read;
+    EXPECT_THAT(initialised(race, Time::timed), yes);
+    EXPECT_THAT(initialised(race, Time::untimed), no);
+}
+
 // Laws of tick-tock (Baxter, Ribeiro, Cavalcanti): what is refused before time passes is part of a trace, what is
 // refused before another event is not.
 TEST(TickTock, Laws) {

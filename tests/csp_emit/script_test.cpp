@@ -299,8 +299,8 @@ TEST(Assertions, EachPropertyHasItsForm) {
     for (const char* part :
          {"assert S::D__(0) :[deadlock free]\n", "assert not S::D__(0) :[deadlock free]\n",
           "assert S::D__(0) ; RUN({r__}) :[deadlock free]\n", "assert STOP [T= (S::D__(0) ; r__ -> STOP) |\\ {r__}\n",
-          "assert not STOP [T= S::VS__(0) |\\ {| S::A::entered |}\n",
-          "assert STOP [T= S::VS__(0) |\\ {| S::A::entered |}\n", "assert S::D__(0) [T= S::D__(0)\n",
+          "assert not SKIP [T= S::VS__(0) |\\ {| S::A::entered |}\n",
+          "assert SKIP [T= S::VS__(0) |\\ {| S::A::entered |}\n", "assert S::D__(0) [T= S::D__(0)\n",
           "assert MS_A9::TT(S::D__(0)) [T= MS_A9::TT(S::D__(0))\n", "instance MS_A9 = model_shifting(",
           "assert not S::D__(0) [F= S::D__(0)\nassert not S::D__(0) [F= S::D__(0)\n",
           "S::D__(0) :[deadlock free [F]]\n", "assert not S::D__(0) :[deterministic]\n",
