@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -87,6 +88,33 @@ TEST(Sanity, EveryRuleIsExplainedAndTested) {
             << "no page shows and no test or fixture names rule " << rule->code;
     }
     EXPECT_GT(codes.size(), 50U);
+}
+
+/// What stands between backquotes and matches.
+std::set<std::vector<std::string>> quoted(const std::string& text, const std::string& pattern) {
+    std::set<std::vector<std::string>> found;
+    const std::regex expression(pattern);
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), expression); at != std::sregex_iterator(); ++at)
+        found.insert({(*at)[1], (*at)[2]});
+    return found;
+}
+
+TEST(Sanity, TheSemanticsNamesFunctionsAndTestsThatExist) {
+    const std::string text = contents(root / "docs/semantics.md");
+    std::string tests;
+    for (const fs::path& path : files(root / "tests", {".cpp"})) tests += contents(path);
+    const auto named_tests = quoted(text, "`([A-Z][A-Za-z]+)\\.([A-Z][A-Za-z]+)`");
+    EXPECT_GT(named_tests.size(), 50U);
+    for (const auto& name : named_tests) {
+        const bool there = std::regex_search(tests, std::regex("TEST(_F|_P)?\\(" + name[0] + ", " + name[1] + "\\)"));
+        EXPECT_TRUE(there) << "docs/semantics.md names the test " << name[0] << "." << name[1];
+    }
+    const auto functions = quoted(text, "`([a-z_/]+\\.cpp): ([a-z_]+)`");
+    EXPECT_GT(functions.size(), 50U);
+    for (const auto& function : functions) {
+        const fs::path file = function[0].find('/') == std::string::npos ? root / "csp_emit" / function[0] : root / function[0];
+        EXPECT_THAT(contents(file), ::testing::HasSubstr(function[1] + "(")) << "docs/semantics.md names " << function[0];
+    }
 }
 
 }  // namespace
