@@ -24,7 +24,7 @@ struct Unit {
 /// As written, in the unit used inside.
 struct Quantity {
     double value = 0;
-    Dimension dimension = Dimension::number;
+    Dimension dimension = Dimension::number;  ///< of the unit that is written
     diagnostics::Span span;
 };
 

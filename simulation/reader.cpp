@@ -145,7 +145,7 @@ Quantity Reader::quantity(Dimension dimension, std::string_view what) {
     const diagnostics::Span span = diagnostics::join(begin, last_);
     if (meant.dimension != dimension)
         report(rules::wrong_unit, span, {std::string(what), std::string(described(dimension))});
-    return {value * meant.factor, dimension, span};
+    return {value * meant.factor, meant.dimension, span};
 }
 
 double Reader::positive(Dimension dimension, std::string_view what) {
@@ -157,13 +157,14 @@ double Reader::positive(Dimension dimension, std::string_view what) {
 double Reader::not_negative(Dimension dimension, std::string_view what) {
     const Quantity q = quantity(dimension, what);
     if (q.value < 0) report(rules::out_of_range, q.span, {fmt::format("{} must not be negative", what)});
-    const bool beyond = dimension == Dimension::share && q.value > 1;
+    const bool beyond = dimension == Dimension::share && q.dimension == dimension && q.value > 1;
     if (beyond) report(rules::out_of_range, q.span, {fmt::format("{} is more than 100 %", what)});
     return q.value;
 }
 
 std::uint64_t Reader::count(std::uint64_t low, std::uint64_t high, std::string_view what) {
     const Quantity q = quantity(Dimension::number, what);
+    if (q.dimension != Dimension::number) return low;
     const bool whole = q.value == std::floor(q.value);
     if (!whole || q.value < static_cast<double>(low) || q.value > static_cast<double>(high)) {
         report(rules::out_of_range, q.span, {fmt::format("{} is a whole number from {} to {}", what, low, high)});

@@ -66,10 +66,15 @@ const Rule not_fed{
     "The controller waits for an event that the scenario never raises. Feed it from a sensor or a stimulus, or "
     "be sure that it is not needed here."};
 
+const Rule not_there{
+    "RC-M15", Severity::error, "{} has no {}",
+    "A scenario may ask for more than another simulator offers through its adapter. The embedded world has "
+    "everything that scenarios can say."};
+
 std::span<const Rule* const> all() {
     static constexpr std::array table = {&syntax,       &wrong_unit,   &out_of_range, &missing, &said_twice,
                                          &unknown_part, &unknown_name, &wrong_type,   &no_room, &no_controller,
-                                         &not_compiled, &stopped,      &uneven_steps, &not_fed};
+                                         &not_compiled, &stopped,      &uneven_steps, &not_fed, &not_there};
     return table;
 }
 

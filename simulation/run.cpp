@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -99,8 +100,10 @@ private:
     }
 
     void report(diagnostics::Diagnostics& diagnostics) const {
-        for (const diagnostics::Diagnostics& found : found_)
-            for (const diagnostics::Diagnostic& d : found.sorted()) diagnostics.report(*d.rule, d.span, d.arguments);
+        // What one trial lacks the others lack as well.
+        const auto bad = std::find_if(found_.begin(), found_.end(), [](const auto& found) { return !found.ok(); });
+        if (bad != found_.end())
+            for (const diagnostics::Diagnostic& d : bad->sorted()) diagnostics.report(*d.rule, d.span, d.arguments);
         for (std::size_t trial = 0; trial < result_.trials.size(); ++trial) {
             const auto& stop = result_.trials[trial].stop;
             if (!stop) continue;

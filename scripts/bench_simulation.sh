@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# Robot-steps a CPU second of the embedded world and of Enki in one run, the generated controller included
+# (docs/benchmarks.md). Needs libenki-dev.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset release -DROBOCHART_TESTS=OFF -DROBOCHART_BENCHMARKS=ON -DROBOCHART_WITH_ENKI=ON >/dev/null
+cmake --build --preset release --target benchmark_simulation
+exec build/release/simulation/adapters/enki/benchmark_simulation corpus/aggregation/aggregation.scenario

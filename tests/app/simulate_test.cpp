@@ -1,0 +1,113 @@
+// The verb `simulate` as a user runs it: outcomes, formats, files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "command.hpp"
+
+namespace robochart::app {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::repository;
+using testing::run;
+
+std::string contents(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The aggregation scenario with something replaced, in a folder that is gone with the object. The model stays where it
+/// is.
+class Changed {
+public:
+    Changed(const std::string& what, const std::string& with) : file_("changed.scenario", text(what, with)) {}
+    [[nodiscard]] const std::string& path() const { return file_.path(); }
+
+private:
+    static std::string text(const std::string& what, const std::string& with) {
+        std::string all = contents(repository("corpus/aggregation/aggregation.scenario"));
+        const std::size_t at = all.find(what);
+        EXPECT_NE(at, std::string::npos) << what;
+        all.replace(at, what.size(), with);
+        const std::size_t brace = all.find("{\n");
+        return all.insert(brace + 2, "\tmodel \"" + repository("corpus/aggregation") + "\"\n");
+    }
+    testing::TemporaryFile file_;
+};
+
+TEST(Simulate, AggregationHoldsAndLeavesFiles) {
+    const std::string out = fs::temp_directory_path() / ("simulate_test_" + std::to_string(::getpid()));
+    const auto ran = run({"simulate", repository("corpus/aggregation/aggregation.scenario"), "--out", out});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("7 of 7 bands hold"));
+    EXPECT_THAT(ran.out, HasSubstr("holds    each first(c15 >= 100 %) <= 120 s"));
+    for (const char* name : {"snapshots.svg", "trajectories.svg", "animation.svg", "trial-01.csv", "trial-10.csv"})
+        EXPECT_TRUE(fs::exists(fs::path(out) / "simulation/Aggregation" / name)) << name;
+    EXPECT_THAT(contents(out + "/simulation/Aggregation/trial-01.csv"),
+                ::testing::StartsWith("t,id,x,y,theta,state\n0.000,0,"));
+    std::error_code ignored;
+    fs::remove_all(out, ignored);
+}
+
+TEST(Simulate, JsonTellsBandsAndTrials) {
+    const auto ran = run({"simulate", repository("corpus/aggregation/aggregation.scenario"), "--format", "json",
+                          "--no-pictures", "--trials", "3"});
+    const auto json = nlohmann::json::parse(ran.out);
+    EXPECT_EQ(json.at("schema"), "robochart-verify/simulation/1");
+    EXPECT_EQ(json.at("trials").size(), 3U);
+    EXPECT_EQ(json.at("trials")[0].at("steps"), 1800);
+    EXPECT_EQ(json.at("bands").size(), 7U);
+    EXPECT_EQ(json.at("bands")[0].at("trials").size(), 3U);
+    EXPECT_EQ(json.at("exit"), ran.exit);
+    EXPECT_EQ(json.at("files").size(), 0U);
+}
+
+TEST(Simulate, ABandThatIsLeftIsExitOne) {
+    const Changed changed("<= 120 s", "<= 1 s");
+    const auto ran = run({"simulate", changed.path(), "--no-pictures", "--trials", "2"});
+    EXPECT_EQ(ran.exit, 1) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("FAILS    each first(c15 >= 100 %) <= 1 s"));
+    EXPECT_THAT(ran.out, HasSubstr("2 of 2 trials outside"));
+}
+
+TEST(Simulate, WrongScenariosAreExitTwoWithTheirPlace) {
+    const auto expect = [](const std::string& what, const std::string& with, const std::string& code) {
+        const Changed changed(what, with);
+        const auto ran = run({"simulate", changed.path(), "--no-pictures"});
+        EXPECT_EQ(ran.exit, 2) << with;
+        EXPECT_THAT(ran.err, HasSubstr("error[" + code + "]"));
+        EXPECT_THAT(ran.err, HasSubstr("changed.scenario:"));
+    };
+    expect("is line_of_sight", "is crystal_ball", "RC-M06");
+    expect("feed seeRobot with eye.robot", "feed seeRobot with eye.distance in cm", "RC-M08");
+    expect("robots 20", "robots 2000", "RC-M09");
+    expect("step 0.1 s", "step 0 s", "RC-M03");
+    expect("for aggregation::Aggregation", "for aggregation::Segregation", "RC-M10");
+}
+
+TEST(Simulate, SeedsDecide) {
+    const auto value = [](const std::string& seed, const std::string& threads) {
+        const auto ran = run({"simulate", repository("corpus/aggregation/aggregation.scenario"), "--format", "json",
+                              "--no-pictures", "--trials", "2", "--seed", seed, "--threads", threads});
+        return nlohmann::json::parse(ran.out).at("bands");
+    };
+    EXPECT_EQ(value("5", "1"), value("5", "2"));
+    EXPECT_NE(value("5", "1"), value("50", "1"));
+}
+
+TEST(Simulate, MissingFilesAndSeveralAreRefused) {
+    EXPECT_EQ(run({"simulate"}).exit, 4);
+    EXPECT_EQ(run({"simulate", "/nowhere.scenario"}).exit, 2);
+    const std::string scenario = repository("corpus/aggregation/aggregation.scenario");
+    EXPECT_EQ(run({"simulate", scenario, scenario}).exit, 2);
+}
+
+}  // namespace
+}  // namespace robochart::app
