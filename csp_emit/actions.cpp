@@ -201,30 +201,15 @@ ExprPtr MachineEmitter::perform_assignment(const Place& place, const ir::Stmt& s
     return go(place.put(running(rest)), changed);
 }
 
-/// The new value of the assigned variable. Components: one field of a record, or one element of a sequence.
+/// The new value of the assigned variable, of which the statement may give one part.
 ExprPtr MachineEmitter::assigned(std::uint32_t frame, const ir::Stmt& stmt, const Values& values) const {
     const Scope names = scope(frame, values);
     const ir::Variable& variable = frames_[frame].machine->variables.at(stmt.variable.index);
     if (stmt.path.empty()) return expression_as(project(), names, *stmt.value, variable.type);
-    const ir::Type& type = project().system.type(variable.type);
     const ExprPtr old = value_of(frames_[frame].variables.at(stmt.variable.index), values);
-    const ExprPtr value = expression(project(), names, *stmt.value);
-    if (stmt.path.size() == 1 && type.kind == ir::TypeKind::sequence)
-        return b::call("update_", {old, value, expression(project(), names, *stmt.path[0])});
-    if (stmt.path.size() != 1 || type.kind != ir::TypeKind::record) {
-        project().refuse("an assignment to a part of " + variable.name, stmt.origin.span);
-        return old;
-    }
-    const auto field = static_cast<std::size_t>(stmt.path[0]->number);
-    if (type.args.size() == 1) return value;
-    b::Patterns patterns;
-    b::Exprs parts;
-    for (std::size_t i = 0; i < type.args.size(); ++i) {
-        const std::string part = "part" + std::to_string(i) + "__";
-        patterns.push_back(i == field ? b::wildcard() : b::variable(part));
-        parts.push_back(i == field ? value : b::name(part));
-    }
-    return b::apply(b::lambda({b::tuple_pattern(patterns)}, b::tuple(parts)), {old});
+    b::Exprs path;
+    for (const auto& step : stmt.path) path.push_back(expression(project(), names, *step));
+    return component(project(), variable.type, old, path, expression(project(), names, *stmt.value));
 }
 
 void MachineEmitter::item_branches(const Place& place, bool alone, std::vector<ExprPtr>& out) {

@@ -14,6 +14,7 @@
 #include "csp_emit/machine.hpp"
 #include "csp_emit/module.hpp"
 #include "csp_emit/rules.hpp"
+#include "csp_emit/safe_names.hpp"
 #include "csp_emit/types.hpp"
 #include "semantics/query.hpp"
 
@@ -24,44 +25,43 @@ using cspm::DeclPtr;
 
 namespace {
 
-const char* const instantiations_block = "Instantiations";
+/// RoboTool's documents write `Instantiations`, some models `instantiations`.
+bool holds_instantiations(const ir::CspBlock& block) {
+    return block.name == "Instantiations" || block.name == "instantiations";
+}
 
-/// Reserves every name that elements of the model have in the script, and refuses those that mean something else.
+/// Reserves every name that elements of the model have in the script.
 class NameSurvey {
 public:
     NameSurvey(const Project& project, NameManager& names) : project_(project), names_(names) {}
 
     void all() {
         for (const ir::Type& type : project_.system.types) types(type);
-        for (const ir::Function& function : project_.system.functions)
-            element(function_name(function), function.origin.span);
+        for (const ir::Function& function : project_.system.functions) element(function_name(function));
         for (const ir::NamedConstant& constant : ir::named_constants(project_.system)) names_.reserve(constant.name);
         for (const ir::Machine& machine : project_.system.machines) component(machine, machine.name);
         for (const ir::Machine& machine : project_.system.machines) nodes(machine);
         for (const ir::Controller& controller : project_.system.controllers) {
             component(controller, controller.name);
-            for (const auto& part : controller.machines) element(part.name, part.origin.span);
+            for (const auto& part : controller.machines) element(part.name);
         }
         for (const ir::Module& module : project_.system.modules) {
             component(module.platform, module.name);
-            for (const auto& part : module.controllers) element(part.name, part.origin.span);
+            for (const auto& part : module.controllers) element(part.name);
         }
     }
 
 private:
-    void element(const std::string& name, diagnostics::Span span) {
-        if (is_reserved(name)) project_.diagnostics.report(rules::reserved_name, span, {name});
-        names_.reserve(name);
-    }
+    void element(const std::string& name) { names_.reserve(name); }
     void types(const ir::Type& type) {
         if (type.kind != ir::TypeKind::enumeration && type.kind != ir::TypeKind::given) return;
-        element(type_name(type), type.origin.span);
+        element(type_name(type));
         for (std::size_t i = 0; i < type.labels.size(); ++i) names_.reserve(literal_name(type, i));
     }
     template <class Component>
     void component(const Component& component, const std::string& name) {
-        element(name, component.origin.span);
-        for (const ir::Event& event : component.events) element(event.name, event.origin.span);
+        element(name);
+        for (const ir::Event& event : component.events) element(event.name);
         for (const auto& operation : component.operations) names_.reserve(operation.name + "Call");
         for (const ir::Variable& variable : component.variables) {
             names_.reserve("set_" + variable.name);
@@ -70,8 +70,7 @@ private:
     }
     void nodes(const ir::Machine& machine) {
         for (const ir::Node& node : machine.nodes)
-            if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final)
-                element(node.name, node.origin.span);
+            if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final) element(node.name);
     }
 
     const Project& project_;
@@ -174,7 +173,7 @@ std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std
 void add_instantiations(const Project& project, std::vector<DeclPtr>& decls, std::set<std::string>& bounded) {
     std::set<std::string> given;
     for (const ir::CspBlock& block : project.system.csp_blocks) {
-        if (block.name != instantiations_block || !applies(project, block)) continue;
+        if (!holds_instantiations(block) || !applies(project, block)) continue;
         project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
         for (const DeclPtr& decl : declared_once(read_block(project, block), decls)) {
             given.insert(decl->names.begin(), decl->names.end());
@@ -199,7 +198,7 @@ void append(std::vector<DeclPtr>& decls, const std::vector<DeclPtr>& more) {
 std::vector<DeclPtr> user_blocks(const Project& project) {
     std::vector<DeclPtr> result;
     for (const ir::CspBlock& block : project.system.csp_blocks)
-        if (applies(project, block) && block.name != instantiations_block) append(result, read_block(project, block));
+        if (applies(project, block) && !holds_instantiations(block)) append(result, read_block(project, block));
     return result;
 }
 
@@ -230,14 +229,28 @@ std::vector<DeclPtr> without(const std::vector<DeclPtr>& decls, const std::set<s
     return result;
 }
 
+void point_out_probabilities(const Project& project) {
+    for (const ir::Machine& machine : project.system.machines)
+        for (const ir::Node& node : machine.nodes)
+            if (node.kind == ir::NodeKind::probabilistic)
+                project.diagnostics.report(rules::probabilistic_choice, node.origin.span, {node.path});
+}
+
 }  // namespace
 
 Emission emit(const ir::System& system, const ir::Instantiation& instantiation, Time time, const Options& options,
               diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
-    const Project project{system, instantiation, time, options, sources, diagnostics};
+    const SafeNames safe = safe_names(system, instantiation, diagnostics);
+    const Project project{safe.changed ? safe.system : system,
+                          safe.changed ? safe.instantiation : instantiation,
+                          time,
+                          options,
+                          sources,
+                          diagnostics};
     NameManager names;
     reserve_all(names);
     NameSurvey(project, names).all();
+    point_out_probabilities(project);
     Emission result;
     std::vector<DeclPtr>& definitions = result.definitions.decls;
     const std::vector<DeclPtr> blocks = user_blocks(project);

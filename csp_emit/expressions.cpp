@@ -1,11 +1,15 @@
 // One function per family of ExprKind.
 #include "csp_emit/expressions.hpp"
 
+#include <algorithm>
+
 #include "checker/cspm/build.hpp"
 #include "csp_emit/bounds.hpp"
 #include "csp_emit/names.hpp"
+#include "csp_emit/translator.hpp"
 #include "csp_emit/types.hpp"
 #include "semantics/evaluate.hpp"
+#include "semantics/toolkit.hpp"
 
 namespace robochart::csp_emit {
 
@@ -14,41 +18,6 @@ using cspm::ExprPtr;
 using ir::ExprKind;
 using ir::TypeKind;
 using Op = cspm::ExprKind;
-
-namespace {
-
-class Translator {
-public:
-    Translator(const Project& project, const Scope& scope) : project_(project), scope_(scope) {}
-
-    ExprPtr translate(const ir::Expr& expr) const;
-    ExprPtr as_type(const ir::Expr& expr, ir::TypeId wanted) const;
-
-private:
-    const ir::Type* type(ir::TypeId id) const { return id.valid() ? &project_.system.type(id) : nullptr; }
-    bool is_real(ir::TypeId id) const { return id.valid() && project_.system.type(id).kind == TypeKind::real; }
-    bool is_whole(ir::TypeId id) const;
-    std::int64_t scale() const { return project_.instantiation.scale; }
-
-    ExprPtr arg(const ir::Expr& expr, std::size_t index) const { return translate(*expr.args.at(index)); }
-    b::Exprs args(const ir::Expr& expr) const;
-    ExprPtr literal(const ir::Expr& expr) const;
-    ExprPtr real_literal(const ir::Expr& expr) const;
-    ExprPtr name(const ir::Expr& expr) const;
-    ExprPtr logic(const ir::Expr& expr) const;
-    ExprPtr comparison(const ir::Expr& expr) const;
-    ExprPtr arithmetic(const ir::Expr& expr) const;
-    ExprPtr composed(const ir::Expr& expr) const;
-    ExprPtr member(const ir::Expr& expr) const;
-    ExprPtr cast(const ir::Expr& expr) const;
-    ExprPtr call(const ir::Expr& expr) const;
-    ExprPtr quantified(const ir::Expr& expr) const;
-    ExprPtr let(const ir::Expr& expr) const;
-    ExprPtr refused(const std::string& what, const ir::Expr& expr) const;
-
-    const Project& project_;
-    const Scope& scope_;
-};
 
 bool Translator::is_whole(ir::TypeId id) const {
     const ir::Type* found = type(id);
@@ -132,6 +101,8 @@ ExprPtr Translator::logic(const ir::Expr& expr) const {
     }
 }
 
+namespace {
+
 Op comparison_operator(ExprKind kind) {
     switch (kind) {
         case ExprKind::equal:
@@ -149,6 +120,8 @@ Op comparison_operator(ExprKind kind) {
     }
 }
 
+}  // namespace
+
 /// Both sides in the same unit: a real on either side makes the other one real.
 ExprPtr Translator::comparison(const ir::Expr& expr) const {
     const ir::Expr& left = *expr.args.at(0);
@@ -156,6 +129,8 @@ ExprPtr Translator::comparison(const ir::Expr& expr) const {
     const ir::TypeId common = is_real(left.type) ? left.type : right.type;
     return b::binary(comparison_operator(expr.kind), as_type(left, common), as_type(right, common));
 }
+
+namespace {
 
 const char* clipping_function(ExprKind kind, bool scaled_real) {
     switch (kind) {
@@ -174,34 +149,74 @@ const char* clipping_function(ExprKind kind, bool scaled_real) {
     }
 }
 
+}  // namespace
+
+ExprPtr Translator::clipped(ExprKind kind, b::Exprs operands, ir::TypeId type) const {
+    // -3 is a literal, not an operation: RoboTool's carriers hold every literal of the model with its sign.
+    if (kind == ExprKind::negate && operands.at(0)->kind == Op::integer) return b::number(-operands[0]->number);
+    operands.push_back(type_set(project_, type));
+    return b::call(clipping_function(kind, is_real(type) && scale() != 1), operands);
+}
+
 ExprPtr Translator::arithmetic(const ir::Expr& expr) const {
     const ir::Type* result = type(expr.type);
+    const auto block = [&](const auto& part) { return is_block(part->type); };
+    if (std::any_of(expr.args.begin(), expr.args.end(), block)) return block_arithmetic(expr);
     if (result == nullptr || !numeric(*result)) return refused("arithmetic on a type that is not a number", expr);
     b::Exprs operands;
     for (const auto& part : expr.args) operands.push_back(as_type(*part, expr.type));
-    // -3 is a literal, not an operation: RoboTool's carriers hold every literal of the model with its sign.
-    if (expr.kind == ExprKind::negate && operands.at(0)->kind == Op::integer) return b::number(-operands[0]->number);
-    operands.push_back(type_set(project_, expr.type));
-    return b::call(clipping_function(expr.kind, is_real(expr.type) && scale() != 1), operands);
+    return clipped(expr.kind, operands, expr.type);
 }
 
-/// Selects one component of a tuple by a lambda over its pattern.
 ExprPtr Translator::member(const ir::Expr& expr) const {
     const ir::Type* whole = type(expr.args.at(0)->type);
     if (whole == nullptr) return refused("a component of a value without a type", expr);
-    const bool record = whole->kind == TypeKind::record;
-    const std::size_t size = whole->args.size();
-    const auto place = static_cast<std::size_t>(record ? expr.number : expr.number - 1);
-    if (size == 1) return arg(expr, 0);
-    b::Patterns parts;
-    for (std::size_t i = 0; i < size; ++i) parts.push_back(i == place ? b::variable("part__") : b::wildcard());
-    return b::apply(b::lambda({b::tuple_pattern(parts)}, b::name("part__")), {arg(expr, 0)});
+    const std::int64_t place = whole->kind == TypeKind::record ? expr.number : expr.number - 1;
+    return tuple_part(arg(expr, 0), whole->args.size(), static_cast<std::size_t>(place));
+}
+
+ExprPtr Translator::index(const ir::Expr& expr) const {
+    b::Exprs places = args(expr);
+    const ExprPtr whole = places.at(0);
+    places.erase(places.begin());
+    return indexed(expr.args.at(0)->type, whole, places);
 }
 
 ExprPtr Translator::cast(const ir::Expr& expr) const {
     const ir::Expr& inner = *expr.args.at(0);
-    if (is_real(expr.type) || !is_real(inner.type) || scale() == 1) return as_type(inner, expr.type);
-    return b::binary(Op::divide, translate(inner), b::number(scale()));
+    return converted(translate(inner), inner.type, expr.type);
+}
+
+/// `member(v,T)`; of a real, only if it is a whole number.
+ExprPtr Translator::type_test(const ir::Expr& expr) const {
+    const ir::TypeId wanted = expr.bound_types.at(0);
+    const ir::TypeId own = expr.args.at(0)->type;
+    const ExprPtr value = arg(expr, 0);
+    if (!is_real(own) || !is_whole(wanted) || scale() == 1)
+        return b::call("member", {converted(value, own, wanted), type_set(project_, wanted)});
+    const ExprPtr units = b::name("elem__");
+    const ExprPtr rest = b::binary(Op::modulus, units, b::number(scale()));
+    const ExprPtr number = b::binary(Op::divide, units, b::number(scale()));
+    return b::apply(
+        b::lambda({b::variable("elem__")}, b::binary(Op::logical_and, b::binary(Op::equal, rest, b::number(0)),
+                                                     b::call("member", {number, type_set(project_, wanted)}))),
+        {value});
+}
+
+/// `{low..high}` for whole numbers; of the reals those of the type that lie between.
+ExprPtr Translator::range(const ir::Expr& expr) const {
+    const bool open_low = expr.number == 1 || expr.number == 3;
+    const bool open_high = expr.number >= 2;
+    const ir::TypeId element = type(expr.type)->args.at(0);
+    const ExprPtr low = as_type(*expr.args.at(0), element);
+    const ExprPtr high = as_type(*expr.args.at(1), element);
+    if (!is_real(element))
+        return b::set_range(open_low ? b::binary(Op::plus, low, b::number(1)) : low,
+                            open_high ? b::binary(Op::minus, high, b::number(1)) : high);
+    const ExprPtr elem = b::name("elem__");
+    return b::set_comprehension({elem}, {b::generator("elem__", type_set(project_, element)),
+                                         b::condition(b::binary(open_low ? Op::less : Op::less_equal, low, elem)),
+                                         b::condition(b::binary(open_high ? Op::less : Op::less_equal, elem, high))});
 }
 
 ExprPtr Translator::composed(const ir::Expr& expr) const {
@@ -217,30 +232,72 @@ ExprPtr Translator::composed(const ir::Expr& expr) const {
             return b::binary(Op::concat, parts.at(0), parts.at(1));
         case ExprKind::is_in:
             return b::call("member", parts);
-        case ExprKind::index:
-            return b::call("access_", parts);
         default:
-            return parts.size() == 1 ? parts[0] : b::tuple(parts);
+            return tuple_or_one(parts);
     }
 }
 
+/// A function is applied even without arguments: RoboTool's instantiations define `f() = 0`.
 ExprPtr Translator::call(const ir::Expr& expr) const {
+    return b::apply(b::name(function_name(project_.system.functions.at(expr.function.index))), call_arguments(expr));
+}
+
+b::Exprs Translator::call_arguments(const ir::Expr& expr) const {
     const ir::Function& function = project_.system.functions.at(expr.function.index);
     b::Exprs arguments;
     for (std::size_t i = 0; i < expr.args.size(); ++i)
         arguments.push_back(i < function.parameters.size() ? as_type(*expr.args[i], function.parameters[i])
                                                            : arg(expr, i));
-    return b::call(function_name(function), arguments);
+    return arguments;
+}
+
+ExprPtr Translator::toolkit(const ir::Expr& expr) const {
+    b::Exprs arguments = args(expr);
+    for (const std::size_t place : ir::toolkit_carriers(expr.text))
+        arguments.push_back(type_set(project_, expr.bound_types.at(place)));
+    return b::apply(b::name(expr.text), arguments);
+}
+
+ExprPtr Translator::apply(const ir::Expr& expr) const {
+    b::Exprs arguments = args(expr);
+    const ExprPtr function = arguments.at(0);
+    arguments.erase(arguments.begin());
+    return b::call("callFunc", {function, tuple_or_one(arguments)});
+}
+
+/// `{(x,f(x)) | x <- T}`, where the precondition holds.
+ExprPtr Translator::function_value(const ir::Expr& expr) const {
+    const ir::Function& function = project_.system.functions.at(expr.function.index);
+    std::vector<cspm::Clause> clauses;
+    b::Exprs arguments;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const std::string name = "part" + std::to_string(i + 1) + "__";
+        clauses.push_back(b::generator(name, type_set(project_, function.parameters[i])));
+        arguments.push_back(b::name(name));
+    }
+    if (arguments.empty()) return refused("a function without parameters as a value", expr);
+    if (!function.preconditions.empty())
+        clauses.push_back(b::condition(b::apply(b::name("pre_" + function_name(function)), arguments)));
+    const ExprPtr value = b::apply(b::name(function_name(function)), arguments);
+    return b::set_comprehension({b::tuple({tuple_or_one(arguments), value})}, clauses);
+}
+
+std::vector<cspm::Clause> Translator::generators(const ir::Expr& expr) const {
+    std::vector<cspm::Clause> clauses;
+    for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
+        clauses.push_back(b::generator(expr.bound_names[i] + "__q", type_set(project_, expr.bound_types.at(i))));
+    return clauses;
+}
+
+ExprPtr Translator::bound_tuple(const ir::Expr& expr) {
+    b::Exprs bound;
+    for (const std::string& name : expr.bound_names) bound.push_back(b::name(name + "__q"));
+    return tuple_or_one(bound);
 }
 
 ExprPtr Translator::quantified(const ir::Expr& expr) const {
-    std::vector<cspm::Clause> clauses;
-    b::Exprs bound;
-    for (std::size_t i = 0; i < expr.bound_names.size(); ++i) {
-        clauses.push_back(b::generator(expr.bound_names[i] + "__q", type_set(project_, expr.bound_types.at(i))));
-        bound.push_back(b::name(expr.bound_names[i] + "__q"));
-    }
-    const ExprPtr all = bound.size() == 1 ? bound[0] : b::tuple(bound);
+    std::vector<cspm::Clause> clauses = generators(expr);
+    const ExprPtr all = bound_tuple(expr);
     if (expr.args.at(0)) clauses.push_back(b::condition(arg(expr, 0)));
     switch (expr.kind) {
         case ExprKind::forall:
@@ -255,17 +312,21 @@ ExprPtr Translator::quantified(const ir::Expr& expr) const {
         case ExprKind::lambda:
             return b::set_comprehension({b::tuple({all, arg(expr, 1)})}, clauses);
         case ExprKind::set_comprehension:
-            return b::set_comprehension({arg(expr, 1)}, clauses);
+            return b::set_comprehension({expr.args.size() > 1 ? arg(expr, 1) : all}, clauses);
         default:
-            return refused("a definite description (the)", expr);
+            return b::call("theOnly__", {b::set_comprehension({expr.args.size() > 1 ? arg(expr, 1) : all}, clauses)});
     }
 }
 
+/// The first bindings around a body. CSPM's own `let` is recursive; each value here sees only the bindings before it.
+ExprPtr Translator::bind_let(const ir::Expr& expr, std::size_t count, ExprPtr body) const {
+    for (std::size_t i = count; i-- > 0;)
+        body = b::apply(b::lambda({b::variable(expr.bound_names.at(i) + "__q")}, body), {arg(expr, i)});
+    return body;
+}
+
 ExprPtr Translator::let(const ir::Expr& expr) const {
-    b::Decls decls;
-    for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
-        decls.push_back(b::value(expr.bound_names[i] + "__q", arg(expr, i)));
-    return b::let_(decls, translate(*expr.args.back()));
+    return bind_let(expr, expr.bound_names.size(), translate(*expr.args.back()));
 }
 
 ExprPtr Translator::translate(const ir::Expr& expr) const {
@@ -314,8 +375,23 @@ ExprPtr Translator::translate(const ir::Expr& expr) const {
         case ExprKind::set_range:
         case ExprKind::concat:
         case ExprKind::is_in:
-        case ExprKind::index:
             return composed(expr);
+        case ExprKind::matrix:
+            return block_literal(expr);
+        case ExprKind::transpose:
+            return transposed(expr);
+        case ExprKind::index:
+            return index(expr);
+        case ExprKind::range:
+            return range(expr);
+        case ExprKind::is_type:
+            return type_test(expr);
+        case ExprKind::toolkit:
+            return toolkit(expr);
+        case ExprKind::apply:
+            return apply(expr);
+        case ExprKind::function_value:
+            return function_value(expr);
         case ExprKind::member:
             return member(expr);
         case ExprKind::cast:
@@ -329,12 +405,9 @@ ExprPtr Translator::translate(const ir::Expr& expr) const {
         case ExprKind::the:
         case ExprKind::set_comprehension:
             return quantified(expr);
-        default:
-            return refused("this kind of expression", expr);
     }
+    return refused("this kind of expression", expr);
 }
-
-}  // namespace
 
 std::string function_name(const ir::Function& function) {
     return function.package.empty() ? function.name : flatten(function.package) + "_" + function.name;
@@ -351,17 +424,12 @@ ExprPtr expression_as(const Project& project, const Scope& scope, const ir::Expr
 }
 
 std::vector<ExprPtr> preconditions(const Project& project, const Scope& scope, const ir::Expr& expr) {
-    std::vector<ExprPtr> result;
-    const Translator translator(project, scope);
-    walk(expr, [&](const ir::Expr& part) {
-        if (part.kind != ExprKind::call) return;
-        const ir::Function& function = project.system.functions.at(part.function.index);
-        if (function.preconditions.empty()) return;
-        b::Exprs arguments;
-        for (const auto& argument : part.args) arguments.push_back(translator.translate(*argument));
-        result.push_back(b::call("pre_" + function_name(function), arguments));
-    });
-    return result;
+    return Translator(project, scope).preconditions(expr);
+}
+
+ExprPtr component(const Project& project, ir::TypeId type, const ExprPtr& whole, const std::vector<ExprPtr>& path,
+                  const ExprPtr& value) {
+    return Translator(project, {}).replaced(type, whole, path, 0, value);
 }
 
 void walk(const ir::Expr& expr, const std::function<void(const ir::Expr&)>& visit) {

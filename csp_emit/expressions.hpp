@@ -24,6 +24,10 @@ struct Scope {
 [[nodiscard]] cspm::ExprPtr expression_as(const Project&, const Scope&, const ir::Expr&, ir::TypeId wanted);
 /// Preconditions of all functions the expressions call, for `pre &` (semantics 3.5); empty if there are none.
 [[nodiscard]] std::vector<cspm::ExprPtr> preconditions(const Project&, const Scope&, const ir::Expr&);
+/// The value `whole` of a type with `value` in place of one of its parts. The path leads to the part: the place of a
+/// field or of a tuple's part (a number, fields from 0), the index of a sequence or vector, two indices of a matrix.
+[[nodiscard]] cspm::ExprPtr component(const Project&, ir::TypeId type, const cspm::ExprPtr& whole,
+                                      const std::vector<cspm::ExprPtr>& path, const cspm::ExprPtr& value);
 /// CSPM name of a function of the model: `f`, in a package `P_f`; its precondition is `pre_` and that name.
 [[nodiscard]] std::string function_name(const ir::Function&);
 

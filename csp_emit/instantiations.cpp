@@ -59,8 +59,9 @@ void add_carriers(const Project& project, std::vector<DeclPtr>& decls) {
     decls.push_back(b::nametype("core_int", number_set(finite.integer)));
     decls.push_back(b::nametype("core_real", number_set(finite.real)));
     decls.push_back(b::nametype("core_boolean", b::name("Bool")));
-    const ExprPtr bound = b::number(finite.sequence_bound);
-    decls.push_back(b::nametype("core_string", b::call("LSeq", {b::name("Char"), bound})));
+    b::Exprs strings;
+    for (const std::string& text : finite.strings) strings.push_back(b::string(text));
+    decls.push_back(b::nametype("core_string", b::set(strings)));
     decls.push_back(b::nametype("core_clock_type", b::set_range(b::number(0), b::number(finite.clock_bound))));
     for (const ir::Type& type : project.system.types)
         if (type.kind == ir::TypeKind::given)
@@ -90,8 +91,25 @@ private:
         if (const auto found = given.find(name); found != given.end())
             return value_literal(project_, constant.type, found->second);
         if (!constant.value) return default_literal(project_, constant.type);
+        if (mentions(*constant.value, calls_function)) return computed(constant, machine);
         const auto known = ir::evaluate_constant(project_.system, project_.instantiation, machine, *constant.value);
         if (known) return value_literal(project_, constant.type, *known);
+        project_.refuse("the value of constant " + constant.name + ", which is not constant", constant.origin.span);
+        return b::number(0);
+    }
+
+    static bool calls_function(const ir::Expr& part) {
+        return part.kind == ir::ExprKind::call || part.kind == ir::ExprKind::function_value;
+    }
+    /// What functions say is left to the script, where the user may define them.
+    ExprPtr computed(const ir::Constant& constant, const ir::Machine* machine) const {
+        Scope scope;
+        scope.constant = [machine](ir::ConstantId id) {
+            return b::name(ir::constant_name(machine->package, machine->path, machine->constants.at(id.index).name));
+        };
+        const auto names_constant = [](const ir::Expr& part) { return part.kind == ir::ExprKind::constant; };
+        if (machine != nullptr || !mentions(*constant.value, names_constant))
+            return expression_as(project_, scope, *constant.value, constant.type);
         project_.refuse("the value of constant " + constant.name + ", which is not constant", constant.origin.span);
         return b::number(0);
     }
@@ -128,18 +146,53 @@ void add_constants(const Project& project, std::vector<DeclPtr>& decls) {
             constants.add(ir::constant_name(module.package, module.name, constant.name), constant, nullptr);
 }
 
+/// A condition behind the preconditions of the functions that it calls itself.
+b::Exprs with_preconditions(const Project& project, const ir::Expr& condition) {
+    b::Exprs result = preconditions(project, {}, condition);
+    result.push_back(expression(project, {}, condition));
+    return result;
+}
+
 b::Patterns parameters_of(const ir::Function& function) {
     b::Patterns result;
     for (const std::string& name : function.parameter_names) result.push_back(b::variable(name + "__q"));
     return result;
 }
 
-/// Functions have contracts, not bodies: 0 or the first literal, as RoboTool has it, unless the user overrides it.
+/// `f(x) = body`; without parameters `f() = body`, which is how RoboTool's instantiations define such functions.
+DeclPtr function_definition(const std::string& name, const ir::Function& function, const ExprPtr& body,
+                            const std::string& comment = "") {
+    cspm::Decl decl = *b::function_decl(name, {b::wildcard()}, body, comment);
+    decl.patterns = {parameters_of(function)};
+    return std::make_shared<const cspm::Decl>(std::move(decl));
+}
+
+/// The default value where it satisfies the postconditions, else the first value that does.
+ExprPtr searched(const Project& project, const ir::Function& function) {
+    b::Exprs conditions;
+    for (const auto& condition : function.postconditions)
+        for (ExprPtr& part : with_preconditions(project, *condition)) conditions.push_back(part);
+    const ExprPtr constant = default_literal(project, function.result);
+    const ExprPtr candidates =
+        b::set_comprehension({b::name("elem__")}, {b::generator("elem__", type_set(project, function.result)),
+                                                   b::condition(b::call("ok__", {b::name("elem__")}))});
+    const ExprPtr none = b::call("error", {b::string("no value satisfies the postcondition of " + function.name)});
+    const ExprPtr first =
+        b::if_(b::call("empty", {b::name("found__")}), none, b::call("head", {b::call("seq", {b::name("found__")})}));
+    return b::let_({b::function_decl("ok__", {b::variable("result__q")}, b::all_of(conditions))},
+                   b::if_(b::call("ok__", {constant}), constant, b::let_({b::value("found__", candidates)}, first)));
+}
+
+/// Functions have contracts, not bodies: by postcondition, or 0 or the first literal as RoboTool has it, unless the
+/// user overrides it.
 void add_functions(const Project& project, std::vector<DeclPtr>& decls) {
-    for (const ir::Function& function : project.system.functions)
-        decls.push_back(b::function_decl(function_name(function), parameters_of(function),
-                                         default_literal(project, function.result),
-                                         "function without body: default value"));
+    for (const ir::Function& function : project.system.functions) {
+        const bool specified = !function.postconditions.empty();
+        decls.push_back(
+            function_definition(function_name(function), function,
+                                specified ? searched(project, function) : default_literal(project, function.result),
+                                specified ? "function by its postcondition" : "function without body: default value"));
+    }
 }
 
 }  // namespace
@@ -168,9 +221,9 @@ std::vector<DeclPtr> data_definitions(const Project& project) {
     for (const ir::Function& function : project.system.functions) {
         if (function.preconditions.empty()) continue;
         b::Exprs conditions;
-        for (const auto& condition : function.preconditions) conditions.push_back(expression(project, {}, *condition));
-        decls.push_back(
-            b::function_decl("pre_" + function_name(function), parameters_of(function), b::all_of(conditions)));
+        for (const auto& condition : function.preconditions)
+            for (ExprPtr& part : with_preconditions(project, *condition)) conditions.push_back(part);
+        decls.push_back(function_definition("pre_" + function_name(function), function, b::all_of(conditions)));
     }
     return decls;
 }

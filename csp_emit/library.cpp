@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "checker/cspm/reader.hpp"
+#include "csp_emit/toolkits.hpp"
 
 namespace robochart::csp_emit {
 namespace {
@@ -23,7 +24,14 @@ LSeq(s__,0) = {<>}
 LSeq(s__,n__) = let shorter__ = LSeq(s__,n__-1) within union(shorter__,{<x__>^y__ | x__ <- s__, y__ <- shorter__})
 -- relations and total functions as sets of pairs
 Relation(a__,b__) = Set({(x__,y__) | x__ <- a__, y__ <- b__})
-Function(a__,b__) = {r__f | r__f <- Relation(a__,b__), {x__ | (x__,_) <- r__f} == a__, card(r__f) == card(a__)}
+Function(a__,b__) = let all__(<>) = {{}}
+                        all__(<x__>^xs__) = {union({(x__,y__)},f__) | f__ <- all__(xs__), y__ <- b__}
+                    within all__(seq(a__))
+funcToSet(f__,s__) = {(x__,f__(x__)) | x__ <- s__}
+theOnly__(s__) = if card(s__) == 1 then head(seq(s__)) else error("not one value but several, or none")
+callFunc(f__,x__) = theOnly__({y__ | (a__,y__) <- f__, a__ == x__})
+-- a sequence as the set of its places with their elements
+pairs_(s__) = {(n__,access_(s__,n__)) | n__ <- {1..length(s__)}}
 -- element n__ of a sequence, counted from 1, and the sequence with another one there
 access_(<x__>^y__,n__) = if n__ == 1 then x__ else access_(y__,n__-1)
 update_(<x__>^y__,e__,n__) = if n__ == 1 then <e__>^y__ else <x__>^update_(y__,e__,n__-1)
@@ -103,7 +111,10 @@ std::vector<cspm::DeclPtr> library(const Project& project) {
     std::string text = library_text(project.time);
     if (project.timed() && uses_tick_tock(project.system)) text += tick_tock_part;
     const auto source = project.sources.add("<library of generated scripts>", text);
-    return cspm::read(project.sources, source, project.diagnostics).decls;
+    auto decls = cspm::read(project.sources, source, project.diagnostics).decls;
+    const auto toolkits = toolkit_definitions(project);
+    decls.insert(decls.end(), toolkits.begin(), toolkits.end());
+    return decls;
 }
 
 }  // namespace robochart::csp_emit

@@ -58,6 +58,8 @@ void for_each_part(const Expr& expr, const Visit& visit) {
         if (field.value) visit(*field.value);
     for (const auto& clause : expr.clauses)
         if (clause.value) visit(*clause.value);
+    for (const auto& decl : expr.decls)
+        if (decl->body) visit(*decl->body);
 }
 
 void Family::names(const Expr& expr, std::set<std::string>& result) const {

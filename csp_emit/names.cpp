@@ -88,6 +88,8 @@ constexpr std::array reserved_names{"and",
                                     "Relation",
                                     "Function",
                                     "callFunc",
+                                    "funcToSet",
+                                    "pairs_",
                                     "access_",
                                     "update_",
                                     "no_zero_div",
@@ -140,6 +142,11 @@ constexpr std::array reserved_names{"and",
                                     "entered",
                                     "real_scale"};
 
+// Predefined functions that only the library and the instantiations call, which stand outside the modules.
+constexpr std::array only_at_top{"inter", "diff",       "Union",  "Inter", "set",    "seq",
+                                 "head",  "tail",       "concat", "elem",  "length", "null",
+                                 "show",  "extensions", "Map",    "LSeq",  "Proc",   "productions"};
+
 }  // namespace
 
 std::string NameManager::unique(const std::string& wanted) {
@@ -173,6 +180,10 @@ bool is_reserved(const std::string& name) {
     // Names of our own parameters and processes end in two underscores.
     const bool ours = name.size() > 2 && name.compare(name.size() - 2, 2, "__") == 0;
     return ours || std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
+}
+
+bool is_reserved_inside(const std::string& name) {
+    return is_reserved(name) && std::find(only_at_top.begin(), only_at_top.end(), name) == only_at_top.end();
 }
 
 void reserve_all(NameManager& names) {

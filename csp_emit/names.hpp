@@ -31,8 +31,10 @@ private:
 [[nodiscard]] std::string qualified(const std::string& package, const std::string& name);
 /// The module of a machine: its name, or `OP_o` for an operation.
 [[nodiscard]] std::string module_name(const ir::Machine&);
-/// Keywords of CSPM, its predefined names and those of our library: no element may carry one.
+/// Keywords of CSPM, its predefined names and those of our library: no element at the top of the script may carry one.
 [[nodiscard]] bool is_reserved(const std::string& name);
+/// Those of them that mean something to what is written inside the modules of components.
+[[nodiscard]] bool is_reserved_inside(const std::string& name);
 /// The reserved names, so that a NameManager can avoid them.
 void reserve_all(NameManager&);
 

@@ -20,9 +20,10 @@ const Rule missing_in_caller{
     "An operation works on the variables, events and clocks of the machine that calls it; each that it requires must "
     "be declared or required there under the same name (rules STM8, STM9, STM10)."};
 const Rule reserved_name{
-    "RC-C04", Severity::error, "the name {} means something else in CSPM",
-    "Events, variables, operations, states and components keep their names in the CSP script. Keywords of CSPM and the "
-    "functions that the script itself uses cannot be names there. Rename the element."};
+    "RC-C04", Severity::note, "the name {} means something else in CSPM; in the script it is {}",
+    "Events, states and components keep their names in the CSP script, for csp blocks to use. Keywords of CSPM and "
+    "functions that the script itself uses cannot be names there: a number is put behind the name. A csp block that "
+    "speaks of the element must do the same."};
 const Rule racing_exit{
     "RC-C05", Severity::error, "exit actions of {} race with the trigger's value of transition {}",
     "When a transition leaves a composite state, storing the trigger's value runs concurrently with the exit actions "
@@ -42,11 +43,16 @@ const Rule constant_without_use{
     "A constant or parameter that an assertion sets counts for the components that have it: where the value is "
     "declared, or where it is provided to what requires it. Here neither side of the assertion takes it, so the "
     "assertion is decided as if the clause were not there."};
+const Rule probabilistic_choice{
+    "RC-C21", Severity::note, "probabilistic junction {} counts as a free choice: CSP has no probabilities",
+    "Every transition that leaves the junction may be taken, whatever its probability, as at a junction whose "
+    "conditions all hold. What holds of the free choice holds of every probabilistic one; a claim that something can "
+    "happen may rest on a transition of probability 0."};
 
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 8> table{
-        &unsupported, &recursive_call,  &missing_in_caller,       &reserved_name,
-        &racing_exit, &too_many_points, &instantiations_replaced, &constant_without_use};
+    static constexpr std::array<const Rule*, 9> table{
+        &unsupported,     &recursive_call,          &missing_in_caller,    &reserved_name,       &racing_exit,
+        &too_many_points, &instantiations_replaced, &constant_without_use, &probabilistic_choice};
     return table;
 }
 

@@ -15,6 +15,7 @@ extern const diagnostics::Rule racing_exit;              // RC-C05
 extern const diagnostics::Rule too_many_points;          // RC-C06
 extern const diagnostics::Rule instantiations_replaced;  // RC-C07
 extern const diagnostics::Rule constant_without_use;     // RC-C08
+extern const diagnostics::Rule probabilistic_choice;     // RC-C21
 
 /// Every rule above, in order of code.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

@@ -34,8 +34,6 @@ static std::vector<NodeId> pending(const ir::Machine& machine, const Activation&
 ExprPtr MachineEmitter::perform_enter(const Place& place, const Item& item, const Values& values) {
     const ir::Machine& entered = *frames_[place.owner->frame].machine;
     const ir::Node& node = entered.nodes[item.node.index];
-    if (node.kind == NodeKind::probabilistic)
-        project().refuse("the probabilistic junction " + node.path, node.origin.span);
     // The thread that enters is the activation's control thread, so the change of `at` goes with it. A composite
     // state stands at its initial node once its entry action is done.
     Program rest = place.thread->rest->tail;

@@ -155,8 +155,6 @@ bool MachineEmitter::has_urgent_transition(const Activation& activation) const {
 ExprPtr MachineEmitter::fire(const Spot& spot, ir::TransitionId id) {
     const std::uint32_t index = spot.activation->frame;
     const ir::Transition& transition = frames_[index].machine->transitions[id.index];
-    if (transition.probability)
-        project().refuse("the probability of transition " + transition.name, transition.origin.span);
     if (transition.trigger) return fire_trigger(spot, id);
     const ExprPtr guard = guard_of(index, transition, {}, nullptr);
     const ExprPtr event = transition_event(index, id);

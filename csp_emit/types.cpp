@@ -13,8 +13,9 @@ using ir::TypeKind;
 
 namespace {
 
-/// `{(x1__,x2__) | x1__ <- A, x2__ <- B}`.
+/// `{(x1__,x2__) | x1__ <- A, x2__ <- B}`; one set is itself.
 ExprPtr tuples_of(const std::vector<ExprPtr>& sets) {
+    if (sets.size() == 1) return sets[0];
     b::Exprs parts;
     std::vector<cspm::Clause> clauses;
     for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -39,9 +40,20 @@ ExprPtr composed_set(const Project& project, const ir::Type& type) {
             return b::call("Relation", args);
         case TypeKind::vector:
             return tuples_of(std::vector<ExprPtr>(static_cast<std::size_t>(type.sizes.at(0)), args.at(0)));
+        case TypeKind::matrix: {
+            const auto rows = static_cast<std::size_t>(type.sizes.at(0));
+            const auto columns = static_cast<std::size_t>(type.sizes.at(1));
+            return tuples_of(std::vector<ExprPtr>(rows, tuples_of(std::vector<ExprPtr>(columns, args.at(0)))));
+        }
         default:
-            return args.size() == 1 ? args[0] : tuples_of(args);
+            return tuples_of(args);
     }
+}
+
+ExprPtr string_literal(const ir::Value& value) {
+    std::string text;
+    for (const ir::Value& part : value.parts) text += static_cast<char>(part.number);
+    return b::string(text);
 }
 
 b::Exprs part_literals(const Project& project, const ir::Type& type, const ir::Value& value) {
@@ -67,6 +79,10 @@ ExprPtr enumeration_literal(const Project& project, const ir::Type& type, const 
 }
 
 }  // namespace
+
+ExprPtr tuple_or_one(const std::vector<ExprPtr>& parts) {
+    return parts.size() == 1 ? parts[0] : b::tuple(parts);
+}
 
 bool numeric(const ir::Type& type) {
     return type.kind == TypeKind::nat || type.kind == TypeKind::integer || type.kind == TypeKind::real;
@@ -96,9 +112,6 @@ ExprPtr type_set(const Project& project, ir::TypeId id) {
         case TypeKind::enumeration:
         case TypeKind::given:
             return b::name(type_name(type));
-        case TypeKind::matrix:
-            project.refuse("the matrix type " + type.name, type.origin.span);
-            return b::set({b::number(0)});
         case TypeKind::unit:
             return b::set({b::number(0)});
         default:
@@ -116,7 +129,12 @@ ExprPtr value_literal(const Project& project, ir::TypeId id, const ir::Value& va
         case TypeKind::sequence:
             return b::sequence(part_literals(project, type, value));
         case TypeKind::string:
-            return b::sequence({});
+            return string_literal(value);
+        case TypeKind::matrix: {
+            b::Exprs rows;
+            for (const ir::Value& row : value.parts) rows.push_back(tuple_or_one(part_literals(project, type, row)));
+            return tuple_or_one(rows);
+        }
         case TypeKind::set:
             return b::set(part_literals(project, type, value));
         case TypeKind::function:
@@ -124,10 +142,8 @@ ExprPtr value_literal(const Project& project, ir::TypeId id, const ir::Value& va
             return pairs_literal(project, type, value);
         case TypeKind::product:
         case TypeKind::record:
-        case TypeKind::vector: {
-            const b::Exprs parts = part_literals(project, type, value);
-            return parts.size() == 1 ? parts[0] : b::tuple(parts);
-        }
+        case TypeKind::vector:
+            return tuple_or_one(part_literals(project, type, value));
         default:
             return b::number(value.number);
     }

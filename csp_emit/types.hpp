@@ -15,6 +15,8 @@ namespace robochart::csp_emit {
 [[nodiscard]] std::string type_name(const ir::Type&);
 /// The CSPM constructor of an enumeration's literal: `P_E_L`.
 [[nodiscard]] std::string literal_name(const ir::Type&, std::size_t literal);
+/// A tuple; of one part, the part (semantics 3.13 has products, records, vectors and rows of matrices so).
+[[nodiscard]] cspm::ExprPtr tuple_or_one(const std::vector<cspm::ExprPtr>& parts);
 /// nat, int or real.
 [[nodiscard]] bool numeric(const ir::Type&);
 

@@ -159,8 +159,11 @@ Values Carriers::of(TypeId id) {
         }
         case TypeKind::unit:
             return {{}};
-        case TypeKind::string:
-            break;
+        case TypeKind::string: {
+            Values values;
+            for (const std::string& text : instantiation_.strings) values.push_back(string_value(text));
+            return values;
+        }
     }
     throw std::length_error("type " + type.name + " has no finite carrier");
 }
@@ -243,7 +246,8 @@ bool in_carrier(const System& system, const Instantiation& instantiation, TypeId
         case TypeKind::unit:
             return value == Value{};
         case TypeKind::string:
-            break;
+            return std::any_of(instantiation.strings.begin(), instantiation.strings.end(),
+                               [&](const std::string& text) { return string_value(text) == value; });
     }
     return false;
 }

@@ -130,6 +130,8 @@ void Dump::function(const Function& function) {
     line("function {}({}): {}", qualified(function.package, function.name), parameters, type(function.result));
     for (const auto& condition : function.preconditions)
         line("  precondition {}", expression_text(system_, nullptr, *condition));
+    for (const auto& condition : function.postconditions)
+        line("  postcondition {}", expression_text(system_, nullptr, *condition));
 }
 
 void Dump::signature(const OperationSignature& signature) {

@@ -86,6 +86,12 @@ const char* operator_text(ExprKind kind) {
             return "comprehension";
         case ExprKind::let:
             return "let";
+        case ExprKind::is_type:
+            return "is";
+        case ExprKind::range:
+            return "range";
+        case ExprKind::transpose:
+            return "transpose";
         default:
             return "?";
     }
@@ -115,6 +121,8 @@ public:
                 return name_at(system_.functions, expr.function.index);
             case ExprKind::call:
                 return name_at(system_.functions, expr.function.index) + arguments(expr, 0);
+            case ExprKind::toolkit:
+                return expr.text + arguments(expr, 0);
             case ExprKind::cast:
                 return arguments(expr, 0) + " as " + type_text(system_, expr.type);
             case ExprKind::member:

@@ -29,9 +29,8 @@ Value set_of(std::vector<Value> members) {
 }
 
 Value matrix_of(std::vector<Value> elements, std::int64_t columns) {
-    if (columns <= 1) return {0, std::move(elements)};
     Value matrix;
-    const auto width = static_cast<std::size_t>(columns);
+    const auto width = static_cast<std::size_t>(std::max<std::int64_t>(columns, 1));
     for (std::size_t i = 0; i < elements.size(); ++i) {
         if (i % width == 0) matrix.parts.emplace_back();
         matrix.parts.back().parts.push_back(std::move(elements[i]));
@@ -46,6 +45,19 @@ Value range_set(std::int64_t low, std::int64_t high, diagnostics::Span where) {
     if (!span || *span >= longest_range) throw EvaluationFault("the range has too many members", where);
     for (std::int64_t offset = 0; offset <= *span; ++offset) set.parts.push_back({low + offset, {}});
     return set;
+}
+
+Value pairs_of(const Value& sequence) {
+    Value pairs;
+    for (const Value& item : sequence.parts)
+        pairs.parts.push_back({0, {{static_cast<std::int64_t>(pairs.parts.size()) + 1, {}}, item}});
+    return pairs;
+}
+
+Value string_value(const std::string& text) {
+    Value result;
+    for (const char c : text) result.parts.push_back({static_cast<unsigned char>(c), {}});
+    return result;
 }
 
 Value part(const Value& whole, std::int64_t place, diagnostics::Span where) {

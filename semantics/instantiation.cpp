@@ -172,6 +172,8 @@ Instantiation instantiate(const System& system, const InstantiationOptions& opti
     widen(literals, ranges, diagnostics);
     nest(ranges, diagnostics);
     instantiation.scale = scale_of(literals);
+    literals.strings.insert("");
+    instantiation.strings.assign(literals.strings.begin(), literals.strings.end());
     instantiation.nat = numbers(ranges.by_type[0], "nat", diagnostics);
     instantiation.integer = numbers(ranges.by_type[1], "int", diagnostics);
     instantiation.real = real_numbers(ranges.by_type[2], literals, instantiation.scale, diagnostics);

@@ -4,9 +4,11 @@
 // hold
 //   the type before it (nat in int in real). Choice of ours, where RoboTool counts every literal for every type: a
 //   literal counts for the type its place asks for (`x < 5` with x:real widens real only), a negated literal is one
-//   literal (-5), and literals that are only a wait duration, a deadline or compared with since() do not widen
-//   anything, because they are times and no variable's values.
-// * Literals in the values that assertions and options give to constants count; function contracts do not.
+//   literal (-5), and literals that are only a wait duration, a deadline, compared with since() or an index do not
+//   widen anything, because they are times and places and no variable's values.
+// * Literals in the values that assertions and options give to constants count, and those of postconditions, which
+//   define functions; preconditions do not.
+// * Strings are the empty one and those written in the model.
 // * scale: the smallest power of ten that makes every decimal literal whole; 1 without decimal literals.
 // * Constants without a value: 0, true, the first literal; undefined functions likewise.
 #pragma once
@@ -48,10 +50,11 @@ struct Instantiation {
     std::vector<std::int64_t> nat, integer;
     /// In units of 1/scale: whole numbers of the range and every decimal literal of the model.
     std::vector<std::int64_t> real;
-    std::int64_t given_size = 2;       ///< elements of each given type
-    std::int64_t sequence_bound = 2;   ///< longest sequence
-    std::int64_t clock_bound = 10;     ///< core_clock_type = {0..clock_bound}
-    std::int64_t recursion_bound = 2;  ///< nested calls of one operation
+    std::vector<std::string> strings{""};  ///< values of type string
+    std::int64_t given_size = 2;           ///< elements of each given type
+    std::int64_t sequence_bound = 2;       ///< longest sequence
+    std::int64_t clock_bound = 10;         ///< core_clock_type = {0..clock_bound}
+    std::int64_t recursion_bound = 2;      ///< nested calls of one operation
     /// Constants without a value in the model, and those an option sets: qualified name as in CSP (`const_P_S_c`, see
     /// query.hpp) -> value. An entry here goes before the value in the model.
     std::map<std::string, Value> constants;

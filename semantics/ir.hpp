@@ -135,6 +135,11 @@ enum class ExprKind {
     the,
     set_comprehension,  ///< bound_names, bound_types; args: predicate, body
     let,                ///< bound_names[i] is args[i]; the last of args is the body
+    toolkit,    ///< a function of the toolkit libraries, text: its name as "set_toolkit_union"; bound_types: what the
+                ///< type variables of its signature stand for, in order of first occurrence
+    is_type,    ///< whether args[0] is a value of bound_types[0]
+    range,      ///< the numbers from args[0] to args[1]; number: 1 without the lower bound, 2 without the upper, 3 both
+    transpose,  ///< of the matrix or vector args[0]
 };
 
 struct Expr;
@@ -381,8 +386,9 @@ struct Module {
     Origin origin;
 };
 
-/// A function that the model uses; specified by contract only. `parameter_names` are bound names in the preconditions;
-/// postconditions define no value and have no place here (rule RC-S18).
+/// A function that the model uses; specified by contract only. `parameter_names` are bound names in the conditions, and
+/// so is `result` in the postconditions. Where there are postconditions, they define the result: the default value of
+/// the result type if it satisfies them, else the least value of its carrier that does (rule RC-S20).
 struct Function {
     std::string name;
     std::string package;
@@ -390,6 +396,7 @@ struct Function {
     std::vector<TypeId> parameters;
     TypeId result;
     std::vector<ExprPtr> preconditions;
+    std::vector<ExprPtr> postconditions;
     Origin origin;
 };
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "semantics/ir.hpp"
@@ -12,11 +13,12 @@ namespace robochart::ir {
 
 /// Number literals by the type they are used with. Literals that are only a wait duration, a deadline or an operand of
 /// a comparison with since() are numbers of time units, not values that a variable holds: they count for the scale
-/// alone.
+/// alone. Numbers that only say which element or field is meant count for nothing.
 struct Literals {
     std::set<std::int64_t> nat, integer;
     std::vector<Decimal> real;                         ///< values
     std::vector<Decimal> real_time;                    ///< durations
+    std::set<std::string> strings;                     ///< texts
     std::map<std::int64_t, diagnostics::Span> places;  ///< where a whole number first occurs
 };
 

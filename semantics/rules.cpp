@@ -67,6 +67,14 @@ const Rule function_without_definition{
     "takes such a function as a constant until somebody writes it in CSPM, and so does this tool; only its "
     "precondition "
     "counts."};
+const Rule function_by_contract{
+    "RC-S20", Severity::note,
+    "function {} is computed from its postcondition, by search over the values of its result type, unless a csp block "
+    "defines it",
+    "The result is the default value of the type (0, true, the first literal) where that satisfies the postcondition, "
+    "as "
+    "RoboTool has it for every function without a definition; else the least value that does. A call for which no "
+    "value does has no meaning: a check that meets it is inconclusive."};
 const Rule ambiguous_constant{
     "RC-S19", Severity::error,
     "operation {} requires constant {}, which its callers in {} provide with different values: {}",
@@ -74,7 +82,7 @@ const Rule ambiguous_constant{
     "their own, the operation would need one process for each; give it a parameter instead."};
 
 namespace {
-const std::array<const Rule*, 15> table{&unsupported_construct,
+const std::array<const Rule*, 16> table{&unsupported_construct,
                                         &recursive_operation,
                                         &number_too_large,
                                         &too_deep,
@@ -88,7 +96,8 @@ const std::array<const Rule*, 15> table{&unsupported_construct,
                                         &scale_too_large,
                                         &literal_outside_range,
                                         &function_without_definition,
-                                        &ambiguous_constant};
+                                        &ambiguous_constant,
+                                        &function_by_contract};
 }  // namespace
 
 std::span<const Rule* const> all() {

@@ -22,6 +22,7 @@ extern const diagnostics::Rule scale_too_large;              // RC-S16
 extern const diagnostics::Rule literal_outside_range;        // RC-S17
 extern const diagnostics::Rule function_without_definition;  // RC-S18
 extern const diagnostics::Rule ambiguous_constant;           // RC-S19
+extern const diagnostics::Rule function_by_contract;         // RC-S20
 
 /// Every rule above, in order of code.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

@@ -21,7 +21,7 @@ void visit_statement_roots(const Stmt& stmt, const RootVisitor& visitor) {
     const bool timing =
         stmt.kind == StmtKind::wait || stmt.kind == StmtKind::wait_interval || stmt.kind == StmtKind::deadline;
     visit_root(stmt.condition, ExprRole::value, visitor);
-    visit_roots(stmt.path, visitor);
+    for (const auto& step : stmt.path) visit_root(step, ExprRole::place, visitor);
     visit_root(stmt.value, timing ? ExprRole::time : ExprRole::value, visitor);
     visit_root(stmt.upper, ExprRole::time, visitor);
     visit_communication(stmt.communication, visitor);
@@ -59,7 +59,7 @@ void visit_expressions(const Machine& machine, const RootVisitor& visitor) {
         if (transition.trigger) visit_communication(*transition.trigger, visitor);
         visit_root(transition.guard, ExprRole::value, visitor);
         visit_root(transition.deadline, ExprRole::time, visitor);
-        visit_root(transition.probability, ExprRole::value, visitor);
+        visit_root(transition.probability, ExprRole::probability, visitor);
     }
 }
 

@@ -11,6 +11,8 @@ namespace robochart::ir {
 enum class ExprRole {
     value,  ///< anything that computes
     time,   ///< a whole wait duration, interval bound or deadline
+    place,  ///< which part of a variable an assignment changes: a field or an index
+    probability,
 };
 using RootVisitor = std::function<void(const Expr&, ExprRole)>;
 using StmtVisitor = std::function<void(const Stmt&)>;

@@ -94,22 +94,33 @@ ExprPtr Expressions::binary(const ast::Expr& source, TypeId expected) {
     if (concat && expected.valid()) expr.type = expected;
     if (expr.kind >= ExprKind::equal && expr.kind <= ExprKind::less_equal) return compared(std::move(expr));
     if (expr.kind >= ExprKind::plus && expr.kind <= ExprKind::modulus) return computed(std::move(expr), source);
-    if (expr.kind == ExprKind::is_in) {
-        const auto args = lowering_.system.type(expr.args[1]->type).args;
-        if (args.size() == 1) expr.args[0] = coerce(lowering_, expr.args[0], args[0]);
+    return expr.kind == ExprKind::is_in ? membership(std::move(expr)) : share(std::move(expr));
+}
+
+/// A relation, function or sequence is the set of its pairs; both sides in the wider type.
+ExprPtr Expressions::membership(Expr expr) {
+    const Type collection = lowering_.system.type(expr.args[1]->type);
+    TypeId element = collection.args.empty() ? TypeId{} : collection.args[0];
+    if (collection.kind != TypeKind::set && !collection.args.empty()) {
+        Type pair;
+        pair.kind = TypeKind::product;
+        pair.args = collection.args;
+        if (collection.kind == TypeKind::sequence) pair.args.insert(pair.args.begin(), nat_type);
+        element = intern(lowering_, std::move(pair));
     }
+    Type set;
+    set.kind = TypeKind::set;
+    set.args = {common_type(lowering_, element, expr.args[0]->type)};
+    expr.args[0] = coerce(lowering_, expr.args[0], set.args[0]);
+    const bool same = set.args[0] == element && collection.kind != TypeKind::sequence;
+    if (!same) expr.args[1] = coerce(lowering_, expr.args[1], intern(lowering_, std::move(set)));
     return share(std::move(expr));
 }
 
 /// Both sides in the wider type; an empty collection takes the other side's type.
 ExprPtr Expressions::compared(Expr expr) {
     expr.type = boolean_type;
-    TypeId left = expr.args[0]->type;
-    TypeId right = expr.args[1]->type;
-    if (is_number(left) && is_number(right)) left = right = join(left, right);
-    const bool left_is_literal = expr.args[0]->kind == ExprKind::sequence || expr.args[0]->kind == ExprKind::set ||
-                                 expr.args[0]->kind == ExprKind::tuple || expr.args[0]->kind == ExprKind::matrix;
-    const TypeId common = left_is_literal ? right : left;
+    const TypeId common = common_type(lowering_, expr.args[0]->type, expr.args[1]->type);
     for (auto& arg : expr.args) arg = coerce(lowering_, arg, common);
     return share(std::move(expr));
 }
@@ -120,7 +131,7 @@ ExprPtr Expressions::computed(Expr expr, const ast::Expr& source) {
     const TypeId right = expr.args[1]->type;
     if (!is_number(left) || !is_number(right)) {
         if (!source.type) lowering_.unresolved("the type of an expression", source.span);
-        return share(std::move(expr));
+        return computed_blocks(std::move(expr));
     }
     expr.type = join(left, right);
     if (expr.kind == ExprKind::minus || expr.kind == ExprKind::modulus) expr.type = join(expr.type, integer_type);
@@ -129,11 +140,31 @@ ExprPtr Expressions::computed(Expr expr, const ast::Expr& source) {
     return share(std::move(expr));
 }
 
+/// Vectors and matrices, also with a number: the entries of both operands get one type.
+ExprPtr Expressions::computed_blocks(Expr expr) {
+    const auto entry = [&](TypeId id) {
+        const Type& type = lowering_.system.type(id);
+        return type.kind == TypeKind::vector || type.kind == TypeKind::matrix ? type.args.at(0) : id;
+    };
+    const TypeId common = join(entry(expr.args[0]->type), entry(expr.args[1]->type));
+    for (auto& arg : expr.args) {
+        Type type = lowering_.system.type(arg->type);
+        if (type.kind != TypeKind::vector && type.kind != TypeKind::matrix) {
+            arg = coerce(lowering_, arg, common);
+            continue;
+        }
+        type.name.clear();
+        type.args = {common};
+        arg = coerce(lowering_, arg, intern(lowering_, std::move(type)));
+    }
+    return share(std::move(expr));
+}
+
 ExprPtr Expressions::conditional(const ast::Expr& source, TypeId expected) {
     Expr expr = start(source, ExprKind::if_then_else);
     expr.args = {operand(source, 0, boolean_type), operand(source, 1, expected), operand(source, 2, expected)};
     TypeId type = expected.valid() ? expected : expr.args[1]->type;
-    if (!expected.valid() && is_number(type)) type = join(type, expr.args[2]->type);
+    if (!expected.valid()) type = common_type(lowering_, type, expr.args[2]->type);
     expr.type = type;
     for (std::size_t i = 1; i < expr.args.size(); ++i) expr.args[i] = coerce(lowering_, expr.args[i], type);
     return share(std::move(expr));

@@ -19,20 +19,7 @@ bool mentions(const ExprPtr& expr, ExprKind a, ExprKind b) {
 }
 
 bool builds_from_elements(ExprKind kind) {
-    return kind == ExprKind::sequence || kind == ExprKind::set || kind == ExprKind::matrix ||
-           kind == ExprKind::set_range;
-}
-
-/// Where a literal's parts get their types: the composed type's element types, one per part.
-ExprPtr coerce_parts(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
-    const auto args = lowering.system.type(expected).args;
-    Expr result = *expr;
-    result.type = expected;
-    for (std::size_t i = 0; i < result.args.size(); ++i) {
-        const std::size_t place = expr->kind == ExprKind::tuple ? i : 0;
-        if (place < args.size()) result.args[i] = coerce(lowering, result.args[i], args[place]);
-    }
-    return share(std::move(result));
+    return kind == ExprKind::sequence || kind == ExprKind::set || kind == ExprKind::matrix;
 }
 
 /// A relation or function written as a set of pairs, a set or sequence as what is expected of it.
@@ -67,14 +54,45 @@ ExprPtr cast_to(const ExprPtr& expr, TypeId type) {
     return share(std::move(result));
 }
 
-/// Whether values of the two types are written with different units: a whole number somewhere stands for a real.
-bool units_differ(const System& system, TypeId from, TypeId to) {
+/// The types of the parts of a value: of a tuple's places, of a collection's elements, of a function's pairs.
+std::vector<TypeId> part_types(const System& system, TypeId id) {
+    const Type& type = system.type(id);
+    if (type.kind == TypeKind::set) {
+        const Type& element = system.type(type.args.at(0));
+        if (element.kind == TypeKind::product && element.args.size() == 2) return element.args;
+    }
+    if (type.kind != TypeKind::vector && type.kind != TypeKind::matrix) return type.args;
+    std::size_t count = 1;
+    for (const std::int64_t size : type.sizes) count *= static_cast<std::size_t>(size);
+    return std::vector<TypeId>(count, type.args.at(0));
+}
+
+/// Where a literal's parts get their types: the composed type's element types, one per part.
+ExprPtr coerce_parts(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
+    const auto args =
+        expr->kind == ExprKind::tuple ? part_types(lowering.system, expected) : lowering.system.type(expected).args;
+    Expr result = *expr;
+    result.type = expected;
+    for (std::size_t i = 0; i < result.args.size(); ++i) {
+        const std::size_t place = expr->kind == ExprKind::tuple ? i : 0;
+        if (place < args.size()) result.args[i] = coerce(lowering, result.args[i], args[place]);
+    }
+    return share(std::move(result));
+}
+
+/// Whether values of the two types are written differently: a whole number somewhere stands for a real, or a sequence
+/// for the set of its pairs.
+bool written_differently(const System& system, TypeId from, TypeId to) {
     if (from == to || !from.valid() || !to.valid()) return false;
     if (to == real_type) return is_number(from);
-    const auto& a = system.type(from).args;
-    const auto& b = system.type(to).args;
+    const TypeKind source = system.type(from).kind;
+    const TypeKind target = system.type(to).kind;
+    if (source == TypeKind::sequence && is_set_like(target)) return true;
+    if (source == TypeKind::record || target == TypeKind::record) return false;
+    const auto a = part_types(system, from);
+    const auto b = part_types(system, to);
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        if (units_differ(system, a[i], b[i])) return true;
+        if (written_differently(system, a[i], b[i])) return true;
     return false;
 }
 
@@ -86,9 +104,11 @@ ExprPtr coerce(Lowering& lowering, const ExprPtr& expr, TypeId expected) {
     const TypeKind kind = lowering.system.type(expected).kind;
     const bool pairs = kind == TypeKind::relation || kind == TypeKind::function;
     if (expr->kind == ExprKind::integer && is_number(expected)) return number_literal(*expr, expected);
+    const bool listed = lowering.system.type(expr->type).kind == TypeKind::sequence;
+    if (listed && (pairs || kind == TypeKind::set)) return cast_to(expr, expected);
     if (pairs && expr->kind == ExprKind::set) return coerce_set_of_pairs(lowering, *expr, expected);
     if (composed) return coerce_parts(lowering, expr, expected);
-    return units_differ(lowering.system, expr->type, expected) ? cast_to(expr, expected) : expr;
+    return written_differently(lowering.system, expr->type, expected) ? cast_to(expr, expected) : expr;
 }
 
 ExprPtr make_boolean(bool value, diagnostics::Span span) {

@@ -1,15 +1,33 @@
 // Calls, parts of composed values, casts and clocks.
 #include <algorithm>
+#include <array>
 
 #include "semantics/lower/expression_lowering.hpp"
 #include "semantics/lower/types.hpp"
 
 namespace robochart::ir {
 
+namespace {
+
+constexpr std::array toolkits{"set_toolkit", "relation_toolkit", "function_toolkit", "sequence_toolkit", "core"};
+
+}  // namespace
+
+/// A value of function type, or a sequence as the function from places to elements.
 ExprPtr Expressions::application(const ast::Expr& source, ExprPtr function) {
-    Expr expr = start(source, ExprKind::apply);
+    const Type type = lowering_.system.type(function->type);
+    Expr expr = start(source, type.kind == TypeKind::sequence ? ExprKind::index : ExprKind::apply);
+    std::vector<TypeId> wanted(source.args.size());
+    if (type.kind == TypeKind::function) {
+        const Type& argument = lowering_.system.type(type.args.at(0));
+        if (wanted.size() == 1)
+            wanted = {type.args[0]};
+        else if (argument.args.size() == wanted.size())
+            wanted = argument.args;
+        expr.type = type.args.at(1);
+    }
     expr.args.push_back(std::move(function));
-    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i));
+    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i, wanted[i]));
     return share(std::move(expr));
 }
 
@@ -29,14 +47,45 @@ ExprPtr Expressions::function_call(const ast::Expr& source, const ast::Function&
     return share(std::move(expr));
 }
 
-ExprPtr Expressions::call(const ast::Expr& source) {
+/// The function as a set of pairs.
+ExprPtr Expressions::function_value(const ast::Expr& source, const ast::Function& function) {
+    if (std::find(toolkits.begin(), toolkits.end(), lowering_.package_of(function)) != toolkits.end())
+        return refuse(source, "function " + function.name + " of " + lowering_.package_of(function) + " as a value");
+    Expr expr;
+    expr.kind = ExprKind::function_value;
+    expr.span = source.span;
+    expr.text = function.name;
+    expr.function = lower_function(lowering_, function, source.span);
+    if (!expr.function.valid()) return make_boolean(true, source.span);
+    Type type;
+    type.kind = TypeKind::function;
+    const Function& lowered = lowering_.system.functions[expr.function.index];
+    TypeId argument;
+    if (lowered.parameters.size() == 1) {
+        argument = lowered.parameters[0];
+    } else {
+        Type product;
+        product.kind = TypeKind::product;
+        product.args = lowered.parameters;
+        argument = intern(lowering_, std::move(product));
+    }
+    type.args = {argument, lowering_.system.functions[expr.function.index].result};
+    expr.type = intern(lowering_, std::move(type));
+    return share(std::move(expr));
+}
+
+ExprPtr Expressions::call(const ast::Expr& source, TypeId expected) {
     if (source.callee) return application(source, lower(*source.callee));
     if (source.target == nullptr) {
         lowering_.unresolved("'" + source.name.text() + "'", source.span);
         return make_boolean(true, source.span);
     }
-    if (source.target->kind == ast::DeclKind::function)
-        return function_call(source, static_cast<const ast::Function&>(*source.target));
+    if (source.target->kind == ast::DeclKind::function) {
+        const auto& function = static_cast<const ast::Function&>(*source.target);
+        const std::string package = lowering_.package_of(function);
+        const bool library = std::find(toolkits.begin(), toolkits.end(), package) != toolkits.end();
+        return library ? toolkit_call(source, function, expected) : function_call(source, function);
+    }
     if (source.target->kind == ast::DeclKind::enum_literal)
         return enum_literal(source, static_cast<const ast::EnumLiteral&>(*source.target));
     ast::Expr callee;
@@ -90,8 +139,10 @@ ExprPtr Expressions::record(const ast::Expr& source) {
 
 ExprPtr Expressions::matrix(const ast::Expr& source) {
     Expr expr = start(source, ExprKind::matrix);
-    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i));
-    const bool vector = lowering_.system.type(expr.type).kind == TypeKind::vector;
+    const Type& type = lowering_.system.type(expr.type);
+    const bool vector = type.kind == TypeKind::vector;
+    const TypeId element = type.args.empty() ? TypeId{} : type.args[0];
+    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i, element));
     expr.number = vector ? 1 : static_cast<std::int64_t>(source.columns);
     return share(std::move(expr));
 }
@@ -106,6 +157,65 @@ ExprPtr Expressions::cast(const ast::Expr& source) {
     expr.span = source.span;
     expr.type = type;
     expr.args = {value};
+    return share(std::move(expr));
+}
+
+ExprPtr Expressions::type_test(const ast::Expr& source) {
+    if (!source.type_expr) return refuse(source, "a type test without a type");
+    Expr expr = start(source, ExprKind::is_type);
+    expr.type = boolean_type;
+    expr.args = {operand(source, 0)};
+    expr.bound_names = {""};
+    expr.bound_types = {lower_type(lowering_, source.type_expr->type, source.span)};
+    return share(std::move(expr));
+}
+
+ExprPtr Expressions::range(const ast::Expr& source) {
+    Expr expr = start(source, ExprKind::range);
+    const auto element = lowering_.system.type(expr.type).args;
+    for (std::size_t i = 0; i < 2; ++i)
+        expr.args.push_back(operand(source, i, element.empty() ? TypeId{} : element[0]));
+    expr.number = (source.lower_closed ? 0 : 1) + (source.upper_closed ? 0 : 2);
+    return share(std::move(expr));
+}
+
+ExprPtr Expressions::transpose(const ast::Expr& source) {
+    Expr expr = start(source, ExprKind::transpose);
+    expr.args = {operand(source, 0)};
+    return share(std::move(expr));
+}
+
+namespace {
+
+/// The text between the quotes; a backslash stands before what would else end it, or for a line end or a tabulator.
+std::string unquoted(const std::string& written) {
+    std::string text;
+    for (std::size_t i = 1; i + 1 < written.size(); ++i) {
+        const bool escaped = written[i] == '\\' && i + 2 < written.size();
+        if (escaped) ++i;
+        text += escaped && written[i] == 'n' ? '\n' : escaped && written[i] == 't' ? '\t' : written[i];
+    }
+    return text;
+}
+
+}  // namespace
+
+ExprPtr Expressions::string(const ast::Expr& source) {
+    Expr expr;
+    expr.kind = ExprKind::string;
+    expr.type = string_type;
+    expr.text = unquoted(source.text);
+    expr.span = source.span;
+    return share(std::move(expr));
+}
+
+ExprPtr Expressions::result(const ast::Expr& source) {
+    if (!names_.result.valid()) return refuse(source, "result outside a postcondition");
+    Expr expr;
+    expr.kind = ExprKind::bound;
+    expr.type = names_.result;
+    expr.text = "result";
+    expr.span = source.span;
     return share(std::move(expr));
 }
 

@@ -39,6 +39,16 @@ ExprPtr Expressions::with_operands(const ast::Expr& source, ExprKind kind) {
     return coerce(lowering_, share(std::move(expr)), type);
 }
 
+/// Between reals lie those of the finite type; between whole numbers all.
+ExprPtr Expressions::set_range(const ast::Expr& source) {
+    Expr expr = start(source, ExprKind::set_range);
+    const auto element = lowering_.system.type(expr.type).args;
+    const TypeId type = element.empty() ? TypeId{} : element[0];
+    if (type == real_type) expr.kind = ExprKind::range;
+    for (std::size_t i = 0; i < source.args.size(); ++i) expr.args.push_back(operand(source, i, type));
+    return share(std::move(expr));
+}
+
 ExprPtr Expressions::number(const ast::Expr& source, const std::string& sign) {
     const auto decimal = parse_decimal(sign + source.text);
     if (!decimal) {
@@ -91,9 +101,7 @@ ExprPtr Expressions::name(const ast::Expr& source, TypeId expected) {
         case ast::DeclKind::enum_literal:
             return enum_literal(source, static_cast<const ast::EnumLiteral&>(*source.target));
         case ast::DeclKind::function:
-            expr.kind = ExprKind::function_value;
-            expr.function = lower_function(lowering_, static_cast<const ast::Function&>(*source.target), source.span);
-            return share(std::move(expr));
+            return function_value(source, static_cast<const ast::Function&>(*source.target));
         case ast::DeclKind::variable:
         case ast::DeclKind::constant:
             if (expr.kind == ExprKind::bound) lowering_.unresolved("'" + source.name.text() + "'", source.span);
@@ -150,7 +158,7 @@ ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
         case ast::ExprKind::name:
             return name(source, expected);
         case ast::ExprKind::result:
-            return refuse(source, "result outside a postcondition");
+            return result(source);
         case ast::ExprKind::unary:
             return unary(source);
         case ast::ExprKind::binary:
@@ -173,7 +181,7 @@ ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
         case ast::ExprKind::index:
             return index(source);
         case ast::ExprKind::call:
-            return call(source);
+            return call(source, expected);
         case ast::ExprKind::tuple:
             return with_operands(source, ExprKind::tuple);
         case ast::ExprKind::record:
@@ -183,7 +191,7 @@ ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
         case ast::ExprKind::set:
             return with_operands(source, ExprKind::set);
         case ast::ExprKind::set_range:
-            return with_operands(source, ExprKind::set_range);
+            return set_range(source);
         case ast::ExprKind::matrix:
             return matrix(source);
         case ast::ExprKind::since:
@@ -192,18 +200,18 @@ ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
         case ast::ExprKind::parenthesised:
             return operand(source, 0, expected);
         case ast::ExprKind::string:
-            return refuse(source, "a string");
+            return string(source);
         case ast::ExprKind::to:
         case ast::ExprKind::from:
             return refuse(source, "a broadcast's sender or receiver");
         case ast::ExprKind::is_type:
-            return refuse(source, "a type test");
+            return type_test(source);
         case ast::ExprKind::range:
-            return refuse(source, "a range outside wait([m, n])");
+            return range(source);
         case ast::ExprKind::inverse:
-            return refuse(source, "inverse(..)");
+            return refuse(source, "inverse(..), whose entries need not be numbers of a finite type,");
         case ast::ExprKind::transpose:
-            return refuse(source, "transpose(..)");
+            return transpose(source);
         case ast::ExprKind::error:
             break;
     }

@@ -16,6 +16,7 @@ struct Names {
     ByDeclaration<NodeId> nodes;
     Machine* machine = nullptr;                               ///< gets the clocks of sinceEntry; null outside machines
     const frontend::Declaration* trigger_variable = nullptr;  ///< replaced by trigger_value: we are in its guard
+    TypeId result;                                            ///< of the function whose postcondition we are in
 };
 
 /// The expression as the IR has it. With an `expected` type, a number of a narrower type becomes one of that type:
@@ -24,8 +25,8 @@ struct Names {
 /// The expression as one of the type: retyped literal, cast, or itself.
 [[nodiscard]] ExprPtr coerce(Lowering&, const ExprPtr&, TypeId);
 
-/// The id of a function that the model declares, its signature and preconditions lowered at its first use.
-/// Functions of the toolkit libraries are reported; the id is invalid then.
+/// The id of a function that the model declares, its signature and conditions lowered at its first use. Functions for
+/// all types (`?X`) are reported; the id is invalid then.
 [[nodiscard]] FunctionId lower_function(Lowering&, const frontend::Function&, diagnostics::Span where);
 
 [[nodiscard]] ExprPtr make_boolean(bool, diagnostics::Span);

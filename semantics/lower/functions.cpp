@@ -1,7 +1,6 @@
 // Functions of the model (semantics 3.5: a statement that uses one waits for its precondition; 3.13: without a
 // definition it is a constant).
 #include <algorithm>
-#include <array>
 
 #include "semantics/lower/expressions.hpp"
 #include "semantics/lower/types.hpp"
@@ -10,35 +9,52 @@
 namespace robochart::ir {
 namespace {
 
-constexpr std::array toolkits{"set_toolkit", "relation_toolkit", "function_toolkit", "sequence_toolkit", "core"};
+bool generic(const frontend::TypePtr& type) {
+    if (!type) return false;
+    return type->form == frontend::TypeForm::variable || std::any_of(type->args.begin(), type->args.end(), generic);
+}
 
-bool is_library(const std::string& package) {
-    return std::find(toolkits.begin(), toolkits.end(), package) != toolkits.end();
+bool generic(const frontend::Function& function) {
+    const auto open = [](const auto& parameter) { return generic(parameter->type); };
+    return generic(function.result) || std::any_of(function.parameters.begin(), function.parameters.end(), open);
+}
+
+void lower_conditions(Lowering& lowering, const frontend::Function& source, Function& function) {
+    Names names;
+    for (const auto& condition : source.preconditions)
+        function.preconditions.push_back(lower_expression(lowering, names, *condition, boolean_type));
+    names.result = function.result;
+    for (const auto& condition : source.postconditions)
+        function.postconditions.push_back(lower_expression(lowering, names, *condition, boolean_type));
+    if (function.postconditions.empty())
+        lowering.diagnostics.report(rules::function_without_definition, source.name_span, {source.name});
+    else
+        lowering.diagnostics.report(rules::function_by_contract, source.name_span, {source.name});
 }
 
 }  // namespace
 
 FunctionId lower_function(Lowering& lowering, const frontend::Function& source, diagnostics::Span where) {
-    const std::string package = lowering.package_of(source);
-    if (is_library(package))
-        return lowering.unsupported("function " + source.name + " of " + package, where), FunctionId{};
     const auto known = lowering.functions.find(&source);
     if (known != lowering.functions.end()) return known->second;
+    if (generic(source)) {
+        lowering.unsupported("function " + source.name + " for all types", where);
+        return lowering.functions[&source] = FunctionId{};
+    }
     const FunctionId id{static_cast<std::uint32_t>(lowering.system.functions.size())};
     lowering.functions[&source] = id;
     lowering.system.functions.emplace_back();
     Function function;
     function.name = source.name;
-    function.package = package;
+    function.package = lowering.package_of(source);
     function.origin = origin_of(source.name, source.span);
     for (const auto& parameter : source.parameters) {
         function.parameter_names.push_back(parameter->name);
         function.parameters.push_back(lower_type(lowering, parameter->type, parameter->span));
     }
     function.result = lower_type(lowering, source.result, source.span);
-    for (const auto& condition : source.preconditions)
-        function.preconditions.push_back(lower_expression(lowering, {}, *condition, boolean_type));
-    lowering.diagnostics.report(rules::function_without_definition, source.name_span, {source.name});
+    lowering.system.functions[id.index] = function;  // its conditions may call it
+    lower_conditions(lowering, source, function);
     lowering.system.functions[id.index] = std::move(function);
     return id;
 }

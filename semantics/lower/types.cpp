@@ -151,6 +151,25 @@ TypeId join(TypeId a, TypeId b) {
     return std::max(a, b);  // nat < int < real by id
 }
 
+bool is_set_like(TypeKind kind) {
+    return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
+}
+
+TypeId common_type(Lowering& lowering, TypeId a, TypeId b) {
+    if (!a.valid() || lowering.system.type(a).kind == TypeKind::unit) return b;
+    if (a == b || !b.valid() || lowering.system.type(b).kind == TypeKind::unit) return a;
+    if (is_number(a) && is_number(b)) return join(a, b);
+    const Type left = lowering.system.type(a);
+    const Type right = lowering.system.type(b);
+    if (left.kind == TypeKind::sequence && is_set_like(right.kind)) return b;
+    if (left.kind != right.kind || left.args.size() != right.args.size() || left.kind == TypeKind::record) return a;
+    Type type = left;
+    type.name.clear();
+    for (std::size_t i = 0; i < left.args.size(); ++i)
+        type.args[i] = common_type(lowering, left.args[i], right.args[i]);
+    return intern(lowering, std::move(type));
+}
+
 bool is_number(TypeId id) {
     return id == nat_type || id == integer_type || id == real_type;
 }

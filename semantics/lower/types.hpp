@@ -16,5 +16,8 @@ void intern_core_types(Lowering&);
 /// The wider of two number types; otherwise `a`.
 [[nodiscard]] TypeId join(TypeId a, TypeId b);
 [[nodiscard]] bool is_number(TypeId);
+[[nodiscard]] bool is_set_like(TypeKind);
+/// The type in which values of both are compared: the wider numbers, the known elements, a sequence as set of pairs.
+[[nodiscard]] TypeId common_type(Lowering&, TypeId, TypeId);
 
 }  // namespace robochart::ir

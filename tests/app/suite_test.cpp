@@ -22,12 +22,7 @@ namespace fs = std::filesystem;
 /// Folders of which not every obligation is decided as expected, and why.
 const std::map<std::string, std::string>& not_yet() {
     static const std::map<std::string, std::string> table{
-        {"AlphaAlgorithm", "products and given functions in the instantiations block"},
-        {"FunctionToolkitCallTest", "functions as values"},
-        {"LambdaExpTest", "functions as values"},
         {"clocks6", "claims that a clock is not initialised which every run resets before it is read"},
-        {"rp-var-visible", "blocks that use a wait"},
-        {"test-vector-matrix", "vectors and matrices"},
     };
     return table;
 }

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "diagnostics/render.hpp"
+#include "frontend/library.hpp"
 #include "frontend/project.hpp"
 #include "semantics/lower.hpp"
 #include "tests/codes.hpp"
@@ -38,6 +39,7 @@ std::unique_ptr<Model> model(const std::string& rct, const std::string& assertio
     if (!assertions.empty())
         parsed.files.push_back(frontend::parse(result->sources, result->sources.add("model.assertions", assertions),
                                                true, result->diagnostics));
+    frontend::add_toolkits(result->sources, parsed, result->diagnostics);
     frontend::resolve(parsed, result->diagnostics);
     finish(*result, parsed);
     return result;

@@ -184,16 +184,9 @@ TEST(Rules, WhatHasNoSemanticsIsRefusedByName) {
     EXPECT_THAT(m->codes(), ElementsAre("RC-C05"));
 }
 
-TEST(Rules, ProbabilitiesAreRefused) {
-    const auto m = model(R"(
-        stm S {
-            initial i
-            probabilistic p
-            state A { }
-            transition t0 { from i to p }
-            transition t1 { from p to A probability 1 }
-        })");
-    if (!m->diagnostics.ok()) GTEST_SKIP() << "refused before: " << m->messages();
+TEST(Rules, ConstantsWithoutAValueAreRefused) {
+    const auto m = model("stm S { const c:real = 1 / 0 initial i state A { } transition t0 { from i to A } }");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     (void)m->emit(Time::untimed);
     EXPECT_THAT(m->codes(), ::testing::Contains("RC-C01"));
 }
@@ -252,11 +245,32 @@ TEST(Rules, TooManyCombinationsOfDuringActionsAreRefused) {
     EXPECT_THAT(m->codes(), ElementsAre("RC-C06"));
 }
 
-TEST(Rules, NamesOfCspmAreRefused) {
-    const auto m = model("stm S { event union initial i state A { } transition t0 { from i to A } }");
+TEST(Rules, NamesOfCspmGetANumber) {
+    const auto m = model(R"(
+        stm member {
+            event union const c:nat = 1
+            initial i
+            state within { entry union }
+            transition t0 { from i to within }
+            transition t1 { from within to within condition 1 in {c} }
+        }
+        controller C { event out sref part = member connection part on union to C on out })",
+                         "assertion A1 : C is deadlock-free with constant c of C::part set to 2");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    (void)m->emit(Time::untimed);
-    EXPECT_THAT(m->codes(), ElementsAre("RC-C04"));
+    const std::string text = printed(*m, Time::untimed);
+    EXPECT_THAT(m->codes(), ElementsAre("RC-C04", "RC-C04", "RC-C04", "RC-C04"));
+    for (const char* part :
+         {"module member_1", "module within_1", "channel union_1", "channel out_1", "const_member_1_c"})
+        EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(Rules, NamesThatOnlyTheLibraryUsesAreKeptInsideComponents) {
+    const auto m = model(
+        "package P stm S { event inter initial i state head { entry inter } "
+        "transition t0 { from i to head } }");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    EXPECT_THAT(printed(*m, Time::timed), HasSubstr("channel inter"));
+    EXPECT_THAT(m->codes(), ElementsAre());
 }
 
 TEST(Rules, TableIsInOrderAndExplained) {

@@ -1,9 +1,8 @@
-// RoboTool's regression models: everything in accept/ lowers, but for constructs that are refused by name.
+// RoboTool's regression models: everything in accept/ lowers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "semantics/instantiation.hpp"
 #include "tests/semantics/lowering_fixture.hpp"
@@ -32,19 +31,11 @@ std::vector<fs::path> models() {
     return folders;
 }
 
-/// Models that use a construct without semantics here, and what it is called.
-const std::map<std::string, std::string> refused{{"AlphaAlgorithm", "union of set_toolkit"},
-                                                 {"FunctionToolkitCallTest", "override of relation_toolkit"}};
-
 TEST(Suite, AcceptedModelsLower) {
     const auto folders = models();
     if (folders.empty()) GTEST_SKIP() << "RoboTool's models are absent (set ROBOCHART_SHARED)";
     for (const auto& folder : folders) {
         const auto lowered = read(folder);
-        if (const auto known = refused.find(folder.filename().string()); known != refused.end()) {
-            EXPECT_NE(lowered->messages().find(known->second), std::string::npos) << lowered->messages();
-            continue;
-        }
         EXPECT_TRUE(lowered->diagnostics.ok()) << folder << "\n" << lowered->messages();
         if (!lowered->diagnostics.ok()) continue;
         const auto inst = instantiate(lowered->system, {}, lowered->diagnostics);

@@ -1,0 +1,174 @@
+// Calls of the toolkit libraries: what the type variables of the function stand for is read off the arguments, and, as
+// far as they leave it open, off the type that is expected.
+#include <algorithm>
+#include <map>
+
+#include "semantics/lower.hpp"
+#include "semantics/lower/expression_lowering.hpp"
+#include "semantics/lower/types.hpp"
+
+namespace robochart::ir {
+namespace {
+
+using ast::TypeForm;
+
+/// What type variables stand for.
+class Bindings {
+public:
+    explicit Bindings(Lowering& lowering) : lowering_(lowering) {}
+
+    /// Later bindings of one variable widen earlier ones.
+    void bind(const ast::TypePtr& formal, TypeId actual);
+    /// Binds the variables that are still open.
+    void complete(const ast::TypePtr& formal, TypeId actual) {
+        const auto before = types_;
+        bind(formal, actual);
+        for (const auto& [name, type] : before)
+            if (!open(type)) types_[name] = type;
+    }
+    /// The formal type with its variables replaced; open ones are the unit type.
+    TypeId instance(const ast::TypePtr& formal);
+    std::vector<TypeId> in_order(const ast::Function& function);
+
+private:
+    const Type& type(TypeId id) const { return lowering_.system.type(id); }
+    bool open(TypeId id) const;
+    TypeId composed(TypeKind kind, std::vector<TypeId> args, std::vector<std::int64_t> sizes = {});
+    std::vector<TypeId> pair_of(TypeId set_like) const;
+    TypeId element_of(TypeId set_like);
+    void bind_parts(const std::vector<ast::TypePtr>& formal, const std::vector<TypeId>& actual);
+    void collect(const ast::TypePtr& formal, std::vector<std::string>& names) const;
+
+    Lowering& lowering_;
+    std::map<std::string, TypeId> types_;
+};
+
+bool Bindings::open(TypeId id) const {
+    if (!id.valid() || type(id).kind == TypeKind::unit) return true;
+    if (type(id).kind == TypeKind::record) return false;
+    const auto& args = type(id).args;
+    return std::any_of(args.begin(), args.end(), [&](TypeId arg) { return open(arg); });
+}
+
+TypeId Bindings::composed(TypeKind kind, std::vector<TypeId> args, std::vector<std::int64_t> sizes) {
+    if (kind == TypeKind::product && args.size() == 1) return args[0];
+    Type result;
+    result.kind = kind;
+    result.args = std::move(args);
+    result.sizes = std::move(sizes);
+    return intern(lowering_, std::move(result));
+}
+
+/// The two types of a relation, function, sequence or set of pairs; else empty.
+std::vector<TypeId> Bindings::pair_of(TypeId id) const {
+    const Type& found = type(id);
+    if (found.kind == TypeKind::relation || found.kind == TypeKind::function) return found.args;
+    if (found.kind == TypeKind::sequence) return {nat_type, found.args.at(0)};
+    if (found.kind != TypeKind::set) return {};
+    const Type& element = type(found.args.at(0));
+    if (element.kind == TypeKind::product && element.args.size() == 2) return element.args;
+    if (element.kind == TypeKind::vector && element.sizes.at(0) == 2) return {element.args[0], element.args[0]};
+    return {};
+}
+
+TypeId Bindings::element_of(TypeId id) {
+    if (type(id).kind == TypeKind::set) return type(id).args.at(0);
+    const auto pair = pair_of(id);
+    return pair.empty() ? TypeId{} : composed(TypeKind::product, pair);
+}
+
+void Bindings::bind_parts(const std::vector<ast::TypePtr>& formal, const std::vector<TypeId>& actual) {
+    for (std::size_t i = 0; i < std::min(formal.size(), actual.size()); ++i) bind(formal[i], actual[i]);
+}
+
+void Bindings::bind(const ast::TypePtr& formal, TypeId actual) {
+    if (!formal || !actual.valid() || type(actual).kind == TypeKind::unit) return;
+    switch (formal->form) {
+        case TypeForm::variable:
+            types_[formal->name] = common_type(lowering_, types_[formal->name], actual);
+            break;
+        case TypeForm::set:
+            bind(formal->args[0], element_of(actual));
+            break;
+        case TypeForm::relation:
+        case TypeForm::function:
+            bind_parts(formal->args, pair_of(actual));
+            break;
+        case TypeForm::product:
+            if (formal->args.size() == 1)
+                bind(formal->args[0], actual);
+            else if (type(actual).kind == TypeKind::vector)
+                bind_parts(formal->args, std::vector<TypeId>(formal->args.size(), type(actual).args.at(0)));
+            else
+                bind_parts(formal->args, type(actual).args);
+            break;
+        default:
+            bind_parts(formal->args, type(actual).args);
+            break;
+    }
+}
+
+TypeId Bindings::instance(const ast::TypePtr& formal) {
+    if (formal->form == TypeForm::variable) {
+        const auto found = types_.find(formal->name);
+        return found != types_.end() && found->second.valid() ? found->second : composed(TypeKind::unit, {});
+    }
+    std::vector<TypeId> args;
+    for (const auto& arg : formal->args) args.push_back(instance(arg));
+    switch (formal->form) {
+        case TypeForm::sequence:
+            return composed(TypeKind::sequence, std::move(args));
+        case TypeForm::set:
+            return composed(TypeKind::set, std::move(args));
+        case TypeForm::product:
+            return composed(TypeKind::product, std::move(args));
+        case TypeForm::function:
+            return composed(TypeKind::function, std::move(args));
+        case TypeForm::relation:
+            return composed(TypeKind::relation, std::move(args));
+        default:
+            return lower_type(lowering_, formal, {});  // the libraries use no other composed types
+    }
+}
+
+void Bindings::collect(const ast::TypePtr& formal, std::vector<std::string>& names) const {
+    if (!formal) return;
+    if (formal->form == TypeForm::variable && std::find(names.begin(), names.end(), formal->name) == names.end())
+        names.push_back(formal->name);
+    for (const auto& arg : formal->args) collect(arg, names);
+}
+
+std::vector<TypeId> Bindings::in_order(const ast::Function& function) {
+    std::vector<std::string> names;
+    for (const auto& parameter : function.parameters) collect(parameter->type, names);
+    collect(function.result, names);
+    std::vector<TypeId> result;
+    for (const std::string& name : names) {
+        const auto found = types_.find(name);
+        const bool known = found != types_.end() && found->second.valid();
+        result.push_back(known ? found->second : composed(TypeKind::unit, {}));
+    }
+    return result;
+}
+
+}  // namespace
+
+ExprPtr Expressions::toolkit_call(const ast::Expr& source, const ast::Function& function, TypeId expected) {
+    Expr expr;
+    expr.kind = ExprKind::toolkit;
+    expr.span = source.span;
+    expr.text = lowering_.package_of(function) + "_" + function.name;
+    Bindings bindings(lowering_);
+    for (std::size_t i = 0; i < source.args.size(); ++i) {
+        expr.args.push_back(operand(source, i));
+        bindings.bind(function.parameters.at(i)->type, expr.args[i]->type);
+    }
+    bindings.complete(function.result, expected);
+    for (std::size_t i = 0; i < expr.args.size(); ++i)
+        expr.args[i] = coerce(lowering_, expr.args[i], bindings.instance(function.parameters[i]->type));
+    expr.type = bindings.instance(function.result);
+    expr.bound_types = bindings.in_order(function);
+    return share(std::move(expr));
+}
+
+}  // namespace robochart::ir
