@@ -188,6 +188,8 @@ void add_instantiations(const Project& project, std::vector<DeclPtr>& decls, std
         decls.push_back(decl);
         if (decl->kind == cspm::DeclKind::function) bounded.insert(name);
     }
+    for (const ir::Function& function : project.system.functions)  // what a postcondition says is the model's
+        if (!function.postconditions.empty()) bounded.erase(function_name(function));
 }
 
 void append(std::vector<DeclPtr>& decls, const std::vector<DeclPtr>& more) {
