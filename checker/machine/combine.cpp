@@ -66,7 +66,6 @@ private:
     void initialise(NodeId id, std::map<std::uint32_t, Local>& values) const;
     void turn_off(NodeId id, std::map<std::uint32_t, Local>& values) const;
     [[nodiscard]] std::vector<std::vector<double>> chances(const Region& region) const;
-    [[nodiscard]] Leading leading(const Region& region, std::uint32_t participant) const;
     void finish(Region& region, Vectors vectors, const std::vector<std::uint32_t>& level) const;
     void add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level) const;
     void pack();
@@ -356,20 +355,6 @@ std::vector<std::vector<double>> Combiner::chances(const Region& region) const {
     return result;
 }
 
-Leading Combiner::leading(const Region& region, std::uint32_t participant) const {
-    Leading result;
-    if (region.participants[participant].is_region) return result;
-    const Component& component = *result_.components[region.participants[participant].index];
-    const std::vector<std::uint32_t>& rule = region.first_rule[participant];
-    result.first.push_back(0);
-    for (Local state = 0; state < component.size(); ++state) {
-        for (const Component::Edge& edge : component.edges(state))
-            if (rule[edge.event] < rule[edge.event + 1U]) result.edges.push_back(edge);
-        result.first.push_back(static_cast<std::uint32_t>(result.edges.size()));
-    }
-    return result;
-}
-
 void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level) const {
     Rule rule{};
     rule.event = vector.event;
@@ -414,7 +399,6 @@ void Combiner::finish(Region& region, Vectors vectors, const std::vector<std::ui
                 region.chance[region.rules.back().place] += together;
             }
         }
-    for (std::uint32_t who = 0; who < region.participants.size(); ++who) region.leading.push_back(leading(region, who));
 }
 
 /// Components side by side in words of 32 bits; none crosses a word's border.
@@ -442,7 +426,27 @@ void Combiner::pack() {
     result_.words = word + 1;
 }
 
+Leading leading(const Supercombinator& combined, const Region& region, std::uint32_t participant) {
+    Leading result;
+    if (region.participants[participant].is_region) return result;
+    const Component& component = *combined.components[region.participants[participant].index];
+    const std::vector<std::uint32_t>& rule = region.first_rule[participant];
+    result.first.push_back(0);
+    for (Local state = 0; state < component.size(); ++state) {
+        for (const Component::Edge& edge : component.edges(state))
+            if (rule[edge.event] < rule[edge.event + 1U]) result.edges.push_back(edge);
+        result.first.push_back(static_cast<std::uint32_t>(result.edges.size()));
+    }
+    return result;
+}
+
 }  // namespace
+
+void list_leading(Supercombinator& combined) {
+    for (Region& region : combined.regions)
+        for (std::uint32_t who = 0; who < region.participants.size(); ++who)
+            region.leading.push_back(leading(combined, region, who));
+}
 
 Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton, std::vector<ComponentPtr> components,
                         std::size_t most_rules) {

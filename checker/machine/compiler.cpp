@@ -192,6 +192,7 @@ std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std:
         }
         Supercombinator combined = combine(terms, *skeleton, components, bounds_.rules);
         while (prune(combined, components, poll)) combined = combine(terms, *skeleton, components, bounds_.rules);
+        list_leading(combined);
         return std::make_unique<SupercombinatorSystem>(std::make_shared<const Supercombinator>(std::move(combined)),
                                                        terms);
     } catch (const process::Interrupted&) {

@@ -57,7 +57,7 @@ struct Rule {
 /// with the participant that can do its part in the fewest of its states: rules that cannot fire are seldom looked at.
 struct Region {
     std::vector<Participant> participants;
-    std::vector<Leading> leading;                        ///< of each participant; empty for regions
+    std::vector<Leading> leading;                        ///< of each participant, once listed; empty for regions
     std::vector<EventSet> alphabets;                     ///< of each participant
     std::vector<Rule> rules;                             ///< ordered by first participant and its event
     std::vector<std::vector<std::uint32_t>> by_event;    ///< per place in the alphabet, the rules
@@ -83,5 +83,7 @@ struct Supercombinator {
 /// The rules of a skeleton whose components are made. Throws NotCompiled beyond `most_rules`.
 [[nodiscard]] Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton,
                                       std::vector<ComponentPtr> components, std::size_t most_rules);
+/// What a system needs besides: the edges that rules begin with.
+void list_leading(Supercombinator& combined);
 
 }  // namespace robochart::machine
