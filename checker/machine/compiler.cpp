@@ -4,7 +4,7 @@
 #include <new>
 #include <unordered_map>
 
-#include "checker/lts/graph.hpp"
+#include "checker/lts/state_store.hpp"
 #include "checker/machine/explicit_machine.hpp"
 #include "checker/machine/not_compiled.hpp"
 
@@ -42,25 +42,48 @@ private:
     std::unordered_map<std::uint32_t, Local> numbers_;
 };
 
-/// The states and edges of a compiled process, with the names of hidden events.
-class RowCollector final : public lts::SuccessorSink {
+/// The states of a compiled process, breadth first, with the names of hidden events.
+class RowCollector final : private lts::SuccessorSink {
 public:
-    explicit RowCollector(std::size_t width) : states(width) {}
-    void begin(TermId meaning) {
-        found.rows.emplace_back();
-        found.meaning.push_back(meaning);
-    }
-    void add(Event event, lts::StateView target, Event revealed) override {
-        found.rows.back().push_back({event, revealed, static_cast<Local>(states.insert(target).index)});
-    }
-    void end() {
-        std::stable_sort(found.rows.back().begin(), found.rows.back().end(),
-                         [](const auto& a, const auto& b) { return a.event < b.event; });
+    RowCollector(SupercombinatorSystem& system, TermId meaning)
+        : system_(system), meaning_(meaning), states_(system.width()) {}
+
+    ExplicitMachine run(const std::function<void()>& poll) {
+        std::vector<lts::Word> initial(system_.width());
+        system_.initial(initial);
+        states_.insert(initial);
+        for (lts::StateIndex state = 0; state < states_.size(); ++state) {
+            if (poll) poll();
+            found_.meaning.push_back(meaning_);
+            auto& row = found_.rows.emplace_back();
+            system_.successors(states_[state], *this);
+            std::stable_sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.event < b.event; });
+        }
+        return std::move(found_);
     }
 
-    lts::StateStore states;
-    ExplicitMachine found;
+private:
+    void add(Event event, lts::StateView target, Event revealed) override {
+        found_.rows.back().push_back({event, revealed, static_cast<Local>(states_.insert(target).index)});
+    }
+
+    SupercombinatorSystem& system_;
+    TermId meaning_;
+    lts::StateStore states_;
+    ExplicitMachine found_;
 };
+
+/// What compressions see of it: the names of hidden events mean nothing to them.
+process::Machine without_names(const ExplicitMachine& explicit_machine) {
+    process::Machine machine{{}, explicit_machine.meaning};
+    for (const auto& row : explicit_machine.rows) {
+        auto& edges = machine.edges.emplace_back();
+        for (const Component::RawEdge& edge : row) edges.push_back({edge.event, edge.target});
+        const auto key = [](const auto& edge) { return std::pair(edge.event, edge.target); };
+        std::sort(edges.begin(), edges.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    }
+    return machine;
+}
 
 /// Which events of each component have a part in a rule.
 std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
@@ -165,17 +188,7 @@ ComponentPtr Compiler::region(TermId term, const std::function<void()>& poll) {
     if (const auto known = components_.find(term); known != components_.end()) return known->second;
     const auto system = compile(term, poll);
     if (!system) throw NotCompiled("a process inside was not compiled");
-    RowCollector collector(system->width());
-    std::vector<lts::Word> state(system->width());
-    system->initial(state);
-    collector.states.insert(state);
-    for (lts::StateIndex next = 0; next < collector.states.size(); ++next) {
-        if (poll) poll();
-        collector.begin(term);
-        system->successors(collector.states[next], collector);
-        collector.end();
-    }
-    return components_[term] = reduced(std::move(collector.found), poll);
+    return components_[term] = reduced(RowCollector(*system, term).run(poll), poll);
 }
 
 std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std::function<void()>& poll) {
@@ -209,19 +222,7 @@ std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std:
 std::optional<process::Machine> Compiler::explore(TermId term, const std::function<void()>& poll) {
     const auto system = compile(term, poll);
     if (!system) return std::nullopt;
-    const lts::Exploration explored = lts::explore(*system, [&](std::size_t) {
-        if (poll) poll();
-    });
-    process::Machine machine;
-    for (lts::StateIndex state = 0; state < explored.graph.size(); ++state) {
-        machine.meaning.push_back(term);
-        auto& edges = machine.edges.emplace_back();
-        for (const lts::Edge& edge : explored.graph.edges(state)) edges.push_back({edge.event, edge.target});
-        std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) {
-            return std::pair(a.event, a.target) < std::pair(b.event, b.target);
-        });
-    }
-    return machine;
+    return without_names(RowCollector(*system, term).run(poll));
 }
 
 std::optional<process::Machine> MachineCompressor::explore(TermId operand, const std::function<void()>& poll) {
