@@ -38,7 +38,6 @@ private:
     void operation(NodeId id, const Tail& tail, int depth);
     void child(NodeId id, TermId term, const Tail& tail, int depth);
     void gate(NodeId id);
-    TermId unfolded(TermId term);
 
     process::TermStore& terms_;
     const std::set<TermId>& leaves_;
@@ -46,15 +45,9 @@ private:
     std::map<std::pair<TermId, int>, bool> composite_;  // false while it is not known
 };
 
-TermId Builder::unfolded(TermId term) {
-    for (int steps = 0; terms_[term].op == Op::call && steps < deepest_look; ++steps)
-        term = terms_.unfold(terms_[term].payload);
-    return term;
-}
-
 bool Builder::composite(TermId id, int depth, int prefixes) {
     if (depth > deepest_look) return false;
-    id = unfolded(id);
+    id = terms_.unfolded(id, deepest_look);
     if (leaves_.contains(id)) return false;
     const auto [known, fresh] = composite_.emplace(std::pair(id, prefixes), false);
     if (fresh) known->second = looks_composite(terms_[id], depth, prefixes);
@@ -112,7 +105,7 @@ void Builder::leaf(NodeId id) {
 }
 
 NodeId Builder::node(TermId term, NodeId region, const Tail& tail, int depth) {
-    term = unfolded(term);
+    term = terms_.unfolded(term, deepest_look);
     const auto same =
         std::find_if(tail.begin(), tail.end(), [&](NodeId around) { return result_.nodes[around].term == term; });
     if (same != tail.end()) {

@@ -112,11 +112,7 @@ private:
                 behaviour.offered.push_back(each.event);
         }
     }
-    TermId unfolded(TermId term) {
-        for (int i = 0; i < deepest_look && terms_[term].op == Op::call; ++i)
-            term = terms_.unfold(terms_[term].payload);
-        return term;
-    }
+    TermId unfolded(TermId term) { return terms_.unfolded(term, deepest_look); }
     static std::size_t running(const Term& term) {
         const bool first_alone = term.op == Op::sequential || term.op == Op::exception || term.op == Op::sliding;
         return first_alone ? 1 : term.children.size();

@@ -175,6 +175,11 @@ TermId TermStore::unfold(std::uint32_t call) {
     return *impl_->unfoldings[call];
 }
 
+TermId TermStore::unfolded(TermId term, int most) {
+    for (; most > 0 && (*this)[term].op == Op::call; --most) term = unfold((*this)[term].payload);
+    return term;
+}
+
 const std::vector<Branch>& TermStore::branches(std::uint32_t prefix) {
     if (prefix >= impl_->branches.size()) impl_->branches.resize(prefix + 1U);
     if (!impl_->branches[prefix]) {

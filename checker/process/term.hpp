@@ -133,6 +133,8 @@ public:
 
     void define(Definitions& definitions) { definitions_ = &definitions; }
     TermId unfold(std::uint32_t call);                          ///< memoised
+    /// What calls lead to: the first term that is none, or the last of so many unfoldings.
+    TermId unfolded(TermId term, int most);
     const std::vector<Branch>& branches(std::uint32_t prefix);  ///< memoised
     /// The branches if they have been asked for already; evaluates nothing.
     [[nodiscard]] const std::vector<Branch>* known_branches(std::uint32_t prefix) const;

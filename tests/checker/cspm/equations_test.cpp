@@ -138,14 +138,13 @@ bool bisimilar(const lts::Graph& a, const lts::Graph& b) {
     return quotient.state_of[1] == quotient.state_of[after];
 }
 
-process::TermId unfolded(Session& session, process::TermId term) {
-    while (session.terms()[term].op == process::Op::call) term = session.terms().unfold(session.terms()[term].payload);
-    return term;
-}
-
 /// Operators whose steps are refused are compared as they are written.
 bool equal(Session& session, const ExprPtr& a, const ExprPtr& b) {
-    if (unfolded(session, session.process(a)) == unfolded(session, session.process(b))) return true;
+    constexpr int deepest_look = 100;
+    const auto unfolded = [&](const ExprPtr& process) {
+        return session.terms().unfolded(session.process(process), deepest_look);
+    };
+    if (unfolded(a) == unfolded(b)) return true;
     return bisimilar(graph_of(*session.system(a)), graph_of(*session.system(b)));
 }
 

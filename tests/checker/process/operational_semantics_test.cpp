@@ -85,6 +85,17 @@ TEST_F(Rules, CallIsItsBodyWithoutATau) {
     EXPECT_THAT(moves(p1), ElementsAre(Move{"a", p1}));
 }
 
+TEST_F(Rules, CallsAreUnfoldedSoManyTimesAtMost) {
+    const TermId r1 = s.name("R1");
+    s.bind(p1, q1);
+    s.bind(q1, stop);
+    s.bind(r1, r1);
+    EXPECT_EQ(s.store.unfolded(p1, 5), stop);
+    EXPECT_EQ(s.store.unfolded(p1, 1), q1);
+    EXPECT_EQ(s.store.unfolded(r1, 5), r1);
+    EXPECT_EQ(s.store.unfolded(stop, 5), stop);
+}
+
 TEST_F(Rules, ExternalChoiceIsResolvedByVisibleEventsAndTick) {
     EXPECT_THAT(moves(s.op(Op::external_choice, {p, q})), UnorderedElementsAre(Move{"a", p1}, Move{"b", q1}));
     EXPECT_THAT(moves(s.op(Op::external_choice, {p, skip})), UnorderedElementsAre(Move{"a", p1}, Move{"✓", omega}));
