@@ -11,7 +11,7 @@
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/lts/graph.hpp"
-#include "checker/refine/budget.hpp"
+#include "checker/refine/watch.hpp"
 
 namespace robochart::app {
 namespace {
@@ -57,13 +57,12 @@ lts::Graph explored(lts::TransitionSystem& system, const refine::Limits& limits)
     refine::Budget budget(limits);
     std::size_t states = 0;
     budget.report_by([&states](refine::Progress& progress) { progress.states = states; });
-    system.watch([&budget] { budget.charge(); });
+    const refine::Watch watch({&system}, budget);
     lts::Exploration all = lts::explore(system, [&](std::size_t known) {
         states = known;
         budget.states(known);
         budget.charge();
     });
-    system.watch({});
     return std::move(all.graph);
 }
 

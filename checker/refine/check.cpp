@@ -8,31 +8,12 @@
 #include "checker/refine/monitors.hpp"
 #include "checker/refine/question.hpp"
 #include "checker/refine/reference.hpp"
+#include "checker/refine/watch.hpp"
 
 namespace robochart::refine {
 
 using lts::StateIndex;
 using process::Event;
-
-namespace {
-
-/// The systems poll the budget while this lives.
-class Watch {
-public:
-    Watch(const std::vector<lts::TransitionSystem*>& systems, Budget& budget) : systems_(systems) {
-        for (lts::TransitionSystem* system : systems_) system->watch([&budget] { budget.charge(); });
-    }
-    Watch(const Watch&) = delete;
-    Watch& operator=(const Watch&) = delete;
-    ~Watch() {
-        for (lts::TransitionSystem* system : systems_) system->watch({});
-    }
-
-private:
-    const std::vector<lts::TransitionSystem*>& systems_;
-};
-
-}  // namespace
 
 Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
                const std::function<void(Budget&, Verdict&)>& question) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "checker/refine/stability.hpp"
+#include "checker/refine/watch.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -147,20 +148,6 @@ std::vector<Event> actions_of(const Run& run) {
     return actions;
 }
 
-/// Long work inside the system counts against the budget while this lives.
-class Watching {
-public:
-    Watching(lts::TransitionSystem& system, Budget& budget) : system_(system) {
-        system_.watch([&budget] { budget.charge(); });
-    }
-    Watching(const Watching&) = delete;
-    Watching& operator=(const Watching&) = delete;
-    ~Watching() { system_.watch({}); }
-
-private:
-    lts::TransitionSystem& system_;
-};
-
 Limits share_of(Limits limits) {
     const auto end = std::chrono::steady_clock::now() + longest_replay;
     limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
@@ -189,7 +176,7 @@ Confirmed confirmed(lts::TransitionSystem& system, const Violation& violation, B
     lts::TransitionSystem& reference = *system.reference();
     const Limits share = share_of(budget.limits());
     Budget own(share);
-    const Watching watching(reference, own);
+    const Watch watch({&reference}, own);
     try {
         Violation again = found_again(system, reference, violation, own);
         judge(reference, again, own);
