@@ -7,16 +7,16 @@ Prints a table; exits with 1 if a count of states or transitions is not the reco
 import argparse
 import csv
 import json
-import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional
+
+from measured import run
 
 SMALL = ["phils7", "milner15", "cbuf10", "buf12"]
 LARGE = ["cbuf11", "phils8", "milner18"]
@@ -41,28 +41,6 @@ class Run:
         return self.transitions / max(self.cpu, 1e-3) / 1e6
 
 
-@dataclass
-class Child:
-    exit: int
-    output: str
-    wall: float
-    cpu: float
-    rss: int
-
-
-def run(command: list[str], folder: str) -> Child:
-    """Runs a command; its own use of time and memory (getrusage of this child alone)."""
-    with tempfile.TemporaryFile() as out:
-        begin = time.monotonic()
-        child = subprocess.Popen(command, stdout=out, stderr=subprocess.STDOUT, cwd=folder)
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-        wall = time.monotonic() - begin
-        out.seek(0)
-        text = out.read().decode(errors="replace")
-    return Child(child.returncode, text, wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024)
-
-
 class Ours:
     def __init__(self, program: str, folder: str):
         self.program, self.folder = program, folder
@@ -84,7 +62,7 @@ class Ours:
         try:
             result = json.loads(child.output)["results"][0]
         except (ValueError, LookupError):
-            sys.exit(f"{' '.join(command)}: exit {child.exit}\n{child.output}")
+            sys.exit(f"{' '.join(command)}: exit {child.exit}\n{child.said()}")
         if result["result"] != 1:
             sys.exit(f"{model.stem}: our checker says {result['answer']} {result['errors']}")
         return Run(f"ours, {threads} thread{'s' if threads > 1 else ''}", result["visited_states"],
@@ -103,7 +81,7 @@ def mcrl2(model: Path, folder: str) -> Optional[Run]:
     lps = str(Path(folder, "model.lps"))
     first = run(["mcrl22lps", str(source), lps], folder)
     second = run(["lps2lts", "--cached", "-rjittyc", "--verbose", lps], folder)
-    counts = numbers(r"(\d+) states and (\d+) transitions", second.output)
+    counts = numbers(r"(\d+) states and (\d+) transitions", second.said())
     if first.exit or second.exit or counts is None:
         return None
     return Run("mCRL2 (live)", *counts, first.wall + second.wall, first.cpu + second.cpu, second.rss)
@@ -118,8 +96,8 @@ def ltsmin(model: Path, folder: str) -> Optional[Run]:
     # With two threads it fails now and then while loading (a known assertion); one thread, tried twice.
     for _ in range(2):
         child = run(["prom2lts-mc", "--threads=1", "--state=tree", "-s26", source.name + ".spins"], folder)
-        counts = numbers(r"(\d+) states,? (\d+) transitions", child.output) or \
-            numbers(r"States: (\d+)[\s\S]*?Transitions: (\d+)", child.output)
+        counts = numbers(r"(\d+) states,? (\d+) transitions", child.said()) or \
+            numbers(r"States: (\d+)[\s\S]*?Transitions: (\d+)", child.said())
         if compiled.exit == 0 and child.exit == 0 and counts:
             return Run("LTSmin (live)", *counts, child.wall, child.cpu, child.rss)
     return None
@@ -133,7 +111,7 @@ def spin(model: Path, folder: str) -> Optional[Run]:
     made = run(["spin", "-o3", "-a", source.name], folder)
     built = run(["cc", "-O3", "-DNOREDUCE", "-DSAFETY", "-DMEMLIM=12000", "-o", "pan", "pan.c"], folder)
     child = run(["./pan", "-m20000000", "-w25", "-E", "-c0"], folder)
-    counts = numbers(r"(\d+) states, stored[\s\S]*?(\d+) transitions", child.output)
+    counts = numbers(r"(\d+) states, stored[\s\S]*?(\d+) transitions", child.said())
     if made.exit or built.exit or child.exit or counts is None:
         return None
     return Run("SPIN (live)", counts[0], counts[1] - 1, child.wall, child.cpu, child.rss)  # it counts the start

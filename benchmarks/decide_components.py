@@ -7,7 +7,6 @@ an assertion is not decided, with 77 without the scripts."""
 
 import argparse
 import json
-import os
 import re
 import subprocess
 import sys
@@ -16,6 +15,8 @@ import time
 from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
+
+from measured import run
 
 PROPERTIES = ["deadlock free [FD]", "divergence free", "deterministic [FD]"]
 # A module's begin and end, and the definition of its optimised process, which is what RoboTool's assertions are about.
@@ -113,23 +114,15 @@ def decide(program: str, script: Path, folder: str) -> Outcome:
     mine.write_text(f'include "{script}"\n' + "".join(f"assert {each}\n" for each in asked))
     command = [program, "cspm", str(mine), "--format", "json", "--brief", "--progress", "never",
                "--timeout", str(LIMIT)]
-    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as errors:
-        begin = time.monotonic()
-        child = subprocess.Popen(command, stdout=out, stderr=errors)
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-        wall = time.monotonic() - begin
-        out.seek(0)
-        errors.seek(0)
-        output, complaint = out.read().decode(errors="replace"), errors.read().decode(errors="replace")
+    child = run(command)
     try:
-        answer = json.loads(output)
+        answer = json.loads(child.output)
         results = answer["results"]
     except (ValueError, LookupError):
-        raise Unusable(f"exit {child.returncode}: {complaint.strip() or output.strip()}") from None
+        raise Unusable(f"exit {child.exit}: {child.errors.strip() or child.output.strip()}") from None
     if answer["errors"] or len(results) != len(asked):
         raise Unusable(f"{len(results)} of {len(asked)} assertions answered: {'; '.join(answer['errors'])}")
-    outcome = Outcome(count, wall=wall, cpu=usage.ru_utime + usage.ru_stime)
+    outcome = Outcome(count, wall=child.wall, cpu=child.cpu)
     for index, (each, result) in enumerate(zip(asked, results)):
         outcome.states += result.get("visited_states") or 0
         if result["result"] in (0, 1):

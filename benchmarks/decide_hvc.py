@@ -7,30 +7,25 @@ from the recorded one or an assertion is not decided, with 77 without the script
 import argparse
 import csv
 import json
-import os
-import subprocess
 import sys
-import time
 from pathlib import Path
+
+from measured import Child, run
 
 # The recorded rows, in the table's order, by the number of their assertion in the script.
 RECORDED = [1, 2, 6, 10, 11, 16]
 ANSWERS = {"holds": "pass", "fails": "fail"}
 
 
-def run(program: str, script: Path, number: int, threads: int) -> tuple[dict, float, float, int]:
-    """The report on one assertion, wall and CPU seconds, and peak memory in MiB."""
-    start = time.monotonic()
-    command = [program, "cspm", str(script), "--assertion", str(number), "-b", "--format", "json"]
-    child = subprocess.Popen(command + ["--threads", str(threads)], stdout=subprocess.PIPE, text=True)
-    report = child.stdout.read()
-    _, _, usage = os.wait4(child.pid, 0)
-    wall = time.monotonic() - start
+def decide(program: str, script: Path, number: int, threads: int) -> tuple[dict, Child]:
+    """The report on one assertion, and what it took."""
+    child = run([program, "cspm", str(script), "--assertion", str(number), "-b", "--format", "json",
+                 "--threads", str(threads)])
+    sys.stderr.write(child.errors)
     try:
-        result = json.loads(report)["results"][0]
+        return json.loads(child.output)["results"][0], child
     except (ValueError, LookupError):
         sys.exit(f"assertion {number}: no report")
-    return result, wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss // 1024
 
 
 def main() -> int:
@@ -50,7 +45,7 @@ def main() -> int:
     print("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     wrong = 0
     for number in options.numbers or range(1, 18):
-        result, wall, cpu, memory = run(options.program, script, number, options.threads)
+        result, child = decide(options.program, script, number, options.threads)
         row = recorded.get(number, {})
         text = " ".join(result["assertion_string"].split())
         text = text if len(text) <= 60 else text[:57] + "..."
@@ -59,7 +54,7 @@ def main() -> int:
             wrong += 1
         took = f"{row['compile_s']} + {row['explore_s']}" if row else ""
         print(f"| {number} | `{text}` | {answer} | {row.get('verdict', '')} | {result['visited_states']:,} | "
-              f"{row.get('states', '')} | {wall:.1f} | {cpu:.1f} | {memory} | {took} |", flush=True)
+              f"{row.get('states', '')} | {child.wall:.1f} | {child.cpu:.1f} | {child.rss >> 20} | {took} |", flush=True)
     return 1 if wrong else 0
 
 
