@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <regex>
 #include <set>
-#include <stdexcept>
 
 #include "checker/cspm/build.hpp"
 #include "checker/cspm/session.hpp"
-#include "checker/lts/bisimulation.hpp"
 #include "tests/checker/cspm/support.hpp"
+#include "tests/checker/lts/bisimilar.hpp"
 
 namespace robochart::cspm::test {
 namespace {
@@ -116,26 +115,7 @@ std::string definitions(std::vector<Equation> equations, const std::string& aske
 constexpr std::size_t most_states = 20'000;
 
 lts::Graph graph_of(lts::TransitionSystem& system) {
-    return lts::explore(system,
-                        [](std::size_t states) {
-                            if (states > most_states) throw std::length_error("too many states to compare");
-                        })
-        .graph;
-}
-
-bool bisimilar(const lts::Graph& a, const lts::Graph& b) {
-    lts::Graph both;
-    const auto after = static_cast<lts::StateIndex>(1 + a.size());
-    both.add_edge({2, 1});
-    both.add_edge({3, after});
-    both.finish_state();
-    for (const auto& [graph, offset] : {std::pair<const lts::Graph&, lts::StateIndex>{a, 1}, {b, after}})
-        for (lts::StateIndex state = 0; state < graph.size(); ++state) {
-            for (const lts::Edge& edge : graph.edges(state)) both.add_edge({edge.event, edge.target + offset});
-            both.finish_state();
-        }
-    const lts::Quotient quotient = lts::minimise(both, lts::Equivalence::strong);
-    return quotient.state_of[1] == quotient.state_of[after];
+    return lts::graph_of(system, most_states);
 }
 
 /// Operators whose steps are refused are compared as they are written.
@@ -145,7 +125,7 @@ bool equal(Session& session, const ExprPtr& a, const ExprPtr& b) {
         return session.terms().unfolded(session.process(process), deepest_look);
     };
     if (unfolded(a) == unfolded(b)) return true;
-    return bisimilar(graph_of(*session.system(a)), graph_of(*session.system(b)));
+    return lts::bisimilar(graph_of(*session.system(a)), graph_of(*session.system(b)));
 }
 
 /// Why the process is not what the file says; empty if it is.

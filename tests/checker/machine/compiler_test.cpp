@@ -6,8 +6,8 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include "checker/lts/bisimulation.hpp"
 #include "checker/lts/term_system.hpp"
+#include "tests/checker/lts/bisimilar.hpp"
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/refine/random_process.hpp"
 #include "tests/checker/refine/translate.hpp"
@@ -22,33 +22,8 @@ using process::Scripted;
 /// States of a random composition: larger ones are passed over.
 constexpr std::size_t too_many = robochart::tests::rounds(20'000);
 
-struct TooLarge {};
-
 lts::Graph graph_of(lts::TransitionSystem& system) {
-    return lts::explore(system,
-                        [](std::size_t states) {
-                            if (states > too_many) throw TooLarge();
-                        })
-        .graph;
-}
-
-/// Both graphs below a common root, which is minimised: are their initial states equal?
-bool bisimilar(const lts::Graph& a, const lts::Graph& b) {
-    lts::Graph both;
-    const auto after = static_cast<lts::StateIndex>(1 + a.size());
-    both.add_edge({2, 1});
-    both.add_edge({3, after});
-    both.finish_state();
-    const auto append = [&both](const lts::Graph& graph, lts::StateIndex offset) {
-        for (lts::StateIndex state = 0; state < graph.size(); ++state) {
-            for (const lts::Edge& edge : graph.edges(state)) both.add_edge({edge.event, edge.target + offset});
-            both.finish_state();
-        }
-    };
-    append(a, 1);
-    append(b, after);
-    const lts::Quotient quotient = lts::minimise(both, lts::Equivalence::strong);
-    return quotient.state_of[1] == quotient.state_of[after];
+    return lts::graph_of(system, too_many);
 }
 
 class Compiled : public testing::Test {
@@ -62,7 +37,7 @@ protected:
         }
         lts::TermSystem reference(semantics, term);
         const lts::Graph graph = graph_of(*system);
-        EXPECT_TRUE(bisimilar(graph, graph_of(reference)));
+        EXPECT_TRUE(lts::bisimilar(graph, graph_of(reference)));
         return graph.size();
     }
     TermId twice(const char* event) { return s.prefix(event, s.prefix(event, s.skip())); }
@@ -201,11 +176,11 @@ TEST_F(Compiled, ServesItsOwnSinks) {
 TEST_F(Compiled, GoesOnAfterASinkHasThrown) {
     const auto system = compiler.compile(s.prioritise(pair(), {{"a", "b"}}), {});
     struct Throwing final : lts::SuccessorSink {
-        void add(Event, lts::StateView, Event) override { throw TooLarge(); }
+        void add(Event, lts::StateView, Event) override { throw lts::TooLarge(); }
     } throwing;
     std::vector<lts::Word> state(system->width());
     system->initial(state);
-    EXPECT_THROW(system->successors(state, throwing), TooLarge);
+    EXPECT_THROW(system->successors(state, throwing), lts::TooLarge);
     EXPECT_EQ(graph_of(*system).size(), states_of_pair);
 }
 
@@ -273,8 +248,8 @@ RC_GTEST_PROP(CompiledProperty, RandomCompositionsDoWhatTheirTermsDo, ()) {
         Compiler compiler(translation.semantics());
         const auto system = compiler.compile(term, {});
         RC_ASSERT(system != nullptr);
-        RC_ASSERT(bisimilar(graph_of(*system), graph));
-    } catch (const TooLarge&) {
+        RC_ASSERT(lts::bisimilar(graph_of(*system), graph));
+    } catch (const lts::TooLarge&) {
         RC_DISCARD("too large");
     } catch (const process::SemanticsError&) {
         RC_DISCARD("no semantics");
