@@ -41,7 +41,10 @@ public:
     std::vector<std::string> write(std::string& notes) {
         tables();
         const auto& frames = result_.trials.front().frames;
-        if (frames.empty()) return std::move(written_);
+        if (frames.empty()) {
+            notes += "  no tables and pictures: too many positions to keep (`record` less often)\n";
+            return std::move(written_);
+        }
         add("snapshots.svg", simulation::snapshots_svg(scenario_, frames));
         add("trajectories.svg", simulation::trajectories_svg(scenario_, frames));
         add("animation.svg", simulation::animation_svg(scenario_, frames, states_, animation_speed(frames.back().time)));
@@ -60,7 +63,7 @@ private:
     }
 
     void tables() {
-        for (std::size_t trial = 0; trial < result_.trials.size(); ++trial)
+        for (std::size_t trial = 0; trial < result_.trials.size() && !result_.trials[trial].frames.empty(); ++trial)
             if (!add(fmt::format("trial-{:02}.csv", trial + 1), simulation::positions_csv(result_.trials[trial].frames, states_))) return;
     }
 

@@ -43,8 +43,8 @@ const Rule wrong_type{
     "measured quantity an event of type real; an actuator is driven by reals."};
 const Rule no_room{
     "RC-M09", Severity::error, "{} robots of radius {} cm do not fit in the region",
-    "Robots are placed without overlap. Where they would cover more than half of the region, or a thousand tries "
-    "for each found no place, the scenario has no start."};
+    "Robots are placed without overlap. Where they would cover more than two fifths of the region, or two "
+    "thousand throws in a row find no place, the scenario has no start."};
 const Rule no_controller{
     "RC-M10", Severity::error, "no controller '{}' in {}",
     "A scenario names the module, controller or state machine that drives each robot, of the model in its "

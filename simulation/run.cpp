@@ -73,7 +73,7 @@ private:
         const auto stage = options_.stage(scenario_, trial, found_[trial]);
         if (stage == nullptr) return;
         TrialOptions options;
-        options.record = options_.record;
+        options.record = options_.record && trial < recorded_trials(scenario_);
         options.steps_done = &steps_;
         options.interrupted = &stop_;
         result_.trials[trial] = run_trial(plan_, drive_, *stage, options);
@@ -184,6 +184,14 @@ std::vector<BandResult> judge(const Scenario& scenario, const std::vector<TrialR
         results.push_back(band.each ? judge_each(band, i, trials) : judge_mean(band, i, trials));
     }
     return results;
+}
+
+std::uint32_t recorded_trials(const Scenario& scenario) {
+    constexpr double most_poses = 4e7;  // about a gigabyte
+    const double frames = scenario.duration / std::max(scenario.record, scenario.world.control_step) + 2 +
+                          static_cast<double>(scenario.pictures.size());
+    const double trials = std::floor(most_poses / (frames * scenario.robots));
+    return static_cast<std::uint32_t>(std::clamp(trials, 0.0, std::min(100.0, static_cast<double>(scenario.trials))));
 }
 
 RunResult run(const Plan& plan, const rc_drive& drive, const RunOptions& options,

@@ -20,7 +20,7 @@ struct RunProgress {
 struct RunOptions {
     unsigned threads = 0;  ///< 0: one a core
     StageMaker stage = embedded_stage;
-    bool record = true;
+    bool record = true;                                ///< keep positions, of the first `recorded_trials`
     std::function<bool()> interrupted;                 ///< asked a few times a second
     std::function<void(const RunProgress&)> progress;  ///< told a few times a second, from the caller's thread
 };
@@ -42,6 +42,9 @@ struct RunResult {
     /// All trials complete and all bands hold.
     [[nodiscard]] bool holds() const;
 };
+
+/// How many trials keep their positions: all, but at most a hundred, and no more than memory bears.
+[[nodiscard]] std::uint32_t recorded_trials(const Scenario&);
 
 /// Runs them. Diagnostics: robots that do not fit, controllers that stopped.
 [[nodiscard]] RunResult run(const Plan&, const rc_drive&, const RunOptions&, diagnostics::Diagnostics&);

@@ -373,6 +373,7 @@ private:
         } else {
             in_.expect("at");
             stimulus.at = in_.not_negative(Dimension::time, "the time of a stimulus");
+            times_.push_back({stimulus.at, in_.last_span()});
         }
         scenario_.stimuli.push_back(stimulus);
     }
@@ -603,7 +604,7 @@ std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagno
         const Vector extent = placement.region->high - placement.region->low;
         const double radius = scenario.world.body.radius;
         const double cover = static_cast<double>(here) * std::numbers::pi * radius * radius;
-        if (cover > extent.x * extent.y / 2 || !world.place_at_random(here, *placement.region))
+        if (cover > 0.4 * extent.x * extent.y || !world.place_at_random(here, *placement.region))
             return refuse(here, placement.span);
         left -= here;
         --regions;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <unordered_map>
 
 namespace robochart::simulation {
 
@@ -13,6 +14,37 @@ namespace {
 constexpr double margin = 6;
 /// What a push within one physics step may add unseen, cm.
 constexpr double slack = 1;
+
+/// Where robots are placed already: squares as wide as a robot, looked up by number, never walked through.
+class Places {
+public:
+    explicit Places(double radius) : reach_(2 * radius) {}
+
+    void take(Vector at) { squares_[square(at.x, 0)][square(at.y, 0)].push_back(at); }
+
+    [[nodiscard]] bool is_free(Vector at) const {
+        for (int i = -1; i <= 1; ++i)
+            for (int j = -1; j <= 1; ++j)
+                if (touches(at, i, j)) return false;
+        return true;
+    }
+
+private:
+    [[nodiscard]] std::int64_t square(double along, int offset) const {
+        return static_cast<std::int64_t>(std::floor(along / reach_)) + offset;
+    }
+    [[nodiscard]] bool touches(Vector at, int column, int row) const {
+        const auto in_column = squares_.find(square(at.x, column));
+        if (in_column == squares_.end()) return false;
+        const auto in_row = in_column->second.find(square(at.y, row));
+        if (in_row == in_column->second.end()) return false;
+        return std::any_of(in_row->second.begin(), in_row->second.end(),
+                           [&](Vector other) { return dot(other - at, other - at) < reach_ * reach_; });
+    }
+
+    double reach_;
+    std::unordered_map<std::int64_t, std::unordered_map<std::int64_t, std::vector<Vector>>> squares_;
+};
 
 }  // namespace
 
@@ -37,21 +69,25 @@ bool World::place_at_random(std::size_t count, const Region& region) {
     const Vector low = region.low + Vector{radius, radius};
     const Vector high = region.high - Vector{radius, radius};
     if (low.x > high.x || low.y > high.y) return count == 0;
-    const auto is_free = [&](Vector at) {
-        for (std::size_t i = 0; i < size(); ++i)
-            if (dot(position(i) - at, position(i) - at) < 4 * radius * radius) return false;
+    Places places(radius);
+    for (std::size_t i = 0; i < size(); ++i) places.take(position(i));
+    const auto off_walls = [&](Vector at) {
         return std::all_of(options_.arena.walls.begin(), options_.arena.walls.end(),
                            [&](const Segment& wall) { return length(nearest_point(wall, at) - at) >= radius; });
     };
-    std::size_t tries = 1000 + 1000 * count;
-    for (std::size_t placed = 0; placed < count && tries > 0; --tries) {
+    constexpr int most_tries = 2000;
+    int tries = 0;
+    for (std::size_t placed = 0; placed < count;) {
+        if (++tries > most_tries) return false;
         const double x = random_.uniform(low.x, high.x);
         const double y = random_.uniform(low.y, high.y);
-        if (!is_free({x, y})) continue;
+        if (!places.is_free({x, y}) || !off_walls({x, y})) continue;
+        places.take({x, y});
         place({{x, y}, random_.uniform(-std::numbers::pi, std::numbers::pi)});
         ++placed;
+        tries = 0;
     }
-    return tries > 0;
+    return true;
 }
 
 void World::set_wheels(std::size_t robot, Wheels wheels) {

@@ -164,6 +164,56 @@ scenario World for M {
     EXPECT_THAT(result.trials[0].stop->cause, HasSubstr("precondition"));
 }
 
+/// Shared variables are fed like events, and the environment raises events by the clock.
+TEST(Trial, FeedsVariablesAndStimuli) {
+    constexpr const char* machine = R"(
+interface Ops { forward() halt() }
+interface Vars { var ahead : real = 99 }
+interface Events { event start event limit : real event sign : boolean }
+stm Roam {
+	requires Ops
+	requires Vars
+	uses Events
+	var most : real = 0
+	var go : boolean = false
+	initial i
+	state Waiting { entry halt() }
+	state Ready { }
+	state Asked { }
+	state Going { entry forward() }
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to Ready trigger start }
+	transition t2 { from Ready to Asked trigger limit?most }
+	transition t3 { from Asked to Going trigger sign?go }
+	transition t4 { from Going to Waiting condition ahead < most /\ go == true }
+}
+)";
+    Experiment experiment(machine, R"(
+scenario World for Roam {
+	step 0.1 s physics 0.01 s unit 0.1 s duration 10 s trials 1
+	arena 100 cm by 100 cm
+	robots 1 { radius 3.7 cm axle 5.1 cm wheel 12.8 cm/s place at (0 cm, 0 cm) heading 0 deg }
+	sensor eye is line_of_sight
+	feed ahead with eye.distance in cm
+	actuator motors is differential_drive
+	drive motors by forward(10 cm/s) on forward
+	drive motors by stop on halt
+	stimulus start at 1 s
+	stimulus limit = 20.5 at 1.5 s
+	stimulus sign = true every 2 s
+	record 0.1 s
+}
+)");
+    ASSERT_EQ(experiment.codes(), "") << experiment.messages();
+    const RunResult result = experiment.run();
+    ASSERT_FALSE(result.stopped()) << experiment.messages();
+    const auto& frames = result.trials.at(0).frames;
+    EXPECT_NEAR(frames[20].poses[0].at.x, 0, 1e-9) << "waits for the sign at 2 s";
+    EXPECT_NEAR(frames[21].poses[0].at.x, 1, 1e-9);
+    // The wall is 50 - 3.7 = 46.3 cm ahead at the start: less than 20.5 cm from x = 26 on (25.8 is passed between).
+    EXPECT_NEAR(frames[100].poses[0].at.x, 26, 1e-9);
+}
+
 TEST(Controller, CompilerThatFailsIsTold) {
     // RC-M11 carries these words.
     Experiment experiment(model, scenario);

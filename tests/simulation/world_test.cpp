@@ -166,6 +166,15 @@ TEST(World, PlacesApartAndInside) {
     for (std::size_t i = 0; i < 100; ++i) EXPECT_LE(std::abs(world.position(i).x), 60 - 3.7);
 }
 
+TEST(World, PlacesManyQuickly) {
+    WorldOptions options;
+    options.arena.width = options.arena.height = 4000;
+    World world(options, 4);
+    ASSERT_TRUE(world.place_at_random(20000, {{-2000, -2000}, {2000, 2000}}));
+    World crowded(options, 4);
+    EXPECT_FALSE(crowded.place_at_random(400000, {{-2000, -2000}, {2000, 2000}})) << "denser than disks can be thrown";
+}
+
 TEST(World, TellsWhenRobotsDoNotFit) {
     World world(WorldOptions{}, 9);
     EXPECT_FALSE(world.place_at_random(100, {{-20, -20}, {20, 20}}));
