@@ -98,6 +98,13 @@ std::optional<ExprPtr> MachineEmitter::silent_item(const Place& place, const Act
             return silent_statement(place, config, values, alone);
         case ItemKind::deadline_end:
             return go(place.put(running(place.thread->rest->tail)), values);
+        case ItemKind::join: {
+            const auto& beside = place.owner->durings;
+            const bool done = std::none_of(beside.begin(), beside.end(),
+                                           [&](const During& during) { return during.node == item.node; });
+            if (done) return go(place.put(running(place.thread->rest->tail)), values);
+            return std::nullopt;
+        }
         case ItemKind::enter:
             return perform_enter(place, item, values);
         case ItemKind::entered:

@@ -23,6 +23,7 @@ enum class ItemKind {
     deadline_end,  ///< leaves the scope of a deadline; `cells[0]` counts it
     enter,         ///< enter a node
     entered,       ///< a state has been entered
+    join,          ///< waits until the store that runs beside the exits of `node`'s inner states is done
     stuck,         ///< a false precondition or an operation without behaviour: nothing more happens
 };
 
@@ -65,7 +66,7 @@ struct Activation {
     ir::NodeId at;                    ///< innermost active node; invalid while a transition runs
     std::vector<ir::NodeId> entered;  ///< states that may be interrupted, outermost first
     Thread control;                   ///< the running transition; done: settled
-    std::vector<During> durings;      ///< unfinished during actions, outermost first
+    std::vector<During> durings;      ///< unfinished during actions, outermost first; then a store beside exits
     std::uint32_t clocks_read = 0;    ///< outermost, settled: how many clocks of the caller its guards know by now
 };
 

@@ -57,7 +57,7 @@ std::uint32_t MachineEmitter::open_frame(const ir::Machine& opened, std::uint32_
         frame.clocks.resize(opened.clocks.size());
     }
     add_watch(frame, root);
-    check_races(frame);
+    find_races(frame);
     frames_.push_back(std::move(frame));
     return static_cast<std::uint32_t>(frames_.size() - 1);
 }

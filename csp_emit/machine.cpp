@@ -289,7 +289,11 @@ std::string MachineEmitter::describe(const Activation& config) const {
         result += "no behaviour";
     }
     for (const During& during : config.durings)
-        result += ", during action of " + frames_[config.frame].machine->nodes[during.node.index].path + " goes on";
+        if (!during.thread.callee && during.thread.rest && during.thread.rest->head.kind == ItemKind::store &&
+            during.thread.rest->head.stmt == nullptr)
+            result += ", the received value not yet stored";
+        else
+            result += ", during action of " + frames_[config.frame].machine->nodes[during.node.index].path + " goes on";
     return result;
 }
 

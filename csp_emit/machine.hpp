@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 
 #include "csp_emit/component.hpp"
 #include "csp_emit/configuration.hpp"
@@ -61,6 +62,7 @@ struct Frame {
     std::vector<std::string> events;            ///< by EventId: the channel
     std::vector<CellId> own;                    ///< cells that live while the frame does
     std::map<std::uint32_t, CellId> monitors;   ///< by TransitionId: deadlines of transitions
+    std::set<std::uint32_t> racing;             ///< by TransitionId: their store races with exit actions
 };
 
 /// What the cells hold when it is not what the parameter of the same name holds.
@@ -182,7 +184,8 @@ private:
     ExprPtr guard_of(std::uint32_t frame, const ir::Transition& transition, const Values& values,
                      ExprPtr trigger_value) const;
     Values reset_clocks(const Frame& frame, const ir::Transition& transition) const;
-    void check_races(const Frame& frame);
+    bool races(const Frame& frame, ir::VariableId variable, const ir::Stmt& exit) const;
+    void find_races(Frame& frame);
 
     // memory.cpp (semantics 3.7)
     void external_writes(const Activation& config, const View& view, std::vector<ExprPtr>& out);

@@ -11,7 +11,6 @@ extern const diagnostics::Rule unsupported;              // RC-C01
 extern const diagnostics::Rule recursive_call;           // RC-C02
 extern const diagnostics::Rule missing_in_caller;        // RC-C03
 extern const diagnostics::Rule reserved_name;            // RC-C04
-extern const diagnostics::Rule racing_exit;              // RC-C05
 extern const diagnostics::Rule too_many_points;          // RC-C06
 extern const diagnostics::Rule instantiations_replaced;  // RC-C07
 extern const diagnostics::Rule constant_without_use;     // RC-C08

@@ -1,6 +1,7 @@
 // Transitions (semantics 3.4): all enabled ones of the active node and of its active ancestors stand in one external
 // choice; then trigger, store, clock resets, exits innermost first, action, entry, each in its turn.
 #include <algorithm>
+#include <utility>
 
 #include "checker/cspm/build.hpp"
 #include "csp_emit/machine.hpp"
@@ -32,6 +33,19 @@ void walk_statements(const ir::Stmt& stmt, const std::function<void(const ir::St
 bool inside(const ir::Machine& machine, NodeId node, NodeId composite) {
     for (NodeId above = machine.nodes[node.index].parent; above.valid(); above = machine.nodes[above.index].parent)
         if (above == composite) return true;
+    return false;
+}
+
+Program program_of(const std::vector<Item>& items) {
+    Program program;
+    for (auto item = items.rbegin(); item != items.rend(); ++item) program = push(*item, program);
+    return program;
+}
+
+/// Whether a state below `source` that is left has an exit action.
+bool has_inner_exit(const ir::Machine& machine, NodeId active, NodeId source) {
+    for (NodeId node = active; node.valid() && node != source; node = machine.nodes[node.index].parent)
+        if (machine.nodes[node.index].exit) return true;
     return false;
 }
 
@@ -79,12 +93,16 @@ const ir::Stmt* MachineEmitter::reset_statement(std::uint32_t frame, ir::Transit
     return &found->second;
 }
 
-/// The configuration in which the transition runs: `first`, resets, exits innermost first, action, target.
+/// The configuration in which the transition runs: `first`, resets, exits innermost first, action, target. Where exits
+/// of inner states race with `first`, the store of the trigger's value, it is a thread of its own that the exit of the
+/// source waits for (semantics 3.4, step 4).
 Activation MachineEmitter::leave(const Activation& activation, ir::TransitionId id, Program first) {
     const ir::Machine& left = *frames_[activation.frame].machine;
     const ir::Transition& transition = left.transitions[id.index];
     const NodeId source = transition.source;
     std::vector<Item> items;
+    const bool race =
+        first && frames_[activation.frame].racing.contains(id.index) && has_inner_exit(left, activation.at, source);
     for (; first; first = first->tail) items.push_back(first->head);
     for (const ir::ClockId clock : transition.resets) {
         if (announced(activation.frame, clock) == nullptr) continue;
@@ -93,7 +111,15 @@ Activation MachineEmitter::leave(const Activation& activation, ir::TransitionId 
         reset.label = "transition " + transition.name;
         items.push_back(reset);
     }
+    const std::vector<Item> beside = race ? std::exchange(items, {}) : std::vector<Item>{};
     for (NodeId node = activation.at; node.valid(); node = left.nodes[node.index].parent) {
+        if (node == source && race) {
+            Item join;
+            join.kind = ItemKind::join;
+            join.node = source;
+            join.label = "transition " + transition.name;
+            items.push_back(join);
+        }
         if (left.nodes[node.index].exit) {
             Item exit;
             exit.stmt = left.nodes[node.index].exit.get();
@@ -119,9 +145,8 @@ Activation MachineEmitter::leave(const Activation& activation, ir::TransitionId 
     const auto gone = [&](NodeId node) { return node == source || inside(left, node, source); };
     std::erase_if(result.entered, gone);
     std::erase_if(result.durings, [&](const During& during) { return gone(during.node); });
-    Program program;
-    for (auto item = items.rbegin(); item != items.rend(); ++item) program = push(*item, program);
-    result.control = {program, nullptr};
+    if (race) result.durings.push_back({source, {program_of(beside), nullptr}});
+    result.control = {program_of(items), nullptr};
     return result;
 }
 
@@ -238,27 +263,32 @@ ExprPtr MachineEmitter::fire_trigger(const Spot& spot, ir::TransitionId id) {
     return is_true(guard) ? branch : b::guard(guard, branch);
 }
 
-/// RC-C05: exits of inner states race with the store of the trigger's value (semantics 3.4, step 4).
-void MachineEmitter::check_races(const Frame& frame) {
+/// Whether the order of the store of a trigger's value and of an exit action matters: the store is seen, or the action
+/// uses the variable; what an operation does with it is not looked at.
+bool MachineEmitter::races(const Frame& frame, ir::VariableId variable, const ir::Stmt& exit) const {
+    bool found = cells_[frame.variables.at(variable.index)].shared;
+    const auto uses = [&](const ir::Expr& part) {
+        return part.kind == ir::ExprKind::variable && part.variable == variable;
+    };
+    walk_statements(exit, [&](const ir::Stmt& stmt) {
+        if (stmt.kind == ir::StmtKind::assign || stmt.kind == ir::StmtKind::communicate)
+            found = found || stmt.variable == variable || stmt.communication.variable == variable;
+        if (stmt.kind == ir::StmtKind::call) found = found || definition_of(frame, stmt.operation) != nullptr;
+        for (const ir::Expr* expr : reads(stmt)) found = found || mentions(*expr, uses);
+    });
+    return found;
+}
+
+/// The transitions whose store races with exit actions of states inside their source (semantics 3.4, step 4).
+void MachineEmitter::find_races(Frame& frame) {
     const ir::Machine& checked = *frame.machine;
-    for (const ir::Transition& transition : checked.transitions) {
+    for (std::uint32_t id = 0; id < checked.transitions.size(); ++id) {
+        const ir::Transition& transition = checked.transitions[id];
         if (!transition.trigger || transition.trigger->kind != CommKind::input) continue;
-        const ir::VariableId variable = transition.trigger->variable;
-        const bool shared = cells_[frame.variables.at(variable.index)].shared;
-        const auto uses = [&](const ir::Expr& part) {
-            return part.kind == ir::ExprKind::variable && part.variable == variable;
-        };
-        for (std::uint32_t i = 0; i < checked.nodes.size(); ++i) {
-            if (!checked.nodes[i].exit || !inside(checked, NodeId{i}, transition.source)) continue;
-            bool races = shared;
-            walk_statements(*checked.nodes[i].exit, [&](const ir::Stmt& stmt) {
-                if (stmt.kind == ir::StmtKind::assign) races = races || stmt.variable == variable;
-                for (const ir::Expr* expr : reads(stmt)) races = races || mentions(*expr, uses);
-            });
-            if (races)
-                project().diagnostics.report(rules::racing_exit, transition.origin.span,
-                                             {checked.nodes[i].path, transition.name});
-        }
+        for (std::uint32_t i = 0; i < checked.nodes.size(); ++i)
+            if (checked.nodes[i].exit && inside(checked, NodeId{i}, transition.source) &&
+                races(frame, transition.trigger->variable, *checked.nodes[i].exit))
+                frame.racing.insert(id);
     }
 }
 

@@ -117,6 +117,39 @@ TEST(Transitions, GuardOnTheIncomingValueRefusesTheOthers) {
               "holds");
 }
 
+const char* const racing_machine = R"(
+        var x:nat
+        initial i
+        state C {
+            exit g
+            initial j
+            state L { exit a ; m ! x }
+            transition u0 { from j to L }
+        }
+        state D { entry m ! x }
+        transition t0 { from i to C }
+        transition t1 { from C to D trigger n ? x }
+    )";
+
+TEST(Transitions, InnerExitsRaceWithTheStore) {
+    // semantics 3.4: the value is stored while the inner states are left; the source's own exit comes after both.
+    EXPECT_EQ(untimed(machine(racing_machine),
+                      "Spec = S::n.in?v -> S::a.out -> (S::m.out.0 -> Rest(v) |~| S::m.out!v -> Rest(v))\n"
+                      "Rest(v) = S::g.out -> S::m.out!v -> STOP"),
+              "holds");
+}
+
+TEST(Transitions, AStoreIsDoneBeforeTimePasses) {
+    // The store is hidden: once a unit has passed, `m` sends the new value.
+    EXPECT_EQ(timed(machine(racing_machine),
+                    "Timed(OneStep) {\n"
+                    "Run = S::n.in?v -> ((S::a.out -> (S::m.out.0 -> Rest(v) |~| New(v))) [> S::a.out -> New(v))\n"
+                    "New(v) = S::m.out!v -> Rest(v)\n"
+                    "Rest(v) = S::g.out -> S::m.out!v -> STOP\n"
+                    "Spec = timed_priority(Run)\n}\n"),
+              "holds");
+}
+
 TEST(Transitions, TheSameTriggerTwiceIsAnInternalChoice) {
     EXPECT_EQ(untimed(machine(R"(
         initial i

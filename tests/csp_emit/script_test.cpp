@@ -164,26 +164,6 @@ TEST(Provenance, TellsEventsAndPlacesInTheModelsWords) {
     EXPECT_THAT(provenance.definitions.at("S::A__").parameters, ElementsAre("x"));
 }
 
-TEST(Rules, WhatHasNoSemanticsIsRefusedByName) {
-    const auto m = model(R"(
-        stm S {
-            event a : nat
-            var x : nat
-            initial i
-            state C {
-                initial j
-                state L { exit a ! x }
-                transition u0 { from j to L }
-            }
-            state D { }
-            transition t0 { from i to C }
-            transition t1 { from C to D trigger a ? x }
-        })");
-    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    (void)m->emit(Time::untimed);
-    EXPECT_THAT(m->codes(), ElementsAre("RC-C05"));
-}
-
 TEST(Rules, ConstantsWithoutAValueAreRefused) {
     const auto m = model("stm S { const c:real = 1 / 0 initial i state A { } transition t0 { from i to A } }");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();

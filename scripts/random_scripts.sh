@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Random models through the semantics: every script that is emitted must read back equal and pass the type checker
+# (docs/testing.md):
+#   scripts/random_scripts.sh [MODELS [FIRST_SEED]]     default: 1000 models of each shape from seed 0
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export ROBOCHART_SEEDS="${1:-1000}"
+export ROBOCHART_FIRST_SEED="${2:-0}"
+cmake --preset release -DROBOCHART_TESTS=ON
+cmake --build --preset release --target tests_random_models
+build/release/tests/random_models/tests_random_models --gtest_filter='Semantics.*'
