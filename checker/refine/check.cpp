@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <new>
+#include <stdexcept>
 
 #include "checker/refine/counterexample.hpp"
 #include "checker/refine/monitors.hpp"
 #include "checker/refine/question.hpp"
 #include "checker/refine/reference.hpp"
+#include "checker/refine/steps.hpp"
 #include "checker/refine/watch.hpp"
 
 namespace robochart::refine {
@@ -44,18 +46,6 @@ Tally::~Tally() {
 }
 
 namespace {
-
-class FirstStepBy final : public lts::SuccessorSink {
-public:
-    explicit FirstStepBy(Event wanted) : wanted_(wanted) {}
-    void add(Event event, lts::StateView target, Event revealed) override {
-        if (event == wanted_ && !found) found = RunStep{event, revealed, {target.begin(), target.end()}};
-    }
-    std::optional<RunStep> found;
-
-private:
-    Event wanted_;
-};
 
 void fail(Verdict& verdict, Counterexample counterexample) {
     verdict.outcome = Outcome::fails;
@@ -198,9 +188,11 @@ void decide_trace(lts::TransitionSystem& system, const std::vector<Event>& trace
 Violation violation_of(Search& search, lts::TransitionSystem& system, const Finding& finding) {
     Violation violation{finding.kind, search.run_along(search.path_to(finding.pair)), {}, {}};
     if (finding.kind == ViolationKind::trace) {
-        FirstStepBy step(finding.event);
-        system.successors(search.state(finding.pair), step);
-        violation.run.steps.push_back(step.found.value());
+        const std::vector<RunStep> steps = steps_from(system, search.state(finding.pair));
+        const auto by_it = [&](const RunStep& step) { return step.event == finding.event; };
+        const auto step = std::find_if(steps.begin(), steps.end(), by_it);
+        if (step == steps.end()) throw std::logic_error("a forbidden event cannot be taken again");
+        violation.run.steps.push_back(*step);
     }
     return violation;
 }

@@ -1,18 +1,10 @@
 // States as people read them, and what the last one offers.
 #include "checker/refine/counterexample.hpp"
 
-#include <algorithm>
+#include "checker/refine/steps.hpp"
 
 namespace robochart::refine {
 namespace {
-
-class OfferedEvents final : public lts::SuccessorSink {
-public:
-    void add(process::Event event, lts::StateView /*target*/, process::Event /*revealed*/) override {
-        if (event != process::tau) events.push_back(event);
-    }
-    std::vector<process::Event> events;
-};
 
 std::vector<Step> steps_of(lts::TransitionSystem& system, const Run& run) {
     std::vector<Step> steps;
@@ -25,14 +17,6 @@ std::vector<process::TermId> terms_of(const Run& run) {
     if (!run.initial.empty()) terms.push_back(process::TermId{run.initial.front()});
     for (const RunStep& step : run.steps) terms.push_back(process::TermId{step.state.front()});
     return terms;
-}
-
-std::vector<process::Event> offered_by(lts::TransitionSystem& system, const std::vector<lts::Word>& state) {
-    OfferedEvents offered;
-    system.successors(state, offered);
-    std::sort(offered.events.begin(), offered.events.end());
-    offered.events.erase(std::unique(offered.events.begin(), offered.events.end()), offered.events.end());
-    return std::move(offered.events);
 }
 
 }  // namespace
@@ -53,7 +37,7 @@ Counterexample tell(const Confirmed& confirmed) {
     }
     const bool stops = violation.kind == ViolationKind::refusal || violation.kind == ViolationKind::deadlock ||
                        violation.kind == ViolationKind::nondeterminism;
-    if (stops) told.offered = offered_by(system, violation.run.last());
+    if (stops) told.offered = offer_of(steps_from(system, violation.run.last())).events;
     return told;
 }
 

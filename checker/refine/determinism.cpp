@@ -15,6 +15,7 @@
 #include "checker/refine/monitors.hpp"
 #include "checker/refine/question.hpp"
 #include "checker/refine/reference.hpp"
+#include "checker/refine/steps.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -166,23 +167,6 @@ private:
     std::vector<lts::StateIndex> settled_;
 };
 
-/// What one state offers.
-class OfferOf final : public lts::SuccessorSink {
-public:
-    OfferOf(lts::TransitionSystem& system, lts::StateView state) {
-        system.successors(state, *this);
-        std::sort(offer.events.begin(), offer.events.end());
-        offer.events.erase(std::unique(offer.events.begin(), offer.events.end()), offer.events.end());
-    }
-    void add(Event event, lts::StateView /*target*/, Event /*revealed*/) override {
-        if (event == process::tau)
-            offer.tau = true;
-        else
-            offer.events.push_back(event);
-    }
-    Offer offer;
-};
-
 /// Where P does what P' does not, or refuses what P' does.
 std::optional<Ambiguity> against_resolution(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
     Resolution resolution(system, budget);
@@ -192,8 +176,8 @@ std::optional<Ambiguity> against_resolution(lts::TransitionSystem& system, Budge
     if (!finding) return std::nullopt;
     const std::vector<Event> trace = search.run_along(search.path_to(finding->pair)).trace();
     if (finding->kind == ViolationKind::trace) return Ambiguity{trace, finding->event};
-    const OfferOf state(system, search.state(finding->pair));
-    return Ambiguity{trace, resolution.refused(search.node(finding->pair), state.offer).value()};
+    const Offer offer = offer_of(steps_from(system, search.state(finding->pair)));
+    return Ambiguity{trace, resolution.refused(search.node(finding->pair), offer).value()};
 }
 
 std::optional<Ambiguity> on_normal_form(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {

@@ -6,7 +6,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "checker/refine/stability.hpp"
+#include "checker/refine/steps.hpp"
 #include "checker/refine/watch.hpp"
 
 namespace robochart::refine {
@@ -18,36 +18,15 @@ using State = std::vector<lts::Word>;
 /// The reference's share: a bound reached says nothing about the verdict.
 constexpr std::chrono::seconds longest_replay{20};
 
-class Moves final : public lts::SuccessorSink {
-public:
-    void add(Event event, lts::StateView target, Event revealed) override {
-        list.push_back({event, revealed, {target.begin(), target.end()}});
-        if (event == process::tau)
-            offer.tau = true;
-        else
-            offer.events.push_back(event);
-    }
-    /// Ready to be read.
-    void finish() {
-        std::sort(offer.events.begin(), offer.events.end());
-        offer.events.erase(std::unique(offer.events.begin(), offer.events.end()), offer.events.end());
-    }
+struct Moves {
     std::vector<RunStep> list;
     Offer offer;
 };
 
 Moves moves_of(lts::TransitionSystem& system, const State& state, Budget& budget) {
-    budget.charge();
-    Moves moves;
-    system.successors(state, moves);
-    moves.finish();
+    Moves moves{steps_from(system, state, budget), {}};
+    moves.offer = offer_of(moves.list);
     return moves;
-}
-
-State initial_of(lts::TransitionSystem& system) {
-    State state(system.width());
-    system.initial(state);
-    return state;
 }
 
 /// Paths through a system whose nodes are states with a place in a word of actions.

@@ -8,6 +8,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "checker/refine/steps.hpp"
+
 namespace robochart::refine {
 namespace {
 
@@ -17,33 +19,6 @@ using process::Event;
 using process::EventSet;
 using State = std::vector<Word>;
 
-struct Move {
-    Event event;
-    Event revealed;
-    State target;
-};
-
-class MoveList final : public lts::SuccessorSink {
-public:
-    void add(Event event, StateView target, Event revealed) override {
-        moves.push_back({event, revealed, {target.begin(), target.end()}});
-    }
-    std::vector<Move> moves;
-};
-
-std::vector<Move> moves_of(lts::TransitionSystem& system, const State& state, Budget& budget) {
-    budget.charge();
-    MoveList list;
-    system.successors(state, list);
-    return std::move(list.moves);
-}
-
-State initial_of(lts::TransitionSystem& system) {
-    State state(system.width());
-    system.initial(state);
-    return state;
-}
-
 void require(bool truth, const char* claim) {
     if (!truth) throw std::logic_error(fmt::format("a counterexample failed its replay: {}", claim));
 }
@@ -51,11 +26,11 @@ void require(bool truth, const char* claim) {
 void confirm_steps(lts::TransitionSystem& system, const Run& run, Budget& budget) {
     const State* from = &run.initial;
     for (const RunStep& step : run.steps) {
-        const std::vector<Move> moves = moves_of(system, *from, budget);
+        const std::vector<RunStep> moves = steps_from(system, *from, budget);
         require(std::any_of(moves.begin(), moves.end(),
-                            [&](const Move& move) {
+                            [&](const RunStep& move) {
                                 return move.event == step.event && move.revealed == step.revealed &&
-                                       move.target == step.state;
+                                       move.state == step.state;
                             }),
                 "a step of the run does not exist");
         from = &step.state;
@@ -89,7 +64,7 @@ struct Conduct {
 
 Conduct conduct_of(lts::TransitionSystem& system, const State& state, Budget& budget) {
     Conduct conduct;
-    for (const Move& move : moves_of(system, state, budget)) {
+    for (const RunStep& move : steps_from(system, state, budget)) {
         if (move.event == process::tau)
             conduct.tau = true;
         else
@@ -109,8 +84,8 @@ public:
     void perform(Event event) {
         std::set<State> next;
         for (const State& state : states_)
-            for (Move& move : moves_of(system_, state, budget_))
-                if (move.event == event) next.insert(std::move(move.target));
+            for (RunStep& move : steps_from(system_, state, budget_))
+                if (move.event == event) next.insert(std::move(move.state));
         states_.swap(next);
         close();
     }
@@ -133,8 +108,8 @@ public:
         std::vector<State> finite;
         for (const State& state : states_) {
             std::set<State> targets;
-            for (Move& move : moves_of(system_, state, budget_))
-                if (move.event == process::tau) targets.insert(std::move(move.target));
+            for (RunStep& move : steps_from(system_, state, budget_))
+                if (move.event == process::tau) targets.insert(std::move(move.state));
             for (const State& target : targets) sources[target].push_back(state);
             taus_left[state] = targets.size();
             if (targets.empty()) finite.push_back(state);
@@ -154,9 +129,9 @@ private:
         while (!work.empty()) {
             const State state = std::move(work.back());
             work.pop_back();
-            for (Move& move : moves_of(system_, state, budget_))
-                if (move.event == process::tau && states_.insert(move.target).second)
-                    work.push_back(std::move(move.target));
+            for (RunStep& move : steps_from(system_, state, budget_))
+                if (move.event == process::tau && states_.insert(move.state).second)
+                    work.push_back(std::move(move.state));
         }
     }
 
@@ -219,7 +194,7 @@ void confirm_property_violation(lts::TransitionSystem& system, const Violation& 
     confirm_run(system, violation.run, budget);
     if (violation.kind == ViolationKind::divergence) return confirm_loop(system, violation, budget);
     if (violation.kind == ViolationKind::deadlock)
-        return require(moves_of(system, violation.run.last(), budget).empty(), "the state is not deadlocked");
+        return require(steps_from(system, violation.run.last(), budget).empty(), "the state is not deadlocked");
     require(violation.kind == ViolationKind::nondeterminism && violation.event, "a kind that properties do not have");
     require(conduct_of(system, violation.run.last(), budget).can_refuse(*violation.event), "the event is not refused");
     Powerset states(system, budget);
