@@ -164,6 +164,39 @@ scenario World for M {
     EXPECT_THAT(result.trials[0].stop->cause, HasSubstr("precondition"));
 }
 
+class Counting final : public Trace {
+public:
+    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs) override {
+        ++cycles;
+        if (robot != 0) return;
+        if (inputs[0].present != 0) seen.push_back(step);
+        for (std::uint32_t a = 0; a < outputs.count; ++a) done.emplace_back(step, outputs.action[a].output);
+    }
+    std::size_t cycles = 0;
+    std::vector<std::uint64_t> seen;
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> done;
+};
+
+/// A trace is told every cycle of every robot, with what it heard and did.
+TEST(Trial, TellsATrace) {
+    Experiment experiment(model, scenario);
+    std::string error;
+    const auto controller = Controller::build(experiment.emission, "", error);
+    ASSERT_NE(controller, nullptr) << error;
+    ASSERT_EQ(experiment.emission.inputs.at(0).name, "wall");
+    const auto stage = embedded_stage(experiment.scenario, 0, experiment.diagnostics);
+    Counting trace;
+    TrialOptions options;
+    options.trace = &trace;
+    ASSERT_TRUE(run_trial(experiment.plan, controller->drive(), *stage, options).complete);
+    EXPECT_EQ(trace.cycles, 2 * 200U);
+    EXPECT_EQ(trace.seen.at(0), 37U) << "the wall, from 37 cm on";
+    ASSERT_GE(trace.done.size(), 2U);
+    EXPECT_EQ(trace.done[0].first, 0U) << "forward at once";
+    EXPECT_EQ(trace.done[1].first, 37U) << "asks when it sees the wall";
+    EXPECT_EQ(experiment.emission.outputs.at(trace.done[1].second).name, "ask");
+}
+
 /// Shared variables are fed like events, and the environment raises events by the clock.
 TEST(Trial, FeedsVariablesAndStimuli) {
     constexpr const char* machine = R"(
