@@ -167,7 +167,11 @@ std::vector<std::pair<CellId, ExprPtr>> MachineEmitter::monitors(const View& vie
             const ir::Transition& transition = frames_[index].machine->transitions[id];
             const auto& entered = spot.activation->entered;
             if (std::find(entered.begin(), entered.end(), transition.source) == entered.end()) continue;
-            result.emplace_back(cell, guard_of(index, transition, values, nullptr));
+            // The monitor has no incoming value: it reads the variable (semantics 3.10).
+            const bool receives = transition.trigger && transition.trigger->kind == ir::CommKind::input;
+            const ExprPtr known =
+                receives ? value_of(frames_[index].variables.at(transition.trigger->variable.index), values) : nullptr;
+            result.emplace_back(cell, guard_of(index, transition, values, known));
         }
     }
     return result;

@@ -34,6 +34,7 @@ private:
     ExprPtr function_call(const ast::Expr& source, const ast::Function& function);
     ExprPtr function_value(const ast::Expr& source, const ast::Function& function);
     ExprPtr toolkit_call(const ast::Expr& source, const ast::Function& function, TypeId expected);
+    ExprPtr generic_call(const ast::Expr& source, const ast::Function& function, TypeId expected);
     ExprPtr application(const ast::Expr& source, ExprPtr function);
     ExprPtr member(const ast::Expr& source);
     ExprPtr index(const ast::Expr& source);

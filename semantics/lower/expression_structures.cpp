@@ -84,7 +84,8 @@ ExprPtr Expressions::call(const ast::Expr& source, TypeId expected) {
         const auto& function = static_cast<const ast::Function&>(*source.target);
         const std::string package = lowering_.package_of(function);
         const bool library = std::find(toolkits.begin(), toolkits.end(), package) != toolkits.end();
-        return library ? toolkit_call(source, function, expected) : function_call(source, function);
+        if (library) return toolkit_call(source, function, expected);
+        return is_generic(function) ? generic_call(source, function, expected) : function_call(source, function);
     }
     if (source.target->kind == ast::DeclKind::enum_literal)
         return enum_literal(source, static_cast<const ast::EnumLiteral&>(*source.target));

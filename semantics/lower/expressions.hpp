@@ -26,8 +26,15 @@ struct Names {
 [[nodiscard]] ExprPtr coerce(Lowering&, const ExprPtr&, TypeId);
 
 /// The id of a function that the model declares, its signature and conditions lowered at its first use. Functions for
-/// all types (`?X`) are reported; the id is invalid then.
+/// all types (`?X`) are reported here; the id is invalid then.
 [[nodiscard]] FunctionId lower_function(Lowering&, const frontend::Function&, diagnostics::Span where);
+
+/// Whether type variables (`?X`) occur in the signature.
+[[nodiscard]] bool is_generic(const frontend::Function&);
+/// The id of a function for all types, used for these types; another use for other types is reported.
+[[nodiscard]] FunctionId lower_instance(Lowering&, const frontend::Function&, const std::vector<TypeId>& parameters,
+                                        TypeId result, std::map<std::string, TypeId> variables,
+                                        diagnostics::Span where);
 
 [[nodiscard]] ExprPtr make_boolean(bool, diagnostics::Span);
 /// Null operands stand for true.

@@ -29,6 +29,8 @@ public:
     /// The formal type with its variables replaced; open ones are the unit type.
     TypeId instance(const ast::TypePtr& formal);
     std::vector<TypeId> in_order(const ast::Function& function);
+    /// What all variables of the signature stand for, by name.
+    std::map<std::string, TypeId> by_name(const ast::Function& function);
 
 private:
     const Type& type(TypeId id) const { return lowering_.system.type(id); }
@@ -37,6 +39,7 @@ private:
     std::vector<TypeId> pair_of(TypeId set_like) const;
     TypeId element_of(TypeId set_like);
     void bind_parts(const std::vector<ast::TypePtr>& formal, const std::vector<TypeId>& actual);
+    std::vector<std::string> names_of(const ast::Function& function) const;
     void collect(const ast::TypePtr& formal, std::vector<std::string>& names) const;
 
     Lowering& lowering_;
@@ -127,7 +130,7 @@ TypeId Bindings::instance(const ast::TypePtr& formal) {
         case TypeForm::relation:
             return composed(TypeKind::relation, std::move(args));
         default:
-            return lower_type(lowering_, formal, {});  // the libraries use no other composed types
+            return lower_type(lowering_, formal, {});  // vectors and matrices of a type variable are refused there
     }
 }
 
@@ -138,10 +141,23 @@ void Bindings::collect(const ast::TypePtr& formal, std::vector<std::string>& nam
     for (const auto& arg : formal->args) collect(arg, names);
 }
 
-std::vector<TypeId> Bindings::in_order(const ast::Function& function) {
+std::map<std::string, TypeId> Bindings::by_name(const ast::Function& function) {
+    const std::vector<std::string> names = names_of(function);
+    const std::vector<TypeId> types = in_order(function);
+    std::map<std::string, TypeId> result;
+    for (std::size_t i = 0; i < names.size(); ++i) result[names[i]] = types[i];
+    return result;
+}
+
+std::vector<std::string> Bindings::names_of(const ast::Function& function) const {
     std::vector<std::string> names;
     for (const auto& parameter : function.parameters) collect(parameter->type, names);
     collect(function.result, names);
+    return names;
+}
+
+std::vector<TypeId> Bindings::in_order(const ast::Function& function) {
+    const std::vector<std::string> names = names_of(function);
     std::vector<TypeId> result;
     for (const std::string& name : names) {
         const auto found = types_.find(name);
@@ -169,6 +185,26 @@ ExprPtr Expressions::toolkit_call(const ast::Expr& source, const ast::Function& 
     expr.type = bindings.instance(function.result);
     expr.bound_types = bindings.in_order(function);
     return share(std::move(expr));
+}
+
+/// A function of the model for all types: one of the types that this call needs.
+ExprPtr Expressions::generic_call(const ast::Expr& source, const ast::Function& function, TypeId expected) {
+    Expr expr;
+    expr.kind = ExprKind::call;
+    expr.span = source.span;
+    expr.text = function.name;
+    Bindings bindings(lowering_);
+    for (std::size_t i = 0; i < source.args.size(); ++i) {
+        expr.args.push_back(operand(source, i));
+        bindings.bind(function.parameters.at(i)->type, expr.args[i]->type);
+    }
+    bindings.complete(function.result, expected);
+    std::vector<TypeId> parameters;
+    for (const auto& parameter : function.parameters) parameters.push_back(bindings.instance(parameter->type));
+    for (std::size_t i = 0; i < expr.args.size(); ++i) expr.args[i] = coerce(lowering_, expr.args[i], parameters.at(i));
+    expr.type = bindings.instance(function.result);
+    expr.function = lower_instance(lowering_, function, parameters, expr.type, bindings.by_name(function), source.span);
+    return expr.function.valid() ? share(std::move(expr)) : make_boolean(true, source.span);
 }
 
 }  // namespace robochart::ir

@@ -129,6 +129,8 @@ TypeId lower_declared_type(Lowering& lowering, const frontend::TypeDeclaration& 
 TypeId lower_type(Lowering& lowering, const frontend::TypePtr& source, diagnostics::Span where) {
     if (!source) return lowering.unresolved("a type", where), nat_type;
     if (source->declaration != nullptr) return lower_declared_type(lowering, *source->declaration, where);
+    if (source->form == TypeForm::variable && lowering.type_variables.contains(source->name))
+        return lowering.type_variables.at(source->name);
     if (source->form == TypeForm::variable)
         return lowering.unsupported("type variable ?" + source->name, where), nat_type;
     // The argument of a one-parameter function is typed as a product of one.

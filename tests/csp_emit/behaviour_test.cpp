@@ -150,6 +150,20 @@ TEST(Transitions, AStoreIsDoneBeforeTimePasses) {
               "holds");
 }
 
+TEST(Transitions, DeadlinesReadTheVariableThatTheGuardAsksTheInputFor) {
+    // x is 0 and stays so: the guard is false for the monitor, which never stops time (semantics 3.10).
+    EXPECT_EQ(timed(machine(R"(
+        var x:nat
+        initial i
+        state A { }
+        state B { }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger n ? x <{ 1 } condition x > 0 }
+    )"),
+                    "Timed(OneStep) {\nSpec = S::n.in?v:{1,2} -> STOP\n}\n"),
+              "holds");
+}
+
 TEST(Transitions, TheSameTriggerTwiceIsAnInternalChoice) {
     EXPECT_EQ(untimed(machine(R"(
         initial i

@@ -34,6 +34,7 @@ function any(n : int) : int { postcondition result > 0 }
 function constant(n : int) : int { }
 function nothing() : int { }
 function down(n : nat) : int { postcondition n == 0 => result == 2 postcondition n > 0 => result == down((n - 1) as nat) }
+function chosen(a : Set(?X)) : ?X { precondition a != {} postcondition result in a }
 function positive(n : int) : int { precondition n > 0 postcondition result == n }
 )";
 
@@ -148,7 +149,9 @@ TEST(Data, Functions) {
                    {"constant(1)", "0"},
                    {"nothing()", "0"},
                    {"down(2)", "2"},
-                   {"positive(2)", "2"}});
+                   {"positive(2)", "2"},
+                   {"chosen({2})", "2"},
+                   {"chosen({0, 2})", "0"}});
 }
 
 TEST(Data, Sequences) {
@@ -282,6 +285,15 @@ TEST(Postconditions, WithoutAnyValueMakeTheCheckInconclusive) {
     EXPECT_THAT(m->codes(), Contains("RC-S20"));
     EXPECT_THAT(equal(*m, Time::untimed, "S::D__(0)", "Spec", "Spec = S::m.out.0 -> STOP"),
                 HasSubstr("no value satisfies the postcondition of none"));
+}
+
+TEST(GenericFunctions, AreRefusedForSeveralTypes) {
+    const auto m = model(R"(
+        function same(x : ?X) : ?X { postcondition result == x }
+        stm S { event m : nat event t : boolean initial j state A { entry m ! (same(1)) ; t ! (same(true)) }
+                transition t0 { from j to A } })");
+    EXPECT_THAT(m->codes(), Contains("RC-S01"));
+    EXPECT_THAT(m->messages(), HasSubstr("function same used for several types"));
 }
 
 TEST(Reals, SetsAndSequencesAreConvertedElementByElement) {
