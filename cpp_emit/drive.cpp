@@ -26,6 +26,16 @@ Carried carried(ir::TypeKind kind) {
     }
 }
 
+/// A string literal; the model's file may have any name.
+std::string literal(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += static_cast<unsigned char>(c) < 0x20U ? ' ' : c;
+    }
+    return result + '"';
+}
+
 /// A port with what the emitted text needs.
 struct Channel {
     Port port;
@@ -254,8 +264,8 @@ private:
         out_.open("const char* place_of(const void* controller) noexcept {");
         out_.open("switch (static_cast<const State*>(controller)->at) {");
         for (const Enumerator& value : root_places().values)
-            out_.line(fmt::format("case core::{}::{}: return \"{}\";", root_places().name, value.name,
-                                  value.comment.empty() ? value.name : value.comment));
+            out_.line(fmt::format("case core::{}::{}: return {};", root_places().name, value.name,
+                                  literal(value.comment.empty() ? value.name : value.comment)));
         out_.close();
         out_.line("return \"?\";");
         out_.close();

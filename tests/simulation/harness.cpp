@@ -53,9 +53,9 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text;
 }
 
-Experiment::Experiment(const std::string& model, const std::string& text) {
+Experiment::Experiment(const std::string& model, const std::string& text, const std::string& model_path) {
     frontend::Model parsed;
-    parsed.files.push_back(frontend::parse(sources, sources.add("model.rct", model), false, diagnostics));
+    parsed.files.push_back(frontend::parse(sources, sources.add(model_path, model), false, diagnostics));
     frontend::resolve(parsed, diagnostics);
     system = ir::lower(parsed, sources, diagnostics);
     instantiation = ir::instantiate(system, {}, diagnostics);

@@ -16,7 +16,7 @@ std::string read_file(const std::string& path);
 std::string replaced(std::string text, const std::string& what, const std::string& with);
 
 struct Experiment {
-    Experiment(const std::string& model, const std::string& scenario);
+    Experiment(const std::string& model, const std::string& scenario, const std::string& model_path = "model.rct");
 
     /// Builds the controller once and runs all trials. The experiment must have no errors.
     RunResult run(unsigned threads = 2);

@@ -1,0 +1,128 @@
+// The interface for simulators carries values of every generated type to the controller and back.
+#include <gtest/gtest.h>
+
+#include "harness.hpp"
+
+namespace robochart::simulation {
+namespace {
+
+using cpp_emit::Carried;
+using testing::Experiment;
+
+constexpr const char* model = R"(
+enumeration Colour { Red Green Blue }
+interface In { event n_in : nat event i_in : int event b_in : boolean event r_in : real event c_in : Colour }
+interface Out { event n_out : nat event i_out : int event b_out : boolean event r_out : real event c_out : Colour }
+stm Echo {
+	uses In
+	uses Out
+	var n : nat
+	var k : int
+	var b : boolean
+	var r : real
+	var c : Colour
+	initial i
+	state Ready { }
+	transition t0 { from i to Ready }
+	transition t1 { from Ready to Ready trigger n_in?n action n_out!(n + 1) }
+	transition t2 { from Ready to Ready trigger i_in?k action i_out!(k - 7) }
+	transition t3 { from Ready to Ready trigger b_in?b action b_out!(not b) }
+	transition t4 { from Ready to Ready trigger r_in?r action r_out!(r * 0.5) }
+	transition t5 { from Ready to Ready trigger c_in?c action c_out!c }
+}
+)";
+
+constexpr const char* scenario = R"(
+scenario World for Echo {
+	step 0.1 s physics 0.01 s unit 0.1 s duration 1 s trials 1
+	arena 100 cm by 100 cm
+	robots 1 { place at (0 cm, 0 cm) heading 0 deg }
+	stimulus n_in = 3 at 0 s
+}
+)";
+
+class Echo : public ::testing::Test {
+protected:
+    void SetUp() override {
+        std::string error;
+        controller_ = Controller::build(experiment_.emission, "", error);
+        ASSERT_NE(controller_, nullptr) << error << experiment_.messages();
+        signals_.resize(experiment_.emission.inputs.size());
+    }
+
+    std::uint32_t input(const std::string& name) {
+        for (std::uint32_t i = 0; i < experiment_.emission.inputs.size(); ++i)
+            if (experiment_.emission.inputs[i].name == name) return i;
+        ADD_FAILURE() << name;
+        return 0;
+    }
+    /// One cycle with one input; what came out.
+    rc_value step(const std::string& in, rc_value value, const std::string& out) {
+        for (rc_signal& signal : signals_) signal.present = 0;
+        signals_[input(in)] = {1, 0, value};
+        ControllerArray one(controller_->drive(), 1);
+        rc_actions actions{};
+        EXPECT_EQ(controller_->drive().step(one[0], signals_.data(), &actions), RC_DRIVE_QUIESCENT);
+        EXPECT_EQ(controller_->drive().state_of(one[0]), 0U);
+        EXPECT_STREQ(controller_->drive().state[0], "Ready");
+        if (actions.count != 1) {
+            ADD_FAILURE() << actions.count << " actions";
+            return {};
+        }
+        EXPECT_EQ(experiment_.emission.outputs[actions.action[0].output].name, out);
+        EXPECT_EQ(actions.action[0].count, 1U);
+        return actions.action[0].argument[0];
+    }
+    static rc_value whole(std::int64_t number) {
+        rc_value value{};
+        value.whole = number;
+        return value;
+    }
+
+    Experiment experiment_{model, scenario};
+    std::unique_ptr<Controller> controller_;
+    std::vector<rc_signal> signals_;
+};
+
+TEST_F(Echo, CarriesEveryType) {
+    rc_value real{};
+    real.real = 0.3;
+    EXPECT_EQ(step("n_in", whole(41), "n_out").whole, 42);
+    EXPECT_EQ(step("i_in", whole(-5), "i_out").whole, -12);
+    EXPECT_EQ(step("b_in", whole(1), "b_out").whole, 0);
+    EXPECT_EQ(step("b_in", whole(0), "b_out").whole, 1);
+    EXPECT_DOUBLE_EQ(step("r_in", real, "r_out").real, 0.15);
+    EXPECT_EQ(step("c_in", whole(2), "c_out").whole, 2);
+}
+
+TEST_F(Echo, SaysWhatEachPortCarries) {
+    const auto& inputs = experiment_.emission.inputs;
+    EXPECT_EQ(inputs[input("n_in")].arguments, std::vector{Carried::whole});
+    EXPECT_EQ(inputs[input("b_in")].arguments, std::vector{Carried::boolean});
+    EXPECT_EQ(inputs[input("r_in")].arguments, std::vector{Carried::real});
+    EXPECT_EQ(inputs[input("c_in")].arguments, std::vector{Carried::enumeration});
+    EXPECT_STREQ(controller_->drive().input[input("i_in")], "i_in.in");
+}
+
+TEST_F(Echo, NamesItsPlaceInTheModel) {
+    ControllerArray one(controller_->drive(), 1);
+    EXPECT_STREQ(controller_->drive().place_of(one[0]), "Echo::i (model.rct:13)");
+    EXPECT_EQ(controller_->drive().state_of(one[0]), controller_->drive().states) << "in no state yet";
+}
+
+TEST(Drive, BearsAnyNameOfTheModelsFile) {
+    Experiment experiment(model, scenario, "a \"strange\\ name.rct");
+    std::string error;
+    const auto controller = Controller::build(experiment.emission, "", error);
+    ASSERT_NE(controller, nullptr) << error;
+    ControllerArray one(controller->drive(), 1);
+    EXPECT_STREQ(controller->drive().place_of(one[0]), "Echo::i (a \"strange\\ name.rct:13)");
+}
+
+/// Events that nothing feeds are told (RC-M14); a number feeds nat by a stimulus.
+TEST_F(Echo, ScenarioIsBoundWithWarnings) {
+    EXPECT_EQ(experiment_.codes(), "RC-M14 RC-M14 RC-M14 RC-M14") << experiment_.messages();
+}
+
+}  // namespace
+}  // namespace robochart::simulation
