@@ -1,0 +1,92 @@
+// Compiled processes searched by several threads, each with its own copy of the system.
+#include <gtest/gtest.h>
+
+#include "checker/machine/compiler.hpp"
+#include "checker/refine/check.hpp"
+#include "tests/checker/process/scripted.hpp"
+
+namespace robochart::machine {
+namespace {
+
+using process::Op;
+using process::Scripted;
+
+class SharedSearch : public testing::Test {
+protected:
+    /// A process that does the events one after the other, again and again.
+    TermId cycle(const std::string& name, const std::vector<std::string>& events) {
+        const TermId again = s.name(name);
+        TermId rest = again;
+        for (auto event = events.rbegin(); event != events.rend(); ++event) rest = s.prefix(*event, rest);
+        s.bind(again, rest);
+        return again;
+    }
+    std::unique_ptr<SupercombinatorSystem> compiled(TermId term) {
+        auto system = compiler.compile(term, {});
+        EXPECT_NE(system, nullptr);
+        return system;
+    }
+    static refine::Limits by(unsigned threads, std::size_t wide_level) {
+        refine::Limits limits;
+        limits.threads = threads;
+        limits.wide_level = wide_level;
+        return limits;
+    }
+
+    Scripted s;
+    process::OperationalSemantics semantics{s.store};
+    Compiler compiler{semantics};
+};
+
+/// Nine cells of four states: 4^9 states with nine transitions each, enough that all threads make the table anew.
+TEST_F(SharedSearch, CountsAllStatesOfIndependentCells) {
+    std::vector<TermId> cells;
+    for (char cell = '1'; cell <= '9'; ++cell) {
+        const std::string name(1, cell);
+        cells.push_back(cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
+    }
+    const auto system = compiled(s.over(Op::parallel, cells, {}));
+    for (const unsigned threads : {1U, 2U, 3U}) {
+        const refine::Verdict verdict =
+            refine::deadlock_free(*system, refine::Model::failures_divergences, by(threads, 2048));
+        EXPECT_EQ(verdict.outcome, refine::Outcome::holds);
+        EXPECT_EQ(verdict.statistics.states, 262'144U);
+        EXPECT_EQ(verdict.statistics.transitions, 9 * 262'144U);
+        EXPECT_EQ(verdict.statistics.depth, 27U);
+    }
+}
+
+/// Hidden steps, a region with priorities inside, and a specification that one event violates.
+TEST_F(SharedSearch, FindsTheSameViolations) {
+    const TermId inside = s.prioritise(
+        s.over(Op::parallel, {cycle("P", {"a", "b", "x"}), cycle("Q", {"c", "b", "y"})}, {"b"}), {{"a"}, {"c"}});
+    const TermId with_r = s.over(Op::parallel, {inside, cycle("R", {"x", "u", "v"})}, {"x"});
+    const TermId with_s = s.over(Op::parallel, {with_r, cycle("S", {"y", "w", "z"})}, {"y"});
+    const TermId term = s.over(Op::hide, {with_s}, {"b", "u", "w"});
+    const auto system = compiled(term);
+    for (const std::string missing : {"v", "z", ""}) {
+        std::vector<std::pair<std::string, TermId>> menu;
+        const TermId most = s.name("SPEC" + missing);
+        for (const std::string event : {"a", "c", "v", "x", "y", "z"})
+            if (event != missing) menu.emplace_back(event, most);
+        s.bind(most, s.menu(menu));
+        const auto specification = compiled(s.over(Op::parallel, {most, s.stop()}, {}));
+        std::vector<std::string> answers;
+        for (const unsigned threads : {1U, 2U, 3U}) {
+            const refine::Verdict verdict =
+                refine::refines(*specification, *system, refine::Model::traces, by(threads, 1));
+            EXPECT_EQ(verdict.outcome, missing.empty() ? refine::Outcome::holds : refine::Outcome::fails);
+            std::string answer =
+                std::to_string(verdict.statistics.states) + "/" + std::to_string(verdict.statistics.transitions);
+            if (verdict.counterexample)
+                for (const refine::Step& step : verdict.counterexample->steps)
+                    answer += " " + s.events.name(step.event) + " to " + step.state;
+            answers.push_back(answer);
+        }
+        EXPECT_EQ(answers[1], answers[0]);
+        EXPECT_EQ(answers[2], answers[0]);
+    }
+}
+
+}  // namespace
+}  // namespace robochart::machine
