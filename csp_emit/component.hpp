@@ -33,6 +33,7 @@ struct ComponentEmission {
     std::size_t reads_of_watched = 0;                  ///< guards that read MachineContext::watched
     const ir::Machine* machine = nullptr;              ///< machines and operations
     std::map<std::string, ir::MachineId> definitions;  ///< machines: operations defined where they run
+    bool large = false;  ///< it may have too many states to be worth compressing on its own
 };
 
 /// The channels of a component (semantics 3.2), declared one by one; what each event means is told to the provenance.

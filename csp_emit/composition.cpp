@@ -22,6 +22,9 @@ ExprPtr out(const std::string& channel) {
     return b::dot({b::name(channel), b::name("out")});
 }
 
+/// Which writes to the composition's own variables a variant leaves visible.
+enum class Writes { none, provided, all };
+
 class Definer {
 public:
     Definer(const Composition& composition, std::vector<DeclPtr>& decls) : c_(composition), decls_(decls) {}
@@ -43,9 +46,9 @@ private:
     ExprPtr with_memory(const ExprPtr& process) const;
     ExprPtr with_buffers(const ExprPtr& process) const;
     b::Exprs memory_sync() const;
-    ExprPtr hidden_writes(bool all) const;
+    ExprPtr hidden_writes(Writes shown) const;
     ExprPtr visible_writes() const;
-    ExprPtr variant(const std::string& part_variant, bool show_writes) const;
+    ExprPtr variant(const std::string& part_variant, Writes shown) const;
 
     const Composition& c_;
     std::vector<DeclPtr>& decls_;
@@ -205,11 +208,12 @@ b::Exprs Definer::memory_sync() const {
     return result;
 }
 
-/// Relays, and writes of variables that are declared here and not the platform's own interface.
-ExprPtr Definer::hidden_writes(bool show) const {
+/// Relays, and the writes that the variant does not show.
+ExprPtr Definer::hidden_writes(Writes shown) const {
     b::Exprs result;
     for (const SharedVariable& variable : c_.variables) {
-        if (!variable.visible && !show) result.push_back(b::name("set_" + variable.name));
+        const bool visible = shown == Writes::all || (shown == Writes::provided && variable.visible);
+        if (!visible) result.push_back(b::name("set_" + variable.name));
         for (std::size_t i = 0; i < c_.parts.size(); ++i)
             if (has_variable(i, variable.name)) result.push_back(b::name(channel(i, "set_EXT_" + variable.name)));
     }
@@ -244,8 +248,8 @@ ExprPtr Definer::with_buffers(const ExprPtr& process) const {
     return ends.empty() ? result : b::hide(result, b::productions(ends));
 }
 
-ExprPtr Definer::variant(const std::string& part_variant, bool show_writes) const {
-    const ExprPtr inside = b::hide(with_memory(with_buffers(parts_process(part_variant))), hidden_writes(show_writes));
+ExprPtr Definer::variant(const std::string& part_variant, Writes shown) const {
+    const ExprPtr inside = b::hide(with_memory(with_buffers(parts_process(part_variant))), hidden_writes(shown));
     const ExprPtr terminate = b::productions({b::name("terminate")});
     ExprPtr process = b::exception(inside, terminate, b::skip());
     if (c_.hides_termination) process = b::hide(process, terminate);
@@ -262,15 +266,17 @@ void Definer::define() {
     const auto define = [&](const std::string& name, const ExprPtr& process) {
         decls_.push_back(b::function_decl(name, b::variables(parameters), process));
     };
-    define("D__", variant("D__", false));
-    define("VS__", variant("VS__", false));
-    define("O__", compressed(*c_.project, variant("O__", false)));
+    // RoboTool's optimised module tells writes to the platform's variables in AS_O__ only.
+    const Writes optimised = c_.hides_termination ? Writes::none : Writes::provided;
+    define("D__", variant(large(c_) ? "O__" : "D__", Writes::provided));
+    define("VS__", variant("VS__", Writes::provided));
+    define("O__", compressed(*c_.project, variant("O__", optimised), large(c_)));
     for (const char* name : {"FVS__", "FVS_C__"})
-        if (c_.project->mentions(name)) define(name, variant(name, false));
+        if (c_.project->mentions(name)) define(name, variant(name, Writes::provided));
     if (c_.project->mentions("HUP__")) define("HUP__", b::call("O__", arguments));
-    define("VS_O__", compressed(*c_.project, variant("VS_O__", false)));
+    define("VS_O__", compressed(*c_.project, variant("VS_O__", Writes::provided), large(c_)));
     if (c_.hides_termination) {
-        define("AS_O__", compressed(*c_.project, variant("O__", true)));
+        define("AS_O__", compressed(*c_.project, variant("O__", Writes::all), large(c_)));
         return;
     }
     const ExprPtr closed = b::parallel(b::call("O__", arguments), b::name("shared_variable_events"), b::skip());
@@ -279,6 +285,11 @@ void Definer::define() {
 }
 
 }  // namespace
+
+bool large(const Composition& composition) {
+    return std::any_of(composition.parts.begin(), composition.parts.end(),
+                       [](const Part& part) { return part.emission.large; });
+}
 
 void connect(Composition& composition, std::optional<std::size_t> from, const std::string& from_event,
              std::optional<std::size_t> to, const std::string& to_event) {

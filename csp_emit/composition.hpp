@@ -57,6 +57,8 @@ struct Composition {
 /// Records a connection: `(part or none, event)` at each end; none is the composition itself.
 void connect(Composition&, std::optional<std::size_t> from, const std::string& from_event,
              std::optional<std::size_t> to, const std::string& to_event);
+/// Whether a part is too large to be compressed on its own: then the whole is.
+[[nodiscard]] bool large(const Composition&);
 /// Memory, buffers and the process variants.
 void define_composition(const Composition&, std::vector<cspm::DeclPtr>& decls);
 

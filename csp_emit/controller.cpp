@@ -195,6 +195,7 @@ ComponentEmission ControllerEmitter::emit() {
     result.module = b::module_(context_.name, {}, {}, decls, "controller " + controller().origin.element);
     result.constants = composition_.constants;
     result.visible = visible_;
+    result.large = large(composition_);
     emitted_.components[context_.path] = result;
     return result;
 }

@@ -78,6 +78,7 @@ void MachineEmitter::declare_channels(std::vector<DeclPtr>& decls) {
         const auto last = static_cast<std::int64_t>(step_of_.size()) - 1;
         decls.push_back(b::channel({"step__"}, b::set_range(b::number(0), b::number(last)), "steps of actions"));
     }
+    for (DeclPtr& channel : memory_channels(remembered_)) decls.push_back(std::move(channel));
 }
 
 /// Channels of RoboTool's that are nothing here, private or plumbing, but that CSP blocks may name (semantics 3.2).
@@ -190,13 +191,13 @@ void MachineEmitter::declare_variants(std::vector<DeclPtr>& decls, const ExprPtr
     const auto of = [&](const std::string& name) { return constant_call(name, true); };
     const ExprPtr within = b::name("internal_events");
     const ExprPtr inside = local_resets_ ? b::call("union", {within, b::name("localClockResets")}) : within;
-    define("STM__", initial);
+    define("STM__", with_memories(initial, remembered_, timed()));
     if (project().mentions("FVS_C__")) define("FVS_C__", maximal_progress(project(), b::hide(of("STM__"), within)));
     define("FVS__", maximal_progress(project(), b::hide(of("STM__"), inside)));
     define("D__", maximal_progress(project(), b::hide(of("STM__"), b::call("union", {inside, b::name("enteredSS")}))));
-    define("O__", compressed(project(), of("D__")));
+    define("O__", compressed(project(), of("D__"), !remembered_.empty()));
     define("VS__", of("FVS__"));
-    define("VS_O__", compressed(project(), of("VS__")));
+    define("VS_O__", compressed(project(), of("VS__"), !remembered_.empty()));
     define("HEXT__", b::parallel(of("O__"), b::name("shared_variable_events"), b::skip()));
     define("HUP__", of("O__"));
 }

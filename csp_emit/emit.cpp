@@ -25,11 +25,6 @@ using cspm::DeclPtr;
 
 namespace {
 
-/// RoboTool's documents write `Instantiations`, some models `instantiations`.
-bool holds_instantiations(const ir::CspBlock& block) {
-    return block.name == "Instantiations" || block.name == "instantiations";
-}
-
 /// Reserves every name that elements of the model have in the script.
 class NameSurvey {
 public:
@@ -143,10 +138,6 @@ std::vector<DeclPtr> read_block(const Project& project, const ir::CspBlock& bloc
     return cspm::read(project.sources, source, project.diagnostics).decls;
 }
 
-bool applies(const Project& project, const ir::CspBlock& block) {
-    return project.timed() ? block.timed : block.untimed;
-}
-
 /// `transparent` lines need not repeat what the library declares so.
 std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std::vector<DeclPtr>& library) {
     const auto announces = [](const DeclPtr& decl) {
@@ -173,7 +164,7 @@ std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std
 void add_instantiations(const Project& project, std::vector<DeclPtr>& decls, std::set<std::string>& bounded) {
     std::set<std::string> given;
     for (const ir::CspBlock& block : project.system.csp_blocks) {
-        if (!holds_instantiations(block) || !applies(project, block)) continue;
+        if (!project.replaces_instantiations(block)) continue;
         project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
         for (const DeclPtr& decl : declared_once(read_block(project, block), decls)) {
             given.insert(decl->names.begin(), decl->names.end());
@@ -200,7 +191,8 @@ void append(std::vector<DeclPtr>& decls, const std::vector<DeclPtr>& more) {
 std::vector<DeclPtr> user_blocks(const Project& project) {
     std::vector<DeclPtr> result;
     for (const ir::CspBlock& block : project.system.csp_blocks)
-        if (applies(project, block) && !holds_instantiations(block)) append(result, read_block(project, block));
+        if (project.applies(block) && !project.replaces_instantiations(block))
+            append(result, read_block(project, block));
     return result;
 }
 

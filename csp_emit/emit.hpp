@@ -74,6 +74,9 @@ struct Emission {
 struct Options {
     bool core_assertions =
         false;  ///< add the generated ones (deadlock, divergence, determinism, timelock) for each component
+    /// A machine that may have more states than this, by the sizes of its carriers, keeps its largest variables in
+    /// memory processes of their own.
+    double states_of_a_process = 50'000;
 };
 
 /// Emits all components of the system for one time. CSP blocks are read with the CSPM reader; their syntax errors are

@@ -113,9 +113,9 @@ ExprPtr Family::without_dead(const ExprPtr& expr) const {
 
 }  // namespace
 
-std::vector<std::vector<bool>> drop_dead_parameters(std::vector<Function>& functions, ExprPtr& initial) {
+void drop_dead_parameters(std::vector<Function>& functions, ExprPtr& initial) {
     const Family family(functions);
-    std::vector<std::vector<bool>> live = family.live();
+    const std::vector<std::vector<bool>> live = family.live();
     std::vector<ExprPtr> bodies;
     for (const Function& function : functions) bodies.push_back(family.without_dead(function.body));
     initial = family.without_dead(initial);
@@ -126,7 +126,6 @@ std::vector<std::vector<bool>> drop_dead_parameters(std::vector<Function>& funct
             if (live[i][p]) kept.push_back(functions[i].parameters[p]);
         functions[i].parameters = kept;
     }
-    return live;
 }
 
 }  // namespace robochart::csp_emit

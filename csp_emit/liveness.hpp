@@ -17,8 +17,6 @@ struct Function {
 };
 
 /// Removes dead parameters from the functions and the arguments for them from all calls, in `initial` too.
-/// Result: for each function, which of its parameters remain.
-[[nodiscard]] std::vector<std::vector<bool>> drop_dead_parameters(std::vector<Function>& functions,
-                                                                  cspm::ExprPtr& initial);
+void drop_dead_parameters(std::vector<Function>& functions, cspm::ExprPtr& initial);
 
 }  // namespace robochart::csp_emit

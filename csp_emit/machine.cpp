@@ -72,6 +72,7 @@ ComponentEmission MachineEmitter::emit() {
     result.machine = &machine();
     result.definitions = context_.definitions;
     result.reads_of_watched = reads_of_watched_.size();
+    result.large = !remembered_.empty();
     emitted_.components[context_.path] = result;
     return result;
 }
@@ -87,9 +88,11 @@ std::vector<cspm::DeclPtr> MachineEmitter::point_definitions(ExprPtr& initial) {
         functions.push_back({point.name, parameters, body(point)});
     }
     current_ = nullptr;
-    const auto live = drop_dead_parameters(functions, initial);
-    std::vector<cspm::DeclPtr> result;
-    for (std::size_t i = 0; i < points_.size(); ++i) result.push_back(definition(points_[i], functions[i], live[i]));
+    drop_dead_parameters(functions, initial);
+    choose_memories(functions, initial);
+    remember(functions, initial, remembered_);
+    std::vector<cspm::DeclPtr> result = memory_definitions(remembered_, timed());
+    for (std::size_t i = 0; i < points_.size(); ++i) result.push_back(definition(points_[i], functions[i]));
     return result;
 }
 
@@ -246,18 +249,17 @@ std::vector<ExprPtr> MachineEmitter::branches(const Activation& settled) {
     return result;
 }
 
-cspm::DeclPtr MachineEmitter::definition(const Point& point, const Function& function,
-                                         const std::vector<bool>& live) const {
+cspm::DeclPtr MachineEmitter::definition(const Point& point, const Function& function) const {
     DefinitionMeaning meaning;
     meaning.text = describe(point.config);
-    const auto keep = [&](std::size_t place, const std::string& name, ir::TypeId type) {
-        if (!live[place]) return;
+    const auto keep = [&](const std::string& parameter, const std::string& name, ir::TypeId type) {
+        const auto& kept = function.parameters;
+        if (std::find(kept.begin(), kept.end(), parameter) == kept.end()) return;
         meaning.parameters.push_back(name);
         meaning.types.push_back(type);
     };
-    for (std::size_t i = 0; i < constants_.size(); ++i) keep(i, constants_[i].constant, constants_[i].type);
-    for (std::size_t i = 0; i < point.cells.size(); ++i)
-        keep(constants_.size() + i, cells_[point.cells[i]].meaning, cells_[point.cells[i]].type);
+    for (const ConstantParameter& constant : constants_) keep(constant.parameter, constant.constant, constant.type);
+    for (const CellId cell : point.cells) keep(cells_[cell].name, cells_[cell].meaning, cells_[cell].type);
     const Activation& inner = innermost(point.config);
     const Item* item = running_item(point.config);
     if (item != nullptr && item->stmt != nullptr)

@@ -16,6 +16,7 @@
 #include "csp_emit/expressions.hpp"
 #include "csp_emit/liveness.hpp"
 #include "csp_emit/names.hpp"
+#include "csp_emit/variable_memory.hpp"
 
 namespace robochart::csp_emit {
 
@@ -88,7 +89,7 @@ private:
     std::vector<CellId> cells_of(const Activation& config) const;
     ExprPtr body(const Point& point);
     std::vector<cspm::DeclPtr> point_definitions(ExprPtr& initial);
-    cspm::DeclPtr definition(const Point& point, const Function& function, const std::vector<bool>& live) const;
+    cspm::DeclPtr definition(const Point& point, const Function& function) const;
     std::vector<ExprPtr> branches(const Activation& config);
     std::vector<ExprPtr> reading_branches(const Activation& config, CellId clock);
     std::vector<CellId> clocks_needed(const Activation& config) const;
@@ -187,7 +188,12 @@ private:
     bool races(const Frame& frame, ir::VariableId variable, const ir::Stmt& exit) const;
     void find_races(Frame& frame);
 
-    // memory.cpp (semantics 3.7)
+    // memory.cpp (semantics 3.6, 3.7)
+    void choose_memories(const std::vector<Function>& functions, const ExprPtr& initial);
+    std::vector<CellId> by_size() const;
+    double values_of(const Cell& cell) const;
+    double estimate(std::vector<Function> functions, ExprPtr initial) const;
+    Remembered memory_of(CellId cell);
     void external_writes(const Activation& config, const View& view, std::vector<ExprPtr>& out);
     bool refuses_writes(const Place& place) const;
 
@@ -234,6 +240,7 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> reads_of_watched_;  ///< (frame, transition)
     bool local_resets_ = false;  ///< resets of own clocks are events: a CSP block speaks of them
     std::vector<cspm::DeclPtr> clock_limits_;
+    std::vector<Remembered> remembered_;  ///< variables in memory processes of their own
 };
 
 }  // namespace robochart::csp_emit

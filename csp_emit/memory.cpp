@@ -1,9 +1,15 @@
-// The machine's side of shared variables (semantics 3.7): it keeps its own copy of every required variable, and
+// Variables. Which of them are parameters of the machine's process and which have a memory of their own (semantics
+// 3.6), and the machine's side of shared ones (semantics 3.7): it keeps its own copy of every required variable, and
 // others may write the copy at any moment by set_EXT_x, except while a platform operation is being called, a
 // single event stands under a deadline, or a precondition has failed: RoboTool's processes for these
 // (`opCall -> SKIP`, `EDeadline`, `false & ...`) do not offer share__.
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
 #include "checker/cspm/build.hpp"
 #include "csp_emit/machine.hpp"
+#include "csp_emit/types.hpp"
 
 namespace robochart::csp_emit {
 
@@ -28,6 +34,77 @@ void MachineEmitter::external_writes(const Activation& config, const View& view,
         if (!cells_[cell].shared) continue;
         const ExprPtr next = go(config, {{cell, b::name("in__")}});
         out.push_back(b::prefix(b::name("set_EXT_" + cells_[cell].channel), {b::input("in__")}, next));
+    }
+}
+
+/// How many values a cell may have; what is not known counts as a small type.
+double MachineEmitter::values_of(const Cell& cell) const {
+    constexpr std::size_t many = 1'000;
+    constexpr double unknown = 4;
+    const auto bound = static_cast<double>(project().instantiation.clock_bound);
+    if (cell.kind == CellKind::clock && cell.limit && cell.limit->kind == cspm::ExprKind::integer)
+        return static_cast<double>(cell.limit->number) + 1;
+    if (cell.kind != CellKind::variable) return cell.kind == CellKind::frozen ? unknown : bound;
+    if (!cell.type.valid()) return unknown;
+    const auto& blocks = project().system.csp_blocks;
+    const bool replaced = std::any_of(blocks.begin(), blocks.end(),
+                                      [&](const auto& block) { return project().replaces_instantiations(block); });
+    if (replaced && project().system.type(cell.type).kind == ir::TypeKind::given) return many;
+    try {
+        return static_cast<double>(ir::carrier(project().system, project().instantiation, cell.type, many).size());
+    } catch (const std::length_error&) {
+        return many;
+    }
+}
+
+/// An upper bound of the states of the machine's process, by the sizes of the carriers.
+double MachineEmitter::estimate(std::vector<Function> functions, ExprPtr initial) const {
+    remember(functions, initial, remembered_);
+    std::map<std::string, double> sizes;
+    for (const Cell& cell : cells_) sizes[cell.name] = values_of(cell);
+    double sum = 0;
+    for (const Function& function : functions) {
+        double product = 1;
+        for (const std::string& parameter : function.parameters)
+            if (const auto found = sizes.find(parameter); found != sizes.end()) product *= found->second;
+        sum += product;
+    }
+    return sum;
+}
+
+/// The machine's own and shared variables, the largest types first.
+std::vector<CellId> MachineEmitter::by_size() const {
+    std::vector<CellId> result;
+    for (const CellId cell : frames_[0].variables)
+        if (!cells_[cell].parameter) result.push_back(cell);
+    std::stable_sort(result.begin(), result.end(),
+                     [&](CellId a, CellId c) { return values_of(cells_[a]) > values_of(cells_[c]); });
+    return result;
+}
+
+Remembered MachineEmitter::memory_of(CellId id) {
+    const Cell& cell = cells_[id];
+    const auto& variables = frames_[0].variables;
+    const auto place = static_cast<std::size_t>(std::find(variables.begin(), variables.end(), id) - variables.begin());
+    Remembered result;
+    result.parameter = cell.name;
+    result.channel = cell.channel;
+    if (cell.shared) result.shared = cell.channel;
+    result.type = type_set(project(), cell.type);
+    result.initial = initial_value(0, machine().variables.at(place));
+    result.memory = context_.names.unique("Memory_" + cell.channel);
+    mean("get_" + cell.channel, {MeaningKind::step, "read " + cell.meaning, {cell.type}, machine().origin});
+    mean("setL_" + cell.channel, {MeaningKind::step, "store " + cell.meaning, {cell.type}, machine().origin});
+    emitted_.provenance.definitions[context_.path + "::" + result.memory] = {
+        "the memory of " + cell.meaning, {cell.meaning}, {cell.type}, machine().origin};
+    return result;
+}
+
+/// Largest variables first, until the rest is small enough to be parameters.
+void MachineEmitter::choose_memories(const std::vector<Function>& functions, const ExprPtr& initial) {
+    for (const CellId cell : by_size()) {
+        if (estimate(functions, initial) <= project().options.states_of_a_process) return;
+        remembered_.push_back(memory_of(cell));
     }
 }
 

@@ -166,6 +166,7 @@ ComponentEmission ModuleEmitter::emit() {
     result.module = b::module_(module().name, {}, {}, decls, "module " + module().origin.element);
     result.constants = composition_.constants;
     result.visible = visible_;
+    result.large = large(composition_);
     emitted_.components[context_.path] = result;
     return result;
 }

@@ -16,6 +16,13 @@ struct Project {
     diagnostics::Diagnostics& diagnostics;
 
     [[nodiscard]] bool timed() const { return time == Time::timed; }
+    /// Whether a CSP block is for this time.
+    [[nodiscard]] bool applies(const ir::CspBlock& block) const { return timed() ? block.timed : block.untimed; }
+    /// Whether a CSP block is there instead of the generated carriers, constants and functions (semantics 3.13).
+    /// RoboTool's documents write `Instantiations`, some models `instantiations`.
+    [[nodiscard]] bool replaces_instantiations(const ir::CspBlock& block) const {
+        return (block.name == "Instantiations" || block.name == "instantiations") && applies(block);
+    }
     /// Reports RC-C01: the construct is named and refused.
     void refuse(const std::string& construct, diagnostics::Span span) const;
     /// Whether a CSP block of this time names it: a qualified or plain name, or its end behind `::`.

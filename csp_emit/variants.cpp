@@ -14,7 +14,8 @@ ExprPtr maximal_progress(const Project& project, const ExprPtr& process, const E
     return b::call("prioritise", {process, b::sequence({first, b::set({b::name("tock")})})});
 }
 
-ExprPtr compressed(const Project& project, const ExprPtr& process) {
+ExprPtr compressed(const Project& project, const ExprPtr& process, bool large) {
+    if (large) return process;
     return project.timed() ? b::call("dbisim", {process}) : b::call("sbisim", {b::call("diamond", {process})});
 }
 

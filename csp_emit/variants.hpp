@@ -10,6 +10,6 @@ namespace robochart::csp_emit {
 [[nodiscard]] cspm::ExprPtr maximal_progress(const Project&, const cspm::ExprPtr& process,
                                              const cspm::ExprPtr& urgent = nullptr);
 /// Untimed `sbisim(diamond(P))`, timed `dbisim(P)`.
-[[nodiscard]] cspm::ExprPtr compressed(const Project&, const cspm::ExprPtr& process);
+[[nodiscard]] cspm::ExprPtr compressed(const Project&, const cspm::ExprPtr& process, bool large = false);
 
 }  // namespace robochart::csp_emit

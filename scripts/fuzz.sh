@@ -89,7 +89,7 @@ run() {
   [ "$target" != stream ] || dictionary="fuzz/protocol.dict"
   TIMEFORMAT=%0U
   local cpu
-  cpu="$({ time nice -n 10 "build/fuzz/fuzz/fuzz_$target" -max_len=20000 -timeout=10 -rss_limit_mb=2048 \
+  cpu="$({ time nice -n 10 "build/fuzz/fuzz/fuzz_$target" -max_len=20000 -timeout=60 -rss_limit_mb=2048 \
     -dict="$dictionary" -max_total_time="$limit" -print_final_stats=1 -artifact_prefix="build/fuzz/found/$target/" \
     "build/fuzz/corpus/$target" "$seeds/$target" >"$log" 2>&1; } 2>&1)" || code=$?
   spent=$((spent + cpu))

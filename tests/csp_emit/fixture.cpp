@@ -31,6 +31,10 @@ Emission Model::emit(Time time, bool core) {
     return csp_emit::emit(system, instantiation, time, {core}, sources, diagnostics);
 }
 
+Emission Model::emit_with_memories(Time time, bool core) {
+    return csp_emit::emit(system, instantiation, time, {core, 0}, sources, diagnostics);
+}
+
 std::unique_ptr<Model> model(const std::string& rct, const std::string& assertions) {
     auto result = std::make_unique<Model>();
     frontend::Model parsed;

@@ -20,6 +20,8 @@ struct Model {
     [[nodiscard]] std::string messages() const;
     [[nodiscard]] std::vector<std::string> codes() const;  ///< of all findings but advice (RC-W)
     [[nodiscard]] Emission emit(Time time, bool core = false);
+    /// With every variable of the machines in a memory process of its own.
+    [[nodiscard]] Emission emit_with_memories(Time time, bool core = false);
 };
 
 /// One .rct text and, if not empty, one .assertions text.

@@ -104,14 +104,17 @@ void narrow(cspm::Script& script) {
     }
 }
 
-using Case = std::tuple<std::string, Time>;
+/// Where our variables are: parameters of the machine's process, or memory processes of their own.
+enum class Variables { parameters, memories };
+
+using Case = std::tuple<std::string, Time, Variables>;
 
 class RoboTool : public ::testing::TestWithParam<Case> {};
 
 /// Both refinements for every component of the model, with other values for some constants.
-void compare(testing::Model& m, Time time, const std::string& script_path,
+void compare(testing::Model& m, Time time, Variables variables, const std::string& script_path,
              const std::map<std::string, std::int64_t>& constants = {}) {
-    const Emission ours = m.emit(time, true);
+    const Emission ours = variables == Variables::memories ? m.emit_with_memories(time, true) : m.emit(time, true);
     auto theirs = cspm::read_file(m.sources, script_path, m.diagnostics);
     ASSERT_TRUE(m.diagnostics.ok()) << m.messages();
     for (DeclPtr& decl : theirs.decls)
@@ -136,30 +139,34 @@ void compare(testing::Model& m, Time time, const std::string& script_path,
 }
 
 TEST_P(RoboTool, AgreesBothWays) {
-    const auto& [model, time] = GetParam();
+    const auto& [model, time, variables] = GetParam();
     const std::string root = robochart::tests::shared_folder().string() + "/suite/robotool-csp/";
     if (!std::filesystem::exists(root)) GTEST_SKIP() << "no shared scripts at " << root;
     const auto m = testing::model_file(root + "models/" + model + ".rct");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     // A model in a package has its script named after the package.
     const std::string script = model == "example2" ? "ex2" : "file_" + model;
-    compare(*m, time, root + (time == Time::timed ? "timed/" : "untimed/") + script + ".csp");
+    compare(*m, time, variables, root + (time == Time::timed ? "timed/" : "untimed/") + script + ".csp");
 }
 
-class NewestRoboTool : public ::testing::TestWithParam<Time> {};
+class NewestRoboTool : public ::testing::TestWithParam<std::tuple<Time, Variables>> {};
 
 TEST_P(NewestRoboTool, AgreesOnTheRangerModel) {
     const std::string root = robochart::tests::shared_folder().string() + "/suite/robotool-csp-2026/";
     if (!std::filesystem::exists(root)) GTEST_SKIP() << "no shared scripts at " << root;
     const auto m = testing::model_file(root + "SimFW.rct");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
-    const std::string folder = GetParam() == Time::timed ? "timed/" : "untimed/";
+    const auto& [time, variables] = GetParam();
+    const std::string folder = time == Time::timed ? "timed/" : "untimed/";
     // With RoboTool's default constants the model divides by zero.
     const std::string prefix = "const_SimFW_SMovement_";
-    compare(*m, GetParam(), root + folder + "SimFW.csp", {{prefix + "PI", 3}, {prefix + "av", 2}, {prefix + "lv", 1}});
+    compare(*m, time, variables, root + folder + "SimFW.csp",
+            {{prefix + "PI", 3}, {prefix + "av", 2}, {prefix + "lv", 1}});
 }
 
-INSTANTIATE_TEST_SUITE_P(SharedScripts, NewestRoboTool, ::testing::Values(Time::untimed, Time::timed));
+INSTANTIATE_TEST_SUITE_P(SharedScripts, NewestRoboTool,
+                         ::testing::Combine(::testing::Values(Time::untimed, Time::timed),
+                                            ::testing::Values(Variables::parameters, Variables::memories)));
 
 TEST(RangerAssertions, SimplifiedSpecificationsAreEqual) {
     const std::string root = robochart::tests::shared_folder().string() + "/suite/robotool-csp-2026";
@@ -202,10 +209,13 @@ TEST(RoboToolScripts, EveryModelWithContentIsCompared) {
 
 INSTANTIATE_TEST_SUITE_P(SharedScripts, RoboTool,
                          ::testing::Combine(::testing::ValuesIn(std::begin(models), std::end(models)),
-                                            ::testing::Values(Time::untimed, Time::timed)),
+                                            ::testing::Values(Time::untimed, Time::timed),
+                                            ::testing::Values(Variables::parameters, Variables::memories)),
                          [](const auto& instance) {
+                             const bool memories = std::get<2>(instance.param) == Variables::memories;
                              return std::get<0>(instance.param) +
-                                    (std::get<1>(instance.param) == Time::timed ? "_timed" : "_untimed");
+                                    (std::get<1>(instance.param) == Time::timed ? "_timed" : "_untimed") +
+                                    (memories ? "_memories" : "");
                          });
 
 }  // namespace

@@ -125,8 +125,10 @@ TEST(Liveness, GoesBackwardsAlongCalls) {
         {"Q", {"u", "v"}, b::prefix(b::name("a"), call("R", {"u", "v"}))},
         {"R", {"s", "t"}, b::prefix(b::name("c"), {b::output(b::name("s"))}, call("P", {"s", "t"}))}};
     auto initial = b::call("P", {b::number(1), b::number(2)});
-    const auto live = drop_dead_parameters(family, initial);
-    EXPECT_THAT(live, ElementsAre(ElementsAre(true, false), ElementsAre(true, false), ElementsAre(true, false)));
+    drop_dead_parameters(family, initial);
+    EXPECT_THAT(family[0].parameters, ElementsAre("x"));
+    EXPECT_THAT(family[1].parameters, ElementsAre("u"));
+    EXPECT_THAT(family[2].parameters, ElementsAre("s"));
     EXPECT_EQ(cspm::print(initial), "P(1)");
     EXPECT_EQ(cspm::print(family[1].body), "a -> R(u)");
 }

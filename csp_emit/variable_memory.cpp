@@ -1,0 +1,220 @@
+// See variable_memory.hpp. A function needs a remembered variable if its body mentions it otherwise than to pass it
+// on unchanged; what a call needs and the caller does not hold is read right before the call.
+#include "csp_emit/variable_memory.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "checker/cspm/build.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::Expr;
+using cspm::ExprKind;
+using cspm::ExprPtr;
+
+namespace {
+
+const char* const end_event = "end__";
+const char* const value_name = "x__";
+
+template <class Visit>
+void for_each_part(const Expr& expr, const Visit& visit) {
+    for (const auto& part : expr.args)
+        if (part) visit(*part);
+    for (const auto& field : expr.fields)
+        if (field.value) visit(*field.value);
+    for (const auto& clause : expr.clauses)
+        if (clause.value) visit(*clause.value);
+}
+
+class Memories {
+public:
+    Memories(const std::vector<Function>& functions, const std::vector<Remembered>& variables);
+    /// Where the caller stands: the variables it holds; at the start each memory has its initial value.
+    struct Place {
+        std::set<std::string> held;
+        bool start = false;
+    };
+    ExprPtr rewritten(const ExprPtr& expr, const Place& place) const;
+    const std::set<std::string>& held(std::size_t function) const { return needs_[function]; }
+    bool remembers(const std::string& parameter) const { return variables_.count(parameter) != 0; }
+
+private:
+    const std::size_t* callee(const Expr& expr) const;
+    bool needs(std::size_t function, const std::string& parameter) const { return needs_[function].count(parameter); }
+    void survey(const Expr& expr, std::set<std::string>& found) const;
+    void survey_call(const Expr& expr, std::size_t target, std::set<std::string>& found) const;
+    void mention(const Expr& expr, std::set<std::string>& found) const;
+    ExprPtr rewritten_call(const Expr& expr, std::size_t target, const Place& place) const;
+
+    const std::vector<Function>& functions_;
+    std::map<std::string, const Remembered*> variables_;
+    std::map<std::string, std::size_t> index_;
+    std::vector<std::set<std::string>> needs_;
+};
+
+bool passes_on(const Expr& argument, const std::string& parameter) {
+    return argument.kind == ExprKind::name && argument.text == parameter;
+}
+
+/// The least sets: what a call needs of a changed value counts only if the called function needs the variable.
+Memories::Memories(const std::vector<Function>& functions, const std::vector<Remembered>& variables)
+    : functions_(functions), needs_(functions.size()) {
+    for (const Remembered& variable : variables) variables_[variable.parameter] = &variable;
+    for (std::size_t i = 0; i < functions.size(); ++i) index_[functions[i].name] = i;
+    for (bool grown = true; grown;) {
+        grown = false;
+        for (std::size_t i = 0; i < functions.size(); ++i) {
+            const std::size_t before = needs_[i].size();
+            survey(*functions[i].body, needs_[i]);
+            grown = grown || needs_[i].size() != before;
+        }
+    }
+}
+
+const std::size_t* Memories::callee(const Expr& expr) const {
+    const bool applied = expr.kind == ExprKind::apply && expr.args[0]->kind == ExprKind::name;
+    if (!applied && expr.kind != ExprKind::name) return nullptr;
+    const auto found = index_.find(applied ? expr.args[0]->text : expr.text);
+    return found == index_.end() ? nullptr : &found->second;
+}
+
+void Memories::mention(const Expr& expr, std::set<std::string>& found) const {
+    if (expr.kind == ExprKind::name && remembers(expr.text)) found.insert(expr.text);
+    for_each_part(expr, [&](const Expr& part) { mention(part, found); });
+}
+
+void Memories::survey(const Expr& expr, std::set<std::string>& found) const {
+    if (const std::size_t* target = callee(expr)) return survey_call(expr, *target, found);
+    if (expr.kind == ExprKind::name && remembers(expr.text)) found.insert(expr.text);
+    for_each_part(expr, [&](const Expr& part) { survey(part, found); });
+}
+
+void Memories::survey_call(const Expr& expr, std::size_t target, std::set<std::string>& found) const {
+    for (std::size_t i = 1; i < expr.args.size(); ++i) {
+        const std::string& parameter = functions_[target].parameters[i - 1];
+        const auto variable = variables_.find(parameter);
+        if (variable != variables_.end()) {
+            if (passes_on(*expr.args[i], parameter)) continue;
+            if (!variable->second->shared.empty() && !needs(target, parameter)) continue;
+        }
+        mention(*expr.args[i], found);
+    }
+}
+
+ExprPtr Memories::rewritten(const ExprPtr& expr, const Place& place) const {
+    if (!expr) return expr;
+    if (const std::size_t* target = callee(*expr)) return rewritten_call(*expr, *target, place);
+    if (expr->kind == ExprKind::name && expr->text == "SKIP") return b::prefix(b::name(end_event), expr);
+    auto result = std::make_shared<Expr>(*expr);
+    for (auto& part : result->args) part = rewritten(part, place);
+    return result;
+}
+
+/// First what was written, then what is read, then the call.
+ExprPtr Memories::rewritten_call(const Expr& expr, std::size_t target, const Place& place) const {
+    b::Exprs arguments;
+    std::vector<const Remembered*> reads;
+    std::vector<std::pair<const Remembered*, ExprPtr>> writes;
+    for (std::size_t i = 1; i < expr.args.size(); ++i) {
+        const std::string& parameter = functions_[target].parameters[i - 1];
+        const auto found = variables_.find(parameter);
+        if (found == variables_.end()) {
+            arguments.push_back(expr.args[i]);
+            continue;
+        }
+        const bool same = passes_on(*expr.args[i], parameter);
+        const bool there = same || !found->second->shared.empty() ||
+                           (place.start && cspm::equal(expr.args[i], found->second->initial));
+        if (!there) writes.emplace_back(found->second, expr.args[i]);
+        if (!needs(target, parameter)) continue;
+        if (same && place.held.count(parameter) == 0) reads.push_back(found->second);
+        arguments.push_back(expr.args[i]);
+    }
+    ExprPtr result = b::call(functions_[target].name, arguments);
+    for (auto read = reads.rbegin(); read != reads.rend(); ++read)
+        result = b::prefix(b::name("get_" + (*read)->channel), {b::input((*read)->parameter)}, result);
+    for (auto write = writes.rbegin(); write != writes.rend(); ++write)
+        result = b::prefix(b::name("setL_" + write->first->channel), {b::output(write->second)}, result);
+    return result;
+}
+
+b::Exprs own_events(const Remembered& variable) {
+    b::Exprs result{b::name("get_" + variable.channel)};
+    if (variable.shared.empty()) result.push_back(b::name("setL_" + variable.channel));
+    return result;
+}
+
+b::Exprs shared_events(const Remembered& variable) {
+    if (variable.shared.empty()) return {};
+    return {b::name("set_" + variable.shared), b::name("set_EXT_" + variable.shared)};
+}
+
+}  // namespace
+
+void remember(std::vector<Function>& functions, ExprPtr& initial, const std::vector<Remembered>& variables) {
+    if (variables.empty()) return;
+    const Memories memories(functions, variables);
+    std::vector<ExprPtr> bodies;
+    for (std::size_t i = 0; i < functions.size(); ++i)
+        bodies.push_back(memories.rewritten(functions[i].body, {memories.held(i)}));
+    initial = memories.rewritten(initial, {{}, true});
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        functions[i].body = bodies[i];
+        std::erase_if(functions[i].parameters, [&](const std::string& parameter) {
+            return memories.remembers(parameter) && memories.held(i).count(parameter) == 0;
+        });
+    }
+}
+
+std::vector<cspm::DeclPtr> memory_definitions(const std::vector<Remembered>& variables, bool timed) {
+    std::vector<cspm::DeclPtr> result;
+    for (const Remembered& variable : variables) {
+        const ExprPtr same = b::call(variable.memory, {b::name(value_name)});
+        const ExprPtr changed = b::call(variable.memory, {b::name("in__")});
+        b::Exprs branches{b::prefix(b::name("get_" + variable.channel), {b::output(b::name(value_name))}, same)};
+        b::Exprs writes = shared_events(variable);
+        if (writes.empty()) writes.push_back(b::name("setL_" + variable.channel));
+        for (const ExprPtr& write : writes) branches.push_back(b::prefix(write, {b::input("in__")}, changed));
+        if (timed) branches.push_back(b::prefix(b::name("tock"), same));
+        branches.push_back(b::prefix(b::name(end_event), b::skip()));
+        result.push_back(b::function_decl(variable.memory, b::variables({value_name}), b::choice(branches),
+                                          "the memory of " + variable.channel));
+    }
+    return result;
+}
+
+std::vector<cspm::DeclPtr> memory_channels(const std::vector<Remembered>& variables) {
+    std::vector<cspm::DeclPtr> result;
+    for (const Remembered& variable : variables) {
+        std::vector<std::string> names;
+        for (const ExprPtr& event : own_events(variable)) names.push_back(event->text);
+        result.push_back(b::channel(names, variable.type));
+    }
+    if (!variables.empty()) result.push_back(b::channel({end_event}));
+    return result;
+}
+
+ExprPtr with_memories(const ExprPtr& machine, const std::vector<Remembered>& variables, bool timed) {
+    if (variables.empty()) return machine;
+    b::Exprs together{b::name(end_event)};
+    if (timed) together.push_back(b::name("tock"));
+    b::Exprs hidden{b::name(end_event)};
+    b::Exprs common = together;
+    ExprPtr memories;
+    for (const Remembered& variable : variables) {
+        const ExprPtr memory = b::call(variable.memory, {variable.initial});
+        memories = memories ? b::parallel(memories, b::productions(together), memory) : memory;
+        for (const ExprPtr& event : own_events(variable)) {
+            hidden.push_back(event);
+            common.push_back(event);
+        }
+        for (const ExprPtr& event : shared_events(variable)) common.push_back(event);
+    }
+    return b::hide(b::parallel(machine, b::productions(common), memories), b::productions(hidden));
+}
+
+}  // namespace robochart::csp_emit

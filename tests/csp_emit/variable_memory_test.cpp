@@ -1,0 +1,94 @@
+// Variables in memory processes of their own (semantics 3.6) behave as the parameters they replace.
+#include "csp_emit/variable_memory.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "checker/cspm/build.hpp"
+#include "checker/cspm/reader.hpp"
+#include "tests/csp_emit/fixture.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+namespace b = cspm::build;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+Remembered remembered(const std::string& name, const std::string& shared = "") {
+    return {"v_" + name, name, shared, b::name("core_nat"), b::number(0), "Memory_" + name};
+}
+
+// P holds x because it outputs it; Q passes both on, and reads neither.
+TEST(VariableMemory, IsAskedForWhatTheNextFunctionEvaluates) {
+    std::vector<Function> family{
+        {"P", {"v_x"}, b::prefix(b::name("c"), {b::output(b::name("v_x"))}, b::call("Q", {b::name("v_x")}))},
+        {"Q", {"v_x"}, b::prefix(b::name("a"), b::call("P", {b::name("v_x")}))}};
+    auto initial = b::call("Q", {b::number(0)});
+    remember(family, initial, {remembered("x")});
+    EXPECT_EQ(cspm::print(initial), "Q");
+    EXPECT_EQ(cspm::print(family[0].body), "c!v_x -> Q");
+    EXPECT_EQ(cspm::print(family[1].body), "a -> get_x?v_x -> P(v_x)");
+    EXPECT_THAT(family[0].parameters, ElementsAre("v_x"));
+    EXPECT_THAT(family[1].parameters, IsEmpty());
+}
+
+TEST(VariableMemory, IsToldWhatChangesUnlessTheEventTellsIt) {
+    const auto next = b::binary(cspm::ExprKind::plus, b::name("v_x"), b::number(1));
+    std::vector<Function> own{{"P", {"v_x"}, b::prefix(b::name("a"), b::call("P", {next}))}};
+    std::vector<Function> shared = own;
+    auto initial = b::call("P", {b::number(2)});
+    remember(own, initial, {remembered("x")});
+    EXPECT_EQ(cspm::print(initial), "setL_x!2 -> P(2)");
+    EXPECT_EQ(cspm::print(own[0].body), "a -> setL_x!(v_x + 1) -> P(v_x + 1)");
+    initial = b::call("P", {b::number(0)});
+    remember(shared, initial, {remembered("x", "x")});
+    EXPECT_EQ(cspm::print(shared[0].body), "a -> P");  // it evaluates x for nobody who needs it
+}
+
+TEST(VariableMemory, EndsWithTheMachine) {
+    std::vector<Function> family{{"P", {"v_x"}, b::prefix(b::name("terminate"), b::skip())}};
+    auto initial = b::call("P", {b::number(0)});
+    remember(family, initial, {remembered("x")});
+    EXPECT_EQ(cspm::print(family[0].body), "terminate -> end__ -> SKIP");
+    EXPECT_EQ(cspm::print(with_memories(initial, {remembered("x")}, true)),
+              "(P [| {| end__, tock, get_x, setL_x |} |] Memory_x(0)) \\ {| end__, get_x, setL_x |}");
+}
+
+// The machine in its two forms: memories for both variables, and parameters.
+TEST(VariableMemory, KeepsTheMeaningOfStateAndOperation) {
+    const auto m = testing::model(R"(
+        interface I { var shared : nat }
+        interface O { op(p : nat) }
+        operation op(p : nat) { requires I event told : nat var local : nat = 1
+            initial i final f state A { entry local = local + p; send told!local; shared = local }
+            transition t0 { from i to A } transition t1 { from A to f condition shared > 0 } }
+        stm S { requires I requires O var x : nat event inp : nat event told : nat
+            initial i final f
+            state A { during x = x + 1 } state B { entry op(x) }
+            transition t0 { from i to A }
+            transition t1 { from A to B trigger inp?x condition x < 2 }
+            transition t2 { from B to A condition shared < 2 action shared = x }
+            transition t3 { from B to f condition shared == 2 } }
+        controller C { requires I opref op0 = op sref s = S })");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    for (const Time time : {Time::untimed, Time::timed}) {
+        const Emission parameters = m->emit(time);
+        cspm::Script script = m->emit_with_memories(time).definitions;
+        std::vector<cspm::DeclPtr> modules;
+        for (const cspm::DeclPtr& decl : parameters.definitions.decls)
+            if (decl->kind == cspm::DeclKind::module) modules.push_back(decl);
+        script.decls.push_back(b::module_("inline__", {}, {}, modules));
+        std::vector<cspm::Link> links;
+        for (const char* event : {"terminate", "inp", "told", "set_shared", "set_EXT_shared"})
+            links.push_back({b::name(std::string("inline__::C::s::") + event), b::name(std::string("C::s::") + event)});
+        const auto with = b::call("C::s::D__", {b::number(0)});
+        const auto without = b::rename(b::call("inline__::C::s::D__", {b::number(0)}), links);
+        script.decls.push_back(b::assert_refines(with, cspm::Model::failures_divergences, without));
+        script.decls.push_back(b::assert_refines(without, cspm::Model::failures_divergences, with));
+        EXPECT_THAT(testing::decide(script), ElementsAre("holds", "holds"));
+    }
+}
+
+}  // namespace
+}  // namespace robochart::csp_emit
