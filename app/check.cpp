@@ -37,11 +37,21 @@ std::vector<std::string> raw_events(const refine::Counterexample& c, const proce
     return names;
 }
 
+/// Whether the loop of a divergence lets time pass: behind it stands the check for deadlocks in time.
+bool time_passes(const Context& context, const refine::Counterexample& c) {
+    return std::any_of(c.loop.begin(), c.loop.end(),
+                       [&](const refine::Step& step) { return context.session.event_table().name(step.revealed) == "tock"; });
+}
+
 /// What is wrong in the claim's words; "" where the checker's are right.
-std::string violation(const Context& context, const csp_emit::Obligation& obligation) {
-    if (obligation.property == ir::no_id) return "";
-    switch (context.project.system.properties[obligation.property].kind) {
+std::string violation(const Context& context, const csp_emit::Obligation& obligation, const refine::Counterexample& c,
+                      const StoryTeller& teller) {
+    switch (obligation.kind) {
         case ir::PropertyKind::reachable: return "the state has been reached";
+        case ir::PropertyKind::deadlock_free:
+            return time_passes(context, c) ? "nothing is possible any more but that time passes" : "";
+        case ir::PropertyKind::timelock_free: return teller.why_time_stops(c);
+        case ir::PropertyKind::terminates: return obligation.negated ? "it has terminated" : "";
         case ir::PropertyKind::clock_initialised: return obligation.one_suffices ? obligation.reason : "the clock is read before its first reset";
         default: return "";
     }
@@ -51,7 +61,7 @@ std::string told(const Context& context, const csp_emit::Obligation& obligation,
     const StoryTeller teller(context.emission.provenance, context.project.system, context.project.instantiation,
                              context.project.sources, context.session.event_table());
     Story story = teller.tell(c);
-    if (const std::string why = violation(context, obligation); !why.empty()) story.why = why;
+    if (const std::string why = violation(context, obligation, c, teller); !why.empty()) story.why = why;
     return render(story, "                 ");
 }
 

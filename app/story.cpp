@@ -103,11 +103,13 @@ std::vector<StoryTeller::Place> StoryTeller::places(const std::string& descripti
         const std::string name(call.substr(0, bracket));
         const auto found = provenance_.definitions.find(name);
         if (found == provenance_.definitions.end()) continue;
-        Place place{found->second.text, {}};
+        Place place{found->second.text, {}, {}};
         if (bracket != std::string_view::npos && call.back() == ')') {
             const auto values = split(call.substr(bracket + 1, call.size() - bracket - 2), ",");
             for (std::size_t i = 0; i < values.size() && i < found->second.parameters.size(); ++i) {
                 const ir::TypeId type = i < found->second.types.size() ? found->second.types[i] : ir::TypeId{};
+                if (i < found->second.deadlines.size() && found->second.deadlines[i].span.known())
+                    place.deadlines.emplace_back(&found->second.deadlines[i], trim(values[i]));
                 if (!found->second.parameters[i].empty())
                     place.values.emplace_back(found->second.parameters[i], value(type, std::string(trim(values[i]))));
             }
@@ -162,6 +164,27 @@ void StoryTeller::add(std::vector<StoryLine>& lines, const refine::Step& step, c
     if (found != nullptr) line.place = sources_.place(found->origin.span);
     line.changes = changed;
     lines.push_back(std::move(line));
+}
+
+std::string StoryTeller::why_time_stops(const refine::Counterexample& c) const {
+    std::vector<std::string> causes;
+    const auto add = [&](const std::string& cause, diagnostics::Span span) {
+        const std::string at = sources_.place(span);
+        causes.push_back(at.empty() ? cause : fmt::format("{} ({})", cause, at));
+    };
+    for (const Place& place : places(c.steps.empty() ? c.initial : c.steps.back().state))
+        for (const auto& [deadline, left] : place.deadlines)
+            if (left == "0" || left.starts_with("-")) add(fmt::format("the deadline of {} has run out", deadline->element), deadline->span);
+    for (const process::Event offered : c.offered) {
+        std::string rest;
+        const csp_emit::EventMeaning* found = meaning(events_.name(offered), rest);
+        if (found == nullptr || found->kind != csp_emit::MeaningKind::call) continue;
+        add(fmt::format("{} waits for the environment, which may refuse it", event(offered)), found->origin.span);
+    }
+    const bool ended = std::find(c.offered.begin(), c.offered.end(), process::tick) != c.offered.end();
+    if (causes.empty() && ended) causes.emplace_back("it has terminated");
+    if (causes.empty()) return "";
+    return fmt::format("time cannot pass: {}", fmt::join(causes, ", and "));
 }
 
 std::string StoryTeller::why(const refine::Counterexample& c) const {

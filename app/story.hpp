@@ -35,6 +35,8 @@ public:
                 const process::EventTable&);
 
     [[nodiscard]] Story tell(const refine::Counterexample&) const;
+    /// Why time cannot pass where the run ends: deadlines that have run out and calls that wait, with their places.
+    [[nodiscard]] std::string why_time_stops(const refine::Counterexample&) const;
     /// An event in model terms, e.g. "call MoveClockwise(-0.75, -10.88)"; its CSP name if nothing is known.
     [[nodiscard]] std::string event(process::Event) const;
 
@@ -42,6 +44,7 @@ private:
     struct Place {
         std::string text;                            ///< "in S1"
         std::vector<std::pair<std::string, std::string>> values;
+        std::vector<std::pair<const ir::Origin*, std::string>> deadlines;  ///< time left for each
     };
     [[nodiscard]] const csp_emit::EventMeaning* meaning(const std::string& name, std::string& arguments) const;
     [[nodiscard]] std::string described(const std::string& name) const;

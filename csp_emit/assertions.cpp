@@ -48,6 +48,26 @@ std::string wording(const ir::Property& property) {
     return property.wording.substr(property.wording.find_first_not_of(' ', colon + 1));
 }
 
+/// What is so where the claim fails and no single run shows it.
+std::string opposite(const ir::Property& property) {
+    switch (property.kind) {
+        case PropertyKind::deadlock_free:
+            return "it is deadlock-free";
+        case PropertyKind::divergence_free:
+            return "it is divergence-free";
+        case PropertyKind::deterministic:
+            return "it is deterministic";
+        case PropertyKind::timelock_free:
+            return "it is timelock-free";
+        case PropertyKind::terminates:
+            return "no run terminates, and none ends in a deadlock";
+        case PropertyKind::reachable:
+            return "no run reaches the state";
+        default:
+            return "it refines the other";
+    }
+}
+
 /// The process does nothing, or (negated) something. RoboTool's specification is STOP, which forbids ✓ as well and so
 /// takes every state of a machine that terminates for reachable.
 DeclPtr never(const ExprPtr& process, bool negated) {
@@ -79,6 +99,7 @@ private:
     std::string model_shifting(const ir::Property& property, Obligation& out);
     ExprPtr alphabet(const ir::ComponentRef& ref) const;
     bool has_alphabet(const ir::ComponentRef& ref) const;
+    ExprPtr joint_alphabet(const ir::Property& property) const;
     std::vector<DeclPtr> reachability(const ir::Property& property) const;
     void initialisation(const ir::Property& property, Obligation& out);
     ExprPtr renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef& other, const ExprPtr& process) const;
@@ -202,12 +223,25 @@ bool Asserter::has_alphabet(const ir::ComponentRef& ref) const {
     });
 }
 
+/// The events of both sides; those of the subject that are renamed to the other's are no more.
+ExprPtr Asserter::joint_alphabet(const ir::Property& property) const {
+    const ComponentEmission* from = component(property.subject);
+    const ComponentEmission* to = component(property.other);
+    if (from == nullptr || to == nullptr || path(property.subject) == path(property.other))
+        return b::call("union", {alphabet(property.other), alphabet(property.subject)});
+    b::Exprs rest;
+    for (const std::string& channel : from->visible)
+        if (std::find(to->visible.begin(), to->visible.end(), channel) == to->visible.end())
+            rest.push_back(b::name(path(property.subject) + "::" + channel));
+    return rest.empty() ? alphabet(property.other) : b::call("union", {alphabet(property.other), b::productions(rest)});
+}
+
 /// An instance of the library's module for the events of both sides; its name.
 std::string Asserter::model_shifting(const ir::Property& property, Obligation& out) {
     const std::string name = names_.unique("MS_" + flatten(property.name));
-    const ExprPtr events = b::call("union", {alphabet(property.other), alphabet(property.subject)});
-    out.preparation.push_back(b::instance(name, "model_shifting", {events}));
+    out.preparation.push_back(b::instance(name, "model_shifting", {joint_alphabet(property)}));
     emitted_.provenance.events[name + "::ref"] = {MeaningKind::refusal, "refusal of", {}, {}};
+    emitted_.provenance.events[name + "::tick"] = {MeaningKind::terminate, "termination", {}, {}};
     return name;
 }
 
@@ -345,7 +379,11 @@ Obligation Asserter::property(std::uint32_t index) {
     result.title = property.name + (timed() ? " [timed] " : " [untimed] ") + wording(property);
     result.reason = unavailable(property);
     report_unused(property);
-    if (result.reason.empty()) forms(property, result);
+    result.kind = property.kind;
+    result.negated = property.negated;
+    if (!result.reason.empty()) return result;
+    forms(property, result);
+    if (result.reason.empty()) result.reason = opposite(property);
     return result;
 }
 
@@ -356,18 +394,19 @@ void Asserter::core(const std::string& path, const ComponentEmission& component,
         arguments.push_back(default_literal(project_, parameter.type));
     for (const ConstantParameter& constant : component.constants) arguments.push_back(b::name(constant.value));
     const ExprPtr process = b::call(path + "::D__", arguments);
-    const auto add = [&](const std::string& what, std::vector<DeclPtr> assertions) {
+    const auto add = [&](const std::string& what, PropertyKind kind, std::vector<DeclPtr> assertions) {
         Obligation obligation;
+        obligation.kind = kind;
         obligation.title = (timed() ? "core [timed] " : "core [untimed] ") + path + " is " + what;
         obligation.time = project_.time;
         obligation.assertions = std::move(assertions);
         out.push_back(std::move(obligation));
     };
     const auto plain = cspm::Model::none;
-    add("deadlock-free", deadlock(process, plain, false));
-    add("divergence-free", unary(AssertionKind::divergence_free, process, plain, false));
-    add("deterministic", unary(AssertionKind::deterministic, process, plain, false));
-    if (timed()) add("timelock-free", timelock(process, false));
+    add("deadlock-free", PropertyKind::deadlock_free, deadlock(process, plain, false));
+    add("divergence-free", PropertyKind::divergence_free, unary(AssertionKind::divergence_free, process, plain, false));
+    add("deterministic", PropertyKind::deterministic, unary(AssertionKind::deterministic, process, plain, false));
+    if (timed()) add("timelock-free", PropertyKind::timelock_free, timelock(process, false));
 }
 
 }  // namespace

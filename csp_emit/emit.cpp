@@ -257,6 +257,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     emit_components(project, names, emitted, definitions);
     EventMeaning tock{MeaningKind::tock, "one time unit passes", {}, {}};
     if (project.timed()) emitted.provenance.events["tock"] = tock;
+    emitted.provenance.events["r__"] = {MeaningKind::terminate, "it has terminated", {}, {}};
     result.script = result.definitions;
     append(result.script.decls, declared_once(blocks, definitions));
     result.obligations = obligations(project, names, emitted);

@@ -44,6 +44,7 @@ struct DefinitionMeaning {
         parameters;                 ///< variable or clock of each parameter, RoboChart names; clocks as "since(T)"
     std::vector<ir::TypeId> types;  ///< type of each; invalid for clocks and counters
     ir::Origin origin;
+    std::vector<ir::Origin> deadlines = {};  ///< of each: the deadline that it counts down; without a place: none
 };
 /// Keys are names as the checker prints them: qualified event name without arguments
 /// ("P::S::internal__.P::S::TID_t2", "P::S::seeRobot.in"), qualified definition name ("P::S::S1__").
@@ -54,13 +55,15 @@ struct Provenance {
 
 /// One check to be made: an assertion of the model in one time, as one or more CSPM assertions.
 struct Obligation {
+    ir::PropertyKind kind = ir::PropertyKind::deadlock_free;
+    bool negated = false;
     std::uint32_t property = ir::no_id;  ///< index into System::properties; none for generated core assertions
     std::string title;                   ///< "A1 [timed] AggregationFSM is deadlock-free"
     Time time = Time::untimed;
     std::vector<cspm::DeclPtr> preparation;  ///< what the assertions mention and no other does; in the script too
     std::vector<cspm::DeclPtr> assertions;   ///< members of the script below; empty: no check exists (`reason`)
     bool one_suffices = false;               ///< the claim holds if one of the assertions does; else all must hold
-    std::string reason;                      ///< why there is no check; with `one_suffices`: what is so if none holds
+    std::string reason;  ///< why there is no check; else what is so if it fails and no single run shows it
 };
 
 struct Emission {

@@ -181,6 +181,7 @@ void MachineEmitter::add_monitors(Frame& frame) {
         cell.kind = CellKind::monitor;
         cell.name = "m_" + frame.prefix + transition.name;
         cell.meaning = "time left for " + transition.name;
+        cell.deadline = transition.origin;
         frame.monitors[i] = add_cell(cell);
     }
 }
@@ -240,6 +241,7 @@ CellId MachineEmitter::cell_for(std::uint32_t frame, const ir::Stmt& stmt, std::
     cell.meaning = kind == CellKind::waiting    ? "wait left"
                    : kind == CellKind::deadline ? "deadline left"
                                                 : "value read";
+    if (kind == CellKind::deadline) cell.deadline = stmt.origin;
     return statement_cells_[place] = add_cell(cell);
 }
 

@@ -252,14 +252,17 @@ std::vector<ExprPtr> MachineEmitter::branches(const Activation& settled) {
 cspm::DeclPtr MachineEmitter::definition(const Point& point, const Function& function) const {
     DefinitionMeaning meaning;
     meaning.text = describe(point.config);
-    const auto keep = [&](const std::string& parameter, const std::string& name, ir::TypeId type) {
+    const auto keep = [&](const std::string& parameter, const std::string& name, ir::TypeId type,
+                          const ir::Origin& deadline) {
         const auto& kept = function.parameters;
         if (std::find(kept.begin(), kept.end(), parameter) == kept.end()) return;
         meaning.parameters.push_back(name);
         meaning.types.push_back(type);
+        meaning.deadlines.push_back(deadline);
     };
-    for (const ConstantParameter& constant : constants_) keep(constant.parameter, constant.constant, constant.type);
-    for (const CellId cell : point.cells) keep(cells_[cell].name, cells_[cell].meaning, cells_[cell].type);
+    for (const ConstantParameter& constant : constants_) keep(constant.parameter, constant.constant, constant.type, {});
+    for (const CellId cell : point.cells)
+        keep(cells_[cell].name, cells_[cell].meaning, cells_[cell].type, cells_[cell].deadline);
     const Activation& inner = innermost(point.config);
     const Item* item = running_item(point.config);
     if (item != nullptr && item->stmt != nullptr)

@@ -47,6 +47,7 @@ struct Cell {
     bool parameter = false;  ///< an operation's parameter: read-only
     std::string channel;     ///< variable: its name in set_x
     cspm::ExprPtr limit;     ///< clock: where it saturates
+    ir::Origin deadline;     ///< deadline, monitor: what it counts down for
     std::string reading;     ///< clock of the caller of an operation on its own: the channel that tells it
 };
 
