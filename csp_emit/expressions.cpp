@@ -251,10 +251,19 @@ b::Exprs Translator::call_arguments(const ir::Expr& expr) const {
     return arguments;
 }
 
+bool Translator::is_open(ir::TypeId id) const {
+    const ir::Type* found = type(id);
+    if (found == nullptr || found->kind == TypeKind::unit) return true;
+    return found->kind != TypeKind::record &&
+           std::any_of(found->args.begin(), found->args.end(), [&](ir::TypeId arg) { return is_open(arg); });
+}
+
 ExprPtr Translator::toolkit(const ir::Expr& expr) const {
     b::Exprs arguments = args(expr);
-    for (const std::size_t place : ir::toolkit_carriers(expr.text))
-        arguments.push_back(type_set(project_, expr.bound_types.at(place)));
+    for (const std::size_t place : ir::toolkit_carriers(expr.text)) {
+        if (is_open(expr.bound_types.at(place))) return refused("a toolkit function of an unknown type", expr);
+        arguments.push_back(type_set(project_, expr.bound_types[place]));
+    }
     return b::apply(b::name(expr.text), arguments);
 }
 

@@ -201,7 +201,10 @@ std::vector<const ir::Machine*> MachineEmitter::callable() const {
 std::uint32_t MachineEmitter::callee_frame(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& operation) {
     const auto place = std::make_pair(caller, &call);
     if (const auto found = callees_.find(place); found != callees_.end()) return found->second;
-    const std::string prefix = frames_[caller].prefix + operation.name + "_";
+    // Deep chains of calls: names with all callers in front would make the script quadratic.
+    constexpr std::size_t longest = 40;
+    const std::string& above = frames_[caller].prefix;
+    const std::string prefix = (above.size() < longest ? above : "") + operation.name + "_";
     return callees_[place] = open_frame(operation, caller, prefix);
 }
 

@@ -45,6 +45,7 @@ private:
     ExprPtr type_test(const ir::Expr& expr) const;
     ExprPtr range(const ir::Expr& expr) const;
     ExprPtr call(const ir::Expr& expr) const;
+    bool is_open(ir::TypeId id) const;  ///< a part of the type is not known
     ExprPtr toolkit(const ir::Expr& expr) const;
     ExprPtr apply(const ir::Expr& expr) const;
     ExprPtr function_value(const ir::Expr& expr) const;

@@ -92,7 +92,15 @@ ExprPtr Expressions::binary(const ast::Expr& source, TypeId expected) {
     const bool concat = expr.kind == ExprKind::concat;
     expr.args = {operand(source, 0, concat ? expected : TypeId{}), operand(source, 1, concat ? expected : TypeId{})};
     if (concat && expected.valid()) expr.type = expected;
-    if (expr.kind >= ExprKind::equal && expr.kind <= ExprKind::less_equal) return compared(std::move(expr));
+    if (expr.kind >= ExprKind::equal && expr.kind <= ExprKind::less_equal) {
+        // What one side leaves open, as `id()` does, the other tells.
+        for (std::size_t i = 0; i < 2; ++i) {
+            const TypeId other = expr.args[1 - i]->type;
+            if (is_open(lowering_.system, expr.args[i]->type) && !is_open(lowering_.system, other))
+                expr.args[i] = operand(source, i, other);
+        }
+        return compared(std::move(expr));
+    }
     if (expr.kind >= ExprKind::plus && expr.kind <= ExprKind::modulus) return computed(std::move(expr), source);
     return expr.kind == ExprKind::is_in ? membership(std::move(expr)) : share(std::move(expr));
 }

@@ -24,7 +24,7 @@ public:
         const auto before = types_;
         bind(formal, actual);
         for (const auto& [name, type] : before)
-            if (!open(type)) types_[name] = type;
+            if (!is_open(lowering_.system, type)) types_[name] = type;
     }
     /// The formal type with its variables replaced; open ones are the unit type.
     TypeId instance(const ast::TypePtr& formal);
@@ -34,7 +34,6 @@ public:
 
 private:
     const Type& type(TypeId id) const { return lowering_.system.type(id); }
-    bool open(TypeId id) const;
     TypeId composed(TypeKind kind, std::vector<TypeId> args, std::vector<std::int64_t> sizes = {});
     std::vector<TypeId> pair_of(TypeId set_like) const;
     TypeId element_of(TypeId set_like);
@@ -45,13 +44,6 @@ private:
     Lowering& lowering_;
     std::map<std::string, TypeId> types_;
 };
-
-bool Bindings::open(TypeId id) const {
-    if (!id.valid() || type(id).kind == TypeKind::unit) return true;
-    if (type(id).kind == TypeKind::record) return false;
-    const auto& args = type(id).args;
-    return std::any_of(args.begin(), args.end(), [&](TypeId arg) { return open(arg); });
-}
 
 TypeId Bindings::composed(TypeKind kind, std::vector<TypeId> args, std::vector<std::int64_t> sizes) {
     if (kind == TypeKind::product && args.size() == 1) return args[0];

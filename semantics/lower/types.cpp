@@ -157,6 +157,13 @@ bool is_set_like(TypeKind kind) {
     return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
 }
 
+bool is_open(const System& system, TypeId id) {
+    if (!id.valid() || system.type(id).kind == TypeKind::unit) return true;
+    const Type& type = system.type(id);
+    return type.kind != TypeKind::record &&
+           std::any_of(type.args.begin(), type.args.end(), [&](TypeId arg) { return is_open(system, arg); });
+}
+
 TypeId common_type(Lowering& lowering, TypeId a, TypeId b) {
     if (!a.valid() || lowering.system.type(a).kind == TypeKind::unit) return b;
     if (a == b || !b.valid() || lowering.system.type(b).kind == TypeKind::unit) return a;

@@ -17,6 +17,8 @@ void intern_core_types(Lowering&);
 [[nodiscard]] TypeId join(TypeId a, TypeId b);
 [[nodiscard]] bool is_number(TypeId);
 [[nodiscard]] bool is_set_like(TypeKind);
+/// Whether a part of the type is not known, as that of the elements of `{}`.
+[[nodiscard]] bool is_open(const System&, TypeId);
 /// The type in which values of both are compared: the wider numbers, the known elements, a sequence as set of pairs.
 [[nodiscard]] TypeId common_type(Lowering&, TypeId, TypeId);
 

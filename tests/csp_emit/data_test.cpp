@@ -127,6 +127,7 @@ TEST(Data, Relations) {
                    {"(|1, 2|) in <2>", "true"},
                    {"dom(<2, 2>) == {1, 2}", "true"},
                    {"ran(<2, 2>) == {2}", "true"},
+                   {"id() == {(|true, true|), (|false, false|)}", "true"},
                    {"size(r)", "0"}});
 }
 
