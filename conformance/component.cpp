@@ -5,6 +5,7 @@
 #include <set>
 
 #include "checker/cspm/build.hpp"
+#include "cpp_emit/types.hpp"
 
 namespace robochart::conformance {
 
@@ -62,9 +63,16 @@ const cspm::Decl* find_value(const std::vector<cspm::DeclPtr>& decls, const std:
     return nullptr;
 }
 
-/// A carrier by the model's type; what is composed stays a number (and is not generated).
-Carrier carrier_of(const ir::System& system, ir::TypeId id) {
+/// A carrier by the model's type; values of composed types are numbered in the order of ir::carrier.
+Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId id) {
     const ir::Type& type = system.type(id);
+    if (cpp_emit::composed(type)) {
+        Carrier carrier{Carrier::Kind::enumeration, {}, {}};
+        for (const ir::Value& value : ir::carrier(system, instantiation, id))
+            carrier.names.push_back(cpp_emit::cspm_value(system, id, value));
+        carrier.literals = carrier.names;
+        return carrier;
+    }
     if (type.kind == ir::TypeKind::boolean) return {Carrier::Kind::boolean, {}, {}};
     if (type.kind == ir::TypeKind::real) return {Carrier::Kind::real, {}, {}};
     if (type.kind != ir::TypeKind::enumeration) return {};
@@ -185,17 +193,17 @@ std::vector<std::string> unread_variables(const ir::System& system, const ir::Co
     return unread;
 }
 
-void complete(Interface& interface, const ir::System& system, const ir::ComponentRef& ref,
-              const csp_emit::Provenance& provenance) {
+void complete(Interface& interface, const ir::System& system, const ir::Instantiation& instantiation,
+              const ir::ComponentRef& ref, const csp_emit::Provenance& provenance) {
     interface.component = component_prefix(ref);
     for (Register& input : interface.inputs) {
         const auto* types = types_of(provenance, interface.component + "::" + input.name);
-        if (types != nullptr && !types->empty()) input.carrier = carrier_of(system, types->front());
+        if (types != nullptr && !types->empty()) input.carrier = carrier_of(system, instantiation, types->front());
     }
     for (Output& output : interface.outputs) {
         const auto* types = types_of(provenance, interface.component + "::" + output.name);
         for (std::size_t a = 0; types != nullptr && a < types->size() && a < output.arguments.size(); ++a)
-            output.arguments[a] = carrier_of(system, (*types)[a]);
+            output.arguments[a] = carrier_of(system, instantiation, (*types)[a]);
     }
     for (const std::string& variable : unread_variables(system, ref)) {
         const std::string channel = "set_EXT_" + variable;

@@ -7,6 +7,7 @@
 
 #include "conformance/interface.hpp"
 #include "csp_emit/emit.hpp"
+#include "semantics/instantiation.hpp"
 #include "semantics/ir.hpp"
 
 namespace robochart::conformance {
@@ -19,7 +20,8 @@ namespace robochart::conformance {
 
 /// Sets the component prefix, gives registers and outputs the carriers of the model's types, and blocks the external
 /// writes to variables that the model never reads (docs/conformance.md, "Variables written from outside").
-void complete(Interface&, const ir::System&, const ir::ComponentRef&, const csp_emit::Provenance&);
+void complete(Interface&, const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
+              const csp_emit::Provenance&);
 
 /// Required variables of the component that no expression of its machines depends on.
 [[nodiscard]] std::vector<std::string> unread_variables(const ir::System&, const ir::ComponentRef&);

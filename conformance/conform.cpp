@@ -22,6 +22,15 @@ Result not_generated(std::string reason) {
     return result;
 }
 
+/// The model alone: CSP blocks belong to assertions, and one that replaces the instantiation would make the model range
+/// over other values than the code.
+ir::System bare(const ir::System& system) {
+    ir::System result = system;
+    result.csp_blocks.clear();
+    result.properties.clear();
+    return result;
+}
+
 std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Options& options, std::string& error) {
     std::vector<std::string> sources = emission.sources;
     sources.push_back(emission.shim);
@@ -36,9 +45,10 @@ std::string normal_form_text(const csp_emit::Emission& script, const cspm::ExprP
 }
 
 Result judge_object(const csp_emit::Emission& script, const cspm::ExprPtr& process, const ir::System& system,
-                    const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
+                    const ir::Instantiation& instantiation, const ir::ComponentRef& component, const rc_interface& code,
+                    const Options& options) {
     Interface interface = interface_of(code);
-    complete(interface, system, component, script.provenance);
+    complete(interface, system, instantiation, component, script.provenance);
     try {
         cspm::Session session(script.definitions);
         const auto model = session.system(process);
@@ -64,7 +74,7 @@ Result conform(const ir::System& system, const ir::Instantiation& instantiation,
                const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     const csp_emit::Emission script =
-        csp_emit::emit(system, instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+        csp_emit::emit(bare(system), instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (diagnostics.errors() != errors || !process)
         return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
@@ -78,7 +88,7 @@ Result conform(const ir::System& system, const ir::Instantiation& instantiation,
     std::string error;
     const auto object = build(code, options, error);
     if (!object) return not_generated(std::move(error));
-    return judge_object(script, process, system, component, object->interface(), options);
+    return judge_object(script, process, system, instantiation, component, object->interface(), options);
 }
 
 }  // namespace robochart::conformance

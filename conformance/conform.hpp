@@ -47,7 +47,7 @@ struct Options {
     std::uint32_t cycle_length = 1;  ///< c: tocks per cycle
     cpp_emit::Options generator;     ///< seeded faults, for tests
     std::string compiler = "c++";    ///< must accept g++'s options
-    std::string flags = "-std=c++20 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror";
+    std::string flags = "-std=c++17 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror";
     std::string
         work_dir;  ///< where sources and the shared object are put; "" : a fresh temporary folder, removed after
     refine::Limits limits;

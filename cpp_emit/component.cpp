@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "cpp_emit/rules.hpp"
+#include "cpp_emit/types.hpp"
 #include "cpp_emit/walk.hpp"
+#include "cpp_emit/wiring.hpp"
 #include "semantics/evaluate.hpp"
 #include "semantics/query.hpp"
 
@@ -22,10 +24,10 @@ const Item* find_named(const std::vector<Item>& items, const std::string& name) 
     return found == items.end() ? nullptr : &*found;
 }
 
-/// The parts around the machine: none for a machine alone.
+/// What is around a part: nothing for a machine alone.
 struct Context {
-    const ir::Controller* controller = nullptr;
     const ir::Module* module = nullptr;
+    const ir::Controller* controller = nullptr;
 };
 
 class Resolver {
@@ -35,13 +37,17 @@ public:
 
     std::optional<Component> resolve(const ir::ComponentRef& ref) {
         component_.ref = ref;
-        const std::optional<ir::MachineId> root = find_machine(ref);
-        if (!root) return std::nullopt;
-        add_unit(*root, true);
+        if (!find_parts(ref)) return std::nullopt;
+        for (std::size_t part = 0; part < component_.parts.size(); ++part) {
+            part_ = part;
+            add_unit(roots_[part], true);
+            component_.parts[part].root = component_.units.size() - 1;
+        }
         if (diagnostics_.errors() != errors_before_) return std::nullopt;
-        collect_events();
+        wire(component_, system_, module_, contexts(), diagnostics_);
         collect_variables();
         collect_calls();
+        collect_functions();
         collect_types();
         name_everything();
         if (diagnostics_.errors() != errors_before_) return std::nullopt;
@@ -58,7 +64,7 @@ private:
         component_.kind = std::move(kind);
     }
 
-    std::optional<ir::MachineId> find_machine(const ir::ComponentRef& ref) {
+    bool find_parts(const ir::ComponentRef& ref) {
         switch (ref.kind) {
             case ir::ComponentKind::machine:
                 return machine_alone(ref);
@@ -71,7 +77,7 @@ private:
                 break;
         }
         diagnostics_.report(rules::no_component, {}, {ref.path, "it is neither a machine, a controller nor a module"});
-        return std::nullopt;
+        return false;
     }
 
     bool within(std::size_t size, const ir::ComponentRef& ref) {
@@ -80,58 +86,68 @@ private:
         return false;
     }
 
-    std::optional<ir::MachineId> machine_alone(const ir::ComponentRef& ref) {
-        if (!within(system_.machines.size(), ref)) return std::nullopt;
+    bool machine_alone(const ir::ComponentRef& ref) {
+        if (!within(system_.machines.size(), ref)) return false;
         const ir::Machine& machine = system_.machines[ref.definition];
         if (machine.kind == ir::MachineKind::operation) {
             diagnostics_.report(rules::no_component, machine.origin.span, {machine.name, "it is an operation"});
-            return std::nullopt;
+            return false;
         }
         describe(machine, "state machine");
-        return ir::MachineId{ref.definition};
+        component_.parts.emplace_back();
+        roots_.push_back({ref.definition});
+        contexts_.push_back(nullptr);
+        return true;
     }
 
-    std::optional<ir::MachineId> in_controller(const ir::ComponentRef& ref) {
-        if (!within(system_.controllers.size(), ref)) return std::nullopt;
+    bool in_controller(const ir::ComponentRef& ref) {
+        if (!within(system_.controllers.size(), ref)) return false;
         describe(system_.controllers[ref.definition], "controller");
-        return only_machine(system_.controllers[ref.definition]);
+        add_parts(system_.controllers[ref.definition], 0, "");
+        return has_parts();
     }
 
-    std::optional<ir::MachineId> in_module(const ir::ComponentRef& ref) {
-        if (!within(system_.modules.size(), ref)) return std::nullopt;
-        const ir::Module& module = system_.modules[ref.definition];
-        describe(module, "module");
-        context_.module = &module;
-        if (module.controllers.size() != 1) {
-            refuse_number(module.controllers.size(), "controllers");
-            return std::nullopt;
+    bool in_module(const ir::ComponentRef& ref) {
+        if (!within(system_.modules.size(), ref)) return false;
+        module_ = &system_.modules[ref.definition];
+        describe(*module_, "module");
+        for (std::size_t i = 0; i < module_->controllers.size(); ++i)
+            add_parts(system_.controller(module_->controllers[i].controller), i, module_->controllers[i].name + "::");
+        return has_parts();
+    }
+
+    void add_parts(const ir::Controller& controller, std::size_t index, const std::string& prefix) {
+        for (std::size_t i = 0; i < controller.machines.size(); ++i) {
+            Part& part = component_.parts.emplace_back();
+            part.name = prefix + controller.machines[i].name;
+            part.controller = index;
+            part.machine = i;
+            roots_.push_back(controller.machines[i].machine);
+            contexts_.push_back(&controller);
         }
-        return only_machine(system_.controller(module.controllers.front().controller));
     }
 
-    std::optional<ir::MachineId> only_machine(const ir::Controller& controller) {
-        context_.controller = &controller;
-        if (controller.machines.size() == 1) return controller.machines.front().machine;
-        refuse_number(controller.machines.size(), "state machines");
-        return std::nullopt;
+    bool has_parts() {
+        if (!component_.parts.empty()) return true;
+        diagnostics_.report(rules::no_component, component_.origin.span, {component_.name, "it has no state machine"});
+        return false;
     }
 
-    void refuse_number(std::size_t number, const char* what) {
-        diagnostics_.report(rules::several_machines, component_.origin.span,
-                            {component_.name, std::to_string(number), what});
-    }
+    /// What is around the part that is being looked at.
+    Context context() const { return {module_, contexts_[part_]}; }
+    const std::vector<const ir::Controller*>& contexts() const { return contexts_; }
 
     /// The operation's definition in this context (semantics 3.8); machines alone have none.
     ir::MachineId definition(const ir::OperationSignature& signature) const {
-        return context_.controller == nullptr ? ir::MachineId{}
-                                              : ir::definition_in(system_, *context_.controller, signature);
+        const ir::Controller* const controller = context().controller;
+        return controller == nullptr ? ir::MachineId{} : ir::definition_in(system_, *controller, signature);
     }
 
     /// The name under which a machine or operation runs in the controller.
     std::string part_name(ir::MachineId id, bool root) const {
-        if (context_.controller == nullptr) return {};
-        const ir::Controller& controller = *context_.controller;
-        if (root) return controller.machines.front().name;
+        if (context().controller == nullptr) return {};
+        const ir::Controller& controller = *context().controller;
+        if (root) return controller.machines[component_.parts[part_].machine].name;
         const auto found = std::find(controller.definitions.begin(), controller.definitions.end(), id);
         return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
     }
@@ -168,14 +184,16 @@ private:
             return;
         }
         const auto& units = component_.units;
-        if (std::any_of(units.begin(), units.end(), [&](const Unit& unit) { return unit.id == id; })) return;
+        const auto same = [&](const Unit& unit) { return unit.part == part_ && unit.id == id; };
+        if (std::any_of(units.begin(), units.end(), same)) return;
         Unit unit;
         unit.id = id;
+        unit.part = part_;
         unit.machine = &machine;
         unit.root = root;
         unit.definitions.resize(machine.operations.size());
         unit.constants =
-            ir::constant_values(system_, inst_, context_.module, context_.controller, part_name(id, root), machine);
+            ir::constant_values(system_, inst_, context().module, context().controller, part_name(id, root), machine);
         for (const auto& variable : machine.variables) {
             const bool shared = variable.scope == ir::VariableScope::required;
             unit.initials.push_back(
@@ -192,79 +210,27 @@ private:
         component_.units.push_back(std::move(unit));
     }
 
-    // ---- events
-
-    void collect_events() {
-        for (auto unit = component_.units.rbegin(); unit != component_.units.rend(); ++unit) {
-            visit_communications(*unit->machine, [&](const ir::Communication& communication, bool trigger) {
-                EventPort& port = event_port(unit->machine->events[communication.event.index]);
-                const bool receives = trigger || communication.kind == ir::CommKind::input;
-                (receives ? port.received : port.sent) = true;
-            });
-        }
-        const auto& declared = component_.root().machine->events;
-        const auto place = [&](const EventPort& port) {
-            return std::find_if(declared.begin(), declared.end(),
-                                [&](const ir::Event& event) { return event.name == port.model_name; });
-        };
-        std::stable_sort(component_.events.begin(), component_.events.end(),
-                         [&](const EventPort& a, const EventPort& b) { return place(a) < place(b); });
-        for (const EventPort& port : component_.events) {
-            if (!port.received || port.outside) continue;
-            diagnostics_.report(rules::unconnected, component_.origin.span,
-                                {component_.name, port.model_name, "not connected"});
-        }
-    }
-
-    EventPort& event_port(const ir::Event& event) {
-        auto& events = component_.events;
-        const auto found = std::find_if(events.begin(), events.end(),
-                                        [&](const EventPort& port) { return port.model_name == event.name; });
-        if (found != events.end()) return *found;
-        EventPort port;
-        port.model_name = event.name;
-        port.type = event.type;
-        port.interface = event.interface;
-        port.outside = outside_name(event.name);
-        return events.emplace_back(std::move(port));
-    }
-
-    /// Follows the connections outwards; a direction is kept by all of them (semantics 3.9).
-    std::optional<std::string> outside_name(const std::string& event) const {
-        std::optional<std::string> name = event;
-        if (context_.controller != nullptr) name = through(context_.controller->connections, *name);
-        if (context_.module != nullptr && name) name = through(context_.module->connections, *name);
-        return name;
-    }
-
-    static std::optional<std::string> through(const std::vector<ir::Connection>& connections,
-                                              const std::string& event) {
-        for (const auto& connection : connections) {
-            for (const auto& [part, self] :
-                 {std::pair{&connection.to, &connection.from}, std::pair{&connection.from, &connection.to}}) {
-                const bool outwards = part->kind == ir::EndKind::part && self->kind == ir::EndKind::self;
-                if (outwards && part->event == event) return self->event;
-            }
-        }
-        return std::nullopt;
-    }
-
     // ---- variables
 
     void collect_variables() {
-        for (auto unit = component_.units.rbegin(); unit != component_.units.rend(); ++unit) {
-            for (const auto& variable : unit->machine->variables) {
-                const bool own_of_operation = !unit->root && variable.scope != ir::VariableScope::required;
-                if (!own_of_operation && stored(variable.name) == nullptr) add_variable(*unit, variable);
-            }
-            mark_read(*unit);
+        for (std::size_t part = 0; part < component_.parts.size(); ++part) {
+            part_ = part;
+            each_unit([&](const Unit& unit) {
+                for (const auto& variable : unit.machine->variables) {
+                    const bool own_of_operation = !unit.root && variable.scope != ir::VariableScope::required;
+                    if (!own_of_operation && component_.parts[part].variables.count(variable.name) == 0)
+                        add_variable(unit, variable);
+                }
+                mark_read(unit);
+            });
         }
     }
 
-    StoredVariable* stored(const std::string& name) {
-        for (auto& entry : component_.variables)
-            if (entry.variable->name == name) return &entry;
-        return nullptr;
+    /// The part's units, callers before callees.
+    template <class Visit>
+    void each_unit(const Visit& visit) const {
+        for (auto unit = component_.units.rbegin(); unit != component_.units.rend(); ++unit)
+            if (unit->part == part_) visit(*unit);
     }
 
     void add_variable(const Unit& unit, const ir::Variable& variable) {
@@ -274,25 +240,38 @@ private:
         entry.initial = unit.initials[static_cast<std::size_t>(&variable - unit.machine->variables.data())];
         const ir::ExprPtr declared = entry.shared ? declaring_level(entry) : nullptr;
         if (declared) entry.initial = initial_value(*unit.machine, {}, variable.type, declared);
-        component_.variables.push_back(std::move(entry));
+        auto& variables = component_.variables;
+        const auto same = [&](const StoredVariable& other) {
+            return other.shared && other.level == entry.level && other.variable->name == variable.name;
+        };
+        const auto known = entry.shared ? std::find_if(variables.begin(), variables.end(), same) : variables.end();
+        component_.parts[part_].variables[variable.name] = static_cast<std::size_t>(known - variables.begin());
+        if (known != variables.end()) return;
+        if (!entry.shared && component_.composed()) entry.home = part_;
+        variables.push_back(std::move(entry));
     }
 
     /// Which level declares a shared variable decides who sees it (semantics 3.7). Returns the initial value, if any,
-    /// that this level tells the machine at the start.
+    /// that this level tells the machines at the start.
     ir::ExprPtr declaring_level(StoredVariable& entry) const {
         const std::string& name = entry.variable->name;
-        if (context_.controller == nullptr) {
+        if (context().controller == nullptr) {
             entry.visible = entry.external = true;
             return nullptr;
         }
-        const ir::Variable* at_controller = find_named(context_.controller->variables, name);
+        const ir::Variable* at_controller = find_named(context().controller->variables, name);
         // The controller's memory does not tell its initial value: copies start at the type's default.
-        if (at_controller != nullptr && at_controller->scope == ir::VariableScope::local) return nullptr;
-        if (context_.module == nullptr) {
+        if (at_controller != nullptr && at_controller->scope == ir::VariableScope::local) {
+            entry.level = module_ == nullptr ? static_cast<const void*>(context().controller)
+                                             : &module_->controllers[component_.parts[part_].controller];
+            return nullptr;
+        }
+        if (context().module == nullptr) {
             entry.visible = entry.external = true;
             return nullptr;
         }
-        const ir::Variable* at_platform = find_named(context_.module->platform.variables, name);
+        entry.level = module_;
+        const ir::Variable* at_platform = find_named(module_->platform.variables, name);
         if (at_platform == nullptr) return nullptr;
         entry.visible = at_platform->scope == ir::VariableScope::required;
         return at_platform->initial;
@@ -303,7 +282,7 @@ private:
             if (expr.kind != ir::ExprKind::variable) return;
             const ir::Variable& variable = unit.machine->variables[expr.variable.index];
             if (!unit.root && variable.scope != ir::VariableScope::required) return;
-            if (StoredVariable* entry = stored(variable.name)) entry->read = true;
+            component_.variables[component_.parts[part_].variables.at(variable.name)].read = true;
         });
     }
 
@@ -315,6 +294,23 @@ private:
                 if (stmt.kind == ir::StmtKind::call) add_call(*unit, stmt.operation);
             });
         }
+    }
+
+    void collect_functions() {
+        for (const Unit& unit : component_.units) {
+            visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
+                if (expr.kind != ir::ExprKind::call) return;
+                auto& functions = component_.functions;
+                const auto same = [&](const FunctionHook& hook) { return hook.id == expr.function; };
+                if (std::none_of(functions.begin(), functions.end(), same)) functions.push_back({expr.function, ""});
+            });
+        }
+    }
+
+    void add_function_types(const FunctionHook& hook) {
+        const ir::Function& function = system_.functions[hook.id.index];
+        for (const ir::TypeId type : function.parameters) add_type(type);
+        add_type(function.result);
     }
 
     void add_call(const Unit& unit, ir::OperationId id) {
@@ -333,8 +329,10 @@ private:
     }
 
     void collect_types() {
-        for (const auto& event : component_.events)
-            if (event.type) add_type(*event.type);
+        for (const auto& part : component_.parts)
+            for (const auto& event : part.events)
+                if (event.type) add_type(*event.type);
+        for (const auto& function : component_.functions) add_function_types(function);
         for (const auto& call : component_.calls)
             for (const ir::TypeId type : call.signature->parameters) add_type(type);
         for (const auto& unit : component_.units) {
@@ -343,46 +341,84 @@ private:
         }
     }
 
+    /// Parts before the whole. Types that contain themselves are refused later (support.cpp).
     void add_type(ir::TypeId id) {
-        const ir::TypeKind kind = system_.type(id).kind;
         auto& types = component_.enumerations;
-        const bool declared = kind == ir::TypeKind::enumeration || kind == ir::TypeKind::given;
-        if (declared && std::find(types.begin(), types.end(), id) == types.end()) types.push_back(id);
+        if (std::find(seen_types_.begin(), seen_types_.end(), id) != seen_types_.end()) return;
+        seen_types_.push_back(id);
+        const ir::Type& type = system_.type(id);
+        for (const ir::TypeId part : type.args) add_type(part);
+        for (const auto& arguments : type.literal_args)
+            for (const ir::TypeId part : arguments) add_type(part);
+        const auto same = [&](ir::TypeId other) { return declared_name(system_.type(other)) == declared_name(type); };
+        if (declared(type) && supported(system_, id) && std::none_of(types.begin(), types.end(), same))
+            types.push_back(id);
     }
 
     void name_everything() {
-        NameScope platform;
+        NameScope platform(std::set<std::string>{"Log", "log_", "Platform", "machine"});
         for (auto& call : component_.calls) call.method = platform.unique(call.signature->name);
         for (auto& call : component_.modelled) call.method = platform.unique("replaces_" + call.signature->name);
-        NameScope inputs(state_names);
-        NameScope state(state_names);
+        for (auto& function : component_.functions)
+            function.method = platform.unique(system_.functions[function.id.index].name);
+        std::set<std::string> taken = state_names;
+        for (const ir::TypeId type : component_.enumerations) taken.insert(declared_name(system_.type(type)));
+        NameScope inputs(taken);
+        NameScope state(taken);
+        if (component_.composed())
+            for (Part& part : component_.parts) part.tag = state.unique(part.name);
         for (auto& event : component_.events) {
             if (event.received) event.input = inputs.unique(event.model_name);
-            if (event.sent && event.outside) event.output = platform.unique("send_" + event.model_name);
+            if (event.sent) event.output = platform.unique("send_" + event.model_name);
         }
-        for (auto& entry : component_.variables) {
-            const std::string& name = entry.variable->name;
-            if (entry.stored()) entry.field = state.unique(name);
-            if (entry.external && entry.read) entry.input = inputs.unique("external_" + name);
-            if (entry.visible) entry.output = platform.unique("set_" + name);
-        }
+        for (auto& buffer : component_.buffers) buffer.field = state.unique("buffer_" + buffer.name);
+        std::vector<NameScope> frames(component_.parts.size(), NameScope(taken));
+        NameScope writers;
+        taken_ = taken;
+        for (auto& entry : component_.variables) name_variable(entry, state, frames, inputs, platform, writers);
         NameScope types(std::set<std::string>{"State", "Inputs", "Step", "At", "Real", "Nat", "Int"});
-        for (auto& unit : component_.units) name_unit(unit, state, types);
+        for (auto& unit : component_.units) name_unit(unit, component_.composed() ? frames[unit.part] : state, types);
+        name_channels();
         mark_clocks_read();
     }
 
+    void name_variable(StoredVariable& entry, NameScope& state, std::vector<NameScope>& frames, NameScope& inputs,
+                       NameScope& platform, NameScope& writers) {
+        const std::string& name = entry.variable->name;
+        const bool in_part = entry.home != no_part;
+        if (entry.stored()) {
+            entry.field = in_part ? frames[entry.home].unique(name) : state.unique(name);
+            entry.path = in_part ? component_.parts[entry.home].tag + "." + entry.field : entry.field;
+        }
+        if (entry.external && entry.read) entry.input = inputs.unique("external_" + name);
+        if (entry.visible) {
+            entry.output = platform.unique("set_" + name);
+            entry.writer = writers.unique("write_" + name);
+        }
+    }
+
+    void name_channels() {
+        NameScope scope;
+        for (Part& part : component_.parts)
+            for (EventUse& use : part.events)
+                if (use.sent && !use.peers.empty()) use.channel = scope.unique(part.name + "_" + use.name);
+    }
+
     void name_unit(Unit& unit, NameScope& fields, NameScope& types) {
-        NameScope own(state_names);
+        NameScope own(taken_);
         NameScope& scope = unit.root ? fields : own;
-        unit.frame = unit.root ? "State" : types.unique(unit.machine->name + "Frame");
-        unit.points = unit.root ? "At" : types.unique(unit.machine->name + "At");
+        const std::string& tag = component_.part(unit).tag;
+        const bool alone = tag.empty();
+        unit.prefix = unit.root ? (alone ? "" : tag + "_") : identifier((alone ? "" : tag + "_") + unit.machine->name);
+        unit.frame = unit.root && alone ? "State" : types.unique(unit.root ? tag + "State" : unit.prefix + "Frame");
+        unit.points = unit.root && alone ? "At" : types.unique(unit.root ? tag + "At" : unit.prefix + "At");
         for (const auto& variable : unit.machine->variables) {
             const bool own_variable = !unit.root && variable.scope != ir::VariableScope::required;
             unit.variable_fields.push_back(own_variable ? scope.unique(variable.name) : "");
         }
         for (const auto& clock : unit.machine->clocks) {
-            const bool of_caller =
-                !unit.root && clock.required && find_named(component_.root().machine->clocks, clock.name) != nullptr;
+            const bool of_caller = !unit.root && clock.required &&
+                                   find_named(component_.root(unit.part).machine->clocks, clock.name) != nullptr;
             const std::string name = (clock.entry_of.valid() ? "since_entry_" : "") + clock.name;
             unit.clock_fields.push_back(of_caller ? "" : scope.unique(name));
         }
@@ -404,8 +440,13 @@ private:
     const ir::Instantiation& inst_;
     Diagnostics& diagnostics_;
     std::size_t errors_before_;
-    Context context_;
     Component component_;
+    const ir::Module* module_ = nullptr;
+    std::vector<const ir::Controller*> contexts_;  ///< of each part
+    std::vector<ir::MachineId> roots_;             ///< of each part
+    std::vector<ir::TypeId> seen_types_;
+    std::set<std::string> taken_;  ///< names that no member may have
+    std::size_t part_ = 0;         ///< the part that is being looked at
     std::vector<ir::MachineId> open_;
 };
 

@@ -13,11 +13,11 @@
 
 namespace robochart::cpp_emit {
 
-/// An event of the machine (and of its operations, which use the caller's events by name).
+/// An event at the component's boundary: what the platform raises, what it is told.
 struct EventPort {
-    std::string model_name;  ///< in the machine
+    std::string outside;     ///< at the boundary
+    std::string model_name;  ///< in the machine; with several machines: at the boundary
     std::string interface;
-    std::optional<std::string> outside;  ///< at the component's boundary; none: connected to nothing
     std::optional<ir::TypeId> type;
     bool received = false;
     bool sent = false;
@@ -25,15 +25,55 @@ struct EventPort {
     std::string output;  ///< method of the platform
 };
 
-/// A variable of the machine or one that it shares (semantics 3.7: the machine keeps a copy).
+/// An asynchronous connection between controllers: one place, overwritten by the writer, emptied by the reader
+/// (semantics 3.9).
+struct Buffer {
+    std::size_t connection = 0;  ///< of the module
+    std::string name;            ///< of the writer's event
+    std::optional<ir::TypeId> type;
+    std::string field;  ///< member of State
+};
+
+/// The other end of a synchronous connection between machines.
+struct Peer {
+    std::size_t part = 0;
+    std::string event;
+    friend bool operator==(const Peer&, const Peer&) = default;
+};
+
+/// An event of a part's machine (and of its operations, which use the caller's events by name), and where it leads.
+struct EventUse {
+    std::string name;
+    std::string interface;
+    std::optional<ir::TypeId> type;
+    bool received = false;
+    bool sent = false;
+    std::vector<std::size_t> ports;    ///< Component::events
+    std::vector<Peer> peers;           ///< rendezvous
+    std::vector<std::size_t> filled;   ///< Component::buffers that sending fills
+    std::vector<std::size_t> emptied;  ///< Component::buffers that receiving empties
+    std::string channel;               ///< names the functions of a rendezvous: offers_CHANNEL, accept_CHANNEL
+
+    /// Received and connected to nothing: the semantics lets it happen on its own (semantics 3.9).
+    [[nodiscard]] bool spontaneous() const { return ports.empty() && peers.empty() && emptied.empty(); }
+};
+
+inline constexpr std::size_t no_part = static_cast<std::size_t>(-1);
+
+/// A variable of a machine or one that machines share. The semantics gives each machine a copy and relays writes
+/// (semantics 3.7); relaying at once keeps all copies equal, so there is one.
 struct StoredVariable {
     const ir::Variable* variable = nullptr;
-    bool shared = false;    ///< of a required interface
-    bool visible = false;   ///< writes are seen outside: set_x
-    bool external = false;  ///< may be written from outside: set_EXT_x
-    bool read = false;      ///< some expression depends on it
+    std::size_t home = no_part;   ///< the part whose frame holds it; no_part: State
+    const void* level = nullptr;  ///< shared: the controller instance or module that declares it; null: outside
+    bool shared = false;          ///< of a required interface
+    bool visible = false;         ///< writes are seen outside: set_x
+    bool external = false;        ///< may be written from outside: set_EXT_x
+    bool read = false;            ///< some expression depends on it
     ir::Value initial;
-    std::string field;   ///< member of State
+    std::string field;   ///< member of the frame that holds it
+    std::string path;    ///< below State: "x", "stm0.x"
+    std::string writer;  ///< method of Step, if visible
     std::string input;   ///< member of Inputs, if external and read
     std::string output;  ///< method of the platform, if visible
 
@@ -47,6 +87,12 @@ struct PlatformCall {
     std::string method;
 };
 
+/// A function of the model, specified by contract only: the platform computes it.
+struct FunctionHook {
+    ir::FunctionId id;
+    std::string method;
+};
+
 /// An operation that the model defines. The platform may still do it instead.
 struct ModelledCall {
     const ir::OperationSignature* signature = nullptr;
@@ -57,16 +103,32 @@ struct ModelledCall {
 /// A machine whose code is generated: the component's own, or an operation it calls.
 struct Unit {
     ir::MachineId id;
+    std::size_t part = 0;
     const ir::Machine* machine = nullptr;
     bool root = false;
     std::string frame;                         ///< struct of its state: "State", "TurnFrame"
     std::string points;                        ///< enumeration of its places: "At", "TurnAt"
+    std::string prefix;                        ///< of its other enumerations: "", "Turn"
     std::vector<ir::MachineId> definitions;    ///< for each Machine::operations entry
     std::vector<std::string> variable_fields;  ///< operations: members of the frame for their own variables
     std::vector<ir::Value> constants;          ///< in this context
     std::vector<ir::Value> initials;           ///< of its variables; shared ones: the default of their type
     std::vector<std::string> clock_fields;     ///< members of the frame; "" for clocks of the caller
     std::vector<bool> clock_read;              ///< by this machine or by operations that share the clock
+};
+
+/// A machine in the place where it runs, with the operations it calls.
+struct Part {
+    std::string name;            ///< "stm0", in a module "ctrl0::stm0"; "" for a machine alone
+    std::size_t controller = 0;  ///< ir::Module::controllers
+    std::size_t machine = 0;     ///< ir::Controller::machines
+    std::size_t root = 0;        ///< Component::units
+    std::string tag;             ///< identifier in names of members and functions; "" if there is one part
+    std::vector<EventUse> events;
+    std::map<std::string, std::size_t> variables;  ///< by name in the machine -> Component::variables
+
+    /// How the code refers to the frame of its machine: "state_", "state_.stm0".
+    [[nodiscard]] std::string place() const { return tag.empty() ? "state_" : "state_." + tag; }
 };
 
 struct Component {
@@ -76,16 +138,26 @@ struct Component {
     std::string cpp_name;
     std::string package;
     ir::Origin origin;
-    std::vector<Unit> units;        ///< callees before callers; the component's machine last
-    std::vector<EventPort> events;  ///< as the machine declares them
+    std::vector<Part> parts;        ///< the machines, in textual order
+    std::vector<Unit> units;        ///< part by part; callees before callers; each part's machine last
+    std::vector<EventPort> events;  ///< at the boundary
+    std::vector<Buffer> buffers;
     std::vector<StoredVariable> variables;
     std::vector<PlatformCall> calls;
     std::vector<ModelledCall> modelled;
-    std::vector<ir::TypeId> enumerations;  ///< declared types used, in order of first use
+    std::vector<FunctionHook> functions;
+    std::vector<ir::TypeId> enumerations;  ///< declared types used, parts before the whole
 
+    /// Several machines side by side.
+    [[nodiscard]] bool composed() const { return parts.size() > 1; }
+    /// The machine of a component that has one.
     [[nodiscard]] const Unit& root() const { return units.back(); }
-    [[nodiscard]] const Unit& unit(ir::MachineId) const;
-    [[nodiscard]] const EventPort& event(const Unit&, ir::EventId) const;
+    [[nodiscard]] const Part& part(const Unit& unit) const { return parts[unit.part]; }
+    [[nodiscard]] const Unit& root(std::size_t part) const { return units[parts[part].root]; }
+    [[nodiscard]] const Unit& unit(std::size_t part, ir::MachineId) const;
+    [[nodiscard]] const EventUse& event(const Unit&, ir::EventId) const;
+    /// An event of a part; null if its machine does not use it.
+    [[nodiscard]] const EventUse* event(const Peer&) const;
     /// The machine's or shared variable behind a unit's variable; null: the operation's own.
     [[nodiscard]] const StoredVariable* stored(const Unit&, ir::VariableId) const;
     [[nodiscard]] const PlatformCall& call(const Unit&, ir::OperationId) const;

@@ -5,22 +5,26 @@
 
 namespace robochart::cpp_emit {
 
-const Unit& Component::unit(ir::MachineId id) const {
-    return *std::find_if(units.begin(), units.end(), [&](const Unit& candidate) { return candidate.id == id; });
+const Unit& Component::unit(std::size_t part, ir::MachineId id) const {
+    return *std::find_if(units.begin(), units.end(),
+                         [&](const Unit& candidate) { return candidate.part == part && candidate.id == id; });
 }
 
-const EventPort& Component::event(const Unit& of, ir::EventId id) const {
-    const std::string& wanted = of.machine->events[id.index].name;
-    return *std::find_if(events.begin(), events.end(),
-                         [&](const EventPort& port) { return port.model_name == wanted; });
+const EventUse& Component::event(const Unit& of, ir::EventId id) const {
+    return *event(Peer{of.part, of.machine->events[id.index].name});
+}
+
+const EventUse* Component::event(const Peer& end) const {
+    const std::vector<EventUse>& uses = parts[end.part].events;
+    const auto found =
+        std::find_if(uses.begin(), uses.end(), [&](const EventUse& use) { return use.name == end.event; });
+    return found == uses.end() ? nullptr : &*found;
 }
 
 const StoredVariable* Component::stored(const Unit& of, ir::VariableId id) const {
     const ir::Variable& variable = of.machine->variables[id.index];
     if (!of.root && variable.scope != ir::VariableScope::required) return nullptr;
-    const auto found = std::find_if(variables.begin(), variables.end(),
-                                    [&](const StoredVariable& entry) { return entry.variable->name == variable.name; });
-    return &*found;
+    return &variables[part(of).variables.at(variable.name)];
 }
 
 const PlatformCall& Component::call(const Unit& of, ir::OperationId id) const {
@@ -37,9 +41,10 @@ const ModelledCall& Component::modelled_call(ir::MachineId definition) const {
 std::pair<const Unit*, ir::ClockId> Component::clock(const Unit& of, ir::ClockId id) const {
     const ir::Clock& wanted = of.machine->clocks[id.index];
     if (of.root || !wanted.required) return {&of, id};
-    const auto& clocks = root().machine->clocks;
+    const Unit& caller = root(of.part);
+    const auto& clocks = caller.machine->clocks;
     for (std::uint32_t index = 0; index < clocks.size(); ++index)
-        if (clocks[index].name == wanted.name) return {&root(), ir::ClockId{index}};
+        if (clocks[index].name == wanted.name) return {&caller, ir::ClockId{index}};
     return {&of, id};
 }
 

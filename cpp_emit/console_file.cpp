@@ -16,7 +16,7 @@ public:
     std::string write() {
         file_comment(generation_, out_, "Console driver");
         out_.comment("Each line of input is one control cycle: the events raised in it, `seeRobot` or `heading=0.5`.");
-        for (const char* header : {"<cstdint>", "<cstdlib>", "<iostream>", "<sstream>", "<string>"})
+        for (const char* header : {"<cstdint>", "<cstdlib>", "<iostream>", "<sstream>", "<string>", "<type_traits>"})
             out_.line(fmt::format("#include {}", header));
         out_.gap();
         out_.line(fmt::format("#include \"{}.hpp\"", face_.cpp_name));
@@ -46,8 +46,11 @@ private:
         out_.line("std::ostringstream text;");
         out_.open("if constexpr (std::is_enum_v<T>) {");
         out_.line("text << static_cast<int>(value);");
-        out_.reopen("} else {");
+        out_.reopen("} else if constexpr (std::is_arithmetic_v<T>) {");
         out_.line("text << std::boolalpha << value;");
+        out_.reopen("} else {");
+        out_.line("static_cast<void>(value);");
+        out_.line("text << \"(...)\";");
         out_.close();
         out_.line("return text.str();");
         out_.close();
@@ -61,8 +64,11 @@ private:
         out_.line("if (!(input >> number)) return false;");
         out_.line("value = static_cast<T>(number);");
         out_.line("return true;");
-        out_.reopen("} else {");
+        out_.reopen("} else if constexpr (std::is_arithmetic_v<T>) {");
         out_.line("return static_cast<bool>(input >> std::boolalpha >> value);");
+        out_.reopen("} else {");
+        out_.line("value = T{};");
+        out_.line("return false;");
         out_.close();
         out_.close();
     }
@@ -115,7 +121,8 @@ private:
     void print_function() {
         out_.doc("What can be seen from outside after a cycle.");
         out_.open("void print() const {");
-        out_.line("std::cout << \"  state \" << name(state());");
+        for (const FaceMachine& machine : face_.machines)
+            out_.line(fmt::format("std::cout << \"  {} \" << name({}());", machine.method, machine.method));
         each([&](const FaceClass& part) {
             for (const FaceVariable& variable : part.variables)
                 out_.line(fmt::format("std::cout << \" {} = \" << show_value({});", variable.stored->variable->name,
@@ -174,7 +181,7 @@ std::string build_file(const Face& face) {
     out.gap();
     out.line(fmt::format("add_library({0} STATIC {0}.cpp)", face.cpp_name));
     out.line(fmt::format("target_include_directories({} PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}})", face.cpp_name));
-    out.line(fmt::format("target_compile_features({} PUBLIC cxx_std_20)", face.cpp_name));
+    out.line(fmt::format("target_compile_features({} PUBLIC cxx_std_17)", face.cpp_name));
     out.gap();
     out.line(fmt::format("add_executable({}_console main.cpp)", face.cpp_name));
     out.line(fmt::format("target_link_libraries({0}_console PRIVATE {0})", face.cpp_name));

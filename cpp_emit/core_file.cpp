@@ -1,8 +1,11 @@
 // The core header: one translation of the machine, used by the deployed controller and by the explorer alike.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
+#include "cpp_emit/channels.hpp"
 #include "cpp_emit/files.hpp"
 #include "cpp_emit/types.hpp"
 
@@ -32,9 +35,87 @@ void write_enumeration(CodeWriter& out, const Enumeration& enumeration) {
     out.close("};");
 }
 
+/// `a.x == b.x && ...`, for language standards without defaulted comparison.
+void write_comparison(CodeWriter& out, const std::string& name, const std::vector<std::string>& fields) {
+    std::vector<std::string> equal;
+    for (const std::string& field : fields) equal.push_back(fmt::format("a.{0} == b.{0}", field));
+    const char* const unused = fields.empty() ? "[[maybe_unused]] " : "";
+    out.open(
+        fmt::format("friend constexpr bool operator==({1}const {0}& a, {1}const {0}& b) noexcept {{", name, unused));
+    out.line(fmt::format("return {};", equal.empty() ? "true" : fmt::format("{}", fmt::join(equal, " && "))));
+    out.close();
+    out.line(fmt::format(
+        "friend constexpr bool operator!=(const {0}& a, const {0}& b) noexcept {{ return !(a == b); }}", name));
+}
+
+/// A static function that makes a value of its members.
+void write_maker(const Generation& generation, CodeWriter& out, const std::string& type, const std::string& maker,
+                 const std::vector<TypeMember>& given, const std::string& also) {
+    std::vector<std::string> parameters;
+    for (const TypeMember& member : given)
+        parameters.push_back(fmt::format("{} a_{}", cpp_type(generation.system, member.type), member.name));
+    out.open(
+        fmt::format("[[nodiscard]] static constexpr {} {}({}) noexcept {{", type, maker, fmt::join(parameters, ", ")));
+    out.line(fmt::format("{} value{{}};", type));
+    if (!also.empty()) out.line(also);
+    for (const TypeMember& member : given) out.line(fmt::format("value.{0} = a_{0};", member.name));
+    out.line("return value;");
+    out.close();
+}
+
+/// Records and products: one maker. Enumerations whose literals have arguments: one for each literal.
+void write_makers(const Generation& generation, CodeWriter& out, const ir::Type& type) {
+    const std::string name = declared_name(type);
+    const std::vector<TypeMember> all = members(type);
+    if (type.kind != ir::TypeKind::enumeration) return write_maker(generation, out, name, "make", all, "");
+    for (std::size_t literal = 0; literal < type.labels.size(); ++literal) {
+        std::vector<TypeMember> given;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(given),
+                     [&](const TypeMember& member) { return member.literal == literal; });
+        const std::string label = literal_name(type, literal);
+        write_maker(generation, out, name, label, given, fmt::format("value.kind = Kind::{};", label));
+    }
+}
+
+void write_value_struct(const Generation& generation, CodeWriter& out, const ir::Type& type) {
+    std::vector<Field> fields;
+    for (const TypeMember& member : members(type)) {
+        const Extent extent = cpp_extent(generation.system, generation.inst, member.type);
+        fields.push_back(
+            {cpp_type(generation.system, member.type), member.name, "", "", extent.size, extent.alignment});
+    }
+    const bool tagged = type.kind == ir::TypeKind::enumeration;
+    if (tagged) fields.push_back({"Kind", "kind", "Kind::" + literal_name(type, 0), "", 1, 1});
+    const FrameLayout layout = arrange(std::move(fields), false);
+    out.gap();
+    out.doc(generation.place(type.origin.element.empty() ? type.name : type.origin.element, type.origin.span));
+    out.line("template <class Types>");
+    out.open(fmt::format("struct {} {{", declared_name(type)));
+    numeric_aliases(out);
+    if (tagged) {
+        std::vector<std::string> labels;
+        for (std::size_t i = 0; i < type.labels.size(); ++i) labels.push_back(literal_name(type, i));
+        out.line(fmt::format("enum class Kind : std::uint8_t {{ {} }};", fmt::join(labels, ", ")));
+    }
+    out.gap();
+    std::vector<std::string> compared;
+    for (const Field& field : layout.fields) {
+        out.line(fmt::format("{} {}{};", field.type, field.name, field.initial.empty() ? "{}" : " = " + field.initial));
+        if (!field.name.starts_with("filler[")) compared.push_back(field.name);
+    }
+    out.gap();
+    write_makers(generation, out, type);
+    write_comparison(out, declared_name(type), compared);
+    out.close("};");
+}
+
 void write_declared_types(const Generation& generation, CodeWriter& out) {
     for (const ir::TypeId id : generation.component.enumerations) {
         const ir::Type& type = generation.system.type(id);
+        if (is_struct(type)) {
+            write_value_struct(generation, out, type);
+            continue;
+        }
         if (type.kind == ir::TypeKind::given) {
             out.gap();
             out.doc(fmt::format("Given type {}: its elements are numbered.", generation.place(type.origin)));
@@ -48,13 +129,9 @@ void write_declared_types(const Generation& generation, CodeWriter& out) {
     }
 }
 
-void write_frame(CodeWriter& out, const Unit& unit, const FrameLayout& layout) {
-    out.gap();
-    out.doc(unit.root ? fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
-                                    unit.machine->name)
-                      : fmt::format("Operation {} in progress; as constructed when it is not.", unit.machine->name));
+void write_struct(CodeWriter& out, const std::string& name, const FrameLayout& layout) {
     out.line("template <class Types>");
-    out.open(fmt::format("struct {} {{", unit.frame));
+    out.open(fmt::format("struct {} {{", name));
     numeric_aliases(out);
     out.gap();
     for (const Field& field : layout.fields) {
@@ -65,8 +142,29 @@ void write_frame(CodeWriter& out, const Unit& unit, const FrameLayout& layout) {
         out.line(fmt::format("{} {}{};{}", field.type, field.name, initial, comment));
     }
     out.gap();
-    out.line(fmt::format("friend bool operator==(const {0}&, const {0}&) = default;", unit.frame));
+    std::vector<std::string> compared;
+    for (const Field& field : layout.fields)
+        if (!field.name.starts_with("filler[")) compared.push_back(field.name);
+    write_comparison(out, name, compared);
     out.close("};");
+}
+
+void write_frame(const Generation& generation, CodeWriter& out, const Unit& unit, const FrameLayout& layout) {
+    out.gap();
+    const bool whole = unit.root && !generation.component.composed();
+    out.doc(whole       ? fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
+                                      unit.machine->name)
+            : unit.root ? fmt::format("Machine {}.", generation.component.part(unit).name)
+                        : fmt::format("Operation {} in progress; as constructed when it is not.", unit.machine->name));
+    write_struct(out, unit.frame, layout);
+}
+
+/// State around the frames of several machines.
+void write_state(const Generation& generation, CodeWriter& out, const FrameLayout& layout) {
+    out.gap();
+    out.doc(fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
+                        generation.component.name));
+    write_struct(out, "State", layout);
 }
 
 void write_inputs(const Generation& generation, CodeWriter& out) {
@@ -107,6 +205,13 @@ void write_platform_comment(const Generation& generation, CodeWriter& out) {
     out.comment(
         "The platform that Step drives has these methods, all noexcept; replaces_X answers true when it has done X "
         "itself:");
+    for (const FunctionHook& hook : component.functions) {
+        const ir::Function& function = generation.system.functions[hook.id.index];
+        std::vector<std::string> parameters;
+        for (const ir::TypeId type : function.parameters) parameters.push_back(cpp_type(generation.system, type));
+        method(cpp_type(generation.system, function.result).c_str(), hook.method,
+               fmt::format("{}", fmt::join(parameters, ", ")));
+    }
     for (const PlatformCall& call : component.calls)
         method("void", call.method, parameter_list(generation, *call.signature));
     for (const ModelledCall& call : component.modelled)
@@ -124,9 +229,9 @@ void write_variables(const Generation& generation, CodeWriter& out) {
         if (!variable.visible) continue;
         out.gap();
         out.doc("Shared variable " + generation.place(variable.variable->origin));
-        out.open(fmt::format("void write_{}({} value) noexcept {{", variable.variable->name,
+        out.open(fmt::format("void {}({} value) noexcept {{", variable.writer,
                              cpp_type(generation.system, variable.variable->type)));
-        if (variable.stored()) out.line(fmt::format("state_.{} = value;", variable.field));
+        if (variable.stored()) out.line(fmt::format("state_.{} = value;", variable.path));
         out.line(fmt::format("platform_.{}(value);", variable.output));
         out.close();
     }
@@ -151,14 +256,15 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     out.open("robochart::StepResult cycle() noexcept {");
     for (const StoredVariable& variable : generation.component.variables)
         if (!variable.input.empty())
-            out.line(fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input,
-                                 variable.field));
+            out.line(
+                fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input, variable.path));
     for (const EventPort* event : core.kept) take_kept(out, *event);
-    out.line("run(state_);");
+    const char* const state = generation.component.composed() ? "" : "state_";
+    out.line(fmt::format("run({});", state));
     for (const EventPort* event : core.kept) keep(out, *event);
-    out.line("const robochart::StepResult result = this->result(finished(state_));");
-    if (core.machines.back().layout.timed) out.line("if (result == robochart::StepResult::quiescent) advance(state_);");
-    out.line("return result;");
+    out.line(fmt::format("const robochart::StepResult result = this->result(finished({}));", state));
+    if (core.layout.timed) out.line(fmt::format("if (result == robochart::StepResult::quiescent) advance({});", state));
+    out.line("return late() ? robochart::StepResult::deadline : result;");
     out.close();
 }
 
@@ -181,10 +287,14 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
         out.gap();
         out.raw(machine.methods);
     }
+    write_channels(generation, core, out);
+    if (generation.component.composed()) write_composition(generation, core, out);
     out.gap();
     out.line("State<Types>& state_;");
     out.line("Inputs<Types> inputs_;");
     out.line("Platform& platform_;");
+    for (const EventPort& port : generation.component.events)
+        if (port.sent) out.line(fmt::format("bool {} = false;  ///< made in this cycle", sent_flag(port)));
     out.close("};");
 }
 
@@ -198,8 +308,9 @@ std::vector<Field> kept_fields(const Generation& generation, const Core& core) {
     for (const EventPort* event : core.kept) {
         fields.push_back({"bool", "kept_" + event->input, "false", "", 1, 1});
         if (!event->type) continue;
-        const std::size_t size = cpp_size(generation.system.type(*event->type));
-        fields.push_back({cpp_type(generation.system, *event->type), "kept_value_" + event->input, "", "", size, size});
+        const Extent extent = cpp_extent(generation.system, generation.inst, *event->type);
+        fields.push_back({cpp_type(generation.system, *event->type), "kept_value_" + event->input, "", "", extent.size,
+                          extent.alignment});
     }
     return fields;
 }
@@ -231,21 +342,27 @@ Core make_core(const Generation& generation) {
     core.name_space = package_namespace(component.package) + "::" + core.relative;
     core.header = component.cpp_name + "_core.hpp";
     NameScope type_names(std::set<std::string>{"State", "Inputs", "Step", "Real", "Nat", "Int", "Types", "Platform",
-                                               "step", "advance_clock", "advance_wait", "duration", "divide",
-                                               "modulus"});
-    for (const ir::TypeId id : component.enumerations) (void)type_names.unique(generation.system.type(id).name);
+                                               "step", "advance_clock", "advance_wait", "duration", "divide", "modulus",
+                                               "place_of", "rounded_down"});
+    for (const ir::TypeId id : component.enumerations)
+        (void)type_names.unique(declared_name(generation.system.type(id)));
     for (const Unit& unit : component.units) {
         (void)type_names.unique(unit.frame);
         (void)type_names.unique(unit.points);
     }
     for (const EventPort& event : component.events)
         if (event.received && generation.mutation.hits(Fault::event_kept)) core.kept.push_back(&event);
+    std::vector<Field> more = kept_fields(generation, core);
+    const std::vector<Field> common = common_fields(generation);
+    more.insert(more.end(), common.begin(), common.end());
     Layouts layouts;
+    const bool composed = component.composed();
     for (const Unit& unit : component.units) {
-        core.machines.push_back(generate(generation, unit, layouts, type_names,
-                                         unit.root ? kept_fields(generation, core) : std::vector<Field>{}));
-        layouts[unit.id] = core.machines.back().layout;
+        core.machines.push_back(
+            generate(generation, unit, layouts, type_names, unit.root && !composed ? more : std::vector<Field>{}));
+        layouts[{unit.part, unit.id}] = core.machines.back().layout;
     }
+    core.layout = composed ? composed_layout(generation, core, std::move(more)) : core.machines.back().layout;
     return core;
 }
 
@@ -257,6 +374,7 @@ std::string core_header(const Generation& generation, const Core& core) {
     out.gap();
     out.line("#include <cstdint>");
     out.gap();
+    out.line("#include \"robochart/composed.hpp\"");
     out.line("#include \"robochart/runtime.hpp\"");
     out.gap();
     out.line(fmt::format("namespace {} {{", core.name_space));
@@ -268,12 +386,13 @@ std::string core_header(const Generation& generation, const Core& core) {
     out.line(fmt::format("inline constexpr std::uint32_t step_bound = {};", bound_text(core)));
     out.gap();
     out.line("using robochart::advance_clock, robochart::advance_wait, robochart::duration;");
-    out.line("using robochart::divide, robochart::modulus;");
+    out.line("using robochart::divide, robochart::modulus, robochart::place_of, robochart::rounded_down;");
     write_declared_types(generation, out);
     for (std::size_t index = 0; index < core.machines.size(); ++index) {
         for (const Enumeration& enumeration : core.machines[index].enumerations) write_enumeration(out, enumeration);
-        write_frame(out, generation.component.units[index], core.machines[index].layout);
+        write_frame(generation, out, generation.component.units[index], core.machines[index].layout);
     }
+    if (generation.component.composed()) write_state(generation, out, core.layout);
     write_inputs(generation, out);
     write_platform_comment(generation, out);
     write_step_class(generation, core, out);

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "cpp_emit/files.hpp"
+#include "cpp_emit/rules.hpp"
 #include "cpp_emit/support.hpp"
 #include "cpp_emit/types.hpp"
 
@@ -49,7 +50,7 @@ public:
     DriveWriter(const Generation& generation, const Core& core) : generation_(generation), core_(core) {
         collect_inputs();
         collect_outputs();
-        for (const ir::Node& node : generation.component.root().machine->nodes)
+        for (const ir::Node& node : generation.component.root(0).machine->nodes)
             if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final) states_.push_back(&node);
     }
 
@@ -90,8 +91,8 @@ private:
     void collect_inputs() {
         for (const EventPort& event : generation_.component.events)
             if (event.received)
-                inputs_.push_back(channel(Port::Kind::event, *event.outside, *event.outside + ".in", event.input,
-                                          listed(event.type)));
+                inputs_.push_back(
+                    channel(Port::Kind::event, event.outside, event.outside + ".in", event.input, listed(event.type)));
         for (const StoredVariable& variable : generation_.component.variables)
             if (!variable.input.empty())
                 inputs_.push_back(channel(Port::Kind::variable, variable.variable->name,
@@ -105,7 +106,7 @@ private:
                                        call.method, call.signature->parameters));
         for (const EventPort& event : generation_.component.events)
             if (!event.output.empty())
-                outputs_.push_back(channel(Port::Kind::event, *event.outside, *event.outside + ".out", event.output,
+                outputs_.push_back(channel(Port::Kind::event, event.outside, event.outside + ".out", event.output,
                                            listed(event.type)));
         for (const StoredVariable& variable : generation_.component.variables) {
             if (!variable.visible) continue;
@@ -168,11 +169,9 @@ private:
         out_.line(fmt::format("constexpr const char* {}[] = {{{}}};", table, fmt::join(quoted, ", ")));
     }
 
-    [[nodiscard]] std::string type(ir::TypeId id) const {
-        const ir::TypeKind kind = generation_.system.type(id).kind;
-        const std::string name = cpp_type(generation_.system, id);
-        return numeric(kind) || kind == ir::TypeKind::boolean ? name : "core::" + name;
-    }
+    static Spelling spelling() { return {"Types", "core::", "Real", "Nat", "Int"}; }
+
+    [[nodiscard]] std::string type(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
 
     /// rc_value to the type.
     [[nodiscard]] std::string from_value(ir::TypeId id, const std::string& value) const {
@@ -217,6 +216,17 @@ private:
         out_.line(fmt::format("bool {}({}) noexcept {{ return false; }}", call.method, parameters));
     }
 
+    /// Functions without definition have the default of their type (semantics 3.13).
+    void function_method(const FunctionHook& hook) {
+        const ir::Function& function = generation_.system.functions[hook.id.index];
+        std::vector<std::string> parameters;
+        for (const ir::TypeId parameter : function.parameters) parameters.push_back(type(parameter));
+        const ir::Value value = ir::default_value(generation_.system, generation_.inst, function.result);
+        out_.line(fmt::format("{} {}({}) const noexcept {{ return {}; }}", type(function.result), hook.method,
+                              fmt::join(parameters, ", "),
+                              cpp_value(generation_.system, generation_.inst, function.result, value, spelling())));
+    }
+
     void actions_class() {
         out_.gap();
         out_.doc("The platform: writes down what the controller does.");
@@ -226,6 +236,7 @@ private:
         out_.gap();
         for (std::size_t index = 0; index < outputs_.size(); ++index) action_method(outputs_[index], index);
         for (const ModelledCall& call : generation_.component.modelled) modelled_method(call);
+        for (const FunctionHook& hook : generation_.component.functions) function_method(hook);
         out_.gap();
         out_.label("private:");
         out_.open("[[maybe_unused]] rc_action* add(std::uint32_t output, std::uint32_t count) noexcept {");
@@ -246,8 +257,8 @@ private:
     void state_function() {
         out_.gap();
         out_.open("std::uint32_t state_of(const void* controller) noexcept {");
-        out_.open("switch (static_cast<const State*>(controller)->at) {");
-        const ir::Machine& machine = *generation_.component.root().machine;
+        out_.open(fmt::format("switch (static_cast<const State*>(controller)->{}at) {{", first_part()));
+        const ir::Machine& machine = *generation_.component.root(0).machine;
         for (const Enumerator& value : root_places().values) {
             if (!value.state.valid()) continue;
             for (std::size_t s = 0; s < states_.size(); ++s)
@@ -262,7 +273,7 @@ private:
     void place_function() {
         out_.gap();
         out_.open("const char* place_of(const void* controller) noexcept {");
-        out_.open("switch (static_cast<const State*>(controller)->at) {");
+        out_.open(fmt::format("switch (static_cast<const State*>(controller)->{}at) {{", first_part()));
         for (const Enumerator& value : root_places().values)
             out_.line(fmt::format("case core::{}::{}: return {};", root_places().name, value.name,
                                   literal(value.comment.empty() ? value.name : value.comment)));
@@ -271,11 +282,18 @@ private:
         out_.close();
     }
 
+    /// Of several machines the first one is shown.
+    [[nodiscard]] std::string first_part() const {
+        const std::string& tag = generation_.component.parts.front().tag;
+        return tag.empty() ? "" : tag + ".";
+    }
+
     [[nodiscard]] const Enumeration& root_places() const {
-        const std::string& wanted = generation_.component.root().points;
-        for (const Enumeration& enumeration : core_.machines.back().enumerations)
+        const MachineCode& machine = core_.machines[generation_.component.parts.front().root];
+        const std::string& wanted = generation_.component.root(0).points;
+        for (const Enumeration& enumeration : machine.enumerations)
             if (enumeration.name == wanted) return enumeration;
-        return core_.machines.back().enumerations.front();
+        return machine.enumerations.front();
     }
 
     void step_function() {
@@ -333,11 +351,32 @@ private:
 
 }  // namespace
 
+namespace {
+
+/// rc_value holds numbers only.
+bool carries_numbers(const Component& component, const ir::System& system, diagnostics::Diagnostics& diagnostics) {
+    const std::size_t before = diagnostics.errors();
+    const auto check = [&](ir::TypeId id, const std::string& name) {
+        const ir::Type& type = system.type(id);
+        if (composed(type)) diagnostics.report(rules::unsupported_type, component.origin.span, {name, type.name});
+    };
+    for (const EventPort& event : component.events)
+        if (event.type) check(*event.type, event.model_name);
+    for (const PlatformCall& call : component.calls)
+        for (const ir::TypeId type : call.signature->parameters) check(type, call.signature->name);
+    for (const StoredVariable& variable : component.variables)
+        if (variable.visible || !variable.input.empty()) check(variable.variable->type, variable.variable->name);
+    return diagnostics.errors() == before;
+}
+
+}  // namespace
+
 DriveEmission emit_drive(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
                          const Options& options, diagnostics::Diagnostics& diagnostics) {
     DriveEmission emission;
     const std::optional<Component> component = resolve(system, inst, ref, diagnostics);
     if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
+    if (!carries_numbers(*component, system, diagnostics)) return emission;
     Mutation mutation(options.fault, options.fault_site);
     const Generation generation{system, inst, options, *component, mutation};
     const Core core = make_core(generation);
@@ -345,6 +384,7 @@ DriveEmission emit_drive(const ir::System& system, const ir::Instantiation& inst
     emission.sources = {component->cpp_name + "_drive.cpp"};
     emission.files = {{core.header, core_header(generation, core)},
                       {emission.sources.front(), writer.write()},
+                      {"robochart/composed.hpp", composed_header()},
                       {"robochart/runtime.hpp", runtime_header()},
                       {"robochart/drive_abi.h", drive_header()}};
     emission.inputs = writer.inputs();

@@ -34,7 +34,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     Mutation mutation(options.fault, options.fault_site);
     const Generation generation{system, inst, options, *component, mutation};
     const Core core = make_core(generation);
-    if (core.machines.back().layout.size > max_state_bytes) {
+    if (core.layout.size > max_state_bytes) {
         diagnostics.report(rules::too_large, component->origin.span,
                            {component->name, "its state takes more than 64 KiB (operations that call operations)"});
         return emission;
@@ -52,6 +52,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         {"CMakeLists.txt", build_file(face)},
         {"robochart/runtime.hpp", runtime_header()},
         {"robochart/timer.hpp", timer_header()},
+        {"robochart/composed.hpp", composed_header()},
         {"robochart/finite.hpp", finite_header()},
         {"robochart/explore.hpp", explore_helpers()},
         {"robochart/explore_abi.h", explore_header()},

@@ -38,6 +38,14 @@ enum class Fault {
     event_kept,  ///< inputs survive the end of the cycle
     wait_dropped,
     trigger_value_old,  ///< guard reads the variable's old value, not the incoming one
+    output_repeated,    ///< an output is made twice in one cycle
+    send_not_awaited,   ///< the sender goes on without the receiver
+    offer_kept,         ///< what was received is offered again
+    buffer_kept,        ///< reading does not empty the buffer
+    buffer_first,       ///< the buffer keeps its first value
+    ended_by_one,       ///< one machine's end ends the component
+    write_not_relayed,  ///< other machines do not see a write
+    deadline_kept,      ///< a deadline that was met goes on
 };
 
 struct Options {

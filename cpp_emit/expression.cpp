@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/walk.hpp"
 
@@ -35,6 +37,19 @@ bool atom(ExprKind kind) {
         case ExprKind::since_entry:
         case ExprKind::divide:
         case ExprKind::modulus:
+        case ExprKind::call:
+        case ExprKind::tuple:
+        case ExprKind::record:
+        case ExprKind::sequence:
+        case ExprKind::set:
+        case ExprKind::matrix:
+        case ExprKind::member:
+        case ExprKind::index:
+        case ExprKind::concat:
+        case ExprKind::is_in:
+        case ExprKind::cast:
+        case ExprKind::bound:
+        case ExprKind::let:
             return true;
         default:
             return false;
@@ -42,6 +57,12 @@ bool atom(ExprKind kind) {
 }
 
 }  // namespace
+
+std::string member_name(const ir::Type& type, std::int64_t number) {
+    const std::vector<TypeMember> all = members(type);
+    const std::int64_t first = type.kind == TypeKind::product ? 1 : 0;
+    return all.at(static_cast<std::size_t>(number - first)).name;
+}
 
 TypeKind ExpressionWriter::kind(const ir::Expr& expr) const {
     return generation_.system.type(expr.type).kind;
@@ -65,12 +86,13 @@ std::string ExpressionWriter::write_as(const ir::Expr& expr, ir::TypeId id) cons
 std::string ExpressionWriter::variable(ir::VariableId id) const {
     const StoredVariable* stored = generation_.component.stored(unit_, id);
     if (stored == nullptr) return frame_ + "." + unit_.variable_fields[id.index];
-    return stored->stored() ? "state_." + stored->field : "";
+    return stored->stored() ? "state_." + stored->path : "";
 }
 
 std::string ExpressionWriter::clock(ir::ClockId id) const {
     const auto [owner, own] = generation_.component.clock(unit_, id);
-    return (owner == &unit_ ? frame_ : "state_") + "." + owner->clock_fields[own.index];
+    return (owner == &unit_ ? frame_ : generation_.component.part(unit_).place()) + "." +
+           owner->clock_fields[own.index];
 }
 
 std::string ExpressionWriter::arithmetic(const ir::Expr& expr, const char* symbol) const {
@@ -98,6 +120,57 @@ std::string ExpressionWriter::constant(const ir::Expr& expr) const {
     return cpp_value(generation_.system, generation_.inst, expr.type, value);
 }
 
+std::string ExpressionWriter::enum_literal(const ir::Expr& expr) const {
+    const ir::Type& type = generation_.system.type(expr.type);
+    const auto index = static_cast<std::size_t>(expr.number);
+    const std::string name = cpp_type(generation_.system, expr.type) + "::" + literal_name(type, index);
+    if (!is_struct(type)) return name;
+    std::vector<ir::TypeId> types;
+    if (index < type.literal_args.size()) types = type.literal_args[index];
+    return fmt::format("{}({})", name, list(expr, types));
+}
+
+std::string ExpressionWriter::list(const ir::Expr& expr, const std::vector<ir::TypeId>& types) const {
+    std::string text;
+    for (std::size_t i = 0; i < expr.args.size(); ++i)
+        text += (i == 0 ? "" : ", ") + write_as(*expr.args[i], types.at(types.size() > 1 ? i : 0));
+    return text;
+}
+
+std::string ExpressionWriter::built(const ir::Expr& expr, const char* maker) const {
+    const ir::Type& type = generation_.system.type(expr.type);
+    return fmt::format("{}::{}({})", cpp_type(generation_.system, expr.type), maker, list(expr, type.args));
+}
+
+/// To a coarser unit: rounded down (semantics 3.13).
+std::string ExpressionWriter::cast(const ir::Expr& expr) const {
+    const ir::Expr& from = *expr.args[0];
+    if (kind(from) == kind(expr)) return operand(from);
+    const bool down = kind(from) == TypeKind::real;
+    const std::string type = cpp_type(generation_.system, expr.type);
+    return down ? fmt::format("rounded_down<{}>({})", type, write(from)) : fmt::format("{}({})", type, write(from));
+}
+
+/// Functions are specified by contract only: the platform computes them.
+std::string ExpressionWriter::call(const ir::Expr& expr) const {
+    const auto& hooks = generation_.component.functions;
+    const auto hook =
+        std::find_if(hooks.begin(), hooks.end(), [&](const FunctionHook& each) { return each.id == expr.function; });
+    const ir::Function& function = generation_.system.functions[expr.function.index];
+    std::string arguments;
+    for (std::size_t i = 0; i < expr.args.size(); ++i)
+        arguments += (i == 0 ? "" : ", ") + write_as(*expr.args[i], function.parameters[i]);
+    return fmt::format("platform_.{}({})", hook->method, arguments);
+}
+
+/// A function of its own, called at once.
+std::string ExpressionWriter::let(const ir::Expr& expr) const {
+    std::string text = "[&] {";
+    for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
+        text += fmt::format(" const auto bound_{} = {};", identifier(expr.bound_names[i]), write(*expr.args[i]));
+    return text + fmt::format(" return {}; }}()", write_as(*expr.args.back(), expr.type));
+}
+
 std::string ExpressionWriter::write(const ir::Expr& expr) const {
     switch (expr.kind) {
         case ExprKind::boolean:
@@ -106,11 +179,8 @@ std::string ExpressionWriter::write(const ir::Expr& expr) const {
             return fmt::format("{}({})", numeric_name(kind(expr)), expr.number);
         case ExprKind::real:
             return fmt::format("Real({})", decimal_text(expr.decimal));
-        case ExprKind::enum_literal: {
-            ir::Value value;
-            value.number = expr.number;
-            return cpp_value(generation_.system, generation_.inst, expr.type, value);
-        }
+        case ExprKind::enum_literal:
+            return enum_literal(expr);
         case ExprKind::variable:
             return variable(expr.variable);
         case ExprKind::trigger_value:
@@ -157,6 +227,30 @@ std::string ExpressionWriter::write(const ir::Expr& expr) const {
         case ExprKind::if_then_else:
             return fmt::format("{} ? {} : {}", operand(*expr.args[0]), write_as(*expr.args[1], expr.type),
                                write_as(*expr.args[2], expr.type));
+        case ExprKind::cast:
+            return cast(expr);
+        case ExprKind::tuple:
+        case ExprKind::record:
+            return built(expr, "make");
+        case ExprKind::sequence:
+        case ExprKind::set:
+        case ExprKind::matrix:
+            return built(expr, "of");
+        case ExprKind::member:
+            return operand(*expr.args[0]) + "." + member_name(generation_.system.type(expr.args[0]->type), expr.number);
+        case ExprKind::index:
+            return fmt::format("{}.at(place_of({}))", operand(*expr.args[0]), write(*expr.args[1]));
+        case ExprKind::concat:
+            return fmt::format("concat({}, {})", write(*expr.args[0]), write(*expr.args[1]));
+        case ExprKind::is_in:
+            return fmt::format("{}.contains({})", operand(*expr.args[1]),
+                               write_as(*expr.args[0], generation_.system.type(expr.args[1]->type).args.at(0)));
+        case ExprKind::call:
+            return call(expr);
+        case ExprKind::bound:
+            return "bound_" + identifier(expr.text);
+        case ExprKind::let:
+            return let(expr);
         default:
             return {};  // refused before (support.cpp)
     }

@@ -1,11 +1,16 @@
 // Expressions of the model as C++ text over the Types policy.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "cpp_emit/generation.hpp"
 
 namespace robochart::cpp_emit {
+
+/// The member behind ExprKind::member's number: a field's index, or a place counted from 1.
+[[nodiscard]] std::string member_name(const ir::Type&, std::int64_t number);
 
 class ExpressionWriter {
 public:
@@ -31,6 +36,12 @@ private:
     [[nodiscard]] std::string comparison(const ir::Expr&, const char* symbol) const;
     [[nodiscard]] std::string logical(const ir::Expr&, const char* symbol) const;
     [[nodiscard]] std::string constant(const ir::Expr&) const;
+    [[nodiscard]] std::string enum_literal(const ir::Expr&) const;
+    [[nodiscard]] std::string list(const ir::Expr&, const std::vector<ir::TypeId>& types) const;
+    [[nodiscard]] std::string built(const ir::Expr&, const char* maker) const;
+    [[nodiscard]] std::string cast(const ir::Expr&) const;
+    [[nodiscard]] std::string call(const ir::Expr&) const;
+    [[nodiscard]] std::string let(const ir::Expr&) const;
     [[nodiscard]] ir::TypeKind kind(const ir::Expr&) const;
 
     const Generation& generation_;

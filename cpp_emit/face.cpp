@@ -11,21 +11,21 @@ namespace {
 
 class FaceMaker {
 public:
-    explicit FaceMaker(const Generation& generation) : component_(generation.component) {}
+    explicit FaceMaker(const Generation& generation) : system_(generation.system), component_(generation.component) {}
 
     Face make() {
-        const ir::Machine& machine = *component_.root().machine;
         NameScope classes(std::set<std::string>{component_.cpp_name + "_core"});
         face_.name_space = package_namespace(component_.package);
-        face_.cpp_name = classes.unique(machine.name);
+        face_.cpp_name = classes.unique(component_.composed() ? component_.name : component_.root().machine->name);
         face_.own.cpp_name = face_.cpp_name;
         for (const Unit& unit : component_.units)
             for (const std::string& interface : unit.machine->interfaces) add_base(interface, classes);
         operations();
+        functions();
         events();
         variables();
         timers();
-        states();
+        machines();
         std::erase_if(face_.bases, [](const FaceClass& base) {
             return base.variables.empty() && base.events.empty() && base.operations.empty();
         });
@@ -50,6 +50,11 @@ private:
         NameScope trial = members_;
         const std::string plain = trial.unique(name);
         return plain == name ? members_.unique(name) : members_.unique(name + suffix);
+    }
+
+    void functions() {
+        for (const FunctionHook& hook : component_.functions)
+            face_.functions.push_back({&hook, member(system_.functions[hook.id.index].name, "_function")});
     }
 
     void operations() {
@@ -78,20 +83,30 @@ private:
     }
 
     void timers() {
-        const Unit& root = component_.root();
-        for (std::size_t i = 0; i < root.clock_fields.size(); ++i) {
-            const ir::Clock& clock = root.machine->clocks[i];
-            if (root.clock_read[i] && !clock.entry_of.valid())
-                face_.timers.push_back({member(clock.name, "_timer"), root.clock_fields[i], &clock});
+        for (const Part& part : component_.parts) {
+            const Unit& root = component_.units[part.root];
+            const std::string prefix = part.tag.empty() ? "" : part.tag + ".";
+            for (std::size_t i = 0; i < root.clock_fields.size(); ++i) {
+                const ir::Clock& clock = root.machine->clocks[i];
+                if (root.clock_read[i] && !clock.entry_of.valid())
+                    face_.timers.push_back({member(clock.name, "_timer"), prefix + root.clock_fields[i], &clock});
+            }
         }
     }
 
-    void states() {
-        NameScope scope(std::set<std::string>{"none"});
-        for (const ir::Node& node : component_.root().machine->nodes)
-            face_.states.push_back(node.kind == ir::NodeKind::state ? scope.unique(node.path) : "");
+    void machines() {
+        for (const Part& part : component_.parts) {
+            const std::string suffix = part.tag.empty() ? "" : "_" + part.tag;
+            FaceMachine machine{
+                "state" + suffix, "States" + suffix, part.tag.empty() ? "at" : part.tag + ".at", part.root, {}};
+            NameScope scope(std::set<std::string>{"none"});
+            for (const ir::Node& node : component_.units[part.root].machine->nodes)
+                machine.states.push_back(node.kind == ir::NodeKind::state ? scope.unique(node.path) : "");
+            face_.machines.push_back(std::move(machine));
+        }
     }
 
+    const ir::System& system_;
     const Component& component_;
     Face face_;
     NameScope members_{{"step", "MakeTransition", "CheckInEvent", "reset", "state", "States", "name", "isFinal", "core",
@@ -104,18 +119,12 @@ Face make_face(const Generation& generation) {
     return FaceMaker(generation).make();
 }
 
+Spelling deployed(const std::string& core) {
+    return {"robochart::Deployment", core + "::", "double", "std::int64_t", "std::int64_t"};
+}
+
 std::string deployed_type(const Generation& generation, const std::string& core, ir::TypeId id) {
-    switch (generation.system.type(id).kind) {
-        case ir::TypeKind::boolean:
-            return "bool";
-        case ir::TypeKind::real:
-            return "double";
-        case ir::TypeKind::nat:
-        case ir::TypeKind::integer:
-            return "std::int64_t";
-        default:
-            return core + "::" + cpp_type(generation.system, id);
-    }
+    return cpp_type(generation.system, id, deployed(core));
 }
 
 }  // namespace robochart::cpp_emit

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cpp_emit/files.hpp"
+#include "cpp_emit/types.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -42,8 +43,23 @@ struct FaceClass {
 
 struct FaceTimer {
     std::string member;
-    std::string field;  ///< of the core's state
+    std::string field;  ///< below the core's state
     const ir::Clock* clock = nullptr;
+};
+
+/// What shows where one of the component's machines is.
+struct FaceMachine {
+    std::string method;               ///< "state"; of several machines "state_stm0"
+    std::string enumeration;          ///< "States"
+    std::string place;                ///< below the core's state: "at", "stm0.at"
+    std::size_t unit = 0;             ///< Component::units
+    std::vector<std::string> states;  ///< enumerators by node; "" for nodes that are no states
+};
+
+/// A function that the model specifies by contract only.
+struct FaceFunction {
+    const FunctionHook* hook = nullptr;
+    std::string method;
 };
 
 struct Face {
@@ -52,7 +68,8 @@ struct Face {
     std::vector<FaceClass> bases;  ///< interfaces, in textual order
     FaceClass own;
     std::vector<FaceTimer> timers;
-    std::vector<std::string> states;  ///< enumerators by node; "" for nodes that are no states
+    std::vector<FaceMachine> machines;
+    std::vector<FaceFunction> functions;
 };
 
 [[nodiscard]] Face make_face(const Generation&);
@@ -64,6 +81,7 @@ struct Face {
 [[nodiscard]] std::string build_file(const Face&);
 
 /// double, std::int64_t, bool, or a declared type of the core, whose namespace is given as seen from the user's.
+[[nodiscard]] Spelling deployed(const std::string& core);
 [[nodiscard]] std::string deployed_type(const Generation&, const std::string& core, ir::TypeId);
 
 }  // namespace robochart::cpp_emit

@@ -13,10 +13,8 @@ namespace {
 
 /// The start value of a member, as deployed: `-0.75`, `3`, `true`, `core::Light::Red`.
 std::string deployed_value(const Generation& generation, const Core& core, ir::TypeId id, const ir::Value& value) {
-    const std::string text = cpp_value(generation.system, generation.inst, id, value);
-    const ir::TypeKind kind = generation.system.type(id).kind;
-    if (kind == ir::TypeKind::boolean) return text;
-    if (!numeric(kind)) return core.relative + "::" + text;
+    const std::string text = cpp_value(generation.system, generation.inst, id, value, deployed(core.relative));
+    if (!numeric(generation.system.type(id).kind)) return text;
     return text.substr(text.find('(') + 1, text.rfind(')') - text.find('(') - 1);
 }
 
@@ -40,6 +38,41 @@ void write_operation(const Generation& generation, const Core& core, CodeWriter&
     } else {
         out.doc(place + ", done by the platform.");
         out.line(fmt::format("virtual void {}({}) {{}}", operation.method, list));
+    }
+}
+
+std::string function_parameters(const Generation& generation, const Core& core, const ir::Function& function) {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+        texts.push_back(fmt::format("[[maybe_unused]] {} {}",
+                                    deployed_type(generation, core.relative, function.parameters[i]),
+                                    NameScope().unique(function.parameter_names[i])));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+void write_functions(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
+    for (const FaceFunction& each : face.functions) {
+        const ir::Function& function = generation.system.functions[each.hook->id.index];
+        const ir::Value value = ir::default_value(generation.system, generation.inst, function.result);
+        out.gap();
+        out.doc(fmt::format("Function {}: the model has only its contract.", function.name));
+        out.line(fmt::format("[[nodiscard]] virtual {} {}({}) {{ return {}; }}",
+                             deployed_type(generation, core.relative, function.result), each.method,
+                             function_parameters(generation, core, function),
+                             deployed_value(generation, core, function.result, value)));
+    }
+}
+
+void write_function_hooks(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
+    for (const FaceFunction& each : face.functions) {
+        const ir::Function& function = generation.system.functions[each.hook->id.index];
+        std::vector<std::string> arguments;
+        for (const auto& name : function.parameter_names) arguments.push_back(NameScope().unique(name));
+        out.gap();
+        out.open(fmt::format("{} {}({}) const noexcept {{", deployed_type(generation, core.relative, function.result),
+                             each.hook->method, function_parameters(generation, core, function)));
+        out.line(fmt::format("return machine.{}({});", each.method, fmt::join(arguments, ", ")));
+        out.close();
     }
 }
 
@@ -73,18 +106,21 @@ std::string base_list(const Face& face) {
 }
 
 void write_states(const Face& face, CodeWriter& out) {
-    out.doc("The states; none before the first cycle and at the end.");
-    std::vector<std::string> names = {"none"};
-    for (const std::string& state : face.states)
-        if (!state.empty()) names.push_back(state);
-    out.line(fmt::format("enum class States : {} {{ {} }};", names.size() <= 256 ? "std::uint8_t" : "std::uint16_t",
-                         fmt::join(names, ", ")));
+    for (const FaceMachine& machine : face.machines) {
+        out.doc("The states; none before the first cycle and at the end.");
+        std::vector<std::string> names = {"none"};
+        for (const std::string& state : machine.states)
+            if (!state.empty()) names.push_back(state);
+        out.line(fmt::format("enum class {} : {} {{ {} }};", machine.enumeration,
+                             names.size() <= 256 ? "std::uint8_t" : "std::uint16_t", fmt::join(names, ", ")));
+    }
 }
 
 void write_platform(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
     out.doc("What the core asks of its platform, done by the object's methods and members.");
     out.open(fmt::format("struct {}::Platform {{", face.cpp_name));
     out.line(fmt::format("{}& machine;", face.cpp_name));
+    write_function_hooks(generation, core, face, out);
     each_class(face, [&](const FaceClass& part) {
         for (const FaceOperation& operation : part.operations) {
             const auto& signature = *operation.signature;
@@ -138,8 +174,8 @@ void write_cycle(const Core& core, const Face& face, CodeWriter& out) {
         }
         for (const FaceVariable& variable : part.variables) {
             if (!variable.stored->stored()) continue;
-            before.push_back(fmt::format("core_.{} = {};", variable.stored->field, variable.member));
-            after.push_back(fmt::format("{} = core_.{};", variable.member, variable.stored->field));
+            before.push_back(fmt::format("core_.{} = {};", variable.stored->path, variable.member));
+            after.push_back(fmt::format("{} = core_.{};", variable.member, variable.stored->path));
         }
     });
     for (const FaceTimer& timer : face.timers) {
@@ -170,23 +206,24 @@ void write_reset(const Generation& generation, const Core& core, const Face& fac
     out.close();
 }
 
-void write_state(const Core& core, const Face& face, CodeWriter& out) {
-    const Enumeration& places = core.machines.back().enumerations.front();
-    out.open(fmt::format("{0}::States {0}::state() const noexcept {{", face.cpp_name));
-    out.open("switch (core_.at) {");
+void write_state(const Core& core, const Face& face, const FaceMachine& machine, CodeWriter& out) {
+    const Enumeration& places = core.machines[machine.unit].enumerations.front();
+    const std::string& type = machine.enumeration;
+    out.open(fmt::format("{0}::{1} {0}::{2}() const noexcept {{", face.cpp_name, type, machine.method));
+    out.open(fmt::format("switch (core_.{}) {{", machine.place));
     for (const Enumerator& place : places.values) {
-        const std::string state = place.state.valid() ? face.states[place.state.index] : "none";
-        out.line(fmt::format("case {}::{}::{}: return States::{};", core.relative, places.name, place.name, state));
+        const std::string state = place.state.valid() ? machine.states[place.state.index] : "none";
+        out.line(fmt::format("case {}::{}::{}: return {}::{};", core.relative, places.name, place.name, type, state));
     }
     out.close();
-    out.line("return States::none;");
+    out.line(fmt::format("return {}::none;", type));
     out.close();
     out.gap();
-    out.open(fmt::format("const char* {}::name(States state) noexcept {{", face.cpp_name));
+    out.open(fmt::format("const char* {}::name({} state) noexcept {{", face.cpp_name, type));
     out.open("switch (state) {");
-    out.line("case States::none: return \"none\";");
-    for (const std::string& state : face.states)
-        if (!state.empty()) out.line(fmt::format("case States::{0}: return \"{0}\";", state));
+    out.line(fmt::format("case {}::none: return \"none\";", type));
+    for (const std::string& state : machine.states)
+        if (!state.empty()) out.line(fmt::format("case {0}::{1}: return \"{1}\";", type, state));
     out.close();
     out.line("return \"none\";");
     out.close();
@@ -196,7 +233,7 @@ void write_state(const Core& core, const Face& face, CodeWriter& out) {
 
 std::string interface_header(const Generation& generation, const Core& core, const Face& face, const FaceClass& base) {
     CodeWriter out;
-    out.comment(fmt::format("Interface {} as {} uses it.", base.interface, generation.component.root().machine->name));
+    out.comment(fmt::format("Interface {} as {} uses it.", base.interface, face.cpp_name));
     out.comment("Generated by robochart-verify; change the model, not this file.");
     out.line("#pragma once");
     out.gap();
@@ -230,7 +267,9 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.gap();
     out.line(fmt::format("namespace {} {{", face.name_space));
     out.gap();
-    out.doc("State machine " + generation.place(generation.component.root().machine->origin));
+    const Component& component = generation.component;
+    out.doc(component.composed() ? fmt::format("The machines of {}, side by side", generation.place(component.origin))
+                                 : "State machine " + generation.place(component.root().machine->origin));
     out.open(fmt::format("class {}{} {{", face.cpp_name, base_list(face)));
     out.label("public:");
     write_states(face, out);
@@ -246,9 +285,11 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.line("virtual void CheckInEvent() {}");
     out.doc("Back to the beginning.");
     out.line("void reset() noexcept;");
-    out.doc("The innermost active state, or the one whose action is running.");
-    out.line("[[nodiscard]] States state() const noexcept;");
-    out.line("[[nodiscard]] static const char* name(States state) noexcept;");
+    for (const FaceMachine& machine : face.machines) {
+        out.doc("The innermost active state, or the one whose action is running.");
+        out.line(fmt::format("[[nodiscard]] {} {}() const noexcept;", machine.enumeration, machine.method));
+        out.line(fmt::format("[[nodiscard]] static const char* name({} state) noexcept;", machine.enumeration));
+    }
     out.line("[[nodiscard]] bool isFinal() const noexcept { return terminated_; }");
     out.gap();
     for (const FaceTimer& timer : face.timers)
@@ -256,6 +297,7 @@ std::string machine_header(const Generation& generation, const Core& core, const
             fmt::format("robochart::Timer {};  ///< clock {}", timer.member, generation.place(timer.clock->origin)));
     out.gap();
     write_members(generation, core, out, face.own);
+    write_functions(generation, core, face, out);
     out.gap();
     out.label("private:");
     out.line("struct Platform;");
@@ -281,8 +323,10 @@ std::string machine_source(const Generation& generation, const Core& core, const
     out.gap();
     write_reset(generation, core, face, out);
     out.gap();
-    write_state(core, face, out);
-    out.gap();
+    for (const FaceMachine& machine : face.machines) {
+        write_state(core, face, machine, out);
+        out.gap();
+    }
     out.line(fmt::format("}}  // namespace {}", face.name_space));
     return out.text();
 }

@@ -14,6 +14,7 @@ struct Core {
     std::string relative;                ///< the same as seen from the package's namespace
     std::string header;                  ///< file name
     std::vector<MachineCode> machines;   ///< as Component::units
+    FrameLayout layout;                  ///< of State
     std::vector<const EventPort*> kept;  ///< Fault::event_kept: inputs that outlive the cycle
 };
 
@@ -28,6 +29,7 @@ struct Core {
 [[nodiscard]] std::string runtime_header();
 [[nodiscard]] std::string finite_header();
 [[nodiscard]] std::string timer_header();
+[[nodiscard]] std::string composed_header();
 [[nodiscard]] std::string explore_helpers();
 [[nodiscard]] std::string explore_header();
 [[nodiscard]] std::string drive_header();

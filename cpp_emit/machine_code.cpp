@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "cpp_emit/expression.hpp"
 #include "cpp_emit/machine_writer.hpp"
 #include "cpp_emit/types.hpp"
 
@@ -21,6 +22,7 @@ std::set<std::string> taken_fields(const Generation& generation, const Unit& uni
     taken.insert(unit.variable_fields.begin(), unit.variable_fields.end());
     if (!unit.root) return taken;
     for (const auto& variable : generation.component.variables) taken.insert(variable.field);
+    for (const auto& buffer : generation.component.buffers) taken.insert(buffer.field);
     return taken;
 }
 
@@ -37,13 +39,20 @@ MachineWriter::MachineWriter(const Generation& generation, const Unit& unit, con
       done_(done),
       plan_(generation, unit),
       fields_(taken_fields(generation, unit)) {
-    const std::string prefix = unit.root ? "" : identifier(unit.machine->name);
+    const std::string& prefix = unit.prefix;
     control_.variable = "f.at";
     control_.enumeration = unit.points;
     control_.wait = "f.wait";
     control_.labels = &plan_.place_labels();
     control_.fields = &fields_;
     leaving_ = plan_.has_shared_exits() ? type_names.unique(prefix + "Leaving") : "";
+    for (std::uint32_t index = 0; index < unit.machine->transitions.size(); ++index) {
+        const ir::Transition& transition = unit.machine->transitions[index];
+        const bool state = plan_.node(transition.source).kind == ir::NodeKind::state;
+        if (transition.deadline && state)
+            watches_.push_back(
+                {ir::TransitionId{index}, transition.source, fields_.unique("deadline_of_" + transition.name)});
+    }
     std::size_t durings = 0;
     for (const auto& node : unit.machine->nodes) durings += node.during ? 1U : 0U;
     during_.reserve(durings);  // threads point at their own labels
@@ -68,7 +77,7 @@ std::string MachineWriter::signature(const std::string& name) const {
 }
 
 MachineCode MachineWriter::write(const std::vector<Field>& more) {
-    if (!plan_.machine().initial.valid()) return {enumerations(), layout(more), {}};
+    if (!plan_.machine().initial.valid()) return {enumerations(), layout(more), {}, {}, {}};
     during_places();
     control_places();
     thread_function(control_, "control",
@@ -82,6 +91,12 @@ MachineCode MachineWriter::write(const std::vector<Field>& more) {
     code.methods = out_.text();
     code.enumerations = enumerations();
     code.layout = layout(more);
+    const auto collect = [&](const Thread& thread) {
+        code.sites.insert(code.sites.end(), thread.sites.begin(), thread.sites.end());
+        code.calls.insert(code.calls.end(), thread.calls.begin(), thread.calls.end());
+    };
+    collect(control_);
+    for (const DuringThread& during : during_) collect(during.thread);
     return code;
 }
 
@@ -107,6 +122,10 @@ void MachineWriter::thread_function(const Thread& thread, const std::string& nam
     out_.line("if (!spend()) return true;");
     out_.close();
     out_.close();
+    if (!thread.helpers.empty()) {
+        out_.gap();
+        out_.raw(thread.helpers.text());
+    }
 }
 
 void MachineWriter::during_functions() {
@@ -120,6 +139,7 @@ void MachineWriter::during_functions() {
         out_.open(fmt::format("static void cut_{}({}& f) noexcept {{", during.suffix, frame_type()));
         out_.line(during.thread.go("idle"));
         if (during.thread.waits) out_.line(during.thread.wait + " = 0;");
+        for (const std::string& deadline : during.thread.deadlines) out_.line(fmt::format("f.{} = 0;", deadline));
         for (const CallFrame& call : during.thread.calls) out_.line(fmt::format("f.{} = {{}};", call.field));
         out_.close();
     }
@@ -160,10 +180,12 @@ void MachineWriter::leave_function() {
 bool MachineWriter::timed() const {
     const auto& read = unit_.clock_read;
     const auto timed_calls = [&](const Thread& thread) {
-        return thread.waits || std::any_of(thread.calls.begin(), thread.calls.end(),
-                                           [&](const CallFrame& call) { return done_.at(call.operation).timed; });
+        return thread.waits || !thread.deadlines.empty() ||
+               std::any_of(thread.calls.begin(), thread.calls.end(), [&](const CallFrame& call) {
+                   return done_.at({unit_.part, call.operation}).timed;
+               });
     };
-    return std::find(read.begin(), read.end(), true) != read.end() || timed_calls(control_) ||
+    return std::find(read.begin(), read.end(), true) != read.end() || !watches_.empty() || timed_calls(control_) ||
            std::any_of(during_.begin(), during_.end(),
                        [&](const DuringThread& during) { return timed_calls(during.thread); });
 }
@@ -171,8 +193,9 @@ bool MachineWriter::timed() const {
 void MachineWriter::advance_function() {
     if (!timed()) return;
     out_.gap();
-    out_.doc("Time passes: clocks and waits.");
-    out_.open(fmt::format("static void advance({}& f) noexcept {{", frame_type()));
+    out_.doc("Time passes: clocks, waits and deadlines.");
+    out_.open(fmt::format("void advance({}& f) noexcept {{", frame_type()));
+    for (const Watch& watch : watches_) advance_watch(watch);
     for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index) {
         if (!unit_.clock_read[index]) continue;
         const std::int64_t saturation =
@@ -180,19 +203,42 @@ void MachineWriter::advance_function() {
                      ir::clock_saturation(generation_.system, generation_.inst, *unit_.machine, ir::ClockId{index}));
         out_.line(fmt::format("advance_clock(f.{}, cycle_length, {});", unit_.clock_fields[index], saturation));
     }
-    const auto thread = [&](const Thread& each) {
-        if (each.waits) out_.line(fmt::format("advance_wait({}, cycle_length);", each.wait));
-        for (const CallFrame& call : each.calls) {
-            if (!done_.at(call.operation).timed) continue;
-            std::vector<std::string> running;
-            for (const auto& label : call.live)
-                running.push_back(fmt::format("{} == {}", each.variable, each.at(label)));
-            out_.line(fmt::format("if ({}) advance(f.{});", fmt::join(running, " || "), call.field));
-        }
-    };
-    thread(control_);
-    for (const DuringThread& during : during_) thread(during.thread);
+    advance_thread(control_);
+    for (const DuringThread& during : during_) advance_thread(during.thread);
     out_.close();
+}
+
+void MachineWriter::advance_thread(const Thread& thread) {
+    if (thread.waits) out_.line(fmt::format("advance_wait({}, cycle_length);", thread.wait));
+    for (const std::string& deadline : thread.deadlines)
+        out_.line(fmt::format("advance_deadline(f.{}, cycle_length);", deadline));
+    for (const CallFrame& call : thread.calls) {
+        if (!done_.at({unit_.part, call.operation}).timed) continue;
+        std::vector<std::string> running;
+        for (const auto& label : call.live)
+            running.push_back(fmt::format("{} == {}", thread.variable, thread.at(label)));
+        out_.line(fmt::format("if ({}) advance(f.{});", fmt::join(running, " || "), call.field));
+    }
+}
+
+/// While the guard does not hold, the deadline begins anew.
+void MachineWriter::advance_watch(const Watch& watch) {
+    const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
+    const std::string advance = fmt::format("advance_deadline(f.{}, cycle_length);", watch.field);
+    if (!transition.guard) return out_.line(advance);
+    ExpressionWriter expressions(generation_, unit_, "f");
+    const bool stores = transition.trigger && transition.trigger->variable.valid();
+    if (stores) expressions.set_incoming(expressions.variable(transition.trigger->variable));
+    out_.open(fmt::format("if ({}) {{", expressions.write(*transition.guard)));
+    out_.line(advance);
+    out_.reopen(fmt::format("}} else if (f.{} > 0) {{", watch.field));
+    out_.line(fmt::format("f.{} = {};", watch.field, bound_of(watch)));
+    out_.close();
+}
+
+std::string MachineWriter::bound_of(const Watch& watch) const {
+    const ir::ExprPtr& bound = plan_.machine().transitions[watch.transition.index].deadline;
+    return fmt::format("duration({}) + 1", ExpressionWriter(generation_, unit_, "f").write(*bound));
 }
 
 std::string MachineWriter::finished(const std::string& frame) const {
@@ -206,15 +252,21 @@ void MachineWriter::run_function() {
     out_.gap();
     const std::string parts = fmt::format("control(f){} || transition(f)", during_.empty() ? "" : " || during(f)");
     if (unit_.root) {
-        out_.doc("Everything that can happen in this cycle.");
-        out_.open(signature("void run"));
-        if (generation_.mutation.hits(Fault::single_transition_step)) {
-            out_.line("control(f);");
-            if (!during_.empty()) out_.line("during(f);");
-            out_.line("if (transition(f)) control(f);");
+        if (generation_.component.composed()) {
+            out_.doc(fmt::format("One round of {}: as far as it gets without the others.", unit_.machine->name));
+            out_.open(signature("bool round"));
+            out_.line(fmt::format("return {};", parts));
         } else {
-            out_.open(fmt::format("while (!exhausted() && ({})) {{", parts));
-            out_.close();
+            out_.doc("Everything that can happen in this cycle.");
+            out_.open(signature("void run"));
+            if (generation_.mutation.hits(Fault::single_transition_step)) {
+                out_.line("control(f);");
+                if (!during_.empty()) out_.line("during(f);");
+                out_.line("if (transition(f)) control(f);");
+            } else {
+                out_.open(fmt::format("while (!exhausted() && ({})) {{", parts));
+                out_.close();
+            }
         }
         out_.close();
         out_.gap();
@@ -233,13 +285,14 @@ void MachineWriter::run_function() {
 std::vector<Field> MachineWriter::variable_fields() const {
     std::vector<Field> fields;
     const auto add = [&](const std::string& name, const ir::Variable& variable, const ir::Value& initial) {
-        const std::size_t size = cpp_size(generation_.system.type(variable.type));
+        const Extent extent = cpp_extent(generation_.system, generation_.inst, variable.type);
         fields.push_back({cpp_type(generation_.system, variable.type), name,
                           cpp_value(generation_.system, generation_.inst, variable.type, initial),
-                          generation_.place(variable.origin), size, size});
+                          generation_.place(variable.origin), extent.size, extent.alignment});
     };
+    const std::size_t home = generation_.component.composed() ? unit_.part : no_part;
     for (const auto& stored : generation_.component.variables)
-        if (unit_.root && stored.stored()) add(stored.field, *stored.variable, stored.initial);
+        if (unit_.root && stored.stored() && stored.home == home) add(stored.field, *stored.variable, stored.initial);
     for (std::size_t index = 0; index < unit_.variable_fields.size(); ++index) {
         if (unit_.variable_fields[index].empty()) continue;
         add(unit_.variable_fields[index], unit_.machine->variables[index], unit_.initials[index]);
@@ -249,10 +302,12 @@ std::vector<Field> MachineWriter::variable_fields() const {
 
 void MachineWriter::thread_field(std::vector<Field>& fields, const Thread& thread, const std::string& wait) const {
     if (thread.waits) fields.push_back({"std::uint32_t", wait, "0", "time units left to wait", 4, 4});
+    for (const std::string& deadline : thread.deadlines)
+        fields.push_back({"std::uint32_t", deadline, "0", "time left plus one, 0: none", 4, 4});
     for (const CallFrame& call : thread.calls) {
-        const FrameLayout& inner = done_.at(call.operation);
-        fields.push_back({generation_.component.unit(call.operation).frame + "<Types>", call.field, "", "", inner.size,
-                          inner.alignment});
+        const FrameLayout& inner = done_.at({unit_.part, call.operation});
+        fields.push_back({generation_.component.unit(unit_.part, call.operation).frame + "<Types>", call.field, "", "",
+                          inner.size, inner.alignment});
     }
 }
 
@@ -263,6 +318,8 @@ std::vector<Field> MachineWriter::thread_fields() const {
     const std::string first = control_.at(initial.valid() ? plan_.label(initial) : "idle");
     fields.push_back({unit_.points, "at", first, "", size, size});
     thread_field(fields, control_, "wait");
+    for (const Watch& watch : watches_)
+        fields.push_back({"std::uint32_t", watch.field, "0", "time left plus one, 0: not active", 4, 4});
     if (!leaving_.empty())
         fields.push_back({leaving_, "leaving", leaving_ + "::nothing", "transition being taken", 1, 1});
     for (const DuringThread& during : during_) {

@@ -43,10 +43,13 @@ struct FrameLayout {
 struct MachineCode {
     std::vector<Enumeration> enumerations;
     FrameLayout layout;
-    std::string methods;  ///< members of Step
+    std::string methods;           ///< members of Step
+    std::vector<SendSite> sites;   ///< where its threads wait to send
+    std::vector<CallFrame> calls;  ///< operations its threads run
 };
 
-using Layouts = std::map<ir::MachineId, FrameLayout>;
+/// By part and machine.
+using Layouts = std::map<std::pair<std::size_t, ir::MachineId>, FrameLayout>;
 
 /// `done` holds the layouts of the operations that the unit calls, `type_names` is the scope of the core's namespace,
 /// `more` are further members of the state.

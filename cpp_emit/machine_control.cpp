@@ -32,7 +32,7 @@ void MachineWriter::choose_place(NodeId id) {
     for (const ir::TransitionId transition_id : plan_.node(id).outgoing) {
         const ir::Transition& transition = plan_.machine().transitions[transition_id.index];
         program.code().comment(generation_.place(transition.origin));
-        const std::string condition = guard(transition);
+        const std::string condition = guard(transition, "");
         if (!condition.empty()) program.code().open(fmt::format("if ({}) {{", condition));
         for (const ir::ClockId clock : transition.resets) program.line(clock_reset(generation_, unit_, clock));
         program.jump(after_exit(transition));
@@ -90,6 +90,8 @@ void MachineWriter::mark_entered(NodeId id) {
     }
     for (const DuringThread& during : during_)
         if (during.state == id) code.line(during.thread.go("start"));
+    for (const Watch& watch : watches_)
+        if (watch.state == id) code.line(fmt::format("f.{} = {};", watch.field, bound_of(watch)));
 }
 
 /// A shared exit place: the state's exit action, then the transition that leaves it or the exit around it.

@@ -36,7 +36,14 @@ std::vector<NodeId> MachinePlan::ancestors(NodeId id) const {
 bool MachinePlan::notes_entry(NodeId id) const {
     if (node(id).kind != NodeKind::state) return false;
     const ir::ClockId clock = entry_clock(machine(), id);
-    return node(id).during != nullptr || (clock.valid() && unit_.clock_read[clock.index]);
+    return node(id).during != nullptr || watched(id) || (clock.valid() && unit_.clock_read[clock.index]);
+}
+
+bool MachinePlan::watched(NodeId id) const {
+    const auto& outgoing = node(id).outgoing;
+    return std::any_of(outgoing.begin(), outgoing.end(), [&](ir::TransitionId transition) {
+        return machine().transitions[transition.index].deadline != nullptr;
+    });
 }
 
 bool MachinePlan::needs_entry(NodeId id) const {

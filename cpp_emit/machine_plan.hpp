@@ -33,8 +33,10 @@ public:
     [[nodiscard]] bool shared_exit(ir::NodeId) const;
     /// The transition has an exit or an action to run after its trigger, at take_label.
     [[nodiscard]] bool acts(const ir::Transition&) const;
-    /// Something happens when the state is entered: during action, clock of sinceEntry.
+    /// Something happens when the state is entered: during action, clock of sinceEntry, deadline.
     [[nodiscard]] bool notes_entry(ir::NodeId) const;
+    /// The state must be left in time: some transition out of it has a deadline.
+    [[nodiscard]] bool watched(ir::NodeId) const;
     /// The state and the states around it, innermost first.
     [[nodiscard]] std::vector<ir::NodeId> chain(ir::NodeId) const;
     /// The states around a node, innermost first.

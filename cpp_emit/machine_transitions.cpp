@@ -7,6 +7,7 @@
 
 #include "cpp_emit/expression.hpp"
 #include "cpp_emit/machine_writer.hpp"
+#include "cpp_emit/reception.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -56,53 +57,49 @@ void MachineWriter::from_function(NodeId id) {
 bool MachineWriter::try_transition(const ir::Transition& transition) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     out_.comment(generation_.place(transition.origin));
-    std::string late_guard;
-    const std::string text = condition(transition, late_guard);
+    if (transition.trigger) return try_trigger(transition, id);
+    const std::string text = guard(transition, "");
     if (!text.empty()) out_.open(fmt::format("if ({}) {{", text));
-    if (transition.trigger) take_trigger(transition);
-    if (!late_guard.empty()) out_.line(fmt::format("if (!({})) return false;", late_guard));
+    begin_transition(transition, id);
+    if (!text.empty()) out_.close();
+    return text.empty();
+}
+
+bool MachineWriter::try_trigger(const ir::Transition& transition, ir::TransitionId id) {
+    std::string late_guard;
+    const Condition condition = [&](const std::string& incoming) -> std::string {
+        late_guard.clear();
+        std::string text = guard(transition, incoming);
+        if (text.empty() || !generation_.mutation.hits(Fault::guard_after_consume)) return text;
+        late_guard = std::move(text);
+        return {};
+    };
+    return receive(generation_, unit_, *transition.trigger, out_, condition, [&] {
+        if (!late_guard.empty()) out_.line(fmt::format("if (!({})) return false;", late_guard));
+        begin_transition(transition, id);
+    });
+}
+
+void MachineWriter::begin_transition(const ir::Transition& transition, ir::TransitionId id) {
     for (const ir::ClockId clock : transition.resets) {
         const std::string line = clock_reset(generation_, unit_, clock);
         if (!line.empty()) out_.line(line);
     }
     depart(transition.source, id);
     out_.line("return spend();");
-    if (!text.empty()) out_.close();
-    return text.empty();
 }
 
-std::string MachineWriter::condition(const ir::Transition& transition, std::string& after_consume) {
-    std::string guarded = guard(transition);
-    if (!transition.trigger) return guarded;
-    const std::string receives = receivable(generation_, unit_, *transition.trigger);
-    if (guarded.empty()) return receives;
-    if (generation_.mutation.hits(Fault::guard_after_consume)) {
-        after_consume = guarded;
-        return receives;
-    }
-    return receives + " && " + (guarded.find("||") == std::string::npos ? guarded : "(" + guarded + ")");
-}
-
-std::string MachineWriter::guard(const ir::Transition& transition) {
+std::string MachineWriter::guard(const ir::Transition& transition, const std::string& incoming) {
     if (!transition.guard || generation_.mutation.hits(Fault::guard_dropped)) return {};
     ExpressionWriter expressions(generation_, unit_, "f");
     if (transition.trigger) {
         const ir::VariableId stored = transition.trigger->variable;
-        const EventPort& event = generation_.component.event(unit_, transition.trigger->event);
         const bool old = stored.valid() && generation_.mutation.hits(Fault::trigger_value_old);
         const std::string kept = old ? expressions.variable(stored) : "";
-        expressions.set_incoming(kept.empty() ? fmt::format("inputs_.{}.value", event.input) : kept);
+        expressions.set_incoming(kept.empty() ? incoming : kept);
     }
     const std::string text = expressions.write(*transition.guard);
     return generation_.mutation.hits(Fault::guard_negated) ? fmt::format("!({})", text) : text;
-}
-
-void MachineWriter::take_trigger(const ir::Transition& transition) {
-    const std::string input = "inputs_." + generation_.component.event(unit_, transition.trigger->event).input;
-    out_.line(input + ".present = false;");
-    if (!transition.trigger->variable.valid()) return;
-    const std::string line = store(generation_, unit_, transition.trigger->variable, input + ".value");
-    if (!line.empty()) out_.line(line);
 }
 
 /// Cuts the during actions of the state and of all below it, and starts the exits.
@@ -111,6 +108,11 @@ void MachineWriter::depart(NodeId source, ir::TransitionId id) {
         const std::vector<NodeId> around = plan_.chain(during.state);
         if (std::find(around.begin(), around.end(), source) != around.end())
             out_.line(fmt::format("cut_{}(f);", during.suffix));
+    }
+    for (const Watch& watch : watches_) {
+        const std::vector<NodeId> around = plan_.chain(watch.state);
+        const bool left = std::find(around.begin(), around.end(), source) != around.end();
+        if (left && !generation_.mutation.hits(Fault::deadline_kept)) out_.line(fmt::format("f.{} = 0;", watch.field));
     }
     const ir::Transition& transition = plan_.machine().transitions[id.index];
     if (!plan_.shared_exit(source)) return out_.line(control_.go(after_exit(transition)));

@@ -14,6 +14,14 @@ struct DuringThread {
     Thread thread;
 };
 
+/// The deadline of a transition: once its source is entered and while its guard holds, the source must be left in
+/// time (semantics 3.10).
+struct Watch {
+    ir::TransitionId transition;
+    ir::NodeId state;
+    std::string field;  ///< of the frame: time left plus one, 0 when the state is not active
+};
+
 class MachineWriter {
 public:
     MachineWriter(const Generation&, const Unit&, const Layouts& done, NameScope& type_names);
@@ -41,9 +49,9 @@ private:
     void from_function(ir::NodeId);
     /// True if nothing behind the transition can be reached.
     bool try_transition(const ir::Transition&);
-    [[nodiscard]] std::string condition(const ir::Transition&, std::string& after_consume);
-    [[nodiscard]] std::string guard(const ir::Transition&);
-    void take_trigger(const ir::Transition&);
+    bool try_trigger(const ir::Transition&, ir::TransitionId);
+    void begin_transition(const ir::Transition&, ir::TransitionId);
+    [[nodiscard]] std::string guard(const ir::Transition&, const std::string& incoming);
     void depart(ir::NodeId source, ir::TransitionId);
     [[nodiscard]] std::vector<std::string> attempts(ir::NodeId leaf) const;
     [[nodiscard]] ir::NodeId target_of(const ir::Transition&);
@@ -54,6 +62,9 @@ private:
     void run_function();
     void leave_function();
     void advance_function();
+    void advance_thread(const Thread&);
+    void advance_watch(const Watch&);
+    [[nodiscard]] std::string bound_of(const Watch&) const;
     [[nodiscard]] FrameLayout layout(const std::vector<Field>& more);
     [[nodiscard]] std::vector<Field> variable_fields() const;
     [[nodiscard]] std::vector<Field> thread_fields() const;
@@ -71,6 +82,7 @@ private:
     NameScope fields_;
     Thread control_;
     std::vector<DuringThread> during_;
+    std::vector<Watch> watches_;
     std::string leaving_;                ///< enumeration of transitions in progress
     std::vector<ir::NodeId> histories_;  ///< Fault::composite_resumed
     CodeWriter out_{1};

@@ -8,14 +8,11 @@
 namespace robochart::cpp_emit::rules {
 
 extern const diagnostics::Rule no_component;         // RC-G01
-extern const diagnostics::Rule several_machines;     // RC-G02
 extern const diagnostics::Rule no_body;              // RC-G03
 extern const diagnostics::Rule unsupported_type;     // RC-G04
 extern const diagnostics::Rule unsupported_expr;     // RC-G05
-extern const diagnostics::Rule unsupported_stmt;     // RC-G06
 extern const diagnostics::Rule unsupported_node;     // RC-G07
 extern const diagnostics::Rule unsupported_trigger;  // RC-G08
-extern const diagnostics::Rule deadline;             // RC-G09
 extern const diagnostics::Rule recursion;            // RC-G10
 extern const diagnostics::Rule unconnected;          // RC-G11
 extern const diagnostics::Rule crossing;             // RC-G12

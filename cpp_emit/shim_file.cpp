@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "cpp_emit/files.hpp"
+#include "cpp_emit/functions.hpp"
 #include "cpp_emit/types.hpp"
 
 namespace robochart::cpp_emit {
@@ -24,7 +27,7 @@ struct Output {
 std::vector<Register> registers(const Component& component) {
     std::vector<Register> result;
     for (const EventPort& event : component.events)
-        if (event.received) result.push_back({*event.outside + ".in", event.input, event.type});
+        if (event.received) result.push_back({event.outside + ".in", event.input, event.type});
     for (const StoredVariable& variable : component.variables)
         if (!variable.input.empty())
             result.push_back({"set_EXT_" + variable.variable->name, variable.input, variable.variable->type});
@@ -37,7 +40,7 @@ std::vector<Output> outputs(const Component& component) {
         result.push_back({call.signature->name + "Call", call.method, call.signature->parameters});
     for (const EventPort& event : component.events) {
         if (event.output.empty()) continue;
-        result.push_back({*event.outside + ".out", event.output, {}});
+        result.push_back({event.outside + ".out", event.output, {}});
         if (event.type) result.back().types.push_back(*event.type);
     }
     for (const StoredVariable& variable : component.variables)
@@ -59,6 +62,7 @@ public:
         carriers();
         input_tables();
         output_table();
+        value_tables();
         log_class();
         printers();
         functions();
@@ -108,6 +112,7 @@ private:
         out_.open("struct Checking {");
         for (const char* name : {"Real", "Nat", "Int"})
             out_.line(fmt::format("using {0} = robochart::Finite<{0}Carrier>;", name));
+        out_.line(fmt::format("[[maybe_unused]] static constexpr std::size_t longest = {};", longest(inst)));
         out_.close("};");
         out_.line("using Real = Checking::Real;");
         out_.line("using Nat = Checking::Nat;");
@@ -125,8 +130,9 @@ private:
             if (!input.type) continue;
             std::vector<std::int64_t> numbers;
             std::vector<std::string> texts;
+            const bool whole = composed(generation_.system.type(*input.type));
             for (const ir::Value& value : ir::carrier(generation_.system, generation_.inst, *input.type)) {
-                numbers.push_back(value.number);
+                numbers.push_back(whole ? static_cast<std::int64_t>(numbers.size()) : value.number);
                 texts.push_back('"' + cspm_value(generation_.system, *input.type, value) + '"');
             }
             out_.line(
@@ -153,10 +159,59 @@ private:
         out_.close("};");
     }
 
-    std::string type(ir::TypeId id) const {
-        const ir::TypeKind kind = generation_.system.type(id).kind;
-        const std::string name = cpp_type(generation_.system, id);
-        return numeric(kind) || kind == ir::TypeKind::boolean ? name : "core::" + name;
+    static Spelling spelling() { return {"Checking", "core::", "Real", "Nat", "Int"}; }
+
+    std::string type(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
+
+    /// The table of all values of a composed type at the boundary: its numbers are places there.
+    std::string table(ir::TypeId id) const { return fmt::format("all_values_{}", id.index); }
+
+    void value_tables() {
+        std::vector<ir::TypeId> types;
+        for (const Register& input : registers_)
+            if (input.type) types.push_back(*input.type);
+        for (const Output& output : outputs_) types.insert(types.end(), output.types.begin(), output.types.end());
+        std::vector<ir::TypeId> done;
+        for (const ir::TypeId id : types) {
+            if (!composed(generation_.system.type(id)) || std::find(done.begin(), done.end(), id) != done.end())
+                continue;
+            done.push_back(id);
+            out_.gap();
+            out_.open(fmt::format("constexpr {} {}[] = {{", type(id), table(id)));
+            for (const ir::Value& value : ir::carrier(generation_.system, generation_.inst, id))
+                out_.line(cpp_value(generation_.system, generation_.inst, id, value, spelling()) + ",");
+            out_.close("};");
+        }
+    }
+
+    std::string as_number(ir::TypeId id, const std::string& value) const {
+        return composed(generation_.system.type(id)) ? fmt::format("robochart::place_in({}, {})", table(id), value)
+                                                     : fmt::format("robochart::to_raw({})", value);
+    }
+
+    /// Functions have the values that the semantics gives them, of which the default is one (semantics 3.13).
+    void functions_of_the_model() {
+        for (const FunctionHook& hook : generation_.component.functions) {
+            const ir::Function& function = generation_.system.functions[hook.id.index];
+            std::string parameters;
+            for (std::size_t i = 0; i < function.parameters.size(); ++i)
+                parameters +=
+                    fmt::format("{}[[maybe_unused]] {} a{}", i == 0 ? "" : ", ", type(function.parameters[i]), i);
+            const auto text = [&](ir::TypeId id, const ir::Value& value) {
+                return cpp_value(generation_.system, generation_.inst, id, value, spelling());
+            };
+            out_.open(fmt::format("{} {}({}) const noexcept {{", type(function.result), hook.method, parameters));
+            for (const FunctionValue& row : values_of(generation_.system, generation_.inst, hook.id)) {
+                std::vector<std::string> equal;
+                for (std::size_t i = 0; i < row.arguments.size(); ++i)
+                    equal.push_back(fmt::format("a{} == {}", i, text(function.parameters[i], row.arguments[i])));
+                out_.line(
+                    fmt::format("if ({}) return {};", fmt::join(equal, " && "), text(function.result, row.result)));
+            }
+            const ir::Value value = ir::default_value(generation_.system, generation_.inst, function.result);
+            out_.line(fmt::format("return {};", text(function.result, value)));
+            out_.close();
+        }
     }
 
     void log_class() {
@@ -170,11 +225,12 @@ private:
             std::string parameters, arguments;
             for (std::size_t i = 0; i < outputs_[index].types.size(); ++i) {
                 parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", type(outputs_[index].types[i]), i);
-                arguments += fmt::format(", a{}", i);
+                arguments += ", " + as_number(outputs_[index].types[i], fmt::format("a{}", i));
             }
             out_.line(fmt::format("void {}({}) noexcept {{ robochart::write_record(log_, {}{}); }}",
                                   outputs_[index].method, parameters, index, arguments));
         }
+        functions_of_the_model();
         for (const ModelledCall& call : generation_.component.modelled) {
             std::string parameters;
             for (const ir::TypeId parameter : call.signature->parameters)
@@ -202,11 +258,23 @@ private:
         if (field.name.starts_with("filler[")) return;
         const std::string shown = field.name == "at" ? "state" : field.name;
         const auto item = [&] { out_.line(fmt::format("text.item(prefix, \"{}\");", shown)); };
-        if (field.type.ends_with("<Types>")) {
+        if (frame(field.type)) {
             out_.open(fmt::format("if (!(f.{} == core::{}<Checking>{{}})) {{", field.name,
                                   field.type.substr(0, field.type.size() - std::string("<Types>").size())));
             out_.line(fmt::format("print(text, \"{}.\", f.{});", field.name, field.name));
             return out_.close();
+        }
+        if (field.type.starts_with("robochart::Buffer<")) {
+            item();
+            out_.open(fmt::format("if (f.{}.full()) {{", field.name));
+            out_.line(fmt::format("text.add(robochart::to_raw(f.{}.value), 1);", field.name));
+            out_.reopen("} else {");
+            out_.line("text.add(\"-\");");
+            return out_.close();
+        }
+        if (field.type == "robochart::Flag") {
+            item();
+            return out_.line(fmt::format("text.add(f.{}.full() ? \"full\" : \"-\");", field.name));
         }
         item();
         if (field.type == "bool") return out_.line(fmt::format("text.add(f.{} ? \"true\" : \"false\");", field.name));
@@ -214,6 +282,7 @@ private:
             return out_.line(fmt::format("text.add(static_cast<std::int64_t>(f.{}), 1);", field.name));
         if (field.type == "Real" || field.type == "Nat" || field.type == "Int")
             return out_.line(fmt::format("text.add(f.{}.raw(), {}Carrier::scale);", field.name, field.type));
+        if (field.type.starts_with("robochart::") || field.type.ends_with(">")) return out_.line("text.add(\"...\");");
         for (const Enumeration& enumeration : machine.enumerations)
             if (enumeration.name == field.type) return out_.line(fmt::format("text.add(name(f.{}));", field.name));
         out_.line(fmt::format("text.add(static_cast<std::int64_t>(f.{}), 1);", field.name));
@@ -233,6 +302,24 @@ private:
                 if (field.name != "at") print_field(field, machine);
             out_.close();
         }
+        if (generation_.component.composed()) print_composed();
+    }
+
+    /// The state of an operation or a machine.
+    bool frame(const std::string& type) const {
+        const auto& units = generation_.component.units;
+        return std::any_of(units.begin(), units.end(),
+                           [&](const Unit& unit) { return unit.frame + "<Types>" == type; });
+    }
+
+    void print_composed() {
+        out_.gap();
+        out_.open("void print(robochart::Text& text, [[maybe_unused]] const char* prefix, const State& f) noexcept {");
+        for (const Part& part : generation_.component.parts)
+            out_.line(fmt::format("print(text, \"{0}.\", f.{0});", part.tag));
+        for (const Field& field : core_.layout.fields)
+            if (!frame(field.type)) print_field(field, {});
+        out_.close();
     }
 
     void functions() {
@@ -250,7 +337,10 @@ private:
         for (std::size_t index = 0; index < registers_.size(); ++index) {
             const Register& input = registers_[index];
             out_.line(fmt::format("read.{}.present = registers[{}].present != 0;", input.member, index));
-            if (input.type)
+            if (input.type && composed(generation_.system.type(*input.type)))
+                out_.line(
+                    fmt::format("read.{}.value = {}[registers[{}].value];", input.member, table(*input.type), index));
+            else if (input.type)
                 out_.line(fmt::format("read.{0}.value = robochart::from_raw<{1}>({0}_values[registers[{2}].value]);",
                                       input.member, type(*input.type), index));
         }

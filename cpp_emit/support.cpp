@@ -1,5 +1,8 @@
 #include "cpp_emit/support.hpp"
 
+#include <stdexcept>
+
+#include "cpp_emit/functions.hpp"
 #include "cpp_emit/rules.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/walk.hpp"
@@ -12,7 +15,6 @@ using diagnostics::Diagnostics;
 using diagnostics::Span;
 using ir::ExprKind;
 using ir::NodeKind;
-using ir::StmtKind;
 
 /// Arguments that one record of the exploration interface holds (runtime/explore_abi.h).
 constexpr std::size_t max_arguments = 8;
@@ -21,34 +23,54 @@ constexpr std::size_t max_values = 4096;
 /// Beyond this a decimal literal is not exact in binary floating point times the scale.
 constexpr std::int64_t max_exact = std::int64_t{1} << 52;
 
+/// Null: there is C++ for it.
 const char* refused_expression(ExprKind kind) {
     switch (kind) {
+        case ExprKind::boolean:
+        case ExprKind::integer:
+        case ExprKind::real:
+        case ExprKind::enum_literal:
+        case ExprKind::variable:
+        case ExprKind::trigger_value:
+        case ExprKind::constant:
+        case ExprKind::since:
+        case ExprKind::since_entry:
+        case ExprKind::negate:
+        case ExprKind::logical_not:
+        case ExprKind::iff:
+        case ExprKind::implies:
+        case ExprKind::disjunction:
+        case ExprKind::conjunction:
+        case ExprKind::equal:
+        case ExprKind::not_equal:
+        case ExprKind::greater:
+        case ExprKind::greater_equal:
+        case ExprKind::less:
+        case ExprKind::less_equal:
+        case ExprKind::plus:
+        case ExprKind::minus:
+        case ExprKind::times:
+        case ExprKind::divide:
+        case ExprKind::modulus:
+        case ExprKind::if_then_else:
+        case ExprKind::call:
+        case ExprKind::tuple:
+        case ExprKind::record:
+        case ExprKind::sequence:
+        case ExprKind::set:
+        case ExprKind::matrix:
+        case ExprKind::member:
+        case ExprKind::index:
+        case ExprKind::concat:
+        case ExprKind::is_in:
+        case ExprKind::cast:
+        case ExprKind::bound:
+        case ExprKind::let:
+            return nullptr;
         case ExprKind::string:
             return "a string";
-        case ExprKind::call:
-            return "a function's call (functions are specified by contract only)";
-        case ExprKind::tuple:
-            return "a tuple";
-        case ExprKind::record:
-            return "a record";
-        case ExprKind::sequence:
-            return "a sequence";
-        case ExprKind::set:
-            return "a set";
-        case ExprKind::member:
-            return "a member";
-        case ExprKind::index:
-            return "an index";
-        case ExprKind::concat:
-            return "a concatenation";
-        case ExprKind::is_in:
-            return "`in`";
         case ExprKind::set_range:
             return "a range";
-        case ExprKind::cast:
-            return "a cast";
-        case ExprKind::bound:
-            return "a bound name";
         case ExprKind::forall:
             return "`forall`";
         case ExprKind::exists:
@@ -59,13 +81,17 @@ const char* refused_expression(ExprKind kind) {
             return "`lambda`";
         case ExprKind::the:
             return "`the`";
-        case ExprKind::let:
-            return "`let`";
         case ExprKind::set_comprehension:
             return "a set comprehension";
         default:
-            return nullptr;
+            return "this kind of expression";
     }
+}
+
+/// Operators of numbers, which vectors have too.
+bool arithmetic(ExprKind kind) {
+    return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::divide ||
+           kind == ExprKind::modulus || kind == ExprKind::negate;
 }
 
 class Support {
@@ -92,6 +118,7 @@ private:
             if (!entry.input.empty()) check_input(entry.variable->type, entry.variable->name);
         }
         for (const PlatformCall& call : component_.calls) check_call(*call.signature);
+        for (const FunctionHook& hook : component_.functions) check_function(hook);
     }
 
     void check_call(const ir::OperationSignature& signature) {
@@ -104,27 +131,35 @@ private:
 
     void check_type(ir::TypeId id, const std::string& element, Span span) {
         const ir::Type& type = system_.type(id);
-        if (!supported(type)) diagnostics_.report(rules::unsupported_type, span, {element, type.name});
+        if (!supported(system_, id)) diagnostics_.report(rules::unsupported_type, span, {element, type.name});
     }
 
     void check_input(ir::TypeId id, const std::string& name) {
-        const ir::Type& type = system_.type(id);
-        if (!supported(type)) return;
-        const std::size_t values = numeric(type.kind) ? number_values(type.kind) : 1;
-        if (values > max_values)
+        if (!supported(system_, id)) return;
+        try {
+            (void)ir::carrier(system_, inst_, id, max_values);
+        } catch (const std::length_error&) {
             diagnostics_.report(rules::too_large, component_.origin.span, {name, "an input has at most 4096 values"});
+        }
     }
 
-    std::size_t number_values(ir::TypeKind kind) const {
-        if (kind == ir::TypeKind::real) return inst_.real.size();
-        return kind == ir::TypeKind::nat ? inst_.nat.size() : inst_.integer.size();
+    /// The explorer computes a function by a table.
+    void check_function(const FunctionHook& hook) {
+        const ir::Function& function = system_.functions[hook.id.index];
+        for (const ir::TypeId type : function.parameters) check_type(type, function.name, {});
+        check_type(function.result, function.name, {});
+        if (!supported(system_, function.result)) return;
+        try {
+            (void)values_of(system_, inst_, hook.id);
+        } catch (const std::length_error& error) {
+            diagnostics_.report(rules::too_large, component_.origin.span, {function.name, error.what()});
+        }
     }
 
     void check_unit(const Unit& unit) {
         const ir::Machine& machine = *unit.machine;
         for (const auto& node : machine.nodes) check_node(machine, node);
         for (const auto& transition : machine.transitions) check_transition(machine, transition);
-        visit_statements(machine, [&](const ir::Stmt& stmt) { check_statement(machine, stmt); });
         visit_expressions(machine, [&](const ir::Expr& expr) { check_expression(machine, expr); });
         for (const auto& variable : machine.variables)
             if (!unit.root) check_type(variable.type, variable.origin.element, variable.origin.span);
@@ -145,7 +180,6 @@ private:
         const Span span = transition.origin.span;
         if (source.parent != machine.nodes[transition.target.index].parent)
             diagnostics_.report(rules::crossing, span, {name});
-        if (transition.deadline) diagnostics_.report(rules::deadline, span, {name});
         if (!transition.trigger) return;
         const bool settled = source.kind == NodeKind::state;
         if (!settled) diagnostics_.report(rules::unsupported_trigger, span, {name, "its source is not a state"});
@@ -154,21 +188,17 @@ private:
             diagnostics_.report(rules::unsupported_trigger, span, {name, "it does not only receive"});
     }
 
-    void check_statement(const ir::Machine& machine, const ir::Stmt& stmt) {
-        if (stmt.kind == StmtKind::deadline)
-            diagnostics_.report(rules::deadline, stmt.origin.span, {stmt.origin.element});
-        if (stmt.kind == StmtKind::assign && !stmt.path.empty())
-            diagnostics_.report(rules::unsupported_stmt, stmt.origin.span,
-                                {"an assignment to a part of a variable", machine.name});
-    }
-
     void check_expression(const ir::Machine& machine, const ir::Expr& expr) {
         if (const char* what = refused_expression(expr.kind)) {
             diagnostics_.report(rules::unsupported_expr, expr.span, {what, machine.name});
             return;
         }
-        if (!supported(system_.type(expr.type)))
+        if (!supported(system_, expr.type))
             diagnostics_.report(rules::unsupported_type, expr.span, {machine.name, system_.type(expr.type).name});
+        if (arithmetic(expr.kind) && !numeric(system_.type(expr.type).kind))
+            diagnostics_.report(rules::unsupported_expr, expr.span, {"arithmetic on other than numbers", machine.name});
+        if (expr.kind == ExprKind::index && expr.args.size() != 2)
+            diagnostics_.report(rules::unsupported_expr, expr.span, {"an index of several places", machine.name});
         if (expr.kind == ExprKind::real && (expr.decimal.unscaled > max_exact || expr.decimal.unscaled < -max_exact))
             diagnostics_.report(rules::too_large, expr.span, {machine.name, "a decimal has more than 15 digits"});
     }

@@ -7,6 +7,7 @@
 
 #include "cpp_emit/expression.hpp"
 #include "cpp_emit/machine_plan.hpp"
+#include "cpp_emit/reception.hpp"
 #include "cpp_emit/types.hpp"
 
 namespace robochart::cpp_emit {
@@ -14,37 +15,38 @@ namespace robochart::cpp_emit {
 using ir::CommKind;
 using ir::StmtKind;
 
-bool suspends(const Unit& unit, const ir::StmtPtr& stmt) {
+bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr& stmt) {
     if (!stmt) return false;
     switch (stmt->kind) {
         case StmtKind::wait:
         case StmtKind::wait_interval:
             return true;
         case StmtKind::communicate:
-            return stmt->communication.kind == CommKind::input;
+            return stmt->communication.kind == CommKind::input ||
+                   waits_to_send(generation.component.event(unit, stmt->communication.event));
         case StmtKind::call:
             return unit.definitions[stmt->operation.index].valid();
         default:
             return std::any_of(stmt->body.begin(), stmt->body.end(),
-                               [&](const ir::StmtPtr& part) { return suspends(unit, part); });
+                               [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
     }
 }
 
 std::string store(const Generation& generation, const Unit& unit, ir::VariableId id, const std::string& value) {
     const StoredVariable* stored = generation.component.stored(unit, id);
-    if (stored != nullptr && stored->visible) return fmt::format("write_{}({});", stored->variable->name, value);
+    if (stored != nullptr && stored->visible) return fmt::format("{}({});", stored->writer, value);
+    const bool relayed = stored != nullptr && stored->shared && generation.component.composed();
+    if (relayed && generation.mutation.hits(Fault::write_not_relayed)) return {};
     const std::string place = ExpressionWriter(generation, unit, "f").variable(id);
     return place.empty() ? "" : fmt::format("{} = {};", place, value);
 }
 
-std::string receivable(const Generation& generation, const Unit& unit, const ir::Communication& communication) {
-    const EventPort& event = generation.component.event(unit, communication.event);
-    const std::string input = "inputs_." + event.input;
-    ExpressionWriter expressions(generation, unit, "f");
-    expressions.set_incoming(input + ".value");
-    std::string condition = input + ".present";
-    if (communication.predicate) condition += fmt::format(" && ({})", expressions.write(*communication.predicate));
-    return condition;
+bool waits_to_send(const EventUse& use) {
+    return use.filled.empty() && !(use.ports.empty() && use.peers.empty());
+}
+
+std::string sent_flag(const EventPort& port) {
+    return port.output + "_done_";
 }
 
 ProgramWriter::ProgramWriter(const Generation& generation, const Unit& unit, Thread& thread, ir::NodeId state)
@@ -72,6 +74,14 @@ void ProgramWriter::resume_at(const std::string& label, const std::string& comme
     begin(label, comment);
 }
 
+/// A place to come back to: the current one if nothing is written there yet.
+std::string ProgramWriter::resume_here(const std::string& stem, const std::string& comment) {
+    if (code().empty()) return thread_.places.back().label;
+    std::string label = fresh(stem);
+    resume_at(label, comment);
+    return label;
+}
+
 std::string ProgramWriter::fresh(const std::string& stem) {
     return thread_.labels->numbered(stem);
 }
@@ -95,14 +105,16 @@ void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) 
             return wait(*stmt, stem);
         case StmtKind::clock_reset:
             return line(clock_reset(generation_, unit_, stmt->clock));
-        case StmtKind::skip:
         case StmtKind::deadline:
-            return;  // deadlines are refused before (support.cpp)
+            return deadline(*stmt, stem);
+        case StmtKind::skip:
+            return;
     }
 }
 
 void ProgramWriter::if_statement(const ir::Stmt& stmt, const std::string& stem) {
-    if (suspends(unit_, stmt.body[0]) || (stmt.body.size() > 1 && suspends(unit_, stmt.body[1])))
+    if (suspends(generation_, unit_, stmt.body[0]) ||
+        (stmt.body.size() > 1 && suspends(generation_, unit_, stmt.body[1])))
         return suspending_if(stmt, stem);
     const ExpressionWriter expressions(generation_, unit_, "f");
     code().open(fmt::format("if ({}) {{", expressions.write(*stmt.condition)));
@@ -134,7 +146,40 @@ void ProgramWriter::assign(const ir::Stmt& stmt) {
     if (generation_.mutation.hits(Fault::assignment_dropped)) return;
     const ExpressionWriter expressions(generation_, unit_, "f");
     const ir::TypeId type = unit_.machine->variables[stmt.variable.index].type;
+    if (!stmt.path.empty()) return assign_part(stmt, type);
     line(store(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
+}
+
+/// A part of a variable: the value is changed in a copy and stored as a whole, as the semantics does.
+void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
+    const ExpressionWriter expressions(generation_, unit_, "f");
+    const std::string place = expressions.variable(stmt.variable);
+    if (place.empty()) return;
+    code().open("{");
+    std::string part = "changed";
+    code().line(fmt::format("auto changed = {};", place));
+    ir::TypeId type = whole;
+    std::vector<std::string> back;
+    for (std::size_t step = 0; step < stmt.path.size(); ++step) {
+        const ir::Type& outer = generation_.system.type(type);
+        if (is_struct(outer)) {
+            const std::int64_t number = stmt.path[step]->number;
+            const std::int64_t first = outer.kind == ir::TypeKind::product ? 1 : 0;
+            part += "." + member_name(outer, number);
+            type = outer.args.at(static_cast<std::size_t>(number - first));
+            continue;
+        }
+        const std::string index = fmt::format("place_{}", step);
+        code().line(fmt::format("const std::int64_t {} = place_of({});", index, expressions.write(*stmt.path[step])));
+        code().line(fmt::format("auto item_{} = {}.at({});", step, part, index));
+        back.push_back(fmt::format("{}.put({}, item_{});", part, index, step));
+        part = fmt::format("item_{}", step);
+        type = outer.args.at(0);
+    }
+    code().line(fmt::format("{} = {};", part, expressions.write_as(*stmt.value, type)));
+    for (auto change = back.rbegin(); change != back.rend(); ++change) code().line(*change);
+    line(store(generation_, unit_, stmt.variable, "changed"));
+    code().close();
 }
 
 std::string clock_reset(const Generation& generation, const Unit& unit, ir::ClockId id) {
@@ -148,34 +193,106 @@ void ProgramWriter::communicate(const ir::Stmt& stmt, const std::string& stem) {
     if (stmt.communication.kind == CommKind::input) {
         await_input(stmt, stem);
     } else {
-        send(stmt);
+        send(stmt, stem);
     }
 }
 
 void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     const ir::Communication& communication = stmt.communication;
-    const EventPort& event = generation_.component.event(unit_, communication.event);
+    const EventUse& use = generation_.component.event(unit_, communication.event);
+    if (!from_register(use)) {
+        return await_any(stmt, use, stem);
+    }
+    const EventPort& port = generation_.component.events[use.ports.front()];
+    const std::string value = "inputs_." + port.input + ".value";
     if (!generation_.mutation.hits(Fault::input_not_awaited)) {
-        resume_at(fresh(stem), fmt::format("waits for {}", event.model_name));
-        code().open(fmt::format("if (!({})) {{", receivable(generation_, unit_, communication)));
+        resume_at(fresh(stem), fmt::format("waits for {}", use.name));
+        const std::string more = predicate(generation_, unit_, communication, value);
+        code().open(fmt::format("if (!(inputs_.{}.present{})) {{", port.input, more.empty() ? "" : " && " + more));
         code().line("return moved;");
         code().close();
     }
-    code().line(fmt::format("inputs_.{}.present = false;", event.input));
-    if (!communication.variable.valid()) return;
-    line(store(generation_, unit_, communication.variable, fmt::format("inputs_.{}.value", event.input)));
+    code().line(fmt::format("inputs_.{}.present = false;", port.input));
+    if (communication.variable.valid()) line(store(generation_, unit_, communication.variable, value));
 }
 
-void ProgramWriter::send(const ir::Stmt& stmt) {
-    const EventPort& event = generation_.component.event(unit_, stmt.communication.event);
-    if (!event.outside) {
-        code().comment(fmt::format("{} is connected to nothing", event.model_name));
-        return;
-    }
+/// Several sources, or another machine: a function of its own tries them.
+void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const std::string& stem) {
+    const std::string at = fresh(stem);
+    const std::string next = fresh(stem);
+    const std::string name = "await_" + thread_.prefix + at;
+    resume_at(at, fmt::format("waits for {}", use.name));
+    code().open(fmt::format("if (!{}(f)) {{", name));
+    code().line("return moved;");
+    code().close();
+    code().line("break;");
+    begin(next, fmt::format("has {}", use.name));
+    CodeWriter& helper = thread_.helpers;
+    helper.gap();
+    helper.doc(fmt::format("Takes {} if it is there.", use.name));
+    helper.open(fmt::format("bool {}([[maybe_unused]] {}<Types>& f) noexcept {{", name, unit_.frame));
+    const bool always = receive(
+        generation_, unit_, stmt.communication, helper, [](const std::string&) { return std::string(); },
+        [&] {
+            helper.line(thread_.go(next));
+            helper.line("return true;");
+        });
+    if (!always) helper.line("return false;");
+    helper.close();
+}
+
+void ProgramWriter::send(const ir::Stmt& stmt, const std::string& stem) {
+    const EventUse& use = generation_.component.event(unit_, stmt.communication.event);
     const ExpressionWriter expressions(generation_, unit_, "f");
-    const ir::ExprPtr& value = stmt.communication.value;
-    code().line(fmt::format("platform_.{}({});", event.output,
-                            value ? expressions.write_as(*value, *event.type) : std::string()));
+    const ir::ExprPtr& expr = stmt.communication.value;
+    const std::string value = expr ? expressions.write_as(*expr, *use.type) : "";
+    if (!use.filled.empty()) return fill_buffers(use, value);
+    if (!waits_to_send(use)) return code().comment(fmt::format("{} is connected to nothing", use.name));
+    const std::string at = resume_here(stem, fmt::format("sends {}", use.name));
+    const std::string next = use.peers.empty() ? "" : fresh(stem);
+    if (use.peers.empty()) return send_out(use, value);
+    offer(use, value, at, next);
+}
+
+/// The writer never waits and the newest value wins (semantics 3.9).
+void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) {
+    for (const std::size_t index : use.filled) {
+        const std::string place = "state_." + generation_.component.buffers[index].field;
+        const bool keeps = generation_.mutation.hits(Fault::buffer_first);
+        code().line(fmt::format("{}{}.fill({});", keeps ? fmt::format("if (!{}.full()) ", place) : "", place, value));
+    }
+}
+
+/// An output happens at most once a cycle (docs/conformance.md, A2): a second one waits for the next.
+void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
+    const EventPort& port = generation_.component.events[use.ports.front()];
+    if (!generation_.mutation.hits(Fault::output_repeated)) {
+        code().open(fmt::format("if ({}) {{", sent_flag(port)));
+        code().line("return moved;");
+        code().close();
+        code().line(sent_flag(port) + " = true;");
+    }
+    code().line(fmt::format("platform_.{}({});", port.output, value));
+}
+
+/// To the platform where it may, else to the machine that takes it: the receiver moves this thread on.
+void ProgramWriter::offer(const EventUse& use, const std::string& value, const std::string& at,
+                          const std::string& next) {
+    thread_.sites.push_back({use.channel, thread_.variable, thread_.at(at), thread_.at(next), value});
+    for (const std::size_t index : use.ports) {
+        const EventPort& port = generation_.component.events[index];
+        code().open(fmt::format("if (!{}) {{", sent_flag(port)));
+        code().line(sent_flag(port) + " = true;");
+        code().line(fmt::format("platform_.{}({});", port.output, value));
+        jump(next);
+        code().close();
+    }
+    if (generation_.mutation.hits(Fault::send_not_awaited)) {
+        jump(next);
+    } else {
+        code().line("return moved;");
+    }
+    begin(next, fmt::format("has sent {}", use.name));
 }
 
 std::vector<std::string> ProgramWriter::arguments(const ir::Stmt& stmt) {
@@ -206,7 +323,7 @@ void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::s
 CallFrame& ProgramWriter::call_frame(ir::MachineId operation) {
     for (auto& frame : thread_.calls)
         if (frame.operation == operation) return frame;
-    const std::string& name = generation_.component.unit(operation).machine->name;
+    const std::string& name = generation_.component.unit(unit_.part, operation).machine->name;
     thread_.calls.push_back({thread_.fields->unique(thread_.prefix + name), operation, {}});
     return thread_.calls.back();
 }
@@ -214,7 +331,7 @@ CallFrame& ProgramWriter::call_frame(ir::MachineId operation) {
 void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::string>& texts,
                                    const std::string& stem) {
     const ir::MachineId id = unit_.definitions[stmt.operation.index];
-    const Unit& operation = generation_.component.unit(id);
+    const Unit& operation = generation_.component.unit(unit_.part, id);
     CallFrame& frame = call_frame(id);
     const std::string place = "f." + frame.field;
     for (std::size_t i = 0; i < texts.size(); ++i)
@@ -256,6 +373,17 @@ void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& 
         const MachinePlan plan(generation_, operation);
         code().line(fmt::format("if ({}) {}.at = {}::{};", offer, frame, operation.points, plan.label(*final)));
     }
+}
+
+/// `S <{d}` (semantics 3.10): where S may have to wait, a counter tells when it has waited too long.
+void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
+    if (!suspends(generation_, unit_, stmt.body[0])) return statement(stmt.body[0], stem);
+    const std::string field = thread_.fields->unique(fmt::format("deadline_{}{}", thread_.prefix, stmt.point));
+    thread_.deadlines.push_back(field);
+    const ExpressionWriter expressions(generation_, unit_, "f");
+    code().line(fmt::format("f.{} = duration({}) + 1;", field, expressions.write(*stmt.value)));
+    statement(stmt.body[0], stem);
+    if (!generation_.mutation.hits(Fault::deadline_kept)) code().line(fmt::format("f.{} = 0;", field));
 }
 
 void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {

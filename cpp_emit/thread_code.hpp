@@ -26,6 +26,15 @@ struct CallFrame {
     std::vector<std::string> live;  ///< labels of the thread at which the operation runs
 };
 
+/// A place where a thread waits until another machine takes what it sends.
+struct SendSite {
+    std::string channel;
+    std::string thread;  ///< "f.at"
+    std::string at;      ///< "At::S1_1"
+    std::string next;    ///< "At::S1_2"
+    std::string value;   ///< "" if the event carries none
+};
+
 /// One line of control of a machine: its transitions and entries, or a state's during action.
 struct Thread {
     std::string variable;     ///< where its place is stored: "f.at"
@@ -36,14 +45,17 @@ struct Thread {
     NameScope* fields = nullptr;  ///< of the frame, for frames of operations
     std::vector<Place> places;    ///< in textual order
     std::vector<CallFrame> calls;
+    std::vector<SendSite> sites;
+    std::vector<std::string> deadlines;  ///< members of the frame: time left plus one, 0 when none runs
+    CodeWriter helpers{1};               ///< functions that its places call
     bool waits = false;
 
     [[nodiscard]] std::string at(const std::string& label) const { return enumeration + "::" + label; }
     [[nodiscard]] std::string go(const std::string& label) const { return variable + " = " + at(label) + ";"; }
 };
 
-/// Whether running the statement can stop half-way: waits, inputs, calls of defined operations.
-[[nodiscard]] bool suspends(const Unit&, const ir::StmtPtr&);
+/// Whether running the statement can stop half-way: waits, inputs, outputs, calls of defined operations.
+[[nodiscard]] bool suspends(const Generation&, const Unit&, const ir::StmtPtr&);
 
 /// Writes programs into a thread's places.
 class ProgramWriter {
@@ -64,13 +76,19 @@ public:
 
 private:
     void resume_at(const std::string& label, const std::string& comment);
+    [[nodiscard]] std::string resume_here(const std::string& stem, const std::string& comment);
     [[nodiscard]] std::string fresh(const std::string& stem);
     void if_statement(const ir::Stmt&, const std::string& stem);
     void suspending_if(const ir::Stmt&, const std::string& stem);
     void assign(const ir::Stmt&);
+    void assign_part(const ir::Stmt&, ir::TypeId whole);
     void communicate(const ir::Stmt&, const std::string& stem);
     void await_input(const ir::Stmt&, const std::string& stem);
-    void send(const ir::Stmt&);
+    void await_any(const ir::Stmt&, const EventUse&, const std::string& stem);
+    void send(const ir::Stmt&, const std::string& stem);
+    void fill_buffers(const EventUse&, const std::string& value);
+    void send_out(const EventUse&, const std::string& value);
+    void offer(const EventUse&, const std::string& value, const std::string& at, const std::string& next);
     void call(const ir::Stmt&, const std::string& stem);
     void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments);
     void call_operation(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
@@ -78,6 +96,7 @@ private:
     void require_preconditions(const Unit& operation, const std::string& frame);
     [[nodiscard]] std::vector<std::string> arguments(const ir::Stmt&);
     void wait(const ir::Stmt&, const std::string& stem);
+    void deadline(const ir::Stmt&, const std::string& stem);
     CallFrame& call_frame(ir::MachineId operation);
 
     const Generation& generation_;
@@ -90,7 +109,9 @@ private:
 [[nodiscard]] std::string store(const Generation&, const Unit&, ir::VariableId, const std::string& value);
 /// `f.T = 0;`; "" for clocks that nothing reads.
 [[nodiscard]] std::string clock_reset(const Generation&, const Unit&, ir::ClockId);
-/// `inputs_.e.present && ...`: the input is there and its value fits the communication.
-[[nodiscard]] std::string receivable(const Generation&, const Unit&, const ir::Communication&);
+/// Sending the event may have to wait: for another machine, or for the next cycle.
+[[nodiscard]] bool waits_to_send(const EventUse&);
+/// The member of Step that tells whether the output was made in this cycle.
+[[nodiscard]] std::string sent_flag(const EventPort&);
 
 }  // namespace robochart::cpp_emit

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include "cpp_emit/names.hpp"
 
 namespace robochart::cpp_emit {
@@ -12,33 +15,149 @@ bool numeric(TypeKind kind) {
     return kind == TypeKind::nat || kind == TypeKind::integer || kind == TypeKind::real;
 }
 
-bool supported(const ir::Type& type) {
-    if (type.kind == TypeKind::enumeration) {
-        for (const auto& args : type.literal_args)
-            if (!args.empty()) return false;
-        return !type.labels.empty() && type.labels.size() <= 256;
-    }
-    return numeric(type.kind) || type.kind == TypeKind::boolean || type.kind == TypeKind::given;
+bool is_struct(const ir::Type& type) {
+    if (type.kind == TypeKind::record || type.kind == TypeKind::product) return true;
+    return type.kind == TypeKind::enumeration && std::any_of(type.literal_args.begin(), type.literal_args.end(),
+                                                             [](const auto& args) { return !args.empty(); });
 }
 
-std::string cpp_type(const ir::System& system, ir::TypeId id) {
+bool declared(const ir::Type& type) {
+    return is_struct(type) || type.kind == TypeKind::enumeration || type.kind == TypeKind::given;
+}
+
+bool composed(const ir::Type& type) {
+    return is_struct(type) || type.kind == TypeKind::sequence || type.kind == TypeKind::set ||
+           type.kind == TypeKind::vector;
+}
+
+namespace {
+
+/// Types may contain themselves; no value of such a type has a bounded size.
+constexpr std::size_t deepest_type = 16;
+
+bool supported_below(const ir::System& system, ir::TypeId id, std::size_t depth) {
     const ir::Type& type = system.type(id);
+    if (depth > deepest_type) return false;
+    const auto parts = [&] {
+        const std::vector<TypeMember> all = members(type);
+        return std::all_of(all.begin(), all.end(),
+                           [&](const TypeMember& member) { return supported_below(system, member.type, depth + 1); });
+    };
+    switch (type.kind) {
+        case TypeKind::enumeration:
+            return !type.labels.empty() && type.labels.size() <= 256 && parts();
+        case TypeKind::record:
+        case TypeKind::product:
+            return !type.args.empty() && parts();
+        case TypeKind::sequence:
+        case TypeKind::vector:
+            return supported_below(system, type.args.at(0), depth + 1);
+        case TypeKind::set:  // members are kept in order
+            return !composed(system.type(type.args.at(0))) && supported_below(system, type.args.at(0), depth + 1);
+        default:
+            return numeric(type.kind) || type.kind == TypeKind::boolean || type.kind == TypeKind::given;
+    }
+}
+
+}  // namespace
+
+bool supported(const ir::System& system, ir::TypeId id) {
+    return supported_below(system, id, 0);
+}
+
+std::vector<TypeMember> members(const ir::Type& type) {
+    std::vector<TypeMember> result;
+    NameScope names({"filler", "kind", "Kind", "make", "Real", "Nat", "Int", "Types", declared_name(type)});
+    for (const std::string& label : type.labels)
+        if (type.kind == TypeKind::enumeration) (void)names.unique(label);
+    for (std::size_t i = 0; i < type.args.size() && type.kind != TypeKind::enumeration; ++i)
+        result.push_back({names.unique(type.kind == TypeKind::record ? type.labels[i] : fmt::format("item_{}", i + 1)),
+                          type.args[i], 0});
+    for (std::size_t literal = 0; type.kind == TypeKind::enumeration && literal < type.literal_args.size(); ++literal)
+        for (const ir::TypeId argument : type.literal_args[literal])
+            result.push_back({names.numbered(type.labels[literal]), argument, literal});
+    return result;
+}
+
+/// Declared types keep clear of what the core itself declares.
+std::string declared_name(const ir::Type& type) {
+    static const std::set<std::string> taken = {"State", "Inputs", "Step", "At",       "Real",    "Nat",
+                                                "Int",   "Types",  "Log",  "Platform", "Checking"};
+    NameScope scope(taken);
+    return scope.unique(type.kind == TypeKind::product ? "Tuple_" + type.name : type.name);
+}
+
+namespace {
+
+/// Elements of a set's type where there are few, else as many as the policy allows.
+std::string set_capacity(const ir::Type& member, const Spelling& spelling) {
+    if (member.kind == TypeKind::boolean) return "2";
+    return member.kind == TypeKind::enumeration ? fmt::format("{}", member.labels.size())
+                                                : spelling.types + "::longest";
+}
+
+std::size_t places(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
+    const ir::Type& member = system.type(type.args.at(0));
+    if (type.kind == TypeKind::set && member.kind == TypeKind::boolean) return 2;
+    return type.kind == TypeKind::set && member.kind == TypeKind::enumeration ? member.labels.size() : longest(inst);
+}
+
+}  // namespace
+
+std::string cpp_type(const ir::System& system, ir::TypeId id, const Spelling& spelling) {
+    const ir::Type& type = system.type(id);
+    const auto part = [&] { return cpp_type(system, type.args.at(0), spelling); };
     switch (type.kind) {
         case TypeKind::boolean:
             return "bool";
         case TypeKind::nat:
-            return "Nat";
+            return spelling.nat;
         case TypeKind::integer:
-            return "Int";
+            return spelling.integer;
         case TypeKind::real:
-            return "Real";
+            return spelling.real;
+        case TypeKind::sequence:
+            return fmt::format("robochart::Sequence<{}, {}::longest>", part(), spelling.types);
+        case TypeKind::set:
+            return fmt::format("robochart::Set<{}, {}>", part(), set_capacity(system.type(type.args.at(0)), spelling));
+        case TypeKind::vector:
+            return fmt::format("robochart::Vector<{}, {}>", part(), type.sizes.at(0));
         default:
-            return identifier(type.name);
+            return spelling.core + declared_name(type) + (is_struct(type) ? "<" + spelling.types + ">" : "");
     }
 }
 
-std::size_t cpp_size(const ir::Type& type) {
-    return numeric(type.kind) ? 8 : 1;
+namespace {
+
+Extent padded(std::size_t size, std::size_t alignment) {
+    return {(size + alignment - 1) / alignment * alignment, alignment};
+}
+
+}  // namespace
+
+std::size_t longest(const ir::Instantiation& inst) {
+    const std::size_t numbers = std::max({inst.nat.size(), inst.integer.size(), inst.real.size()});
+    const auto given = static_cast<std::size_t>(std::max<std::int64_t>(inst.given_size, 2));
+    return std::max({static_cast<std::size_t>(std::max<std::int64_t>(inst.sequence_bound, 1)), numbers, given});
+}
+
+Extent cpp_extent(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    if (numeric(type.kind)) return {8, 8};
+    if (!composed(type)) return {1, 1};
+    if (!is_struct(type)) {
+        const Extent part = cpp_extent(system, inst, type.args.at(0));
+        if (type.kind == TypeKind::vector)
+            return {part.size * static_cast<std::size_t>(type.sizes.at(0)), part.alignment};
+        return {part.size * places(system, inst, type) + part.alignment, part.alignment};
+    }
+    Extent whole{type.kind == TypeKind::enumeration ? 1U : 0U, 1};
+    for (const TypeMember& member : members(type)) {
+        const Extent part = cpp_extent(system, inst, member.type);
+        whole.size += part.size;
+        whole.alignment = std::max(whole.alignment, part.alignment);
+    }
+    return padded(whole.size, whole.alignment);
 }
 
 std::string decimal_text(ir::Decimal decimal) {
@@ -78,28 +197,99 @@ ir::Decimal shortest(ir::Decimal decimal) {
 
 }  // namespace
 
-std::string cpp_value(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id, const ir::Value& value) {
+namespace {
+
+std::string part_values(const ir::System& system, const ir::Instantiation& inst, const std::vector<ir::TypeId>& types,
+                        const ir::Value& value, const Spelling& spelling) {
+    std::string text;
+    for (std::size_t i = 0; i < value.parts.size(); ++i)
+        text += (i == 0 ? "" : ", ") +
+                cpp_value(system, inst, types.at(types.size() > 1 ? i : 0), value.parts[i], spelling);
+    return text;
+}
+
+std::string enumeration_value(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id,
+                              const ir::Value& value, const Spelling& spelling) {
     const ir::Type& type = system.type(id);
+    const auto index = static_cast<std::size_t>(value.number);
+    const std::string name = fmt::format("{}::{}", cpp_type(system, id, spelling), literal_name(type, index));
+    if (!is_struct(type)) return name;
+    const std::vector<ir::TypeId> none;
+    const auto& arguments = index < type.literal_args.size() ? type.literal_args[index] : none;
+    return fmt::format("{}({})", name, part_values(system, inst, arguments, value, spelling));
+}
+
+}  // namespace
+
+std::string cpp_value(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id, const ir::Value& value,
+                      const Spelling& spelling) {
+    const ir::Type& type = system.type(id);
+    const auto built = [&](const char* maker) {
+        return fmt::format("{}::{}({})", cpp_type(system, id, spelling), maker,
+                           part_values(system, inst, type.args, value, spelling));
+    };
     switch (type.kind) {
         case TypeKind::boolean:
             return value.number != 0 ? "true" : "false";
         case TypeKind::real:
-            return fmt::format("Real({})", decimal_text(shortest({value.number, decimals_of(inst.scale)})));
+            return fmt::format("{}({})", spelling.real,
+                               decimal_text(shortest({value.number, decimals_of(inst.scale)})));
         case TypeKind::enumeration:
-            return fmt::format("{}::{}", identifier(type.name),
-                               literal_name(type, static_cast<std::size_t>(value.number)));
+            return enumeration_value(system, inst, id, value, spelling);
+        case TypeKind::record:
+        case TypeKind::product:
+            return built("make");
+        case TypeKind::sequence:
+        case TypeKind::set:
+        case TypeKind::vector:
+            return built("of");
         default:
-            return fmt::format("{}({})", cpp_type(system, id), value.number);
+            return fmt::format("{}({})", cpp_type(system, id, spelling), value.number);
     }
 }
 
+namespace {
+
+std::string cspm_parts(const ir::System& system, const std::vector<ir::TypeId>& types, const ir::Value& value,
+                       const char* separator) {
+    std::string text;
+    for (std::size_t i = 0; i < value.parts.size(); ++i)
+        text += (i == 0 ? "" : separator) + cspm_value(system, types.at(types.size() > 1 ? i : 0), value.parts[i]);
+    return text;
+}
+
+std::string cspm_literal(const ir::System& system, const ir::Type& type, const ir::Value& value) {
+    const auto index = static_cast<std::size_t>(value.number);
+    std::string package;
+    for (const char c : type.package)
+        if (c != ':') package += c;
+    const std::string name = (package.empty() ? "" : package + "_") + type.name + "_" + type.labels[index];
+    if (value.parts.empty()) return name;
+    return name + "." + cspm_parts(system, type.literal_args[index], value, ".");
+}
+
+}  // namespace
+
 std::string cspm_value(const ir::System& system, ir::TypeId id, const ir::Value& value) {
     const ir::Type& type = system.type(id);
-    if (type.kind == TypeKind::boolean) return value.number != 0 ? "true" : "false";
-    if (type.kind != TypeKind::enumeration) return fmt::format("{}", value.number);
-    const std::string& label = type.labels[static_cast<std::size_t>(value.number)];
-    return type.package.empty() ? fmt::format("{}_{}", type.name, label)
-                                : fmt::format("{}_{}_{}", type.package, type.name, label);
+    switch (type.kind) {
+        case TypeKind::boolean:
+            return value.number != 0 ? "true" : "false";
+        case TypeKind::enumeration:
+            return cspm_literal(system, type, value);
+        case TypeKind::sequence:
+            return "<" + cspm_parts(system, type.args, value, ", ") + ">";
+        case TypeKind::set:
+            return "{" + cspm_parts(system, type.args, value, ", ") + "}";
+        case TypeKind::record:
+        case TypeKind::product:
+        case TypeKind::vector: {
+            const std::string parts = cspm_parts(system, type.args, value, ", ");
+            return value.parts.size() == 1 ? parts : "(" + parts + ")";
+        }
+        default:
+            return fmt::format("{}", value.number);
+    }
 }
 
 }  // namespace robochart::cpp_emit

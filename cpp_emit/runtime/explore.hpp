@@ -39,6 +39,14 @@ constexpr std::int64_t to_raw(T value) noexcept {
     }
 }
 
+/// The number of a composed value: its place in the list of all, -1 if it is none of them.
+template <class T, std::size_t size>
+constexpr std::int64_t place_in(const T (&values)[size], const T& value) noexcept {
+    for (std::size_t i = 0; i < size; ++i)
+        if (values[i] == value) return static_cast<std::int64_t>(i);
+    return -1;
+}
+
 template <class T>
 constexpr T from_raw(std::int64_t raw) noexcept {
     if constexpr (std::is_same_v<T, bool>) {
@@ -76,7 +84,7 @@ void write_record(rc_log& log, std::uint32_t output, Values... values) noexcept 
     }
     rc_record record{};
     record.output = output;
-    ((record.argument[record.count++] = to_raw(values)), ...);
+    ((record.argument[record.count++] = values), ...);
     log.record[log.count++] = record;
 }
 

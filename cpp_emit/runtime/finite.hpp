@@ -5,9 +5,8 @@
 #ifndef ROBOCHART_FINITE_HPP
 #define ROBOCHART_FINITE_HPP
 
-#include <compare>
-#include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 namespace robochart {
 
@@ -23,7 +22,7 @@ template <class Carrier>
 class Finite {
 public:
     constexpr Finite() noexcept = default;
-    template <std::integral T>
+    template <class T, std::enable_if_t<std::is_integral_v<T>, int> = 0>
     explicit constexpr Finite(T value) noexcept : raw_(static_cast<std::int64_t>(value) * Carrier::scale) {}
     explicit constexpr Finite(double value) noexcept
         : raw_(static_cast<std::int64_t>(value * static_cast<double>(Carrier::scale) + (value < 0.0 ? -0.5 : 0.5))) {}
@@ -40,8 +39,12 @@ public:
     }
     [[nodiscard]] constexpr std::int64_t raw() const noexcept { return raw_; }
 
-    friend constexpr bool operator==(const Finite&, const Finite&) noexcept = default;
-    friend constexpr auto operator<=>(const Finite&, const Finite&) noexcept = default;
+    friend constexpr bool operator==(Finite a, Finite b) noexcept { return a.raw_ == b.raw_; }
+    friend constexpr bool operator!=(Finite a, Finite b) noexcept { return a.raw_ != b.raw_; }
+    friend constexpr bool operator<(Finite a, Finite b) noexcept { return a.raw_ < b.raw_; }
+    friend constexpr bool operator<=(Finite a, Finite b) noexcept { return a.raw_ <= b.raw_; }
+    friend constexpr bool operator>(Finite a, Finite b) noexcept { return a.raw_ > b.raw_; }
+    friend constexpr bool operator>=(Finite a, Finite b) noexcept { return a.raw_ >= b.raw_; }
 
     friend constexpr Finite operator+(Finite a, Finite b) noexcept { return a.clipped(WideInteger{a.raw_} + b.raw_); }
     friend constexpr Finite operator-(Finite a, Finite b) noexcept { return a.clipped(WideInteger{a.raw_} - b.raw_); }
@@ -75,6 +78,16 @@ constexpr std::uint32_t duration(Finite<Carrier> units) noexcept {
     const WideInteger whole = floor_quotient(units.raw(), Carrier::scale);
     if (whole < 0) return 0;
     return whole > INT32_MAX ? static_cast<std::uint32_t>(INT32_MAX) : static_cast<std::uint32_t>(whole);
+}
+
+/// A real as a whole number, rounded down.
+template <class Whole, class Carrier>
+constexpr Whole rounded_down(Finite<Carrier> value) noexcept {
+    return Whole(value);
+}
+template <class Carrier>
+constexpr std::int64_t place_of(Finite<Carrier> index) noexcept {
+    return index.raw();
 }
 
 }  // namespace robochart

@@ -3,7 +3,9 @@
 #ifndef ROBOCHART_RUNTIME_HPP
 #define ROBOCHART_RUNTIME_HPP
 
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 /// What a violated precondition of an operation does. Define it before including generated code to change that.
 #ifndef RC_REQUIRE
@@ -41,12 +43,50 @@ struct Message {
     T value{};
 };
 
+/// A one-place buffer between controllers: the writer overwrites, the reader empties. `mark` is as wide as the value, so
+/// that there is no padding.
+template <class T>
+struct Buffer {
+    T value{};
+    std::conditional_t<(alignof(T) > 1), std::uint64_t, std::uint8_t> mark = 0;
+
+    [[nodiscard]] constexpr bool full() const noexcept { return mark != 0; }
+    constexpr void fill(T newest) noexcept {
+        value = newest;
+        mark = 1;
+    }
+    friend constexpr bool operator==(const Buffer& a, const Buffer& b) noexcept {
+        return a.mark == b.mark && a.value == b.value;
+    }
+};
+
+/// The same for an event without a value.
+struct Flag {
+    std::uint8_t mark = 0;
+
+    [[nodiscard]] constexpr bool full() const noexcept { return mark != 0; }
+    constexpr void fill() noexcept { mark = 1; }
+    friend constexpr bool operator==(Flag a, Flag b) noexcept { return a.mark == b.mark; }
+};
+
 /// The model's basic types on the robot.
 struct Deployment {
     using Real = double;
     using Nat = std::int64_t;
     using Int = std::int64_t;
+    /// The longest sequence and the largest set.
+    static constexpr std::size_t longest = 16;
 };
+
+/// A real as a whole number, rounded down.
+template <class Whole>
+constexpr Whole rounded_down(double value) noexcept {
+    const auto cut = static_cast<Whole>(value);
+    return static_cast<double>(cut) > value ? static_cast<Whole>(cut - 1) : cut;
+}
+constexpr std::int64_t place_of(std::int64_t index) noexcept {
+    return index;
+}
 
 /// Division and remainder as in the model's semantics: by zero is by one, and for whole numbers the quotient is rounded
 /// down.
@@ -89,6 +129,13 @@ public:
         --budget_;
         return true;
     }
+    /// A deadline (time left plus one, 0 if none runs) comes nearer.
+    constexpr void advance_deadline(std::uint32_t& left, std::uint32_t units) noexcept {
+        if (left == 0) return;
+        late_ = late_ || left <= units;
+        left = left > units ? left - units : 1;
+    }
+    [[nodiscard]] constexpr bool late() const noexcept { return late_; }
     constexpr void require(bool precondition) noexcept { violated_ = violated_ || !precondition; }
     [[nodiscard]] constexpr bool exhausted() const noexcept { return budget_ == 0; }
     [[nodiscard]] constexpr StepResult result(bool terminated) const noexcept {
@@ -100,6 +147,7 @@ public:
 private:
     std::uint32_t budget_;
     bool violated_ = false;
+    bool late_ = false;
 };
 
 }  // namespace robochart

@@ -76,7 +76,7 @@ Interface Bench::interface() {
     EXPECT_TRUE(object) << error;
     if (!object) return {};
     Interface interface = interface_of(object->interface());
-    complete(interface, model_.system, component_, script_.provenance);
+    complete(interface, model_.system, model_.instantiation, component_, script_.provenance);
     return interface;
 }
 
@@ -92,7 +92,7 @@ Result Bench::check(cpp_emit::Fault fault, std::uint32_t site) {
     EXPECT_TRUE(object) << error;
     if (!object) return {};
     Interface interface = interface_of(object->interface());
-    complete(interface, model_.system, component_, script_.provenance);
+    complete(interface, model_.system, model_.instantiation, component_, script_.provenance);
     const Alphabet alphabet(interface, session_->event_table());
     ModelGraph graph(*system_, alphabet);
     return refined_by(graph, alphabet, object->interface(), 1, {});

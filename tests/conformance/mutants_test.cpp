@@ -38,6 +38,13 @@ constexpr Named all_faults[] = {
     {Fault::event_kept, "event_kept"},
     {Fault::wait_dropped, "wait_dropped"},
     {Fault::trigger_value_old, "trigger_value_old"},
+    {Fault::output_repeated, "output_repeated"},
+    {Fault::send_not_awaited, "send_not_awaited"},
+    {Fault::offer_kept, "offer_kept"},
+    {Fault::buffer_kept, "buffer_kept"},
+    {Fault::buffer_first, "buffer_first"},
+    {Fault::ended_by_one, "ended_by_one"},
+    {Fault::write_not_relayed, "write_not_relayed"},
 };
 
 /// A mutant that behaves as the original, and why.
@@ -120,6 +127,38 @@ TEST(Mutants, Nested) {
                                      "single_transition_step", "guard_negated", "guard_dropped", "wrong_target",
                                      "entry_dropped", "exit_dropped", "argument_swapped", "event_kept", "wait_dropped",
                                      "trigger_value_old"));
+}
+
+TEST(Mutants, Team) {
+    test::Model model("tests/conformance/models/team");
+    test::Bench bench(model, model.module());
+    ASSERT_EQ(bench.check().outcome, Outcome::conforms);
+    const char* const after_t1 = "Worker's t2 is tried after t1, which takes every task whose value is above 0.";
+    const std::vector<Equivalent> equivalents{
+        {Fault::guard_after_consume, 1, after_t1},
+        {Fault::guard_dropped, 1, after_t1},
+    };
+    EXPECT_THAT(kill_all(bench, equivalents),
+                UnorderedElementsAre("guard_after_consume", "single_transition_step", "guard_negated", "guard_dropped",
+                                     "wrong_target", "action_dropped", "entry_dropped", "argument_swapped",
+                                     "assignment_dropped", "event_kept", "wait_dropped", "trigger_value_old",
+                                     "send_not_awaited", "offer_kept", "buffer_kept", "buffer_first", "ended_by_one",
+                                     "write_not_relayed"));
+}
+
+TEST(Mutants, Parcels) {
+    test::Model model("tests/conformance/models/parcels");
+    test::Bench bench(model, model.module());
+    const Result result = bench.check();
+    ASSERT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    const std::vector<Equivalent> equivalents{
+        {Fault::guard_after_consume, 0, "Idle wants `order` in t1 only: eaten, or lost at the end of the cycle."},
+        {Fault::guard_after_consume, 2, "t3 is the last to want `job`: eaten, or lost at the end of the cycle."},
+    };
+    EXPECT_THAT(kill_all(bench, equivalents),
+                UnorderedElementsAre("action_dropped", "assignment_dropped", "entry_dropped", "event_kept",
+                                     "guard_after_consume", "guard_dropped", "guard_negated", "single_transition_step",
+                                     "trigger_value_old", "wait_dropped", "wrong_target"));
 }
 
 }  // namespace

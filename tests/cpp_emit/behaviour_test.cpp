@@ -24,6 +24,9 @@ public:
     Machine(const ir::System& system, const std::string& name) : Controller(system, component(system, name)) {}
 };
 
+/// An operation of the platform: it may be called several times in a cycle, as an output may not.
+const char* const tell = "interface Tell { x(value : nat) }\n";
+const char* const tell_int = "interface Tell { x(value : int) }\n";
 const char* const start = "initial i transition t0 { from i to A }\n";
 
 // ---------------------------------------------------------------- inputs (R1, R2)
@@ -71,10 +74,11 @@ TEST(Inputs, InActionsAreAwaited) {
 // ---------------------------------------------------------------- urgency (R3, R6)
 
 TEST(Urgency, RunsToQuiescence) {
-    Machine m(std::string("event x : nat ") + start +
-              "state A { entry x!1 } state B { entry x!2 } state C {}"
-              "transition t1 { from A to B } transition t2 { from B to C }");
-    EXPECT_THAT(m.cycle(), ElementsAre("x.out(1)", "x.out(2)"));
+    Machine m(std::string("requires Tell ") + start +
+                  "state A { entry x(1) } state B { entry x(2) } state C {}"
+                  "transition t1 { from A to B } transition t2 { from B to C }",
+              tell);
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(1)", "xCall(2)"));
     EXPECT_EQ(m.state(), "state=C");
 }
 
@@ -92,54 +96,62 @@ TEST(Urgency, ALoopWithTimeDoesNot) {
     }
 }
 
+TEST(Urgency, AnOutputHappensOnceACycle) {
+    // docs/conformance.md, A2: wanted a second time, it waits for the next cycle, and with it all that follows.
+    Machine m(std::string("event x : nat event y ") + start + "state A { entry x!1 ; x!2 ; y }");
+    EXPECT_THAT(m.cycle(), ElementsAre("x.out(1)"));
+    EXPECT_THAT(m.cycle(), ElementsAre("x.out(2)", "y.out"));
+}
+
 // ---------------------------------------------------------------- order within a transition (semantics 3.4)
 
 const char* const nest = R"(
-event leave event inner event enter event x : nat
+event leave event inner event enter requires Tell
 initial i transition t0 { from i to O }
 state O {
-    initial j state P { entry x!1 exit x!2 } state Q { entry x!3 exit x!4 }
+    initial j state P { entry x(1) exit x(2) } state Q { entry x(3) exit x(4) }
     transition u0 { from j to P }
     transition u1 { from P to Q trigger inner }
-    entry x!0 exit x!5
+    entry x(0) exit x(5)
 }
 state R {}
-transition t1 { from O to R trigger leave action x!6 }
+transition t1 { from O to R trigger leave action x(6) }
 transition t2 { from R to O trigger enter }
 )";
 
 TEST(Order, EntersFromTheOutside) {
-    Machine m(nest);
-    EXPECT_THAT(m.cycle(), ElementsAre("x.out(0)", "x.out(1)"));
+    Machine m(nest, tell);
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(0)", "xCall(1)"));
 }
 
 TEST(Order, ExitsFromTheInsideThenActionThenEntry) {
-    Machine m(nest);
+    Machine m(nest, tell);
     m.cycle();
-    EXPECT_THAT(m.cycle({{"inner.in", ""}}), ElementsAre("x.out(2)", "x.out(3)"));
-    EXPECT_THAT(m.cycle({{"leave.in", ""}}), ElementsAre("x.out(4)", "x.out(5)", "x.out(6)"));
+    EXPECT_THAT(m.cycle({{"inner.in", ""}}), ElementsAre("xCall(2)", "xCall(3)"));
+    EXPECT_THAT(m.cycle({{"leave.in", ""}}), ElementsAre("xCall(4)", "xCall(5)", "xCall(6)"));
 }
 
 TEST(Order, ReEntryStartsAtTheInitialNode) {
-    Machine m(nest);
+    Machine m(nest, tell);
     m.cycle({{"inner.in", ""}});
     m.cycle({{"leave.in", ""}});
-    EXPECT_THAT(m.cycle({{"enter.in", ""}}), ElementsAre("x.out(0)", "x.out(1)"));
+    EXPECT_THAT(m.cycle({{"enter.in", ""}}), ElementsAre("xCall(0)", "xCall(1)"));
     EXPECT_EQ(m.state(), "state=O_P leaving=nothing");
 }
 
 TEST(Order, InnerTransitionsGoFirst) {
-    Machine m(nest);
+    Machine m(nest, tell);
     m.cycle();
     EXPECT_THAT(m.cycle({{"inner.in", ""}, {"leave.in", ""}}),
-                ElementsAre("x.out(2)", "x.out(3)", "x.out(4)", "x.out(5)", "x.out(6)"));
+                ElementsAre("xCall(2)", "xCall(3)", "xCall(4)", "xCall(5)", "xCall(6)"));
 }
 
 TEST(Order, SelfTransitionsExitAndEnter) {
-    Machine m(std::string("event a event x : nat ") + start +
-              "state A { entry x!1 exit x!2 } transition t1 { from A to A trigger a action x!3 }");
+    Machine m(std::string("event a requires Tell ") + start +
+                  "state A { entry x(1) exit x(2) } transition t1 { from A to A trigger a action x(3) }",
+              tell);
     m.cycle();
-    EXPECT_THAT(m.cycle({{"a.in", ""}}), ElementsAre("x.out(2)", "x.out(3)", "x.out(1)"));
+    EXPECT_THAT(m.cycle({{"a.in", ""}}), ElementsAre("xCall(2)", "xCall(3)", "xCall(1)"));
 }
 
 TEST(Order, ExitsMayTakeTime) {
@@ -226,10 +238,11 @@ TEST(During, GoesOnBesideInnerTransitions) {
 
 TEST(During, OfACompositeStartsWithItsFirstChildsEntry) {
     Machine m(
-        "event x : nat initial i transition t0 { from i to O }"
-        "state O { initial j state P { entry x!1 ; wait(1) ; x!2 } transition u0 { from j to P } during x!3 }");
-    EXPECT_THAT(m.cycle(), ElementsAre("x.out(1)"));
-    EXPECT_THAT(m.cycle(), ElementsAre("x.out(2)", "x.out(3)"));
+        "requires Tell initial i transition t0 { from i to O }"
+        "state O { initial j state P { entry x(1) ; wait(1) ; x(2) } transition u0 { from j to P } during x(3) }",
+        tell);
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(1)"));
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(2)", "xCall(3)"));
 }
 
 // ---------------------------------------------------------------- time (R5)
@@ -270,10 +283,10 @@ TEST(Time, ClocksSaturateSoThatStatesAreFinite) {
 }
 
 TEST(Time, WaitsTakeWholeCycles) {
-    Machine m(std::string("event x : nat ") + start + "state A { entry x!1 ; wait(2) ; x!2 ; wait(0) ; x!3 }");
-    EXPECT_THAT(m.cycle(), ElementsAre("x.out(1)"));
+    Machine m(std::string("requires Tell ") + start + "state A { entry x(1) ; wait(2) ; x(2) ; wait(0) ; x(3) }", tell);
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(1)"));
     EXPECT_THAT(m.cycle(), IsEmpty());
-    EXPECT_THAT(m.cycle(), ElementsAre("x.out(2)", "x.out(3)"));
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(2)", "xCall(3)"));
 }
 
 TEST(Time, LongerCyclesAdvanceByTheirLength) {
@@ -288,22 +301,61 @@ TEST(Time, LongerCyclesAdvanceByTheirLength) {
     EXPECT_THAT(m.cycle(), ElementsAre("x.out"));  // 4 units after the start
 }
 
+// ---------------------------------------------------------------- deadlines (R7, semantics 3.10)
+
+TEST(Deadlines, OfAStatementAreMissedWhenItIsNotOverInTime) {
+    Machine m(std::string("event a event x ") + start + "state A { entry a <{ 2 } ; x }");
+    Machine awaiting(std::string("event a : nat var v : nat event x ") + start + "state A { entry a?v <{ 2 } ; x }");
+    for (int cycle = 1; cycle <= 2; ++cycle) {
+        EXPECT_THAT(awaiting.cycle(), IsEmpty());
+        EXPECT_EQ(awaiting.result(), RC_QUIESCENT) << cycle;  // two units may pass
+    }
+    awaiting.cycle();
+    EXPECT_EQ(awaiting.result(), RC_DEADLINE);
+    awaiting.reset();
+    awaiting.cycle();
+    awaiting.cycle();
+    EXPECT_THAT(awaiting.cycle({{"a.in", "1"}}), ElementsAre("x.out"));
+    for (int cycle = 1; cycle <= 4; ++cycle) awaiting.cycle();
+    EXPECT_EQ(awaiting.result(), RC_QUIESCENT);  // met, so it is over
+    EXPECT_THAT(m.cycle(), ElementsAre("a.out", "x.out"));
+    EXPECT_EQ(m.result(), RC_QUIESCENT);
+}
+
+TEST(Deadlines, OfATransitionCountWhileItsGuardHolds) {
+    Machine m(std::string("event a event b event c clock T ") + start +
+              "state A {} state B {} transition t1 { from A to B trigger a <{ 1 } condition since(T) >= 2 }"
+              "transition t2 { from A to B trigger b } transition t3 { from B to A trigger c # T }");
+    for (int cycle = 0; cycle <= 2; ++cycle) m.cycle();  // the guard holds from time 2 on
+    EXPECT_EQ(m.result(), RC_QUIESCENT);
+    const auto at_two = m.image();
+    m.cycle();
+    EXPECT_EQ(m.result(), RC_DEADLINE);
+    m.restore(at_two);
+    m.cycle({{"b.in", ""}});  // any transition out of A will do
+    EXPECT_EQ(m.result(), RC_QUIESCENT);
+    for (int cycle = 1; cycle <= 4; ++cycle) m.cycle();
+    EXPECT_EQ(m.result(), RC_QUIESCENT);
+}
+
 // ---------------------------------------------------------------- statements and values
 
 TEST(Statements, BranchesMayTakeTime) {
-    Machine m(std::string("event a : boolean event x : nat var v : boolean = false ") + start +
-              "state A { entry a?v ; if v then x!1 ; wait(1) ; x!2 else x!3 end ; x!4 }");
-    EXPECT_THAT(m.cycle({{"a.in", "true"}}), ElementsAre("x.out(1)"));
-    EXPECT_THAT(m.cycle(), ElementsAre("x.out(2)", "x.out(4)"));
+    Machine m(std::string("event a : boolean requires Tell var v : boolean = false ") + start +
+                  "state A { entry a?v ; if v then x(1) ; wait(1) ; x(2) else x(3) end ; x(4) }",
+              tell);
+    EXPECT_THAT(m.cycle({{"a.in", "true"}}), ElementsAre("xCall(1)"));
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(2)", "xCall(4)"));
     m.reset();
-    EXPECT_THAT(m.cycle({{"a.in", "false"}}), ElementsAre("x.out(3)", "x.out(4)"));
+    EXPECT_THAT(m.cycle({{"a.in", "false"}}), ElementsAre("xCall(3)", "xCall(4)"));
 }
 
 TEST(Values, ArithmeticIsClippedToTheCarrier) {
     // semantics 3.13: int is {-2..2} here, so 2 + 1 is its first operand.
-    Machine m(std::string("event x : int var v : int = 2 ") + start +
-              "state A { entry v = v + 1 ; x!v ; v = v - 1 ; x!v }");
-    EXPECT_THAT(m.cycle(), ElementsAre("x.out(2)", "x.out(1)"));
+    Machine m(
+        std::string("requires Tell var v : int = 2 ") + start + "state A { entry v = v + 1 ; x(v) ; v = v - 1 ; x(v) }",
+        tell_int);
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(2)", "xCall(1)"));
 }
 
 TEST(Values, BooleansStartTrueAndRealsAreScaled) {

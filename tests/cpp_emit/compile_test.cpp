@@ -36,7 +36,7 @@ protected:
     void expect_clean(const std::string& compiler) const {
         std::string ignored;
         if (folder_.status(compiler + " --version", ignored) != 0) GTEST_SKIP() << compiler << " is not installed";
-        const std::string strict = compiler + " -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Werror -I. -c ";
+        const std::string strict = compiler + " -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Werror -I. -c ";
         folder_.run(strict + "-fno-exceptions -fno-rtti *_explore.cpp " + GetParam().machine + ".cpp");
         folder_.run(strict + "main.cpp");
     }
@@ -52,7 +52,7 @@ TEST_P(Compiles, WithClang) {
 }
 
 TEST_P(Compiles, AndRunsCleanUnderSanitizers) {
-    folder_.run(std::string("c++ -std=c++20 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -I. main.cpp ") +
+    folder_.run(std::string("c++ -std=c++17 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -I. main.cpp ") +
                 GetParam().machine + ".cpp -o console");
     const std::string output = folder_.run(std::string("printf '") + GetParam().script + "' | ./console");
     EXPECT_EQ(output.find("not an input"), std::string::npos) << output;
@@ -100,7 +100,7 @@ TEST(Compile, OddMachines) {
             folder.run(
                 compiler +
                 std::string(
-                    " -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I. -fsyntax-only *.cpp"));
+                    " -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I. -fsyntax-only *.cpp"));
         }
     }
 }
@@ -116,7 +116,7 @@ TEST(Compile, RoboToolsModels) {
     for (const fs::path& project : projects) generated += testing::emit_all(project.string(), folder);
     EXPECT_GE(generated, 45U);
     folder.run(
-        "for d in */; do (cd $d && c++ -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Werror -fno-exceptions "
+        "for d in */; do (cd $d && c++ -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Werror -fno-exceptions "
         "-fno-rtti"
         " -I.. -I. -fsyntax-only *_explore.cpp) || exit 1; done");
 }

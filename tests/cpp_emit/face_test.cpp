@@ -22,7 +22,7 @@ protected:
         std::ofstream(folder_.path() + "/user.cpp")
             << "#include \"" << machine << ".hpp\"\n#define EXPECT(x) if (!(x)) return __LINE__\n"
             << program;
-        folder_.run(std::string("c++ -std=c++20 -Wall -Wextra -Werror -I. ") + flags + " user.cpp " + machine +
+        folder_.run(std::string("c++ -std=c++17 -Wall -Wextra -Werror -I. ") + flags + " user.cpp " + machine +
                     ".cpp -o user");
         folder_.run("./user; code=$?; test $code = 0 || { sed -n ${code}p user.cpp; exit 1; }");
     }
@@ -133,11 +133,11 @@ controller C { sref m = M opref o = op })");
     folder_.write(testing::emit_ok(system, testing::component(system, "C")));
     std::ofstream(folder_.path() + "/user.cpp") << R"(#include "M.hpp"
 int main() { p::M m; return m.step() == robochart::StepResult::precondition ? 0 : 1; })";
-    folder_.run("c++ -std=c++20 -I. user.cpp M.cpp -o asserting");
+    folder_.run("c++ -std=c++17 -I. user.cpp M.cpp -o asserting");
     std::string output;
     EXPECT_NE(folder_.status("./asserting", output), 0);  // assert is the default
     EXPECT_NE(output.find("a < Int(0)"), std::string::npos) << output;
-    folder_.run("c++ -std=c++20 -I. '-DRC_REQUIRE(c)=static_cast<void>(c)' user.cpp M.cpp -o hooked && ./hooked");
+    folder_.run("c++ -std=c++17 -I. '-DRC_REQUIRE(c)=static_cast<void>(c)' user.cpp M.cpp -o hooked && ./hooked");
 }
 
 }  // namespace

@@ -42,13 +42,13 @@ transition t2 { from R to O trigger b }
 )";
 
 const char* const actions = R"(
-event a event x : nat clock T var v : nat = 0
+event a requires I clock T var v : nat = 0
 initial i transition t0 { from i to A }
-state A { entry x!1 exit x!2 }
-state B { entry v = 2 ; wait(1) ; x!v }
+state A { entry tell(1) exit tell(2) }
+state B { entry v = 2 ; wait(1) ; tell(v) }
 state C {}
-transition t1 { from A to B trigger a # T action x!3 }
-transition t2 { from B to C condition since(T) >= 2 action x!4 }
+transition t1 { from A to B trigger a # T action tell(3) }
+transition t2 { from B to C condition since(T) >= 2 action tell(4) }
 )";
 
 const char* const awaiting = R"(
@@ -57,12 +57,16 @@ initial i transition t0 { from i to A } state A { entry a?v ; x!v }
 )";
 
 const char* const chain = R"(
-event x : nat initial i transition t0 { from i to A }
-state A {} state B {} transition t1 { from A to B action x!1 } state C {} transition t2 { from B to C action x!2 }
+requires I initial i transition t0 { from i to A }
+state A {} state B {} transition t1 { from A to B action tell(1) } state C {} transition t2 { from B to C action tell(2) }
 )";
 
 const char* const calling = R"(
 requires I initial i transition t0 { from i to A } state A { entry op(1, 2) }
+)";
+
+const char* const two_outputs = R"(
+event x : nat initial i transition t0 { from i to A } state A { entry x!1 ; x!2 }
 )";
 
 const char* const two_inputs = R"(
@@ -74,8 +78,8 @@ const std::vector<Registers> three = {{}, {{"a.in", ""}}, {}, {}, {}, {}};
 
 class Faults : public ::testing::TestWithParam<Case> {
 protected:
-    ir::System system_ =
-        testing::model(std::string("package p interface I { op(a : nat, b : nat) }\nstm M {") + GetParam().body + "}");
+    ir::System system_ = testing::model(
+        std::string("package p interface I { op(a : nat, b : nat) tell(v : nat) }\nstm M {") + GetParam().body + "}");
 };
 
 std::vector<std::string> run(Controller& controller, const std::vector<Registers>& script) {
@@ -143,6 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
         // The second a comes too early and must be lost.
         Case{Fault::event_kept, "event_kept", two_inputs, {{{"a.in", ""}}, {{"a.in", ""}}, {{"b.in", ""}}}},
         Case{Fault::wait_dropped, "wait_dropped", actions, three},
+        Case{Fault::output_repeated, "output_repeated", two_outputs, {{}, {}}},
         Case{Fault::trigger_value_old, "trigger_value_old", guarded, {{}, {{"a.in", "2"}}}}),
     [](const auto& test) { return test.param.name; });
 

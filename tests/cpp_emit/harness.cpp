@@ -77,7 +77,7 @@ Controller::Controller(const ir::System& system, const ir::ComponentRef& ref, co
     : emission_(emit_ok(system, ref, options, instantiation)) {
     folder_.write(emission_);
     folder_.run(
-        "${CXX:-c++} -std=c++20 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -fno-exceptions -fno-rtti -fPIC "
+        "${CXX:-c++} -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -fno-exceptions -fno-rtti -fPIC "
         "-shared -I. "
         "-o c.so " +
         emission_.shim);

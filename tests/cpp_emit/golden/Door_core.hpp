@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "robochart/composed.hpp"
 #include "robochart/runtime.hpp"
 
 namespace house::Door_core {
@@ -15,7 +16,7 @@ inline constexpr std::uint32_t cycle_length = 1;
 inline constexpr std::uint32_t step_bound = 1080;
 
 using robochart::advance_clock, robochart::advance_wait, robochart::duration;
-using robochart::divide, robochart::modulus;
+using robochart::divide, robochart::modulus, robochart::place_of, robochart::rounded_down;
 
 /// Where Door is: in a node, or in the middle of a program.
 enum class At : std::uint8_t {
@@ -37,7 +38,10 @@ struct State {
     At at = At::i;
     std::uint8_t filler[3] = {};  ///< keeps the bytes canonical
 
-    friend bool operator==(const State&, const State&) = default;
+    friend constexpr bool operator==(const State& a, const State& b) noexcept {
+        return a.T == b.T && a.at == b.at;
+    }
+    friend constexpr bool operator!=(const State& a, const State& b) noexcept { return !(a == b); }
 };
 
 /// What the control cycle reads: events received, shared variables written from outside.
@@ -70,7 +74,7 @@ public:
         run(state_);
         const robochart::StepResult result = this->result(finished(state_));
         if (result == robochart::StepResult::quiescent) advance(state_);
-        return result;
+        return late() ? robochart::StepResult::deadline : result;
     }
 
 private:
@@ -88,11 +92,19 @@ private:
                     break;
                 // enters Door::Open (door.rct:11)
                 case At::enter_Open:
+                    if (send_bell_done_) {
+                        return moved;
+                    }
+                    send_bell_done_ = true;
                     platform_.send_bell(Nat(1));
                     f.at = At::Open;
                     break;
                 // takes Door::t2 (door.rct:23)
                 case At::take_t2:
+                    if (send_bell_done_) {
+                        return moved;
+                    }
+                    send_bell_done_ = true;
                     platform_.send_bell(Nat(2));
                     f.at = At::Closed;
                     break;
@@ -134,8 +146,8 @@ private:
         }
     }
 
-    /// Time passes: clocks and waits.
-    static void advance(State<Types>& f) noexcept {
+    /// Time passes: clocks, waits and deadlines.
+    void advance(State<Types>& f) noexcept {
         advance_clock(f.T, cycle_length, 3);
     }
 
@@ -152,6 +164,7 @@ private:
     State<Types>& state_;
     Inputs<Types> inputs_;
     Platform& platform_;
+    bool send_bell_done_ = false;  ///< made in this cycle
 };
 
 /// One control cycle of the controller.

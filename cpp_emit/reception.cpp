@@ -1,0 +1,124 @@
+#include "cpp_emit/reception.hpp"
+
+#include <fmt/format.h>
+
+#include "cpp_emit/expression.hpp"
+#include "cpp_emit/thread_code.hpp"
+#include "cpp_emit/types.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+std::string conjunction(const std::string& first, const std::string& second) {
+    if (first.empty() || second.empty()) return first + second;
+    return first + " && " + (second.find("||") == std::string::npos ? second : "(" + second + ")");
+}
+
+class Reception {
+public:
+    Reception(const Generation& generation, const Unit& unit, const ir::Communication& communication, CodeWriter& out,
+              const Condition& condition, const std::function<void()>& then)
+        : generation_(generation),
+          unit_(unit),
+          communication_(communication),
+          use_(generation.component.event(unit, communication.event)),
+          out_(out),
+          condition_(condition),
+          then_(then) {}
+
+    bool write() {
+        for (const std::size_t port : use_.ports) from_port(generation_.component.events[port]);
+        for (const std::size_t buffer : use_.emptied) from_buffer(generation_.component.buffers[buffer]);
+        for (const Peer& peer : use_.peers) {
+            const EventUse* const sender = generation_.component.event(peer);
+            if (sender != nullptr && sender->sent) from_peer(*sender);
+        }
+        return use_.spontaneous() && by_itself();
+    }
+
+private:
+    [[nodiscard]] std::string condition(const std::string& incoming) const {
+        return conjunction(predicate(generation_, unit_, communication_, incoming), condition_(incoming));
+    }
+
+    void take(const std::string& consume, const std::string& incoming) {
+        if (!consume.empty()) out_.line(consume);
+        if (communication_.variable.valid()) {
+            const std::string line = store(generation_, unit_, communication_.variable, incoming);
+            if (!line.empty()) out_.line(line);
+        }
+        then_();
+    }
+
+    void from_port(const EventPort& port) {
+        const std::string input = "inputs_." + port.input;
+        out_.open(fmt::format("if ({}) {{", conjunction(input + ".present", condition(input + ".value"))));
+        take(input + ".present = false;", input + ".value");
+        out_.close();
+    }
+
+    /// The reader empties the buffer (semantics 3.9); Fault::buffer_kept leaves its content.
+    void from_buffer(const Buffer& buffer) {
+        const std::string place = "state_." + buffer.field;
+        out_.open(fmt::format("if ({}) {{", conjunction(place + ".full()", condition(place + ".value"))));
+        if (communication_.variable.valid())
+            out_.line(fmt::format("const {} incoming = {}.value;", cpp_type(generation_.system, *use_.type), place));
+        take(generation_.mutation.hits(Fault::buffer_kept) ? "" : place + " = {};", "incoming");
+        out_.close();
+    }
+
+    /// Rendezvous: the sender waits at one of its sites, the receiver moves it on.
+    void from_peer(const EventUse& sender) {
+        const std::string& channel = sender.channel;
+        out_.open(fmt::format("for (std::uint32_t site = 0; site != sites_{}; ++site) {{", channel));
+        if (use_.type) out_.line(fmt::format("{} incoming{{}};", cpp_type(generation_.system, *use_.type)));
+        const std::string guard = condition("incoming");
+        out_.line(fmt::format("if (!offers_{}(site{}){}) continue;", channel, use_.type ? ", incoming" : "",
+                              guard.empty() ? "" : " || !(" + guard + ")"));
+        take(fmt::format("accept_{}(site);", channel), "incoming");
+        out_.close();
+    }
+
+    /// Connected to nothing: it happens on its own as soon as it can, with some value (semantics 3.9).
+    bool by_itself() {
+        const std::string guard = condition("");
+        if (!guard.empty()) out_.open(fmt::format("if ({}) {{", guard));
+        const std::string value = use_.type
+                                      ? cpp_value(generation_.system, generation_.inst, *use_.type,
+                                                  ir::default_value(generation_.system, generation_.inst, *use_.type))
+                                      : "";
+        take("", value);
+        if (!guard.empty()) out_.close();
+        return guard.empty();
+    }
+
+    const Generation& generation_;
+    const Unit& unit_;
+    const ir::Communication& communication_;
+    const EventUse& use_;
+    CodeWriter& out_;
+    const Condition& condition_;
+    const std::function<void()>& then_;
+};
+
+}  // namespace
+
+bool receive(const Generation& generation, const Unit& unit, const ir::Communication& communication, CodeWriter& out,
+             const Condition& condition, const std::function<void()>& then) {
+    return Reception(generation, unit, communication, out, condition, then).write();
+}
+
+std::string predicate(const Generation& generation, const Unit& unit, const ir::Communication& communication,
+                      const std::string& incoming) {
+    if (!communication.predicate) return {};
+    ExpressionWriter expressions(generation, unit, "f");
+    expressions.set_incoming(incoming);
+    return "(" + expressions.write(*communication.predicate) + ")";
+}
+
+bool from_register(const EventUse& use) {
+    return use.ports.size() == 1 && use.peers.empty() && use.emptied.empty();
+}
+
+}  // namespace robochart::cpp_emit

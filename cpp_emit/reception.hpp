@@ -1,0 +1,27 @@
+// Receiving an event, wherever it comes from: a register of the platform, another machine that waits to send it, a
+// buffer, or nowhere (semantics 3.9). Triggers and input statements alike.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cpp_emit/code_writer.hpp"
+#include "cpp_emit/generation.hpp"
+
+namespace robochart::cpp_emit {
+
+/// A further condition, as C++ text, given the text of the incoming value; "" if there is none.
+using Condition = std::function<std::string(const std::string& incoming)>;
+
+/// Writes, for each source of the event, code that takes it if it is there and `condition` holds: consumes the event,
+/// stores its value, and goes on with what `then` writes. True if the last of them is always taken.
+bool receive(const Generation&, const Unit&, const ir::Communication&, CodeWriter&, const Condition& condition,
+             const std::function<void()>& then);
+
+/// The communication's own predicate on the value; "" if it has none.
+[[nodiscard]] std::string predicate(const Generation&, const Unit&, const ir::Communication&,
+                                    const std::string& incoming);
+/// The event's only source is a register of the platform.
+[[nodiscard]] bool from_register(const EventUse&);
+
+}  // namespace robochart::cpp_emit

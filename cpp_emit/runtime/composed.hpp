@@ -1,0 +1,124 @@
+// Sequences, sets and vectors as values of fixed size: no heap, equal values have equal bytes. Ships with the generated
+// code. Copyright: see LICENSE (Apache-2.0).
+#ifndef ROBOCHART_COMPOSED_HPP
+#define ROBOCHART_COMPOSED_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace robochart {
+
+/// A count as wide as what it counts, so that there is no padding.
+template <class T>
+using Count = std::conditional_t<(alignof(T) > 1), std::uint64_t, std::uint8_t>;
+
+/// A sequence of at most `capacity` items; what does not fit is dropped.
+template <class T, std::size_t capacity>
+class Sequence {
+public:
+    template <class... Items>
+    [[nodiscard]] static constexpr Sequence of(Items... items) noexcept {
+        Sequence result;
+        (result.append(T(items)), ...);
+        return result;
+    }
+    constexpr void append(T item) noexcept {
+        if (count_ < capacity) item_[count_++] = item;
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count_); }
+    /// Counted from 1, as in the model; outside of the sequence: a value as constructed.
+    [[nodiscard]] constexpr T at(std::int64_t place) const noexcept { return has(place) ? item_[place - 1] : T{}; }
+    constexpr void put(std::int64_t place, T item) noexcept {
+        if (has(place)) item_[place - 1] = item;
+    }
+    friend constexpr Sequence concat(const Sequence& a, const Sequence& b) noexcept {
+        Sequence result = a;
+        for (std::size_t i = 0; i < b.size(); ++i) result.append(b.item_[i]);
+        return result;
+    }
+    friend constexpr bool operator==(const Sequence& a, const Sequence& b) noexcept {
+        if (a.count_ != b.count_) return false;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (!(a.item_[i] == b.item_[i])) return false;
+        return true;
+    }
+    friend constexpr bool operator!=(const Sequence& a, const Sequence& b) noexcept { return !(a == b); }
+
+private:
+    [[nodiscard]] constexpr bool has(std::int64_t place) const noexcept {
+        return place >= 1 && static_cast<std::uint64_t>(place) <= size();
+    }
+
+    T item_[capacity]{};
+    Count<T> count_ = 0;
+};
+
+/// A set of at most `capacity` members, kept in order.
+template <class T, std::size_t capacity>
+class Set {
+public:
+    template <class... Members>
+    [[nodiscard]] static constexpr Set of(Members... members) noexcept {
+        Set result;
+        (result.insert(T(members)), ...);
+        return result;
+    }
+    constexpr void insert(T member) noexcept {
+        if (contains(member) || count_ == capacity) return;
+        std::size_t place = static_cast<std::size_t>(count_++);
+        for (; place > 0 && member < item_[place - 1]; --place) item_[place] = item_[place - 1];
+        item_[place] = member;
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count_); }
+    [[nodiscard]] constexpr bool contains(T member) const noexcept {
+        for (std::size_t i = 0; i < size(); ++i)
+            if (item_[i] == member) return true;
+        return false;
+    }
+    friend constexpr bool operator==(const Set& a, const Set& b) noexcept {
+        if (a.count_ != b.count_) return false;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (!(a.item_[i] == b.item_[i])) return false;
+        return true;
+    }
+    friend constexpr bool operator!=(const Set& a, const Set& b) noexcept { return !(a == b); }
+
+private:
+    T item_[capacity]{};
+    Count<T> count_ = 0;
+};
+
+template <class T, std::size_t length>
+class Vector {
+public:
+    template <class... Items>
+    [[nodiscard]] static constexpr Vector of(Items... items) noexcept {
+        static_assert(sizeof...(Items) == length, "one value for each component");
+        Vector result;
+        std::int64_t place = 1;
+        (result.put(place++, T(items)), ...);
+        return result;
+    }
+    [[nodiscard]] constexpr T at(std::int64_t place) const noexcept { return has(place) ? item_[place - 1] : T{}; }
+    constexpr void put(std::int64_t place, T item) noexcept {
+        if (has(place)) item_[place - 1] = item;
+    }
+    friend constexpr bool operator==(const Vector& a, const Vector& b) noexcept {
+        for (std::size_t i = 0; i < length; ++i)
+            if (!(a.item_[i] == b.item_[i])) return false;
+        return true;
+    }
+    friend constexpr bool operator!=(const Vector& a, const Vector& b) noexcept { return !(a == b); }
+
+private:
+    [[nodiscard]] static constexpr bool has(std::int64_t place) noexcept {
+        return place >= 1 && static_cast<std::uint64_t>(place) <= length;
+    }
+
+    T item_[length]{};
+};
+
+}  // namespace robochart
+
+#endif

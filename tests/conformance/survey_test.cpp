@@ -1,0 +1,145 @@
+// Every component of the models at hand is generated, compiles and conforms, but those in the table below: they are
+// not schedulable, not generated, or not yet decided, for the reason named. A row that no longer holds fails the test.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "conformance/conform.hpp"
+#include "conformance/shared_object.hpp"
+#include "frontend/project.hpp"
+#include "semantics/lower.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Exception {
+    const char* component;  ///< folder or file of the model, and the component
+    Outcome outcome;
+    const char* why;  ///< found in the reason or in a diagnostic's code
+};
+
+constexpr Exception exceptions[] = {
+    // Deadlines that the environment can let pass, and loops that take no time: no control cycle exists.
+    {"DuringAndDeadline2/stm0", Outcome::not_schedulable, "nor let time pass"},
+    {"simGeneric-8/stm0", Outcome::not_schedulable, "nor let time pass"},
+    {"simGeneric-8/stm1", Outcome::not_schedulable, "nor let time pass"},
+    {"example7.rct/contrl", Outcome::not_schedulable, "infinitely much"},
+    {"example3.rct/stm4", Outcome::not_schedulable, "infinitely much"},
+    // What the semantics does not have yet.
+    {"test-vector-matrix/S1", Outcome::not_generated, "RC-C01"},
+    {"test-vector-matrix/S2", Outcome::not_generated, "RC-C01"},
+    {"test-vector-matrix/S3", Outcome::not_generated, "RC-C01"},
+    {"LambdaExpTest/mod0", Outcome::not_generated, "RC-C01"},
+    {"rp-var-visible/M", Outcome::not_generated, "RC-C04"},
+    {"rp-var-visible/C1", Outcome::not_generated, "RC-C04"},
+    {"rp-var-visible/STM1", Outcome::not_generated, "RC-C04"},
+    {"rp-var-visible/STM2", Outcome::not_generated, "RC-C04"},
+};
+
+/// Models that are not read or have no semantics at all.
+const std::set<std::string> not_lowered = {"AlphaAlgorithm", "FunctionToolkitCallTest", "example9_empty_stm.rct"};
+
+std::string shared_folder() {
+    const char* given = std::getenv("ROBOCHART_SHARED");
+    return given != nullptr ? given : std::string(ROBOCHART_SOURCE_DIR) + "/../shared";
+}
+
+constexpr const char* flags = "-std=c++17 -O0 -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wconversion -Werror";
+
+class Survey : public ::testing::Test {
+protected:
+    void project(const std::string& path) {
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics diagnostics;
+        const std::string name = fs::path(path).filename().string();
+        const auto model = frontend::load_project(sources, path, diagnostics);
+        ir::System system;
+        if (diagnostics.ok()) system = ir::lower(*model, sources, diagnostics);
+        EXPECT_EQ(diagnostics.ok(), not_lowered.count(name) == 0) << path;
+        if (!diagnostics.ok()) return;
+        const ir::Instantiation instantiation = ir::instantiate(system, {}, diagnostics);
+        const auto each = [&](const auto& items, ir::ComponentKind kind, const auto& wanted) {
+            for (std::uint32_t i = 0; i < items.size(); ++i)
+                if (wanted(items[i]))
+                    component(system, instantiation, {kind, items[i].name, items[i].package, i}, name, sources);
+        };
+        const auto all = [](const auto&) { return true; };
+        each(system.modules, ir::ComponentKind::module, all);
+        // Parts written inside others are looked at there.
+        each(system.controllers, ir::ComponentKind::controller, [](const auto& c) { return c.path == c.name; });
+        each(system.machines, ir::ComponentKind::machine, [](const ir::Machine& machine) {
+            return machine.kind == ir::MachineKind::state_machine && machine.path == machine.name;
+        });
+    }
+
+    void component(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
+                   const std::string& model, diagnostics::SourceManager& sources) {
+        if (model == "hvc") return compile(system, instantiation, ref);
+        diagnostics::Diagnostics found;
+        Options options;
+        options.flags = flags;
+        options.limits.max_states = 3'000'000;
+        options.limits.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        const Result result = conform(system, instantiation, ref, options, sources, found);
+        std::string said = result.reason;
+        for (const auto& finding : found.sorted()) said += fmt::format(" {} {}", finding.rule->code, finding.message());
+        judge(model + "/" + ref.path, result, said);
+    }
+
+    /// The industrial controller's state space is not for every run: its code is generated and compiled.
+    void compile(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref) {
+        diagnostics::Diagnostics found;
+        const cpp_emit::Emission code = cpp_emit::emit(system, instantiation, ref, {}, found);
+        ASSERT_FALSE(code.shim.empty()) << ref.path;
+        std::string error;
+        const auto object = SharedObject::build(code.files, {code.shim}, {"c++", flags, ""}, error);
+        EXPECT_TRUE(object) << error;
+        ++compiled_;
+    }
+
+    void judge(const std::string& name, const Result& result, const std::string& said) {
+        ++components_;
+        const auto row = std::find_if(std::begin(exceptions), std::end(exceptions),
+                                      [&](const Exception& exception) { return exception.component == name; });
+        const bool excepted = row != std::end(exceptions);
+        if (excepted) seen_.insert(name);
+        const Outcome expected = excepted ? row->outcome : Outcome::conforms;
+        EXPECT_EQ(result.outcome, expected) << name << ": " << said.substr(0, 2000);
+        const bool told = !excepted || said.find(row->why) != std::string::npos;
+        EXPECT_TRUE(told) << name << ": " << said.substr(0, 2000);
+        conforming_ += result.outcome == Outcome::conforms ? 1 : 0;
+    }
+
+    std::size_t components_ = 0;
+    std::size_t compiled_ = 0;
+    std::size_t conforming_ = 0;
+    std::set<std::string> seen_;
+};
+
+TEST_F(Survey, EveryComponentConformsButTheExceptions) {
+    const std::string shared = shared_folder();
+    if (!fs::exists(shared)) GTEST_SKIP() << "no ../shared here: its models are not part of the project";
+    std::vector<std::string> projects{shared + "/bench/hvc"};
+    for (const char* folder : {"/suite/robotool/accept", "/suite/robotool-csp/models"})
+        for (const auto& entry : fs::directory_iterator(shared + folder))
+            if (entry.is_directory() || entry.path().extension() == ".rct") projects.push_back(entry.path().string());
+    std::sort(projects.begin(), projects.end());
+    const char* const only = std::getenv("ROBOCHART_SURVEY");
+    for (const std::string& path : projects)
+        if (only == nullptr || fs::path(path).filename() == only) project(path);
+    fmt::print("{} components, {} conform, {} are excepted; {} more compile\n", components_, conforming_, seen_.size(),
+               compiled_);
+    if (only != nullptr) return;
+    for (const Exception& exception : exceptions)
+        EXPECT_TRUE(seen_.count(exception.component) != 0) << exception.component << " is not there";
+}
+
+}  // namespace
+}  // namespace robochart::conformance
