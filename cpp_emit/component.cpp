@@ -224,6 +224,41 @@ private:
                 mark_read(unit);
             });
         }
+        for (std::size_t index = 0; index < component_.variables.size(); ++index) refuse_relay_outside(index);
+    }
+
+    /// Where a variable is declared outside, a write reaches the other machines only when the outside relays it
+    /// (semantics 3.7): then one copy is not enough.
+    void refuse_relay_outside(std::size_t index) {
+        const StoredVariable& entry = component_.variables[index];
+        const auto has = [&](const Part& part) {
+            const auto found = part.variables.find(entry.variable->name);
+            return found != part.variables.end() && found->second == index;
+        };
+        const auto sharing = std::count_if(component_.parts.begin(), component_.parts.end(), has);
+        if (!entry.external || sharing < 2 || !written(entry.variable->name)) return;
+        diagnostics_.report(rules::no_component, component_.origin.span,
+                            {component_.name, "its machines share '" + entry.variable->name +
+                                                  "', which is declared outside; generate the module around it"});
+    }
+
+    /// Whether some machine assigns a required variable of this name.
+    [[nodiscard]] bool written(const std::string& name) const {
+        bool result = false;
+        for (const Unit& unit : component_.units) {
+            const auto is = [&](ir::VariableId id) {
+                if (!id.valid()) return false;
+                const ir::Variable& variable = unit.machine->variables[id.index];
+                return variable.scope == ir::VariableScope::required && variable.name == name;
+            };
+            visit_statements(*unit.machine, [&](const ir::Stmt& stmt) {
+                result = result || (stmt.kind == ir::StmtKind::assign && is(stmt.variable));
+            });
+            visit_communications(*unit.machine, [&](const ir::Communication& communication, bool) {
+                result = result || is(communication.variable);
+            });
+        }
+        return result;
     }
 
     /// The part's units, callers before callees.

@@ -113,6 +113,15 @@ TEST(Refusals, ConnectionsOfAMachineWithItself) {
     EXPECT_EQ(codes(system, component(system, "C")), Codes{"RC-G11"});
 }
 
+TEST(Refusals, VariablesThatTheOutsideRelays) {
+    const ir::System system = testing::model(
+        "package p\ninterface V { var v : nat }\ncontroller C { requires V sref m = M sref n = N }\n"
+        "stm M { requires V initial i state A { entry v = 1 } transition t0 { from i to A } }\n"
+        "stm N { requires V initial i state A {} state B {} transition t0 { from i to A }\n"
+        "transition t1 { from A to B condition v > 0 } }");
+    EXPECT_EQ(codes(system, component(system, "C")), Codes{"RC-G01"});
+}
+
 TEST(Refusals, TransitionsAcrossStates) {
     ir::System system = ir::samples::aggregation();
     system.machines[2].nodes[2].parent = ir::NodeId{1};
