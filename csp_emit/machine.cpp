@@ -89,7 +89,7 @@ std::vector<cspm::DeclPtr> MachineEmitter::point_definitions(ExprPtr& initial) {
     }
     current_ = nullptr;
     drop_dead_parameters(functions, initial);
-    choose_memories(functions, initial);
+    choose_memories(functions);
     remember(functions, initial, remembered_);
     std::vector<cspm::DeclPtr> result = memory_definitions(remembered_, timed());
     for (std::size_t i = 0; i < points_.size(); ++i) result.push_back(definition(points_[i], functions[i]));

@@ -190,10 +190,11 @@ private:
     void find_races(Frame& frame);
 
     // memory.cpp (semantics 3.6, 3.7)
-    void choose_memories(const std::vector<Function>& functions, const ExprPtr& initial);
+    void choose_memories(const std::vector<Function>& functions);
     std::vector<CellId> by_size() const;
     double values_of(const Cell& cell) const;
-    double estimate(std::vector<Function> functions, ExprPtr initial) const;
+    double estimate(const std::vector<Function>& functions, const Evaluations& evaluations,
+                    const std::map<std::string, double>& sizes) const;
     Remembered memory_of(CellId cell);
     void external_writes(const Activation& config, const View& view, std::vector<ExprPtr>& out);
     bool refuses_writes(const Place& place) const;

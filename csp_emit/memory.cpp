@@ -5,6 +5,7 @@
 // (`opCall -> SKIP`, `EDeadline`, `false & ...`) do not offer share__.
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "checker/cspm/build.hpp"
@@ -58,15 +59,19 @@ double MachineEmitter::values_of(const Cell& cell) const {
 }
 
 /// An upper bound of the states of the machine's process, by the sizes of the carriers.
-double MachineEmitter::estimate(std::vector<Function> functions, ExprPtr initial) const {
-    remember(functions, initial, remembered_);
-    std::map<std::string, double> sizes;
-    for (const Cell& cell : cells_) sizes[cell.name] = values_of(cell);
+double MachineEmitter::estimate(const std::vector<Function>& functions, const Evaluations& evaluations,
+                                const std::map<std::string, double>& sizes) const {
+    const auto held = evaluations.held(remembered_);
+    std::set<std::string> outside;
+    for (const Remembered& variable : remembered_) outside.insert(variable.parameter);
     double sum = 0;
-    for (const Function& function : functions) {
+    for (std::size_t i = 0; i < functions.size(); ++i) {
         double product = 1;
-        for (const std::string& parameter : function.parameters)
-            if (const auto found = sizes.find(parameter); found != sizes.end()) product *= found->second;
+        for (const std::string& parameter : functions[i].parameters) {
+            const auto found = sizes.find(parameter);
+            const bool counts = outside.count(parameter) == 0 || held[i].count(parameter) != 0;
+            if (found != sizes.end() && counts) product *= found->second;
+        }
         sum += product;
     }
     return sum;
@@ -101,9 +106,15 @@ Remembered MachineEmitter::memory_of(CellId id) {
 }
 
 /// Largest variables first, until the rest is small enough to be parameters.
-void MachineEmitter::choose_memories(const std::vector<Function>& functions, const ExprPtr& initial) {
-    for (const CellId cell : by_size()) {
-        if (estimate(functions, initial) <= project().options.states_of_a_process) return;
+void MachineEmitter::choose_memories(const std::vector<Function>& functions) {
+    const std::vector<CellId> candidates = by_size();
+    std::map<std::string, double> sizes;
+    for (const Cell& cell : cells_) sizes[cell.name] = values_of(cell);
+    std::set<std::string> names;
+    for (const CellId cell : candidates) names.insert(cells_[cell].name);
+    const Evaluations evaluations(functions, names);
+    for (const CellId cell : candidates) {
+        if (estimate(functions, evaluations, sizes) <= project().options.states_of_a_process) return;
         remembered_.push_back(memory_of(cell));
     }
 }

@@ -1,5 +1,5 @@
-// See variable_memory.hpp. A function needs a remembered variable if its body mentions it otherwise than to pass it
-// on unchanged; what a call needs and the caller does not hold is read right before the call.
+// See variable_memory.hpp. A function holds a remembered variable if its body mentions it otherwise than to pass it
+// on unchanged; what a called function holds and the caller does not is read right before the call.
 #include "csp_emit/variable_memory.hpp"
 
 #include <algorithm>
@@ -30,6 +30,33 @@ void for_each_part(const Expr& expr, const Visit& visit) {
         if (clause.value) visit(*clause.value);
 }
 
+using Index = std::map<std::string, std::size_t>;
+
+Index index_of(const std::vector<Function>& functions) {
+    Index result;
+    for (std::size_t i = 0; i < functions.size(); ++i) result[functions[i].name] = i;
+    return result;
+}
+
+/// The function that an expression calls, if it is one of the family.
+const std::size_t* callee(const Index& index, const Expr& expr) {
+    const bool applied = expr.kind == ExprKind::apply && expr.args[0]->kind == ExprKind::name;
+    if (!applied && expr.kind != ExprKind::name) return nullptr;
+    const auto found = index.find(applied ? expr.args[0]->text : expr.text);
+    return found == index.end() ? nullptr : &found->second;
+}
+
+bool passes_on(const Expr& argument, const std::string& parameter) {
+    return argument.kind == ExprKind::name && argument.text == parameter;
+}
+
+std::set<std::string> parameters_of(const std::vector<Remembered>& variables) {
+    std::set<std::string> result;
+    for (const Remembered& variable : variables) result.insert(variable.parameter);
+    return result;
+}
+
+/// The functions with reads and writes of memories in the place of parameters.
 class Memories {
 public:
     Memories(const std::vector<Function>& functions, const std::vector<Remembered>& variables);
@@ -39,75 +66,27 @@ public:
         bool start = false;
     };
     ExprPtr rewritten(const ExprPtr& expr, const Place& place) const;
-    const std::set<std::string>& held(std::size_t function) const { return needs_[function]; }
+    const std::set<std::string>& held(std::size_t function) const { return held_[function]; }
     bool remembers(const std::string& parameter) const { return variables_.count(parameter) != 0; }
 
 private:
-    const std::size_t* callee(const Expr& expr) const;
-    bool needs(std::size_t function, const std::string& parameter) const { return needs_[function].count(parameter); }
-    void survey(const Expr& expr, std::set<std::string>& found) const;
-    void survey_call(const Expr& expr, std::size_t target, std::set<std::string>& found) const;
-    void mention(const Expr& expr, std::set<std::string>& found) const;
     ExprPtr rewritten_call(const Expr& expr, std::size_t target, const Place& place) const;
 
     const std::vector<Function>& functions_;
     std::map<std::string, const Remembered*> variables_;
-    std::map<std::string, std::size_t> index_;
-    std::vector<std::set<std::string>> needs_;
+    Index index_;
+    std::vector<std::set<std::string>> held_;
 };
 
-bool passes_on(const Expr& argument, const std::string& parameter) {
-    return argument.kind == ExprKind::name && argument.text == parameter;
-}
-
-/// The least sets: what a call needs of a changed value counts only if the called function needs the variable.
 Memories::Memories(const std::vector<Function>& functions, const std::vector<Remembered>& variables)
-    : functions_(functions), needs_(functions.size()) {
+    : functions_(functions), index_(index_of(functions)) {
     for (const Remembered& variable : variables) variables_[variable.parameter] = &variable;
-    for (std::size_t i = 0; i < functions.size(); ++i) index_[functions[i].name] = i;
-    for (bool grown = true; grown;) {
-        grown = false;
-        for (std::size_t i = 0; i < functions.size(); ++i) {
-            const std::size_t before = needs_[i].size();
-            survey(*functions[i].body, needs_[i]);
-            grown = grown || needs_[i].size() != before;
-        }
-    }
-}
-
-const std::size_t* Memories::callee(const Expr& expr) const {
-    const bool applied = expr.kind == ExprKind::apply && expr.args[0]->kind == ExprKind::name;
-    if (!applied && expr.kind != ExprKind::name) return nullptr;
-    const auto found = index_.find(applied ? expr.args[0]->text : expr.text);
-    return found == index_.end() ? nullptr : &found->second;
-}
-
-void Memories::mention(const Expr& expr, std::set<std::string>& found) const {
-    if (expr.kind == ExprKind::name && remembers(expr.text)) found.insert(expr.text);
-    for_each_part(expr, [&](const Expr& part) { mention(part, found); });
-}
-
-void Memories::survey(const Expr& expr, std::set<std::string>& found) const {
-    if (const std::size_t* target = callee(expr)) return survey_call(expr, *target, found);
-    if (expr.kind == ExprKind::name && remembers(expr.text)) found.insert(expr.text);
-    for_each_part(expr, [&](const Expr& part) { survey(part, found); });
-}
-
-void Memories::survey_call(const Expr& expr, std::size_t target, std::set<std::string>& found) const {
-    for (std::size_t i = 1; i < expr.args.size(); ++i) {
-        const std::string& parameter = functions_[target].parameters[i - 1];
-        const auto variable = variables_.find(parameter);
-        if (variable != variables_.end()) {
-            if (passes_on(*expr.args[i], parameter)) continue;
-            if (!variable->second->shared.empty() && !needs(target, parameter)) continue;
-        }
-        mention(*expr.args[i], found);
-    }
+    held_ = Evaluations(functions, parameters_of(variables)).held(variables);
 }
 
 ExprPtr Memories::rewritten(const ExprPtr& expr, const Place& place) const {
     if (!expr) return expr;
-    if (const std::size_t* target = callee(*expr)) return rewritten_call(*expr, *target, place);
+    if (const std::size_t* target = callee(index_, *expr)) return rewritten_call(*expr, *target, place);
     if (expr->kind == ExprKind::name && expr->text == "SKIP") return b::prefix(b::name(end_event), expr);
     auto result = std::make_shared<Expr>(*expr);
     for (auto& part : result->args) part = rewritten(part, place);
@@ -130,7 +109,7 @@ ExprPtr Memories::rewritten_call(const Expr& expr, std::size_t target, const Pla
         const bool there = same || !found->second->shared.empty() ||
                            (place.start && cspm::equal(expr.args[i], found->second->initial));
         if (!there) writes.emplace_back(found->second, expr.args[i]);
-        if (!needs(target, parameter)) continue;
+        if (held_[target].count(parameter) == 0) continue;
         if (same && place.held.count(parameter) == 0) reads.push_back(found->second);
         arguments.push_back(expr.args[i]);
     }
@@ -154,6 +133,56 @@ b::Exprs shared_events(const Remembered& variable) {
 }
 
 }  // namespace
+
+Evaluations::Evaluations(const std::vector<Function>& functions, const std::set<std::string>& parameters)
+    : functions_(functions), parameters_(parameters), index_(index_of(functions)), uses_(functions.size()) {
+    for (std::size_t i = 0; i < functions.size(); ++i) survey(*functions[i].body, uses_[i]);
+}
+
+void Evaluations::mention(const Expr& expr, std::set<std::string>& found) const {
+    if (expr.kind == ExprKind::name && parameters_.count(expr.text) != 0) found.insert(expr.text);
+    for_each_part(expr, [&](const Expr& part) { mention(part, found); });
+}
+
+void Evaluations::survey(const Expr& expr, Use& use) const {
+    if (const std::size_t* target = callee(index_, expr)) return survey_call(expr, *target, use);
+    if (expr.kind == ExprKind::name && parameters_.count(expr.text) != 0) use.names.insert(expr.text);
+    for_each_part(expr, [&](const Expr& part) { survey(part, use); });
+}
+
+void Evaluations::survey_call(const Expr& expr, std::size_t target, Use& use) const {
+    for (std::size_t i = 1; i < expr.args.size(); ++i) {
+        const std::string& parameter = functions_[target].parameters[i - 1];
+        if (passes_on(*expr.args[i], parameter) && parameters_.count(parameter) != 0) continue;
+        Changed changed{target, parameter, {}};
+        mention(*expr.args[i], changed.names);
+        if (!changed.names.empty()) use.changed.push_back(std::move(changed));
+    }
+}
+
+std::vector<std::set<std::string>> Evaluations::held(const std::vector<Remembered>& variables) const {
+    const std::set<std::string> remembered = parameters_of(variables);
+    std::set<std::string> shared;
+    for (const Remembered& variable : variables)
+        if (!variable.shared.empty()) shared.insert(variable.parameter);
+    std::vector<std::set<std::string>> result(uses_.size());
+    const auto add = [&](std::size_t function, const std::set<std::string>& names) {
+        bool grown = false;
+        for (const std::string& name : names)
+            if (remembered.count(name) != 0) grown = result[function].insert(name).second || grown;
+        return grown;
+    };
+    for (bool grown = true; grown;) {
+        grown = false;
+        for (std::size_t i = 0; i < uses_.size(); ++i) {
+            grown = add(i, uses_[i].names) || grown;
+            for (const Changed& changed : uses_[i].changed)
+                if (shared.count(changed.parameter) == 0 || result[changed.target].count(changed.parameter) != 0)
+                    grown = add(i, changed.names) || grown;
+        }
+    }
+    return result;
+}
 
 void remember(std::vector<Function>& functions, ExprPtr& initial, const std::vector<Remembered>& variables) {
     if (variables.empty()) return;

@@ -7,6 +7,8 @@
 // write comes between it and the use, since the machine takes part in all of them. It is an inert step.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,35 @@ struct Remembered {
     cspm::ExprPtr type;     ///< the set of its values
     cspm::ExprPtr initial;
     std::string memory;  ///< the name of its process
+};
+
+/// Which of some parameters each function evaluates, itself or in what it passes to another.
+class Evaluations {
+public:
+    Evaluations(const std::vector<Function>& functions, const std::set<std::string>& parameters);
+    /// For each function the remembered variables that it holds: the least sets, since what a call needs of a changed
+    /// shared variable counts only if the called function holds it.
+    [[nodiscard]] std::vector<std::set<std::string>> held(const std::vector<Remembered>& variables) const;
+
+private:
+    /// An argument in the place of a parameter of the called function, not the parameter itself.
+    struct Changed {
+        std::size_t target;
+        std::string parameter;
+        std::set<std::string> names;
+    };
+    struct Use {
+        std::set<std::string> names;  ///< outside calls of the family
+        std::vector<Changed> changed;
+    };
+    void survey(const cspm::Expr& expr, Use& use) const;
+    void survey_call(const cspm::Expr& expr, std::size_t target, Use& use) const;
+    void mention(const cspm::Expr& expr, std::set<std::string>& found) const;
+
+    const std::vector<Function>& functions_;
+    const std::set<std::string>& parameters_;
+    std::map<std::string, std::size_t> index_;
+    std::vector<Use> uses_;
 };
 
 /// Takes the remembered variables out of the parameters of the functions, except where a function evaluates them.

@@ -155,17 +155,8 @@ Value Evaluator::global(int index, Span span) {
         return global.known = store_.make(Kind::process, static_cast<std::int64_t>(call_term(name, {})), {});
     }
     if (global.running) fail("'" + global.function.name + "' is defined by itself", span);
-    global.running = true;
-    Value value = nullptr;
-    try {
-        value = share(global_constant(global));
-    } catch (...) {
-        global.running = false;
-        throw;
-    }
-    global.running = false;
-    global.known = value;
-    return value;
+    const Running running(global.running);
+    return global.known = share(global_constant(global));
 }
 
 Value Evaluator::global_constant(Global& global) {

@@ -29,10 +29,9 @@ const Values& Evaluator::fields_of(int index) {
     if (head.evaluated) return head.fields;
     if (head.running) fail("the type of '" + head.name + "' contains itself", head.span);
     if (head.fields_code != nullptr) {
-        head.running = true;
+        const Running running(head.running);
         Frame frame(static_cast<std::size_t>(head.unit->size), nullptr);
         head.fields = type_fields(share(eval(*head.fields_code, frame)), head.span);
-        head.running = false;
     }
     head.evaluated = true;
     return head.fields;

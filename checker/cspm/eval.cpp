@@ -97,7 +97,7 @@ Value Evaluator::force(Value& value) {
     const auto& thunk = static_cast<const Thunk&>(*value);
     if (thunk.result == nullptr) {
         if (thunk.running) fail("a value is defined by itself", thunk.code->span);
-        thunk.running = true;
+        const Running running(thunk.running);
         thunk.result = eval(*thunk.code, thunk.frame);
         thunk.frame.clear();
     }

@@ -21,4 +21,17 @@ private:
     Evaluator& evaluator_;
 };
 
+/// Set while something is being evaluated, and no longer when an error ends that: what is asked for again fails
+/// again for its own reason, not as if it were defined by itself.
+class Running {
+public:
+    explicit Running(bool& flag) : flag_(flag) { flag_ = true; }
+    ~Running() { flag_ = false; }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+private:
+    bool& flag_;
+};
+
 }  // namespace robochart::cspm

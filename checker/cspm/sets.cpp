@@ -27,9 +27,8 @@ Value Evaluator::explicit_set(Value set, Span span) {
             Global& global = program_.globals[static_cast<std::size_t>(set->number)];
             if (global.running)
                 fail("the datatype '" + global.function.name + "' contains itself: it is infinite", span);
-            global.running = true;
+            const Running running(global.running);
             result = datatype_set(global);
-            global.running = false;
             break;
         }
         case Kind::maps_over:

@@ -163,6 +163,27 @@ TEST(SessionTest, FaultsAreNamed) {
               "2 is not a value of its field in c.2 (the field's type is {0, 1})");
 }
 
+// The second question meets what the first left half evaluated.
+TEST(SessionTest, AFaultIsTheSameWhenAskedAgain) {
+    const Reading reading(R"(channel c : {0..1/0}
+datatype D = A.{0..1/0}
+x = c.0
+y = card(D)
+z = let v = 1/0 within v + v
+)");
+    ASSERT_TRUE(reading.ok()) << reading.report();
+    Session session(reading.script);
+    for (const char* name : {"x", "y", "z"})
+        for (int time = 0; time < 2; ++time) {
+            try {
+                (void)session.evaluate(build::name(name));
+                ADD_FAILURE() << name << " has a value";
+            } catch (const EvaluationError& error) {
+                EXPECT_STREQ(error.what(), "division by zero") << name;
+            }
+        }
+}
+
 TEST(SessionTest, RoboToolTimedAssertions) {
     const auto shared = shared_folder();
     if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
