@@ -8,11 +8,11 @@
 
 namespace robochart::random_models {
 
-/// The seeds 0, 1, ...; as many as asked for, or as ROBOCHART_SEEDS says, from ROBOCHART_FIRST_SEED on.
-inline std::vector<std::uint64_t> seeds(std::uint64_t count) {
+/// The seeds from `first` on; as many as asked for, or as ROBOCHART_SEEDS says, from ROBOCHART_FIRST_SEED on.
+inline std::vector<std::uint64_t> seeds(std::uint64_t count, std::uint64_t first = 0) {
     const char* wanted = std::getenv("ROBOCHART_SEEDS");
     const char* from = std::getenv("ROBOCHART_FIRST_SEED");
-    const std::uint64_t first = from != nullptr ? std::stoull(from) : 0;
+    if (from != nullptr) first = std::stoull(from);
     if (wanted != nullptr) count = std::stoull(wanted);
     std::vector<std::uint64_t> result;
     for (std::uint64_t i = 0; i < count; ++i) result.push_back(first + i);

@@ -68,9 +68,9 @@ void pass_through(std::uint64_t seed, const Shape& shape, csp_emit::Time time, T
     expect_script_reads_back(*loaded, emission.script, seed);
 }
 
-Tally pass_all_through(const Shape& shape, csp_emit::Time time, std::uint64_t count) {
+Tally pass_all_through(const Shape& shape, csp_emit::Time time, std::uint64_t count, std::uint64_t first = 0) {
     Tally tally;
-    for (const std::uint64_t seed : seeds(count)) {
+    for (const std::uint64_t seed : seeds(count, first)) {
         pass_through(seed, shape, time, tally);
         if (::testing::Test::HasFatalFailure()) break;
     }
@@ -95,12 +95,12 @@ TEST(Semantics, TakesOrRefusesTheWholeLanguageByName) {
 }
 
 /// Broadcast events have no published semantics; everything else is to be taken. `scripts/random_scripts.sh` tries a
-/// thousand models.
+/// thousand models. From seed 2: the model of seed 1 has more than 20,000 configurations, half a minute each time.
 TEST(Semantics, TakesTheLanguageWithoutBroadcast) {
     Shape shape = Shape::whole_language();
     shape.broadcast = false;
-    const Tally timed = pass_all_through(shape, csp_emit::Time::timed, 2);
-    const Tally untimed = pass_all_through(shape, csp_emit::Time::untimed, 2);
+    const Tally timed = pass_all_through(shape, csp_emit::Time::timed, 4, 2);
+    const Tally untimed = pass_all_through(shape, csp_emit::Time::untimed, 4, 2);
     EXPECT_GE((timed.emitted + untimed.emitted) * 2, timed.models + untimed.models);
 }
 
