@@ -207,7 +207,8 @@ ExprPtr Translator::type_test(const ir::Expr& expr) const {
 ExprPtr Translator::range(const ir::Expr& expr) const {
     const bool open_low = expr.number == 1 || expr.number == 3;
     const bool open_high = expr.number >= 2;
-    const ir::TypeId element = type(expr.type)->args.at(0);
+    const ir::Type* set = type(expr.type);
+    const ir::TypeId element = set != nullptr && !set->args.empty() ? set->args[0] : expr.args.at(0)->type;
     const ExprPtr low = as_type(*expr.args.at(0), element);
     const ExprPtr high = as_type(*expr.args.at(1), element);
     if (!is_real(element))

@@ -510,8 +510,9 @@ Value Evaluator::range(const Expr& expr) {
     const std::int64_t high = operand(expr, 1).number;
     const bool open_low = expr.number == 1 || expr.number == 3;
     const bool open_high = expr.number >= 2;
-    const TypeId element = system_.type(expr.type).args.at(0);
-    if (kind(element) != TypeKind::real)
+    const auto& types = system_.type(expr.type).args;
+    const TypeId element = types.empty() ? expr.args.at(0)->type : types[0];
+    if (!element.valid() || kind(element) != TypeKind::real)
         return range_set(low + (open_low ? 1 : 0), high - (open_high ? 1 : 0), expr.span);
     std::vector<Value> members;
     for (const Value& value : carrier(system_, instantiation_, element))

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "checker/cspm/reader.hpp"
 #include "semantics/evaluate.hpp"
 #include "semantics/visit.hpp"
 #include "tests/csp_emit/fixture.hpp"
@@ -315,6 +316,17 @@ TEST(Reals, SetsAndSequencesAreConvertedElementByElement) {
         equal(*m, Time::untimed, "S::D__(0)", "Spec",
               "Spec = S::t.out.true -> S::t.out.true -> S::t.out.false -> S::t.out.true -> S::t.out.true -> STOP"),
         "holds");
+}
+
+// Nothing says what the bounds of such a range are: its script is written all the same, and fails where it is
+// evaluated.
+TEST(Ranges, OfUnknownTypeAreWritten) {
+    const auto m = model(
+        "import sequence_toolkit::* stm S { var x : int initial j state A { } "
+        "transition t0 { from j to A condition x in (head(<>), 1] } }");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    for (const Time time : {Time::untimed, Time::timed})
+        EXPECT_NE(cspm::print(m->emit(time).definitions).find("{sequence_toolkit_head(<>) + 1..1}"), std::string::npos);
 }
 
 TEST(Probabilistic, JunctionsAreFreeChoices) {
