@@ -15,8 +15,8 @@ namespace {
 
 class Family {
 public:
-    explicit Family(const std::vector<Function>& functions) : functions_(functions), uses_(functions.size()) {
-        for (std::size_t i = 0; i < functions.size(); ++i) index_[functions[i].name] = i;
+    explicit Family(const std::vector<Function>& functions)
+        : functions_(functions), index_(index_of(functions)), uses_(functions.size()) {
         for (const Function& function : functions) live_.emplace_back(function.parameters.size(), false);
         for (std::size_t i = 0; i < functions.size(); ++i) survey(i, *functions[i].body);
         spread();
@@ -26,12 +26,6 @@ public:
     ExprPtr without_dead(const ExprPtr& expr) const;
 
 private:
-    /// The function that an expression calls, if it is one of the family.
-    const std::size_t* callee(const Expr& expr) const {
-        if (expr.kind != ExprKind::apply || expr.args[0]->kind != ExprKind::name) return nullptr;
-        const auto found = index_.find(expr.args[0]->text);
-        return found == index_.end() ? nullptr : &found->second;
-    }
     void survey(std::size_t caller, const Expr& expr);
     void names(const Expr& expr, std::set<std::string>& result) const;
     void mark(std::size_t function, const std::set<std::string>& names);
@@ -44,23 +38,11 @@ private:
     };
 
     const std::vector<Function>& functions_;
-    std::map<std::string, std::size_t> index_;
+    FamilyIndex index_;
     std::vector<std::map<std::size_t, std::vector<Use>>> uses_;
     std::vector<std::vector<bool>> live_;
     std::vector<std::pair<std::size_t, std::size_t>> work_;
 };
-
-template <class Visit>
-void for_each_part(const Expr& expr, const Visit& visit) {
-    for (const auto& part : expr.args)
-        if (part) visit(*part);
-    for (const auto& field : expr.fields)
-        if (field.value) visit(*field.value);
-    for (const auto& clause : expr.clauses)
-        if (clause.value) visit(*clause.value);
-    for (const auto& decl : expr.decls)
-        if (decl->body) visit(*decl->body);
-}
 
 void Family::names(const Expr& expr, std::set<std::string>& result) const {
     if (expr.kind == ExprKind::name) result.insert(expr.text);
@@ -69,7 +51,7 @@ void Family::names(const Expr& expr, std::set<std::string>& result) const {
 
 void Family::survey(std::size_t caller, const Expr& expr) {
     if (expr.kind == ExprKind::name) mark(caller, {expr.text});
-    const std::size_t* target = callee(expr);
+    const std::size_t* target = called(index_, expr);
     if (target == nullptr) {
         for_each_part(expr, [&](const Expr& part) { survey(caller, part); });
         return;
@@ -101,7 +83,8 @@ void Family::spread() {
 ExprPtr Family::without_dead(const ExprPtr& expr) const {
     if (!expr) return expr;
     auto result = std::make_shared<Expr>(*expr);
-    if (const std::size_t* target = callee(*expr)) {
+    if (const std::size_t* target = called(index_, *expr)) {
+        if (expr->kind == ExprKind::name) return expr;
         result->args.resize(1);
         for (std::size_t i = 1; i < expr->args.size(); ++i)
             if (live_[*target][i - 1]) result->args.push_back(expr->args[i]);
@@ -112,6 +95,28 @@ ExprPtr Family::without_dead(const ExprPtr& expr) const {
 }
 
 }  // namespace
+
+FamilyIndex index_of(const std::vector<Function>& functions) {
+    FamilyIndex result;
+    for (std::size_t i = 0; i < functions.size(); ++i) result[functions[i].name] = i;
+    return result;
+}
+
+const std::size_t* called(const FamilyIndex& index, const Expr& expr) {
+    const bool applied = expr.kind == ExprKind::apply && expr.args[0]->kind == ExprKind::name;
+    if (!applied && expr.kind != ExprKind::name) return nullptr;
+    const auto found = index.find(applied ? expr.args[0]->text : expr.text);
+    return found == index.end() ? nullptr : &found->second;
+}
+
+void for_each_part(const Expr& expr, const std::function<void(const Expr&)>& visit) {
+    for (const auto& part : expr.args)
+        if (part) visit(*part);
+    for (const auto& field : expr.fields)
+        if (field.value) visit(*field.value);
+    for (const auto& clause : expr.clauses)
+        if (clause.value) visit(*clause.value);
+}
 
 void drop_dead_parameters(std::vector<Function>& functions, ExprPtr& initial) {
     const Family family(functions);

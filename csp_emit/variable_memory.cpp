@@ -20,32 +20,6 @@ namespace {
 const char* const end_event = "end__";
 const char* const value_name = "x__";
 
-template <class Visit>
-void for_each_part(const Expr& expr, const Visit& visit) {
-    for (const auto& part : expr.args)
-        if (part) visit(*part);
-    for (const auto& field : expr.fields)
-        if (field.value) visit(*field.value);
-    for (const auto& clause : expr.clauses)
-        if (clause.value) visit(*clause.value);
-}
-
-using Index = std::map<std::string, std::size_t>;
-
-Index index_of(const std::vector<Function>& functions) {
-    Index result;
-    for (std::size_t i = 0; i < functions.size(); ++i) result[functions[i].name] = i;
-    return result;
-}
-
-/// The function that an expression calls, if it is one of the family.
-const std::size_t* callee(const Index& index, const Expr& expr) {
-    const bool applied = expr.kind == ExprKind::apply && expr.args[0]->kind == ExprKind::name;
-    if (!applied && expr.kind != ExprKind::name) return nullptr;
-    const auto found = index.find(applied ? expr.args[0]->text : expr.text);
-    return found == index.end() ? nullptr : &found->second;
-}
-
 bool passes_on(const Expr& argument, const std::string& parameter) {
     return argument.kind == ExprKind::name && argument.text == parameter;
 }
@@ -74,7 +48,7 @@ private:
 
     const std::vector<Function>& functions_;
     std::map<std::string, const Remembered*> variables_;
-    Index index_;
+    FamilyIndex index_;
     std::vector<std::set<std::string>> held_;
 };
 
@@ -86,7 +60,7 @@ Memories::Memories(const std::vector<Function>& functions, const std::vector<Rem
 
 ExprPtr Memories::rewritten(const ExprPtr& expr, const Place& place) const {
     if (!expr) return expr;
-    if (const std::size_t* target = callee(index_, *expr)) return rewritten_call(*expr, *target, place);
+    if (const std::size_t* target = called(index_, *expr)) return rewritten_call(*expr, *target, place);
     if (expr->kind == ExprKind::name && expr->text == "SKIP") return b::prefix(b::name(end_event), expr);
     auto result = std::make_shared<Expr>(*expr);
     for (auto& part : result->args) part = rewritten(part, place);
@@ -145,7 +119,7 @@ void Evaluations::mention(const Expr& expr, std::set<std::string>& found) const 
 }
 
 void Evaluations::survey(const Expr& expr, Use& use) const {
-    if (const std::size_t* target = callee(index_, expr)) return survey_call(expr, *target, use);
+    if (const std::size_t* target = called(index_, expr)) return survey_call(expr, *target, use);
     if (expr.kind == ExprKind::name && parameters_.count(expr.text) != 0) use.names.insert(expr.text);
     for_each_part(expr, [&](const Expr& part) { survey(part, use); });
 }

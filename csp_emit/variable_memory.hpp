@@ -51,7 +51,7 @@ private:
 
     const std::vector<Function>& functions_;
     const std::set<std::string>& parameters_;
-    std::map<std::string, std::size_t> index_;
+    FamilyIndex index_;
     std::vector<Use> uses_;
 };
 
