@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "csp_emit/bounds.hpp"
+#include "diagnostics/one_line.hpp"
 
 namespace robochart::app {
 namespace {
@@ -34,13 +35,7 @@ private:
 
 /// The expression as written, on one line.
 std::string written(const diagnostics::SourceManager& sources, diagnostics::Span span) {
-    std::string text;
-    for (const char c : sources.text(span.source).substr(span.begin, span.end - span.begin)) {
-        const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
-        if (!blank) text += c;
-        else if (!text.empty() && text.back() != ' ') text += ' ';
-    }
-    return text;
+    return diagnostics::on_one_line(sources.text(span.source).substr(span.begin, span.end - span.begin));
 }
 
 }  // namespace

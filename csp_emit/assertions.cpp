@@ -219,7 +219,7 @@ bool Asserter::has_alphabet(const ir::ComponentRef& ref) const {
     const std::string wanted = ref.path + "__sem__events";
     const auto& blocks = project_.system.csp_blocks;
     return std::any_of(blocks.begin(), blocks.end(), [&](const ir::CspBlock& block) {
-        return (timed() ? block.timed : block.untimed) && block.text.find(wanted) != std::string::npos;
+        return project_.applies(block) && block.text.find(wanted) != std::string::npos;
     });
 }
 

@@ -47,10 +47,8 @@ double MachineEmitter::values_of(const Cell& cell) const {
         return static_cast<double>(cell.limit->number) + 1;
     if (cell.kind != CellKind::variable) return cell.kind == CellKind::frozen ? unknown : bound;
     if (!cell.type.valid()) return unknown;
-    const auto& blocks = project().system.csp_blocks;
-    const bool replaced = std::any_of(blocks.begin(), blocks.end(),
-                                      [&](const auto& block) { return project().replaces_instantiations(block); });
-    if (replaced && project().system.type(cell.type).kind == ir::TypeKind::given) return many;
+    if (project().system.type(cell.type).kind == ir::TypeKind::given && project().instantiations_replaced())
+        return many;
     try {
         return static_cast<double>(ir::carrier(project().system, project().instantiation, cell.type, many).size());
     } catch (const std::length_error&) {

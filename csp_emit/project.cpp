@@ -6,6 +6,7 @@
 
 #include "csp_emit/names.hpp"
 #include "csp_emit/rules.hpp"
+#include "diagnostics/one_line.hpp"
 
 namespace robochart::csp_emit {
 
@@ -26,10 +27,14 @@ bool has_name(const std::string& text, const std::string& name) {
 
 }  // namespace
 
+bool Project::instantiations_replaced() const {
+    return std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(),
+                       [&](const ir::CspBlock& block) { return replaces_instantiations(block); });
+}
+
 bool Project::mentions(const std::string& name) const {
-    return std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(), [&](const ir::CspBlock& block) {
-        return (timed() ? block.timed : block.untimed) && has_name(block.text, name);
-    });
+    return std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(),
+                       [&](const ir::CspBlock& block) { return applies(block) && has_name(block.text, name); });
 }
 
 bool Project::speaks_of(const std::string& path) const {
@@ -46,13 +51,7 @@ void Project::refuse(const std::string& construct, diagnostics::Span span) const
 std::string Project::text(diagnostics::Span span) const {
     if (!span.known()) return "";
     constexpr std::size_t longest = 80;
-    std::string result;
-    for (const char c : sources.text(span.source).substr(span.begin, span.end - span.begin)) {
-        const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
-        if (blank && (result.empty() || result.back() == ' ')) continue;
-        result += blank ? ' ' : c;
-    }
-    while (!result.empty() && result.back() == ' ') result.pop_back();
+    std::string result = diagnostics::on_one_line(sources.text(span.source).substr(span.begin, span.end - span.begin));
     if (result.size() > longest) result = result.substr(0, longest - 3) + "...";
     return result;
 }

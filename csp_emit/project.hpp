@@ -23,6 +23,8 @@ struct Project {
     [[nodiscard]] bool replaces_instantiations(const ir::CspBlock& block) const {
         return (block.name == "Instantiations" || block.name == "instantiations") && applies(block);
     }
+    /// Whether some block is.
+    [[nodiscard]] bool instantiations_replaced() const;
     /// Reports RC-C01: the construct is named and refused.
     void refuse(const std::string& construct, diagnostics::Span span) const;
     /// Whether a CSP block of this time names it: a qualified or plain name, or its end behind `::`.

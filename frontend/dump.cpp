@@ -1,6 +1,7 @@
 // The model as indented text, one node a line, for `--print ast` and `--print model`.
 #include <fmt/format.h>
 
+#include "diagnostics/one_line.hpp"
 #include "frontend/print.hpp"
 #include "frontend/project.hpp"
 #include "frontend/types.hpp"
@@ -218,13 +219,7 @@ void Dumper::csp_block(const CspBlock& block) {
 void Dumper::assertion(const Assertion& assertion) {
     std::string_view wording =
         sources_.text(assertion.span.source).substr(assertion.span.begin, assertion.span.end - assertion.span.begin);
-    std::string one_line;
-    for (const char c : wording) {
-        const bool blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
-        if (!blank) one_line += c;
-        if (blank && !one_line.empty() && one_line.back() != ' ') one_line += ' ';
-    }
-    line("{}", one_line);
+    line("{}", diagnostics::on_one_line(wording));
     inside([&] {
         line("subject {} other {} negated {} parameters {}", assertion.subject.text(), assertion.other.text(),
              assertion.negated, assertion.parameters.size());

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "diagnostics/one_line.hpp"
 #include "simulation/rules.hpp"
 
 namespace robochart::simulation {
@@ -42,16 +43,7 @@ bool Reader::at_number() const {
 }
 
 std::string Reader::text_since(diagnostics::Span from) const {
-    const std::string_view text = sources_.text(from.source).substr(from.begin, last_.end - from.begin);
-    std::string line;
-    for (const char c : text) {
-        const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
-        if (!blank)
-            line += c;
-        else if (!line.empty() && line.back() != ' ')
-            line += ' ';
-    }
-    return line;
+    return diagnostics::on_one_line(sources_.text(from.source).substr(from.begin, last_.end - from.begin));
 }
 
 void Reader::advance() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "diagnostics/one_line.hpp"
 #include "semantics/lower/expressions.hpp"
 #include "semantics/lower/paths.hpp"
 #include "semantics/query.hpp"
@@ -50,24 +51,11 @@ PropertyModel model_of(const std::optional<ast::AssertionModel>& model) {
     return PropertyModel::failures_divergences;
 }
 
-/// Text on one line: every run of blanks is one blank.
-std::string on_one_line(std::string_view text) {
-    std::string line;
-    for (const char c : text) {
-        const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
-        if (!blank)
-            line += c;
-        else if (!line.empty() && line.back() != ' ')
-            line += ' ';
-    }
-    if (!line.empty() && line.back() == ' ') line.pop_back();
-    return line;
-}
-
 /// The assertion as written; the span may start after the word that says in which time it is decided.
 std::string wording_of(const diagnostics::SourceManager& sources, const ast::Assertion& source) {
     const auto text = sources.text(source.span.source);
-    const std::string line = on_one_line(text.substr(source.span.begin, source.span.end - source.span.begin));
+    const std::string line =
+        diagnostics::on_one_line(text.substr(source.span.begin, source.span.end - source.span.begin));
     if (line.compare(0, 9, "assertion") != 0 || source.time == ast::AssertionTime::both) return line;
     return (source.time == ast::AssertionTime::timed ? "timed " : "untimed ") + line;
 }

@@ -1,0 +1,17 @@
+// Runs of blanks become one; the ends have none.
+#include "diagnostics/one_line.hpp"
+
+#include <gtest/gtest.h>
+
+namespace robochart::diagnostics {
+namespace {
+
+TEST(OneLine, FoldsBlanksAndCutsThemAtTheEnds) {
+    EXPECT_EQ(on_one_line("x  in\r\n\t y"), "x in y");
+    EXPECT_EQ(on_one_line("\n x \n"), "x");
+    EXPECT_EQ(on_one_line(" \t\n"), "");
+    EXPECT_EQ(on_one_line(""), "");
+}
+
+}  // namespace
+}  // namespace robochart::diagnostics
