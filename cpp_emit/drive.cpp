@@ -349,10 +349,6 @@ private:
     CodeWriter out_;
 };
 
-}  // namespace
-
-namespace {
-
 /// rc_value holds numbers only.
 bool carries_numbers(const Component& component, const ir::System& system, diagnostics::Diagnostics& diagnostics) {
     const std::size_t before = diagnostics.errors();
