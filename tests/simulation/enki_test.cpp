@@ -39,14 +39,7 @@ TEST(Enki, BrokenControllersFail) {
     const std::string model = read_file(corpus + "aggregation/aggregation.rct");
     const std::string scenario =
         replaced(read_file(corpus + "aggregation/aggregation.scenario"), "trials 10", "trials 2");
-    std::string swapped = replaced(model, "S1 to S2 trigger seeRobot", "S1 to S2 trigger swapped");
-    swapped = replaced(swapped, "S2 to S1 trigger seeWall", "S2 to S1 trigger seeRobot");
-    swapped = replaced(swapped, "trigger swapped", "trigger seeWall");
-    const std::string broken[] = {
-        swapped, replaced(model, "entry RotateClockwise(-5.02)", "entry MoveClockwise(-0.75, -10.88)"),
-        replaced(model, "entry MoveClockwise(-0.75, -10.88)", "entry RotateClockwise(-5.02)"),
-        replaced(model, "angularSpeed = angular; linearSpeed = 0;", "angularSpeed = 0; linearSpeed = 0;")};
-    for (const std::string& text : broken) {
+    for (const std::string& text : testing::broken_aggregation(model)) {
         Experiment experiment(text, scenario);
         const RunResult result = run_in_enki(experiment);
         ASSERT_TRUE(experiment.diagnostics.ok()) << experiment.messages();

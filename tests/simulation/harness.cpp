@@ -53,6 +53,22 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text;
 }
 
+std::vector<std::string> broken_aggregation(const std::string& model) {
+    std::string swapped = replaced(model, "S1 to S2 trigger seeRobot", "S1 to S2 trigger swapped");
+    swapped = replaced(swapped, "S2 to S1 trigger seeWall", "S2 to S1 trigger seeRobot");
+    return {replaced(swapped, "trigger swapped", "trigger seeWall"),
+            replaced(model, "entry RotateClockwise(-5.02)", "entry MoveClockwise(-0.75, -10.88)"),
+            replaced(model, "entry MoveClockwise(-0.75, -10.88)", "entry RotateClockwise(-5.02)"),
+            replaced(model, "angularSpeed = angular; linearSpeed = 0;", "angularSpeed = 0; linearSpeed = 0;")};
+}
+
+std::vector<std::string> broken_taxis(const std::string& model) {
+    const std::string radii = "if illuminated then avoidanceRadius = 0.2 else avoidanceRadius = 0.1 end";
+    return {replaced(model, radii, "if illuminated then avoidanceRadius = 0.1 else avoidanceRadius = 0.2 end"),
+            replaced(model, radii, "if illuminated then avoidanceRadius = 0.2 else avoidanceRadius = 0.2 end"),
+            replaced(model, "if illuminated then", "if false then"), replaced(model, "25", "25000")};
+}
+
 Experiment::Experiment(const std::string& model, const std::string& text, const std::string& model_path) {
     frontend::Model parsed;
     parsed.files.push_back(frontend::parse(sources, sources.add(model_path, model), false, diagnostics));

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "diagnostics/diagnostic.hpp"
 #include "semantics/instantiation.hpp"
@@ -14,6 +15,10 @@ namespace robochart::simulation::testing {
 std::string read_file(const std::string& path);
 /// Every occurrence; fails the test if there is none.
 std::string replaced(std::string text, const std::string& what, const std::string& with);
+
+/// The case studies' models, each with one thing wrong: they fail the paper's claims in every simulator.
+std::vector<std::string> broken_aggregation(const std::string& model);
+std::vector<std::string> broken_taxis(const std::string& model);
 
 struct Experiment {
     Experiment(const std::string& model, const std::string& scenario, const std::string& model_path = "model.rct");
