@@ -7,6 +7,7 @@
 
 #include "harness.hpp"
 #include "simulation/report.hpp"
+#include "tests/needed.hpp"
 
 namespace robochart::simulation {
 namespace {
@@ -94,6 +95,11 @@ TEST(SwarmTaxis, NeverLitFails) {
 
 TEST(SwarmTaxis, WithoutCoherenceFails) {
     expect_broken(replaced(taxis_model(), "25", "25000"), taxis_scenario());
+}
+
+/// tests_enki is built where Enki is; continuous integration must not lose it without a word.
+TEST(CaseStudies, AreRunInEnkiToo) {
+    ROBOCHART_NEEDS(ROBOCHART_TESTS_ENKI, "Enki (Debian: libenki-dev) for tests_enki");
 }
 
 TEST(CaseStudies, ResultsDoNotDependOnThreads) {
