@@ -4,6 +4,7 @@
 
 #include "cpp_emit/rules.hpp"
 #include "cpp_emit/types.hpp"
+#include "cpp_emit/uses.hpp"
 #include "cpp_emit/walk.hpp"
 #include "cpp_emit/wiring.hpp"
 #include "semantics/evaluate.hpp"
@@ -49,6 +50,7 @@ public:
         collect_calls();
         collect_functions();
         collect_types();
+        collect_uses(component_, system_);
         name_everything();
         if (diagnostics_.errors() != errors_before_) return std::nullopt;
         return std::move(component_);
@@ -224,22 +226,6 @@ private:
                 mark_read(unit);
             });
         }
-        for (std::size_t index = 0; index < component_.variables.size(); ++index) refuse_relay_outside(index);
-    }
-
-    /// Where a variable is declared outside, a write reaches the other machines only when the outside relays it
-    /// (semantics 3.7): then one copy is not enough.
-    void refuse_relay_outside(std::size_t index) {
-        const StoredVariable& entry = component_.variables[index];
-        const auto has = [&](const Part& part) {
-            const auto found = part.variables.find(entry.variable->name);
-            return found != part.variables.end() && found->second == index;
-        };
-        const auto sharing = std::count_if(component_.parts.begin(), component_.parts.end(), has);
-        if (!entry.external || sharing < 2 || !written(entry.variable->name)) return;
-        diagnostics_.report(rules::no_component, component_.origin.span,
-                            {component_.name, "its machines share '" + entry.variable->name +
-                                                  "', which is declared outside; generate the module around it"});
     }
 
     /// Whether some machine assigns a required variable of this name.
@@ -279,7 +265,11 @@ private:
         const auto same = [&](const StoredVariable& other) {
             return other.shared && other.level == entry.level && other.variable->name == variable.name;
         };
-        const auto known = entry.shared ? std::find_if(variables.begin(), variables.end(), same) : variables.end();
+        auto known = entry.shared ? std::find_if(variables.begin(), variables.end(), same) : variables.end();
+        if (known != variables.end() && entry.external && written(variable.name)) {
+            entry.copy = true;
+            known = variables.end();
+        }
         component_.parts[part_].variables[variable.name] = static_cast<std::size_t>(known - variables.begin());
         if (known != variables.end()) return;
         if (!entry.shared && component_.composed()) entry.home = part_;
@@ -334,7 +324,7 @@ private:
     void collect_functions() {
         for (const Unit& unit : component_.units) {
             visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
-                if (expr.kind != ir::ExprKind::call) return;
+                if (expr.kind != ir::ExprKind::call && expr.kind != ir::ExprKind::function_value) return;
                 auto& functions = component_.functions;
                 const auto same = [&](const FunctionHook& hook) { return hook.id == expr.function; };
                 if (std::none_of(functions.begin(), functions.end(), same)) functions.push_back({expr.function, ""});
@@ -372,7 +362,11 @@ private:
             for (const ir::TypeId type : call.signature->parameters) add_type(type);
         for (const auto& unit : component_.units) {
             for (const auto& variable : unit.machine->variables) add_type(variable.type);
-            visit_expressions(*unit.machine, [&](const ir::Expr& expr) { add_type(expr.type); });
+            visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
+                add_type(expr.type);
+                for (const ir::TypeId bound : expr.bound_types)
+                    if (bound.valid()) add_type(bound);
+            });
         }
     }
 
@@ -421,15 +415,35 @@ private:
                        NameScope& platform, NameScope& writers) {
         const std::string& name = entry.variable->name;
         const bool in_part = entry.home != no_part;
+        if (entry.copy) return name_copy(entry, state, writers);
         if (entry.stored()) {
             entry.field = in_part ? frames[entry.home].unique(name) : state.unique(name);
             entry.path = in_part ? component_.parts[entry.home].tag + "." + entry.field : entry.field;
         }
-        if (entry.external && entry.read) entry.input = inputs.unique("external_" + name);
+        if (entry.external && some_copy_read(name)) entry.input = inputs.unique("external_" + name);
         if (entry.visible) {
             entry.output = platform.unique("set_" + name);
             entry.writer = writers.unique("write_" + name);
         }
+    }
+
+    /// Another machine's copy of a variable that the outside relays.
+    void name_copy(StoredVariable& entry, NameScope& state, NameScope& writers) {
+        const std::string& name = entry.variable->name;
+        const auto first = std::find_if(component_.variables.begin(), component_.variables.end(),
+                                        [&](const StoredVariable& other) { return relayed(other, name); });
+        if (entry.stored()) entry.field = entry.path = state.unique(name);
+        entry.input = first->input;
+        entry.output = first->output;
+        entry.writer = writers.unique("write_" + name);
+    }
+
+    static bool relayed(const StoredVariable& entry, const std::string& name) {
+        return entry.external && entry.variable->name == name;
+    }
+    [[nodiscard]] bool some_copy_read(const std::string& name) const {
+        return std::any_of(component_.variables.begin(), component_.variables.end(),
+                           [&](const StoredVariable& entry) { return relayed(entry, name) && entry.read; });
     }
 
     void name_channels() {

@@ -61,7 +61,9 @@ struct EventUse {
 inline constexpr std::size_t no_part = static_cast<std::size_t>(-1);
 
 /// A variable of a machine or one that machines share. The semantics gives each machine a copy and relays writes
-/// (semantics 3.7); relaying at once keeps all copies equal, so there is one.
+/// (semantics 3.7); relaying at once keeps all copies equal, so there is one. Where the outside relays (the variable is
+/// declared outside of the component), a machine does not see the others' writes before the outside tells them: then
+/// each machine has its copy, and all take what is written from outside.
 struct StoredVariable {
     const ir::Variable* variable = nullptr;
     std::size_t home = no_part;   ///< the part whose frame holds it; no_part: State
@@ -70,6 +72,7 @@ struct StoredVariable {
     bool visible = false;         ///< writes are seen outside: set_x
     bool external = false;        ///< may be written from outside: set_EXT_x
     bool read = false;            ///< some expression depends on it
+    bool copy = false;            ///< of an entry before it, which has the names at the boundary
     ir::Value initial;
     std::string field;   ///< member of the frame that holds it
     std::string path;    ///< below State: "x", "stm0.x"
@@ -91,6 +94,12 @@ struct PlatformCall {
 struct FunctionHook {
     ir::FunctionId id;
     std::string method;
+};
+
+/// A type whose values the code visits: of bound variables, of functions as values, of toolkit functions.
+struct CarrierUse {
+    ir::TypeId type;
+    std::string method;  ///< of Step: any_Nat
 };
 
 /// An operation that the model defines. The platform may still do it instead.
@@ -146,7 +155,12 @@ struct Component {
     std::vector<PlatformCall> calls;
     std::vector<ModelledCall> modelled;
     std::vector<FunctionHook> functions;
+    std::vector<CarrierUse> carriers;
     std::vector<ir::TypeId> enumerations;  ///< declared types used, parts before the whole
+    bool matrices = false;                 ///< vectors or matrices are used: robochart/matrix.hpp
+    bool toolkit = false;  ///< functions or relations, conversions, sets of values with parts: robochart/toolkit.hpp
+    bool strings = false;  ///< robochart/text.hpp
+    bool ordered = false;  ///< values with parts are members of sets
 
     /// Several machines side by side.
     [[nodiscard]] bool composed() const { return parts.size() > 1; }
@@ -162,6 +176,7 @@ struct Component {
     [[nodiscard]] const StoredVariable* stored(const Unit&, ir::VariableId) const;
     [[nodiscard]] const PlatformCall& call(const Unit&, ir::OperationId) const;
     [[nodiscard]] const ModelledCall& modelled_call(ir::MachineId definition) const;
+    [[nodiscard]] const CarrierUse& carrier(ir::TypeId) const;
     /// The unit whose state holds a clock, and its number there: operations may require the caller's.
     [[nodiscard]] std::pair<const Unit*, ir::ClockId> clock(const Unit&, ir::ClockId) const;
 };

@@ -38,6 +38,10 @@ const ModelledCall& Component::modelled_call(ir::MachineId definition) const {
                          [&](const ModelledCall& candidate) { return candidate.definition == definition; });
 }
 
+const CarrierUse& Component::carrier(ir::TypeId type) const {
+    return *std::find_if(carriers.begin(), carriers.end(), [&](const CarrierUse& use) { return use.type == type; });
+}
+
 std::pair<const Unit*, ir::ClockId> Component::clock(const Unit& of, ir::ClockId id) const {
     const ir::Clock& wanted = of.machine->clocks[id.index];
     if (of.root || !wanted.required) return {&of, id};

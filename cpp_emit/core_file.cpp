@@ -8,6 +8,7 @@
 #include "cpp_emit/channels.hpp"
 #include "cpp_emit/files.hpp"
 #include "cpp_emit/types.hpp"
+#include "cpp_emit/uses.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -46,6 +47,15 @@ void write_comparison(CodeWriter& out, const std::string& name, const std::vecto
     out.close();
     out.line(fmt::format(
         "friend constexpr bool operator!=(const {0}& a, const {0}& b) noexcept {{ return !(a == b); }}", name));
+}
+
+/// The first member that differs decides: sets keep their members in this order.
+void write_order(CodeWriter& out, const std::string& name, const std::vector<std::string>& fields) {
+    out.open(fmt::format("friend constexpr bool operator<(const {0}& a, const {0}& b) noexcept {{", name));
+    for (const std::string& field : fields)
+        out.line(fmt::format("if (!(a.{0} == b.{0})) return a.{0} < b.{0};", field));
+    out.line("return false;");
+    out.close();
 }
 
 /// A static function that makes a value of its members.
@@ -106,6 +116,7 @@ void write_value_struct(const Generation& generation, CodeWriter& out, const ir:
     out.gap();
     write_makers(generation, out, type);
     write_comparison(out, declared_name(type), compared);
+    if (generation.component.ordered) write_order(out, declared_name(type), compared);
     out.close("};");
 }
 
@@ -182,7 +193,7 @@ void write_inputs(const Generation& generation, CodeWriter& out) {
         out.line(fmt::format("{} {};", type, event.input));
     }
     for (const StoredVariable& variable : generation.component.variables)
-        if (!variable.input.empty())
+        if (!variable.input.empty() && !variable.copy)
             out.line(fmt::format("robochart::Message<{}> {};", cpp_type(generation.system, variable.variable->type),
                                  variable.input));
     out.close("};");
@@ -220,7 +231,7 @@ void write_platform_comment(const Generation& generation, CodeWriter& out) {
         if (!event.output.empty())
             method("void", event.output, event.type ? cpp_type(generation.system, *event.type) + " value" : "");
     for (const StoredVariable& variable : component.variables)
-        if (variable.visible)
+        if (variable.visible && !variable.copy)
             method("void", variable.output, cpp_type(generation.system, variable.variable->type) + " value");
 }
 
@@ -255,7 +266,7 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     out.doc("One control cycle: inputs, everything that they and time make possible, then time passes.");
     out.open("robochart::StepResult cycle() noexcept {");
     for (const StoredVariable& variable : generation.component.variables)
-        if (!variable.input.empty())
+        if (!variable.input.empty() && variable.stored())
             out.line(
                 fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input, variable.path));
     for (const EventPort* event : core.kept) take_kept(out, *event);
@@ -287,6 +298,7 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
         out.gap();
         out.raw(machine.methods);
     }
+    write_carriers(generation, out);
     write_channels(generation, core, out);
     if (generation.component.composed()) write_composition(generation, core, out);
     out.gap();
@@ -374,8 +386,11 @@ std::string core_header(const Generation& generation, const Core& core) {
     out.gap();
     out.line("#include <cstdint>");
     out.gap();
-    out.line("#include \"robochart/composed.hpp\"");
-    out.line("#include \"robochart/runtime.hpp\"");
+    std::vector<std::string> headers = {"robochart/runtime.hpp"};
+    for (const OutputFile& header : value_headers(generation.component))
+        if (header.path != "robochart/eigen.hpp") headers.push_back(header.path);
+    std::sort(headers.begin(), headers.end());
+    for (const std::string& header : headers) out.line(fmt::format("#include \"{}\"", header));
     out.gap();
     out.line(fmt::format("namespace {} {{", core.name_space));
     out.gap();

@@ -94,7 +94,7 @@ private:
                 inputs_.push_back(
                     channel(Port::Kind::event, event.outside, event.outside + ".in", event.input, listed(event.type)));
         for (const StoredVariable& variable : generation_.component.variables)
-            if (!variable.input.empty())
+            if (!variable.input.empty() && !variable.copy)
                 inputs_.push_back(channel(Port::Kind::variable, variable.variable->name,
                                           "set_EXT_" + variable.variable->name, variable.input,
                                           {variable.variable->type}));
@@ -109,7 +109,7 @@ private:
                 outputs_.push_back(channel(Port::Kind::event, event.outside, event.outside + ".out", event.output,
                                            listed(event.type)));
         for (const StoredVariable& variable : generation_.component.variables) {
-            if (!variable.visible) continue;
+            if (!variable.visible || variable.copy) continue;
             outputs_.push_back(channel(Port::Kind::variable, variable.variable->name, "set_" + variable.variable->name,
                                        variable.output, {variable.variable->type}));
             outputs_.back().port.initial = initial(variable);
@@ -380,9 +380,10 @@ DriveEmission emit_drive(const ir::System& system, const ir::Instantiation& inst
     emission.sources = {component->cpp_name + "_drive.cpp"};
     emission.files = {{core.header, core_header(generation, core)},
                       {emission.sources.front(), writer.write()},
-                      {"robochart/composed.hpp", composed_header()},
                       {"robochart/runtime.hpp", runtime_header()},
                       {"robochart/drive_abi.h", drive_header()}};
+    const std::vector<OutputFile> values = value_headers(*component);
+    emission.files.insert(emission.files.end(), values.begin(), values.end());
     emission.inputs = writer.inputs();
     emission.outputs = writer.outputs();
     emission.fault_sites = mutation.sites();

@@ -52,12 +52,13 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         {"CMakeLists.txt", build_file(face)},
         {"robochart/runtime.hpp", runtime_header()},
         {"robochart/timer.hpp", timer_header()},
-        {"robochart/composed.hpp", composed_header()},
         {"robochart/finite.hpp", finite_header()},
         {"robochart/explore.hpp", explore_helpers()},
         {"robochart/explore_abi.h", explore_header()},
     };
     emission.files.insert(emission.files.end(), std::begin(rest), std::end(rest));
+    const std::vector<OutputFile> values = value_headers(*component);
+    emission.files.insert(emission.files.end(), values.begin(), values.end());
     emission.fault_sites = mutation.sites();
     return emission;
 }

@@ -50,6 +50,17 @@ bool atom(ExprKind kind) {
         case ExprKind::cast:
         case ExprKind::bound:
         case ExprKind::let:
+        case ExprKind::string:
+        case ExprKind::set_range:
+        case ExprKind::range:
+        case ExprKind::function_value:
+        case ExprKind::apply:
+        case ExprKind::lambda:
+        case ExprKind::the:
+        case ExprKind::set_comprehension:
+        case ExprKind::toolkit:
+        case ExprKind::transpose:
+        case ExprKind::is_type:
             return true;
         default:
             return false;
@@ -77,10 +88,17 @@ std::string ExpressionWriter::operand_as(const ir::Expr& expr, TypeKind target) 
     return fmt::format("{}({})", numeric_name(target), write(expr));
 }
 
+std::string ExpressionWriter::type_text(ir::TypeId id) const {
+    return cpp_type(generation_.system, id);
+}
+
 std::string ExpressionWriter::write_as(const ir::Expr& expr, ir::TypeId id) const {
-    const TypeKind target = generation_.system.type(id).kind;
-    if (!numeric(target) || kind(expr) == target) return write(expr);
-    return fmt::format("{}({})", numeric_name(target), write(expr));
+    const ir::Type& type = generation_.system.type(id);
+    if (numeric(type.kind) && numeric(kind(expr)) && kind(expr) != type.kind)
+        return fmt::format("{}({})", numeric_name(type.kind), write(expr));
+    const bool converts =
+        composed(type) && composed(generation_.system.type(expr.type)) && type_text(id) != type_text(expr.type);
+    return converts ? fmt::format("robochart::convert<{}>({})", type_text(id), write(expr)) : write(expr);
 }
 
 std::string ExpressionWriter::variable(ir::VariableId id) const {
@@ -107,8 +125,13 @@ std::string ExpressionWriter::function(const ir::Expr& expr, const char* name) c
 std::string ExpressionWriter::comparison(const ir::Expr& expr, const char* symbol) const {
     const TypeKind left = kind(*expr.args[0]);
     const TypeKind right = kind(*expr.args[1]);
-    const TypeKind common = numeric(left) && numeric(right) ? wider(left, right) : left;
-    return fmt::format("{} {} {}", operand_as(*expr.args[0], common), symbol, operand_as(*expr.args[1], common));
+    if (numeric(left) && numeric(right)) {
+        const TypeKind common = wider(left, right);
+        return fmt::format("{} {} {}", operand_as(*expr.args[0], common), symbol, operand_as(*expr.args[1], common));
+    }
+    const bool same = type_text(expr.args[0]->type) == type_text(expr.args[1]->type);
+    return fmt::format("{} {} {}", operand(*expr.args[0]), symbol,
+                       same ? operand(*expr.args[1]) : write_as(*expr.args[1], expr.args[0]->type));
 }
 
 std::string ExpressionWriter::logical(const ir::Expr& expr, const char* symbol) const {
@@ -139,12 +162,18 @@ std::string ExpressionWriter::list(const ir::Expr& expr, const std::vector<ir::T
 
 std::string ExpressionWriter::built(const ir::Expr& expr, const char* maker) const {
     const ir::Type& type = generation_.system.type(expr.type);
-    return fmt::format("{}::{}({})", cpp_type(generation_.system, expr.type), maker, list(expr, type.args));
+    if (!of_pairs(type)) return fmt::format("{}::{}({})", type_text(expr.type), maker, list(expr, type.args));
+    std::string pairs;
+    for (const ir::ExprPtr& pair : expr.args)
+        pairs += fmt::format("{}robochart::convert<{}>({})", pairs.empty() ? "" : ", ",
+                             cpp_pair(generation_.system, type), write(*pair));
+    return fmt::format("{}::{}({})", type_text(expr.type), maker, pairs);
 }
 
 /// To a coarser unit: rounded down (semantics 3.13).
 std::string ExpressionWriter::cast(const ir::Expr& expr) const {
     const ir::Expr& from = *expr.args[0];
+    if (composed(generation_.system.type(expr.type))) return write_as(from, expr.type);
     if (kind(from) == kind(expr)) return operand(from);
     const bool down = kind(from) == TypeKind::real;
     const std::string type = cpp_type(generation_.system, expr.type);
@@ -153,14 +182,43 @@ std::string ExpressionWriter::cast(const ir::Expr& expr) const {
 
 /// Functions are specified by contract only: the platform computes them.
 std::string ExpressionWriter::call(const ir::Expr& expr) const {
-    const auto& hooks = generation_.component.functions;
-    const auto hook =
-        std::find_if(hooks.begin(), hooks.end(), [&](const FunctionHook& each) { return each.id == expr.function; });
     const ir::Function& function = generation_.system.functions[expr.function.index];
     std::string arguments;
     for (std::size_t i = 0; i < expr.args.size(); ++i)
         arguments += (i == 0 ? "" : ", ") + write_as(*expr.args[i], function.parameters[i]);
+    return platform_call(expr.function, arguments);
+}
+
+std::string ExpressionWriter::platform_call(ir::FunctionId id, const std::string& arguments) const {
+    const auto& hooks = generation_.component.functions;
+    const auto hook = std::find_if(hooks.begin(), hooks.end(), [&](const FunctionHook& each) { return each.id == id; });
     return fmt::format("platform_.{}({})", hook->method, arguments);
+}
+
+/// Places of sequences and vectors; of a matrix, row by row and then within the row.
+std::string ExpressionWriter::index(const ir::Expr& expr) const {
+    std::string text = operand(*expr.args[0]);
+    for (std::size_t i = 1; i < expr.args.size(); ++i) text += fmt::format(".at(place_of({}))", write(*expr.args[i]));
+    return text;
+}
+
+/// In a range: by its bounds, which may be wide.
+std::string ExpressionWriter::membership(const ir::Expr& expr) const {
+    const ir::Expr& value = *expr.args[0];
+    const ir::Expr& set = *expr.args[1];
+    const ir::Type& whole = generation_.system.type(set.type);
+    if (of_pairs(whole))
+        return fmt::format("{}.contains(robochart::convert<{}>({}))", operand(set), cpp_pair(generation_.system, whole),
+                           write(value));
+    const ir::TypeId member = whole.args.at(0);
+    const bool range = set.kind == ExprKind::set_range || set.kind == ExprKind::range;
+    if (!range || generation_.system.type(member).kind == TypeKind::real)
+        return fmt::format("{}.contains({})", operand(set), write_as(value, member));
+    const bool open_low = set.kind == ExprKind::range && (set.number == 1 || set.number == 3);
+    const bool open_high = set.kind == ExprKind::range && set.number >= 2;
+    return fmt::format("[&] {{ const auto tested = {}; return {} {} tested && tested {} {}; }}()",
+                       write_as(value, member), write_as(*set.args[0], member),
+                       open_low ? "<" : "<=", open_high ? "<" : "<=", write_as(*set.args[1], member));
 }
 
 /// A function of its own, called at once.
@@ -215,10 +273,13 @@ std::string ExpressionWriter::write(const ir::Expr& expr) const {
         case ExprKind::less_equal:
             return comparison(expr, "<=");
         case ExprKind::plus:
+            if (block_arithmetic(expr)) return block_arithmetic_text(expr);
             return arithmetic(expr, "+");
         case ExprKind::minus:
+            if (block_arithmetic(expr)) return block_arithmetic_text(expr);
             return arithmetic(expr, "-");
         case ExprKind::times:
+            if (block_arithmetic(expr)) return block_arithmetic_text(expr);
             return arithmetic(expr, "*");
         case ExprKind::divide:
             return function(expr, "divide");
@@ -239,12 +300,35 @@ std::string ExpressionWriter::write(const ir::Expr& expr) const {
         case ExprKind::member:
             return operand(*expr.args[0]) + "." + member_name(generation_.system.type(expr.args[0]->type), expr.number);
         case ExprKind::index:
-            return fmt::format("{}.at(place_of({}))", operand(*expr.args[0]), write(*expr.args[1]));
+            return index(expr);
         case ExprKind::concat:
-            return fmt::format("concat({}, {})", write(*expr.args[0]), write(*expr.args[1]));
+            return fmt::format("concat({}, {})", write_as(*expr.args[0], expr.type),
+                               write_as(*expr.args[1], expr.type));
         case ExprKind::is_in:
-            return fmt::format("{}.contains({})", operand(*expr.args[1]),
-                               write_as(*expr.args[0], generation_.system.type(expr.args[1]->type).args.at(0)));
+            return membership(expr);
+        case ExprKind::string:
+            return fmt::format("{}::of({})", type_text(expr.type), quoted(expr.text));
+        case ExprKind::set_range:
+        case ExprKind::range:
+            return range(expr);
+        case ExprKind::forall:
+        case ExprKind::exists:
+        case ExprKind::exists_unique:
+            return quantified(expr);
+        case ExprKind::lambda:
+        case ExprKind::the:
+        case ExprKind::set_comprehension:
+            return collected(expr);
+        case ExprKind::apply:
+            return apply(expr);
+        case ExprKind::function_value:
+            return function_value(expr);
+        case ExprKind::toolkit:
+            return toolkit(expr);
+        case ExprKind::is_type:
+            return is_type(expr);
+        case ExprKind::transpose:
+            return fmt::format("robochart::transposed<{}>({})", type_text(expr.type), write(*expr.args[0]));
         case ExprKind::call:
             return call(expr);
         case ExprKind::bound:

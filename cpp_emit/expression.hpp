@@ -43,6 +43,28 @@ private:
     [[nodiscard]] std::string call(const ir::Expr&) const;
     [[nodiscard]] std::string let(const ir::Expr&) const;
     [[nodiscard]] ir::TypeKind kind(const ir::Expr&) const;
+    [[nodiscard]] std::string type_text(ir::TypeId) const;
+    [[nodiscard]] std::string index(const ir::Expr&) const;
+    [[nodiscard]] std::string membership(const ir::Expr&) const;
+
+    // expression_composed.cpp: what binds variables, functions as values, toolkits, vectors and matrices
+    [[nodiscard]] std::string any(const ir::Expr&, std::size_t from, const std::string& visit) const;
+    [[nodiscard]] std::string quantified(const ir::Expr&) const;
+    [[nodiscard]] std::string collected(const ir::Expr&) const;
+    [[nodiscard]] std::string collected_item(const ir::Expr&) const;
+    [[nodiscard]] std::string bound_values(const ir::Expr&, ir::TypeId) const;
+    [[nodiscard]] std::string apply(const ir::Expr&) const;
+    [[nodiscard]] std::string lookup(const ir::Expr& function, const std::vector<std::string>& arguments,
+                                     ir::TypeId domain) const;
+    [[nodiscard]] std::string beta_reduced(const ir::Expr& lambda, const std::vector<std::string>& arguments) const;
+    [[nodiscard]] std::string platform_call(ir::FunctionId, const std::string& arguments) const;
+    [[nodiscard]] std::string function_value(const ir::Expr&) const;
+    [[nodiscard]] std::string toolkit(const ir::Expr&) const;
+    [[nodiscard]] std::string range(const ir::Expr&) const;
+    [[nodiscard]] std::string is_type(const ir::Expr&) const;
+    [[nodiscard]] bool block_arithmetic(const ir::Expr&) const;
+    [[nodiscard]] std::string block_operand(const ir::Expr&, ir::TypeId entry) const;
+    [[nodiscard]] std::string block_arithmetic_text(const ir::Expr&) const;
 
     const Generation& generation_;
     const Unit& unit_;

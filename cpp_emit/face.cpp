@@ -79,7 +79,18 @@ private:
 
     void variables() {
         for (const StoredVariable& stored : component_.variables)
-            home(stored.variable->interface).variables.push_back({&stored, member(stored.variable->name, "_variable")});
+            if (!stored.copy)
+                home(stored.variable->interface)
+                    .variables.push_back({&stored, member(stored.variable->name, "_variable"), copies(stored)});
+    }
+
+    /// Where the other machines keep theirs.
+    [[nodiscard]] std::vector<std::string> copies(const StoredVariable& first) const {
+        std::vector<std::string> paths;
+        for (const StoredVariable& stored : component_.variables)
+            if (stored.copy && stored.stored() && stored.variable->name == first.variable->name)
+                paths.push_back(stored.path);
+        return paths;
     }
 
     void timers() {

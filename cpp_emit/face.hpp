@@ -30,6 +30,7 @@ struct FaceEvent {
 struct FaceVariable {
     const StoredVariable* stored = nullptr;
     std::string member;
+    std::vector<std::string> copies;  ///< below State: those of other machines, which the class relays to
 };
 
 /// A class made from an interface, or the machine's own part ("" as interface).

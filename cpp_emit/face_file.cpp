@@ -173,9 +173,12 @@ void write_cycle(const Core& core, const Face& face, CodeWriter& out) {
             after.push_back(lower);
         }
         for (const FaceVariable& variable : part.variables) {
+            for (const std::string& copy : variable.copies)
+                before.push_back(fmt::format("core_.{} = {};", copy, variable.member));
             if (!variable.stored->stored()) continue;
             before.push_back(fmt::format("core_.{} = {};", variable.stored->path, variable.member));
-            after.push_back(fmt::format("{} = core_.{};", variable.member, variable.stored->path));
+            if (variable.copies.empty())
+                after.push_back(fmt::format("{} = core_.{};", variable.member, variable.stored->path));
         }
     });
     for (const FaceTimer& timer : face.timers) {

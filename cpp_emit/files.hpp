@@ -30,6 +30,12 @@ struct Core {
 [[nodiscard]] std::string finite_header();
 [[nodiscard]] std::string timer_header();
 [[nodiscard]] std::string composed_header();
+[[nodiscard]] std::string matrix_header();
+[[nodiscard]] std::string eigen_header();
+[[nodiscard]] std::string toolkit_header();
+[[nodiscard]] std::string text_header();
+/// Those of these headers that the component needs.
+[[nodiscard]] std::vector<OutputFile> value_headers(const Component&);
 [[nodiscard]] std::string explore_helpers();
 [[nodiscard]] std::string explore_header();
 [[nodiscard]] std::string drive_header();

@@ -15,12 +15,13 @@ const Rule no_body{"RC-G03", Severity::error, "no C++ for '{}': the state machin
                    "worth generating. Give it an initial node with a transition."};
 const Rule unsupported_type{
     "RC-G04", Severity::error, "no C++ for '{}': its type {} is not generated",
-    "Generated types: boolean, nat, int, real, enumerations, given types, and records, products, sequences, sets and "
-    "vectors of them. Members of sets are no composed values, and no type contains itself."};
-const Rule unsupported_expr{
-    "RC-G05", Severity::error, "no C++ for {} in '{}'",
-    "Generated expressions: literals, variables, constants, clocks, arithmetic, comparison, logic, if-then-else, let, "
-    "functions, and what makes and takes apart values of generated types."};
+    "Generated types: boolean, nat, int, real, string, enumerations, given types, and records, products, sequences, "
+    "sets, "
+    "relations, functions, vectors and matrices of them, at most 16 deep; enumerations have at most 256 literals."};
+const Rule unsupported_expr{"RC-G05", Severity::error, "no C++ for {} in '{}'",
+                            "Variables start with a value, arithmetic is on numbers, vectors and matrices, and `is` "
+                            "asks whether a number is of a "
+                            "type of numbers."};
 const Rule unsupported_node{"RC-G07", Severity::error, "no C++ for {} '{}'",
                             "A probabilistic junction needs a random source, which the generated core does not have; "
                             "states, initial nodes, junctions and final nodes are generated."};

@@ -29,7 +29,7 @@ std::vector<Register> registers(const Component& component) {
     for (const EventPort& event : component.events)
         if (event.received) result.push_back({event.outside + ".in", event.input, event.type});
     for (const StoredVariable& variable : component.variables)
-        if (!variable.input.empty())
+        if (!variable.input.empty() && !variable.copy)
             result.push_back({"set_EXT_" + variable.variable->name, variable.input, variable.variable->type});
     return result;
 }
@@ -44,7 +44,7 @@ std::vector<Output> outputs(const Component& component) {
         if (event.type) result.back().types.push_back(*event.type);
     }
     for (const StoredVariable& variable : component.variables)
-        if (variable.visible)
+        if (variable.visible && !variable.copy)
             result.push_back({"set_" + variable.variable->name, variable.output, {variable.variable->type}});
     return result;
 }

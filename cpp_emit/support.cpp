@@ -20,6 +20,7 @@ using ir::NodeKind;
 constexpr std::size_t max_arguments = 8;
 /// Values of one input that the exploration interface lists.
 constexpr std::size_t max_values = 4096;
+constexpr std::size_t max_bound_values = 1024;
 /// Beyond this a decimal literal is not exact in binary floating point times the scale.
 constexpr std::int64_t max_exact = std::int64_t{1} << 52;
 
@@ -66,23 +67,21 @@ const char* refused_expression(ExprKind kind) {
         case ExprKind::cast:
         case ExprKind::bound:
         case ExprKind::let:
-            return nullptr;
         case ExprKind::string:
-            return "a string";
         case ExprKind::set_range:
-            return "a range";
+        case ExprKind::range:
         case ExprKind::forall:
-            return "`forall`";
         case ExprKind::exists:
-            return "`exists`";
         case ExprKind::exists_unique:
-            return "`exists1`";
         case ExprKind::lambda:
-            return "`lambda`";
         case ExprKind::the:
-            return "`the`";
         case ExprKind::set_comprehension:
-            return "a set comprehension";
+        case ExprKind::function_value:
+        case ExprKind::apply:
+        case ExprKind::toolkit:
+        case ExprKind::is_type:
+        case ExprKind::transpose:
+            return nullptr;
         default:
             return "this kind of expression";
     }
@@ -92,6 +91,11 @@ const char* refused_expression(ExprKind kind) {
 bool arithmetic(ExprKind kind) {
     return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::divide ||
            kind == ExprKind::modulus || kind == ExprKind::negate;
+}
+
+/// Those that vectors and matrices have.
+bool of_blocks(ExprKind kind) {
+    return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::negate;
 }
 
 class Support {
@@ -119,6 +123,7 @@ private:
         }
         for (const PlatformCall& call : component_.calls) check_call(*call.signature);
         for (const FunctionHook& hook : component_.functions) check_function(hook);
+        check_carriers();
     }
 
     void check_call(const ir::OperationSignature& signature) {
@@ -134,12 +139,34 @@ private:
         if (!supported(system_, id)) diagnostics_.report(rules::unsupported_type, span, {element, type.name});
     }
 
+    /// Every member of a set has its place.
+    void check_size(const ir::Machine& machine, ir::TypeId id, Span span) {
+        const ir::Type& type = system_.type(id);
+        if (!(type.kind == ir::TypeKind::set || of_pairs(type)) || !supported(system_, id)) return;
+        if (capacity(system_, inst_, type) > largest_set)
+            diagnostics_.report(rules::too_large, span,
+                                {machine.name, "a " + type.name + " may have more than 1024 members"});
+    }
+
+    /// Bound variables take all values of their types.
+    void check_carriers() {
+        for (const CarrierUse& use : component_.carriers) {
+            check_type(use.type, component_.name, component_.origin.span);
+            check_values(use.type, system_.type(use.type).name, "a bound variable has at most 1024 values",
+                         max_bound_values);
+        }
+    }
+
     void check_input(ir::TypeId id, const std::string& name) {
+        check_values(id, name, "an input has at most 4096 values", max_values);
+    }
+
+    void check_values(ir::TypeId id, const std::string& name, const char* limit, std::size_t most) {
         if (!supported(system_, id)) return;
         try {
-            (void)ir::carrier(system_, inst_, id, max_values);
+            (void)ir::carrier(system_, inst_, id, most);
         } catch (const std::length_error&) {
-            diagnostics_.report(rules::too_large, component_.origin.span, {name, "an input has at most 4096 values"});
+            diagnostics_.report(rules::too_large, component_.origin.span, {name, limit});
         }
     }
 
@@ -195,10 +222,12 @@ private:
         }
         if (!supported(system_, expr.type))
             diagnostics_.report(rules::unsupported_type, expr.span, {machine.name, system_.type(expr.type).name});
-        if (arithmetic(expr.kind) && !numeric(system_.type(expr.type).kind))
+        const ir::Type& type = system_.type(expr.type);
+        if (arithmetic(expr.kind) && !numeric(type.kind) && !(block(type) && of_blocks(expr.kind)))
             diagnostics_.report(rules::unsupported_expr, expr.span, {"arithmetic on other than numbers", machine.name});
-        if (expr.kind == ExprKind::index && expr.args.size() != 2)
-            diagnostics_.report(rules::unsupported_expr, expr.span, {"an index of several places", machine.name});
+        if (expr.kind == ExprKind::is_type && !numeric(system_.type(expr.bound_types.at(0)).kind))
+            diagnostics_.report(rules::unsupported_expr, expr.span, {"`is` of other than numbers", machine.name});
+        check_size(machine, expr.type, expr.span);
         if (expr.kind == ExprKind::real && (expr.decimal.unscaled > max_exact || expr.decimal.unscaled < -max_exact))
             diagnostics_.report(rules::too_large, expr.span, {machine.name, "a decimal has more than 15 digits"});
     }

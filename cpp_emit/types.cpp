@@ -26,8 +26,26 @@ bool declared(const ir::Type& type) {
 }
 
 bool composed(const ir::Type& type) {
-    return is_struct(type) || type.kind == TypeKind::sequence || type.kind == TypeKind::set ||
-           type.kind == TypeKind::vector;
+    switch (type.kind) {
+        case TypeKind::sequence:
+        case TypeKind::set:
+        case TypeKind::relation:
+        case TypeKind::function:
+        case TypeKind::vector:
+        case TypeKind::matrix:
+        case TypeKind::string:
+            return true;
+        default:
+            return is_struct(type);
+    }
+}
+
+bool block(const ir::Type& type) {
+    return type.kind == TypeKind::vector || type.kind == TypeKind::matrix;
+}
+
+bool of_pairs(const ir::Type& type) {
+    return type.kind == TypeKind::relation || type.kind == TypeKind::function;
 }
 
 namespace {
@@ -49,13 +67,18 @@ bool supported_below(const ir::System& system, ir::TypeId id, std::size_t depth)
         case TypeKind::record:
         case TypeKind::product:
             return !type.args.empty() && parts();
-        case TypeKind::sequence:
         case TypeKind::vector:
+        case TypeKind::matrix:
+        case TypeKind::sequence:
+        case TypeKind::set:
             return supported_below(system, type.args.at(0), depth + 1);
-        case TypeKind::set:  // members are kept in order
-            return !composed(system.type(type.args.at(0))) && supported_below(system, type.args.at(0), depth + 1);
+        case TypeKind::relation:
+        case TypeKind::function:
+            return supported_below(system, type.args.at(0), depth + 1) &&
+                   supported_below(system, type.args.at(1), depth + 1);
         default:
-            return numeric(type.kind) || type.kind == TypeKind::boolean || type.kind == TypeKind::given;
+            return numeric(type.kind) || type.kind == TypeKind::boolean || type.kind == TypeKind::given ||
+                   type.kind == TypeKind::string;
     }
 }
 
@@ -87,26 +110,9 @@ std::string declared_name(const ir::Type& type) {
     return scope.unique(type.kind == TypeKind::product ? "Tuple_" + type.name : type.name);
 }
 
-namespace {
-
-/// Elements of a set's type where there are few, else as many as the policy allows.
-std::string set_capacity(const ir::Type& member, const Spelling& spelling) {
-    if (member.kind == TypeKind::boolean) return "2";
-    return member.kind == TypeKind::enumeration ? fmt::format("{}", member.labels.size())
-                                                : spelling.types + "::longest";
-}
-
-std::size_t places(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
-    const ir::Type& member = system.type(type.args.at(0));
-    if (type.kind == TypeKind::set && member.kind == TypeKind::boolean) return 2;
-    return type.kind == TypeKind::set && member.kind == TypeKind::enumeration ? member.labels.size() : longest(inst);
-}
-
-}  // namespace
-
 std::string cpp_type(const ir::System& system, ir::TypeId id, const Spelling& spelling) {
     const ir::Type& type = system.type(id);
-    const auto part = [&] { return cpp_type(system, type.args.at(0), spelling); };
+    const auto part = [&](std::size_t place) { return cpp_type(system, type.args.at(place), spelling); };
     switch (type.kind) {
         case TypeKind::boolean:
             return "bool";
@@ -116,21 +122,55 @@ std::string cpp_type(const ir::System& system, ir::TypeId id, const Spelling& sp
             return spelling.integer;
         case TypeKind::real:
             return spelling.real;
+        case TypeKind::string:
+            return fmt::format("robochart::String<{}>", longest_string);
         case TypeKind::sequence:
-            return fmt::format("robochart::Sequence<{}, {}::longest>", part(), spelling.types);
+            return fmt::format("robochart::Sequence<{}, {}::longest>", part(0), spelling.types);
         case TypeKind::set:
-            return fmt::format("robochart::Set<{}, {}>", part(), set_capacity(system.type(type.args.at(0)), spelling));
+            return fmt::format("robochart::Set<{}, {}>", part(0), capacity(system, type, spelling));
+        case TypeKind::relation:
+        case TypeKind::function:
+            return fmt::format("robochart::Set<{}, {}>", cpp_pair(system, type, spelling),
+                               capacity(system, type, spelling));
         case TypeKind::vector:
-            return fmt::format("robochart::Vector<{}, {}>", part(), type.sizes.at(0));
+            return fmt::format("robochart::Vector<{}, {}>", part(0), type.sizes.at(0));
+        case TypeKind::matrix:
+            return fmt::format("robochart::Matrix<{}, {}, {}>", part(0), type.sizes.at(0), type.sizes.at(1));
         default:
             return spelling.core + declared_name(type) + (is_struct(type) ? "<" + spelling.types + ">" : "");
     }
+}
+
+std::string cpp_pair(const ir::System& system, const ir::Type& type, const Spelling& spelling) {
+    return fmt::format("robochart::Pair<{}, {}>", cpp_type(system, type.args.at(0), spelling),
+                       cpp_type(system, type.args.at(1), spelling));
 }
 
 namespace {
 
 Extent padded(std::size_t size, std::size_t alignment) {
     return {(size + alignment - 1) / alignment * alignment, alignment};
+}
+
+}  // namespace
+
+namespace {
+
+std::size_t entries(const ir::Type& type) {
+    std::size_t result = 1;
+    for (const std::int64_t size : type.sizes) result *= static_cast<std::size_t>(size);
+    return result;
+}
+
+/// robochart::Pair: padded at the end, or between its parts.
+Extent pair_extent(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
+    const Extent first = cpp_extent(system, inst, type.args.at(0));
+    const Extent second = cpp_extent(system, inst, type.args.at(1));
+    if (first.alignment == second.alignment) return {first.size + second.size, first.alignment};
+    const bool wider = first.alignment > second.alignment;
+    const std::size_t alignment = wider ? first.alignment : second.alignment;
+    const std::size_t narrow = wider ? second.size : first.size;
+    return {first.size + second.size + alignment - narrow % alignment, alignment};
 }
 
 }  // namespace
@@ -145,11 +185,14 @@ Extent cpp_extent(const ir::System& system, const ir::Instantiation& inst, ir::T
     const ir::Type& type = system.type(id);
     if (numeric(type.kind)) return {8, 8};
     if (!composed(type)) return {1, 1};
+    if (type.kind == TypeKind::string) return {longest_string + 1, 1};
     if (!is_struct(type)) {
-        const Extent part = cpp_extent(system, inst, type.args.at(0));
-        if (type.kind == TypeKind::vector)
-            return {part.size * static_cast<std::size_t>(type.sizes.at(0)), part.alignment};
-        return {part.size * places(system, inst, type) + part.alignment, part.alignment};
+        const Extent part =
+            of_pairs(type) ? pair_extent(system, inst, type) : cpp_extent(system, inst, type.args.at(0));
+        if (block(type)) return {part.size * entries(type), part.alignment};
+        const std::size_t places =
+            type.kind == TypeKind::sequence ? longest(inst) : std::min(capacity(system, inst, type), largest_set);
+        return {part.size * places + part.alignment, part.alignment};
     }
     Extent whole{type.kind == TypeKind::enumeration ? 1U : 0U, 1};
     for (const TypeMember& member : members(type)) {
@@ -208,6 +251,23 @@ std::string part_values(const ir::System& system, const ir::Instantiation& inst,
     return text;
 }
 
+std::string entry_values(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type,
+                         const ir::Value& matrix, const Spelling& spelling) {
+    std::string text;
+    for (const ir::Value& row : matrix.parts)
+        text += (text.empty() ? "" : ", ") + part_values(system, inst, type.args, row, spelling);
+    return text;
+}
+
+std::string pair_values(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type,
+                        const ir::Value& value, const Spelling& spelling) {
+    std::string text;
+    for (const ir::Value& pair : value.parts)
+        text += fmt::format("{}{}::make({})", text.empty() ? "" : ", ", cpp_pair(system, type, spelling),
+                            part_values(system, inst, type.args, pair, spelling));
+    return text;
+}
+
 std::string enumeration_value(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id,
                               const ir::Value& value, const Spelling& spelling) {
     const ir::Type& type = system.type(id);
@@ -220,6 +280,22 @@ std::string enumeration_value(const ir::System& system, const ir::Instantiation&
 }
 
 }  // namespace
+
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        const bool plain = c != '"' && c != '\\' && c != '?' && code >= 0x20U && code < 0x7fU;
+        result += plain ? std::string(1, c) : fmt::format("\\{:03o}", code);
+    }
+    return result + '"';
+}
+
+std::string string_text(const ir::Value& value) {
+    std::string text;
+    for (const ir::Value& part : value.parts) text += static_cast<char>(part.number);
+    return text;
+}
 
 std::string cpp_value(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id, const ir::Value& value,
                       const Spelling& spelling) {
@@ -236,6 +312,8 @@ std::string cpp_value(const ir::System& system, const ir::Instantiation& inst, i
                                decimal_text(shortest({value.number, decimals_of(inst.scale)})));
         case TypeKind::enumeration:
             return enumeration_value(system, inst, id, value, spelling);
+        case TypeKind::string:
+            return fmt::format("{}::of({})", cpp_type(system, id, spelling), quoted(string_text(value)));
         case TypeKind::record:
         case TypeKind::product:
             return built("make");
@@ -243,6 +321,13 @@ std::string cpp_value(const ir::System& system, const ir::Instantiation& inst, i
         case TypeKind::set:
         case TypeKind::vector:
             return built("of");
+        case TypeKind::matrix:
+            return fmt::format("{}::of({})", cpp_type(system, id, spelling),
+                               entry_values(system, inst, type, value, spelling));
+        case TypeKind::relation:
+        case TypeKind::function:
+            return fmt::format("{}::of({})", cpp_type(system, id, spelling),
+                               pair_values(system, inst, type, value, spelling));
         default:
             return fmt::format("{}({})", cpp_type(system, id, spelling), value.number);
     }
@@ -255,6 +340,16 @@ std::string cspm_parts(const ir::System& system, const std::vector<ir::TypeId>& 
     std::string text;
     for (std::size_t i = 0; i < value.parts.size(); ++i)
         text += (i == 0 ? "" : separator) + cspm_value(system, types.at(types.size() > 1 ? i : 0), value.parts[i]);
+    return text;
+}
+
+/// Parts that are tuples themselves: pairs of a function, rows of a matrix.
+std::string cspm_rows(const ir::System& system, const std::vector<ir::TypeId>& types, const ir::Value& value) {
+    std::string text;
+    for (const ir::Value& row : value.parts) {
+        const std::string parts = cspm_parts(system, types, row, ", ");
+        text += (text.empty() ? "" : ", ") + (row.parts.size() == 1 ? parts : "(" + parts + ")");
+    }
     return text;
 }
 
@@ -277,10 +372,19 @@ std::string cspm_value(const ir::System& system, ir::TypeId id, const ir::Value&
             return value.number != 0 ? "true" : "false";
         case TypeKind::enumeration:
             return cspm_literal(system, type, value);
+        case TypeKind::string:
+            return '"' + string_text(value) + '"';
         case TypeKind::sequence:
             return "<" + cspm_parts(system, type.args, value, ", ") + ">";
         case TypeKind::set:
             return "{" + cspm_parts(system, type.args, value, ", ") + "}";
+        case TypeKind::relation:
+        case TypeKind::function:
+            return "{" + cspm_rows(system, type.args, value) + "}";
+        case TypeKind::matrix: {
+            const std::string rows = cspm_rows(system, type.args, value);
+            return value.parts.size() == 1 ? rows : "(" + rows + ")";
+        }
         case TypeKind::record:
         case TypeKind::product:
         case TypeKind::vector: {

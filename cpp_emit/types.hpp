@@ -37,11 +37,25 @@ struct Extent {
 [[nodiscard]] bool is_struct(const ir::Type&);
 /// Neither a number, a boolean, nor an enumeration without arguments: the exploration interface numbers its values.
 [[nodiscard]] bool composed(const ir::Type&);
+/// Vectors and matrices.
+[[nodiscard]] bool block(const ir::Type&);
+/// Relations and functions as values: sets of pairs.
+[[nodiscard]] bool of_pairs(const ir::Type&);
 [[nodiscard]] std::vector<TypeMember> members(const ir::Type&);
 /// The C++ name of a declared type.
 [[nodiscard]] std::string declared_name(const ir::Type&);
 /// bool, Nat, Int, Real, the declared type's name, `robochart::Sequence<Nat, ...>`.
 [[nodiscard]] std::string cpp_type(const ir::System&, ir::TypeId, const Spelling& = {});
+/// `robochart::Pair<...>` of a relation or function.
+[[nodiscard]] std::string cpp_pair(const ir::System&, const ir::Type&, const Spelling& = {});
+/// Characters of a string.
+inline constexpr std::size_t longest_string = 31;
+/// How many members sets, relations and functions of the type can have: all values of their members' type, as C++ text
+/// and over the instantiation's carriers, where it is counted up to largest_set + 1 (capacity.cpp).
+[[nodiscard]] std::string capacity(const ir::System&, const ir::Type&, const Spelling&);
+[[nodiscard]] std::size_t capacity(const ir::System&, const ir::Instantiation&, const ir::Type&);
+/// Beyond this members of sets would be lost.
+inline constexpr std::size_t largest_set = 1024;
 /// Bytes of a value in State over the instantiation's carriers, and its alignment: numbers 8, others 1.
 [[nodiscard]] Extent cpp_extent(const ir::System&, const ir::Instantiation&, ir::TypeId);
 /// Places of a sequence or set over the instantiation's carriers: enough for every sequence, and every set of numbers
@@ -50,6 +64,10 @@ struct Extent {
 /// A value as C++ text: `Real(-0.75)`, `Nat(25)`, `true`, `Light::Red`, `Point<Types>::make(Nat(1), Nat(2))`.
 [[nodiscard]] std::string cpp_value(const ir::System&, const ir::Instantiation&, ir::TypeId, const ir::Value&,
                                     const Spelling& = {});
+/// A string literal.
+[[nodiscard]] std::string quoted(const std::string&);
+/// The characters of a value of type string.
+[[nodiscard]] std::string string_text(const ir::Value&);
 /// A decimal as it is written in C++: always with a point.
 [[nodiscard]] std::string decimal_text(ir::Decimal);
 /// The C++ name of an enumeration's literal.

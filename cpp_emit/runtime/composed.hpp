@@ -1,4 +1,4 @@
-// Sequences, sets and vectors as values of fixed size: no heap, equal values have equal bytes. Ships with the generated
+// Sequences and sets as values of fixed size: no heap, equal values have equal bytes. Ships with the generated
 // code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_COMPOSED_HPP
 #define ROBOCHART_COMPOSED_HPP
@@ -13,10 +13,21 @@ namespace robochart {
 template <class T>
 using Count = std::conditional_t<(alignof(T) > 1), std::uint64_t, std::uint8_t>;
 
+/// Item by item; what ends first goes first.
+template <class T>
+constexpr bool ordered_before(const T* a, std::size_t count_a, const T* b, std::size_t count_b) noexcept {
+    for (std::size_t i = 0; i < count_a && i < count_b; ++i)
+        if (!(a[i] == b[i])) return a[i] < b[i];
+    return count_a < count_b;
+}
+
 /// A sequence of at most `capacity` items; what does not fit is dropped.
 template <class T, std::size_t capacity>
 class Sequence {
 public:
+    using value_type = T;
+    static constexpr std::size_t most = capacity;
+
     template <class... Items>
     [[nodiscard]] static constexpr Sequence of(Items... items) noexcept {
         Sequence result;
@@ -27,6 +38,8 @@ public:
         if (count_ < capacity) item_[count_++] = item;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count_); }
+    [[nodiscard]] constexpr const T* begin() const noexcept { return item_; }
+    [[nodiscard]] constexpr const T* end() const noexcept { return item_ + size(); }
     /// Counted from 1, as in the model; outside of the sequence: a value as constructed.
     [[nodiscard]] constexpr T at(std::int64_t place) const noexcept { return has(place) ? item_[place - 1] : T{}; }
     constexpr void put(std::int64_t place, T item) noexcept {
@@ -44,6 +57,9 @@ public:
         return true;
     }
     friend constexpr bool operator!=(const Sequence& a, const Sequence& b) noexcept { return !(a == b); }
+    friend constexpr bool operator<(const Sequence& a, const Sequence& b) noexcept {
+        return ordered_before(a.item_, a.size(), b.item_, b.size());
+    }
 
 private:
     [[nodiscard]] constexpr bool has(std::int64_t place) const noexcept {
@@ -58,6 +74,9 @@ private:
 template <class T, std::size_t capacity>
 class Set {
 public:
+    using value_type = T;
+    static constexpr std::size_t most = capacity;
+
     template <class... Members>
     [[nodiscard]] static constexpr Set of(Members... members) noexcept {
         Set result;
@@ -71,6 +90,8 @@ public:
         item_[place] = member;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count_); }
+    [[nodiscard]] constexpr const T* begin() const noexcept { return item_; }
+    [[nodiscard]] constexpr const T* end() const noexcept { return item_ + size(); }
     [[nodiscard]] constexpr bool contains(T member) const noexcept {
         for (std::size_t i = 0; i < size(); ++i)
             if (item_[i] == member) return true;
@@ -83,40 +104,13 @@ public:
         return true;
     }
     friend constexpr bool operator!=(const Set& a, const Set& b) noexcept { return !(a == b); }
+    friend constexpr bool operator<(const Set& a, const Set& b) noexcept {
+        return ordered_before(a.item_, a.size(), b.item_, b.size());
+    }
 
 private:
     T item_[capacity]{};
     Count<T> count_ = 0;
-};
-
-template <class T, std::size_t length>
-class Vector {
-public:
-    template <class... Items>
-    [[nodiscard]] static constexpr Vector of(Items... items) noexcept {
-        static_assert(sizeof...(Items) == length, "one value for each component");
-        Vector result;
-        std::int64_t place = 1;
-        (result.put(place++, T(items)), ...);
-        return result;
-    }
-    [[nodiscard]] constexpr T at(std::int64_t place) const noexcept { return has(place) ? item_[place - 1] : T{}; }
-    constexpr void put(std::int64_t place, T item) noexcept {
-        if (has(place)) item_[place - 1] = item;
-    }
-    friend constexpr bool operator==(const Vector& a, const Vector& b) noexcept {
-        for (std::size_t i = 0; i < length; ++i)
-            if (!(a.item_[i] == b.item_[i])) return false;
-        return true;
-    }
-    friend constexpr bool operator!=(const Vector& a, const Vector& b) noexcept { return !(a == b); }
-
-private:
-    [[nodiscard]] static constexpr bool has(std::int64_t place) noexcept {
-        return place >= 1 && static_cast<std::uint64_t>(place) <= length;
-    }
-
-    T item_[length]{};
 };
 
 }  // namespace robochart

@@ -38,6 +38,8 @@ public:
         return result;
     }
     [[nodiscard]] constexpr std::int64_t raw() const noexcept { return raw_; }
+    /// The carrier has it.
+    [[nodiscard]] constexpr bool carried() const noexcept { return Carrier::contains(raw_); }
 
     friend constexpr bool operator==(Finite a, Finite b) noexcept { return a.raw_ == b.raw_; }
     friend constexpr bool operator!=(Finite a, Finite b) noexcept { return a.raw_ != b.raw_; }

@@ -43,8 +43,8 @@ struct Message {
     T value{};
 };
 
-/// A one-place buffer between controllers: the writer overwrites, the reader empties. `mark` is as wide as the value, so
-/// that there is no padding.
+/// A one-place buffer between controllers: the writer overwrites, the reader empties. `mark` is as wide as the value,
+/// so that there is no padding.
 template <class T>
 struct Buffer {
     T value{};

@@ -34,16 +34,7 @@ constexpr Exception exceptions[] = {
     {"example3.rct/stm4", Outcome::not_schedulable, "infinitely much"},
     {"AlphaAlgorithm/MovementC", Outcome::not_schedulable, "a second time in one cycle"},
     {"AlphaAlgorithm/Movement", Outcome::not_schedulable, "a second time in one cycle"},
-    // What the generator does not have yet: toolkits, lambdas, matrices, copies of variables that others relay.
-    {"AlphaAlgorithm/AggregationSoftware", Outcome::not_generated, "RC-G05"},
-    {"AlphaAlgorithm/CommunicationC", Outcome::not_generated, "RC-G05"},
-    {"AlphaAlgorithm/Communication", Outcome::not_generated, "RC-G05"},
-    {"FunctionToolkitCallTest/mod0", Outcome::not_generated, "RC-G05"},
-    {"LambdaExpTest/mod0", Outcome::not_generated, "RC-G05"},
-    {"rp-var-visible/C1", Outcome::not_generated, "RC-G01"},
-    {"test-vector-matrix/S1", Outcome::not_generated, "RC-G0"},
-    {"test-vector-matrix/S2", Outcome::not_generated, "RC-G0"},
-    {"test-vector-matrix/S3", Outcome::not_generated, "RC-G0"},
+    {"AlphaAlgorithm/AggregationSoftware", Outcome::not_schedulable, "a second time in one cycle"},
 };
 
 /// Models that are not read or have no semantics at all.

@@ -1,0 +1,39 @@
+// Vectors and matrices of the model as Eigen's fixed-size types and back, without copies where they are only looked at.
+// Include it where the robot's code computes with Eigen 3.4 (Debian: libeigen3-dev); nothing else needs Eigen.
+// Ships with the generated code. Copyright: see LICENSE (Apache-2.0).
+#ifndef ROBOCHART_EIGEN_HPP
+#define ROBOCHART_EIGEN_HPP
+
+#include <Eigen/Core>
+
+#include "robochart/matrix.hpp"
+
+namespace robochart {
+
+/// Eigen::Matrix<T, rows, columns>; entries of the model are stored row after row, which a column vector is anyway.
+template <class Block>
+using EigenType =
+    Eigen::Matrix<typename Block::value_type, static_cast<int>(Block::rows), static_cast<int>(Block::columns),
+                  Block::columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+
+/// The entries seen as an Eigen object: what is changed there is changed here.
+template <class Block, std::enable_if_t<is_block<Block>, int> = 0>
+[[nodiscard]] Eigen::Map<EigenType<Block>> as_eigen(Block& block) noexcept {
+    return Eigen::Map<EigenType<Block>>(block.data());
+}
+template <class Block, std::enable_if_t<is_block<Block>, int> = 0>
+[[nodiscard]] Eigen::Map<const EigenType<Block>> as_eigen(const Block& block) noexcept {
+    return Eigen::Map<const EigenType<Block>>(block.data());
+}
+
+/// The value of an Eigen expression as a vector or matrix of the model: `from_eigen<Vector<double, 2>>(a * b)`.
+template <class Block, class Expression, std::enable_if_t<is_block<Block>, int> = 0>
+[[nodiscard]] Block from_eigen(const Eigen::MatrixBase<Expression>& expression) {
+    Block result;
+    as_eigen(result) = expression;
+    return result;
+}
+
+}  // namespace robochart
+
+#endif
