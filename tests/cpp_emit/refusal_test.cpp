@@ -53,8 +53,8 @@ TEST(Refusals, NoBody) {
 
 TEST(Refusals, Types) {
     std::string deep = "nat";
-    for (int i = 0; i < 16; ++i) deep = "Seq(" + deep + ")";
-    EXPECT_EQ(machine_codes("var s : Seq(" + deep + ") state A {}"), Codes{"RC-G04"});
+    for (int i = 0; i < 16; ++i) deep = "vector(" + deep + ", 1)";
+    EXPECT_EQ(machine_codes("var s : vector(" + deep + ", 1) state A {}"), Codes{"RC-G04"});
     const ir::System system =
         testing::model("package p stm M { var s : " + deep + " initial i state A {} transition t0 { from i to A } }");
     EXPECT_FALSE(testing::emit_ok(system, component(system, "M")).files.empty());
