@@ -82,6 +82,7 @@ bool MachineEmitter::visible(const Place& place, const ir::Stmt& stmt) const {
 
 /// Does the first thing that needs no event, if there is one.
 std::optional<ExprPtr> MachineEmitter::silent(const Activation& config, const Values& values) {
+    if (config.frame != 0 && is_final(config)) return return_from(config.frame, values);
     const View now = view(config);
     for (const Place& call : now.calls)  // a called operation in its final state returns (semantics 3.8)
         if (is_final(*call.thread->callee)) return go(call.put(running(call.thread->rest)), values);

@@ -1,10 +1,13 @@
-// Drops parameters whose values cannot matter any more: a variable that will be overwritten before it is read, a clock
-// that will be reset. The processes stay the same, their states become fewer.
+// Which parameters the functions of a family need. Calls are first written with only those arguments that differ from
+// what the caller holds; what matters at all is found by going backwards along the calls. A variable that will be
+// overwritten before it is read, a clock that will be reset, is no parameter: the processes stay the same, their states
+// become fewer.
 #pragma once
 
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "checker/cspm/syntax.hpp"
@@ -26,7 +29,35 @@ using FamilyIndex = std::map<std::string, std::size_t>;
 /// Calls `visit` on the direct parts of an expression.
 void for_each_part(const cspm::Expr& expr, const std::function<void(const cspm::Expr&)>& visit);
 
-/// Removes dead parameters from the functions and the arguments for them from all calls, in `initial` too.
-void drop_dead_parameters(std::vector<Function>& functions, cspm::ExprPtr& initial);
+/// Arguments by the name of the parameter.
+using Arguments = std::vector<std::pair<std::string, cspm::ExprPtr>>;
+/// A call whose other parameters keep the caller's values; `after_tock`: those that count time count on.
+[[nodiscard]] cspm::ExprPtr call_with(const std::string& function, const Arguments& changed, bool after_tock = false);
+/// The function that is called with nothing changed, if the expression is such a call; else null.
+[[nodiscard]] const std::string* only_calls(const cspm::Expr&);
+
+/// What the functions of a family may have as parameters.
+struct Candidates {
+    std::vector<std::string> names;                ///< in the order in which they become parameters
+    std::map<std::string, cspm::ExprPtr> ticking;  ///< what one that counts time becomes with a tock
+    std::string returns;                           ///< the one that holds where calls return to; may be empty
+    /// For a value given to it: the function that goes on behind the call, and the value before.
+    struct Entry {
+        std::string behind;
+        cspm::ExprPtr outer;
+    };
+    std::map<const cspm::Expr*, Entry> entries;
+};
+
+/// The argument for a parameter that nothing reads where this call returns to.
+[[nodiscard]] cspm::ExprPtr unneeded();
+[[nodiscard]] bool is_unneeded(const cspm::Expr&);
+
+/// Gives every function the parameters that matter, and every `call_with`, in `initial` too, arguments for them. What
+/// `initial` needs and is not given stays as a name there: its result is those names.
+[[nodiscard]] std::vector<std::string> find_parameters(std::vector<Function>& functions, cspm::ExprPtr& initial,
+                                                       const Candidates&);
+/// Puts values of no interest for the unneeded arguments of all calls.
+void fill_unneeded(std::vector<Function>& functions, const std::map<std::string, cspm::ExprPtr>& values);
 
 }  // namespace robochart::csp_emit

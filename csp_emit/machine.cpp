@@ -22,11 +22,6 @@ constexpr std::size_t max_points = 20'000;
 /// Statements done at once before a function of their own follows: bounds recursion and the size of expressions.
 constexpr std::size_t max_run = 100;
 
-void add_cells(const Program& program, std::vector<CellId>& cells) {
-    for (const Link* link = program.get(); link != nullptr; link = link->tail.get())
-        cells.insert(cells.end(), link->head.cells.begin(), link->head.cells.end());
-}
-
 /// The innermost thing that goes on: what names and describes the configuration.
 const Item* running_item(const Activation& activation) {
     if (activation.control.callee) return running_item(*activation.control.callee);
@@ -77,21 +72,62 @@ ComponentEmission MachineEmitter::emit() {
     return result;
 }
 
-/// The functions of all points reachable from the initial one; points are found while bodies are made.
-std::vector<cspm::DeclPtr> MachineEmitter::point_definitions(ExprPtr& initial) {
+/// The functions of all points reachable from the initial one, in their order, then those behind shared calls: points
+/// and places to return to are found while bodies are made.
+std::vector<Function> MachineEmitter::explore() {
+    std::vector<Function> behind;
     std::vector<Function> functions;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const Point point = points_[i];
-        current_ = &point;
-        std::vector<std::string> parameters = parameter_names(false);
-        for (const CellId cell : point.cells) parameters.push_back(cells_[cell].name);
-        functions.push_back({point.name, parameters, body(point)});
+    while (functions.size() < points_.size() || behind.size() < continuations_.size()) {
+        if (functions.size() < points_.size()) {
+            const Point point = points_[functions.size()];
+            functions.push_back({point.name, {}, point.returns ? nullptr : body(point)});
+        } else {
+            const Continuation continuation = continuations_[behind.size()];
+            behind.push_back({continuation.name, {}, continued(continuation)});
+        }
     }
-    current_ = nullptr;
-    drop_dead_parameters(functions, initial);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        if (points_[i].returns) functions[i].body = dispatch(points_[i].config.frame);
+    settle_returns();
+    skip_returns(functions, behind);
+    functions.insert(functions.end(), behind.begin(), behind.end());
+    return functions;
+}
+
+/// Everything that points may have as parameters: constants, then cells in the order in which they came up.
+Candidates MachineEmitter::candidates() const {
+    Candidates result;
+    for (const ConstantParameter& constant : constants_) result.names.push_back(constant.parameter);
+    for (const Cell& cell : cells_) {
+        result.names.push_back(cell.name);
+        if (cell.kind == CellKind::clock && cell.reading.empty())
+            result.ticking[cell.name] = b::call("clock_step", {b::name(cell.name), cell.limit});
+    }
+    if (places_) result.returns = cells_[*places_].name;
+    for (const Pending& pending : pending_)
+        if (pending.pushed)
+            result.entries[pending.value.get()] = {
+                continuations_[returns_.at(pending.frame).continuations[*pending.pushed]].name, pending.outer};
+    return result;
+}
+
+/// The initial process has values for everything but constants and an operation's parameters.
+void MachineEmitter::check_initial(const std::vector<std::string>& needed) const {
+    const std::vector<std::string> known = parameter_names(true);
+    for (const std::string& name : needed)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw std::logic_error("csp_emit: parameter " + name + " has no value");
+}
+
+std::vector<cspm::DeclPtr> MachineEmitter::point_definitions(ExprPtr& initial) {
+    std::vector<Function> functions = explore();
+    check_initial(find_parameters(functions, initial, candidates()));
+    inline_continuations(functions, points_.size());
     choose_memories(functions);
     remember(functions, initial, remembered_);
+    fill_unneeded(functions, values_of_no_interest());
     std::vector<cspm::DeclPtr> result = memory_definitions(remembered_, timed());
+    if (returns_to_several()) add_places(result);
     for (std::size_t i = 0; i < points_.size(); ++i) result.push_back(definition(points_[i], functions[i]));
     return result;
 }
@@ -134,23 +170,19 @@ ExprPtr MachineEmitter::go(const Activation& config, const Values& values) {
 ExprPtr MachineEmitter::call_point(const Activation& config, const Values& values) {
     const std::size_t index = point(config);
     if (index == points_.size()) return b::stop();  // too many, reported
-    const Point target = points_[index];
-    std::map<CellId, ExprPtr> guards;
-    const View now = view(config);
-    for (const auto& [cell, guard] : monitors(now, values)) guards[cell] = guard;
-    b::Exprs arguments;
-    for (const ConstantParameter& constant : constants_) arguments.push_back(b::name(constant.parameter));
-    for (const CellId cell : target.cells) {
-        const bool known = current_ == nullptr || values.count(cell) != 0 ||
-                           std::find(current_->cells.begin(), current_->cells.end(), cell) != current_->cells.end();
-        if (!known) throw std::logic_error("csp_emit: parameter " + cells_[cell].name + " has no value");
-        ExprPtr value = value_of(cell, values);
-        const auto guard = guards.find(cell);
-        const bool conditional = guard != guards.end() && guard->second->kind != cspm::ExprKind::boolean;
+    Values changed = values;
+    for (const auto& [cell, guard] : monitors(view(config), values)) {
         // A transition's deadline starts anew whenever its guard is false (semantics 3.10).
-        arguments.push_back(conditional ? b::if_(guard->second, value, monitor_bound(cell, values)) : value);
+        if (guard->kind != cspm::ExprKind::boolean)
+            changed[cell] = b::if_(guard, value_of(cell, values), monitor_bound(cell, values));
     }
-    return b::call(target.name, arguments);
+    return call_with(points_[index].name, arguments(changed), after_tock_);
+}
+
+Arguments MachineEmitter::arguments(const Values& values) const {
+    Arguments result;
+    for (const auto& [cell, value] : values) result.emplace_back(cells_[cell].name, value);
+    return result;
 }
 
 std::size_t MachineEmitter::point(const Activation& config) {
@@ -164,27 +196,8 @@ std::size_t MachineEmitter::point(const Activation& config) {
         point_of_.erase(found);
         return points_.size();
     }
-    points_.push_back({config, point_name(config), cells_of(config)});
+    points_.push_back({config, point_name(config)});
     return points_.size() - 1;
-}
-
-std::vector<CellId> MachineEmitter::cells_of(const Activation& config) const {
-    std::vector<CellId> all;
-    const View now = view(config);
-    for (const Spot& spot : now.spots)
-        all.insert(all.end(), frames_[spot.activation->frame].own.begin(), frames_[spot.activation->frame].own.end());
-    for (const Place& call : now.calls) add_cells(call.thread->rest, all);
-    for (const Place& place : now.places) add_cells(place.thread->rest, all);
-    for (const auto& [cell, guard] : monitors(now, {})) all.push_back(cell);
-    if (config.clocks_read > 0) {
-        const auto known = clocks_needed(config);
-        all.insert(all.end(), known.begin(), known.begin() + config.clocks_read);
-    }
-    std::vector<CellId> result;
-    std::set<CellId> seen;
-    for (const CellId cell : all)
-        if (seen.insert(cell).second) result.push_back(cell);
-    return result;
 }
 
 ExprPtr MachineEmitter::body(const Point& point) {
@@ -261,8 +274,7 @@ cspm::DeclPtr MachineEmitter::definition(const Point& point, const Function& fun
         meaning.deadlines.push_back(deadline);
     };
     for (const ConstantParameter& constant : constants_) keep(constant.parameter, constant.constant, constant.type, {});
-    for (const CellId cell : point.cells)
-        keep(cells_[cell].name, cells_[cell].meaning, cells_[cell].type, cells_[cell].deadline);
+    for (const Cell& cell : cells_) keep(cell.name, cell.meaning, cell.type, cell.deadline);
     const Activation& inner = innermost(point.config);
     const Item* item = running_item(point.config);
     if (item != nullptr && item->stmt != nullptr)

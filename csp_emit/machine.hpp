@@ -80,15 +80,24 @@ private:
     struct Point {
         Activation config;
         std::string name;
-        std::vector<CellId> cells;
+        bool returns = false;  ///< an operation that calls share has come to its end
+    };
+    /// Where a call of a shared operation returns to.
+    struct Continuation {
+        std::uint32_t frame = 0;  ///< of the operation
+        Activation config;        ///< once it has returned
+        std::string name;
     };
 
     // machine.cpp: points and the whole
     ExprPtr go(const Activation& config, const Values& values);
     ExprPtr call_point(const Activation& config, const Values& values);
     std::size_t point(const Activation& config);
-    std::vector<CellId> cells_of(const Activation& config) const;
     ExprPtr body(const Point& point);
+    std::vector<Function> explore();
+    void check_initial(const std::vector<std::string>& needed) const;
+    Candidates candidates() const;
+    Arguments arguments(const Values& values) const;
     std::vector<cspm::DeclPtr> point_definitions(ExprPtr& initial);
     cspm::DeclPtr definition(const Point& point, const Function& function) const;
     std::vector<ExprPtr> branches(const Activation& config);
@@ -167,6 +176,23 @@ private:
     ExprPtr perform_call(const Place& place, const ir::Stmt& stmt, const Program& rest, const Values& values);
     ExprPtr call_event(const Place& place, const ir::Stmt& stmt, const std::vector<ExprPtr>& arguments);
     bool defined(const Place& place, const ir::Stmt& stmt) const;
+    Values called_values(const Place& place, const ir::Stmt& stmt, std::uint32_t callee, const Values& values) const;
+    std::string recursion(const ir::Machine& caller, const ir::Machine& operation);
+
+    // shared_calls.cpp: one definition of an operation for all calls of it
+    bool shares(const Place& place, const Activation& returned) const;
+    std::uint32_t shared_frame(std::uint32_t caller, const ir::Machine& operation);
+    ExprPtr push_return(std::uint32_t frame, const Activation& returned, const Values& values);
+    std::size_t return_point(std::uint32_t frame);
+    ExprPtr return_from(std::uint32_t frame, const Values& values);
+    ExprPtr continued(const Continuation& continuation);
+    ExprPtr dispatch(std::uint32_t frame) const;
+    void settle_returns();
+    void skip_returns(std::vector<Function>& functions, const std::vector<Function>& behind);
+    bool returns_to_several() const;
+    static void inline_continuations(std::vector<Function>& functions, std::size_t first);
+    static void add_places(std::vector<cspm::DeclPtr>& decls);
+    std::map<std::string, ExprPtr> values_of_no_interest() const;
 
     // states.cpp, transitions.cpp (semantics 3.3, 3.4)
     ExprPtr perform_enter(const Place& place, const Item& item, const Values& values);
@@ -225,9 +251,28 @@ private:
     std::vector<ConstantParameter> constants_;
     std::map<std::pair<std::uint32_t, const ir::Stmt*>, std::uint32_t> callees_;
     std::map<std::tuple<std::uint32_t, const ir::Stmt*, std::size_t>, CellId> statement_cells_;
+    std::optional<bool> recursive_;  ///< whether some operation may call itself
+    std::map<std::string, std::uint32_t> shared_frames_;
+    /// Where the calls of a shared operation return to: places in `continuations_`, and by key the place in that list.
+    struct Returns {
+        std::map<std::string, std::size_t> number;
+        std::vector<std::size_t> continuations;
+        std::vector<std::shared_ptr<cspm::Expr>> calls;  ///< at its end
+    };
+    std::map<std::uint32_t, Returns> returns_;  ///< by frame
+    std::vector<Continuation> continuations_;
+    std::optional<CellId> places_;  ///< the places that the calls under way return to
+    /// Values of `places_` whose form depends on whether calls of a frame return to one place only.
+    struct Pending {
+        std::uint32_t frame;
+        std::shared_ptr<cspm::Expr> value;
+        std::optional<std::size_t> pushed;  ///< the number of the place; none: it is taken away
+        ExprPtr outer;
+    };
+    std::vector<Pending> pending_;
+    bool after_tock_ = false;  ///< the branch of a tock is being made
     std::map<std::string, std::size_t> point_of_;
     std::vector<Point> points_;
-    const Point* current_ = nullptr;
     std::size_t run_ = 0;        ///< statements done at once so far
     std::size_t branching_ = 0;  ///< conditionals around the present one
     bool overflow_ = false;

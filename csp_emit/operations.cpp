@@ -1,10 +1,12 @@
 // Calls (semantics 3.8). Not defined in the context: one event `opCall.args`. Defined: the operation's machine runs
-// in the place of the call, its parameters and variables joining the parameters of those points.
+// and then goes on where it was called: written once for all calls (shared_calls.cpp), or in the place of the call where
+// something else goes on beside, its parameters and variables joining the parameters of those points.
 #include <algorithm>
 
 #include "checker/cspm/build.hpp"
 #include "csp_emit/machine.hpp"
 #include "csp_emit/rules.hpp"
+#include "semantics/query.hpp"
 
 namespace robochart::csp_emit {
 
@@ -25,17 +27,75 @@ ExprPtr MachineEmitter::call_event(const Place& place, const ir::Stmt& stmt, con
 
 namespace {
 
-/// The operations from the outermost caller to `operation`, if it is already being called.
-std::string chain_to(const std::vector<Frame>& frames, std::uint32_t frame, const ir::Machine& operation) {
-    std::string chain = operation.name;
-    for (std::uint32_t index = frame; index != 0; index = frames[index].parent) {
-        chain = frames[index].machine->name + " -> " + chain;
-        if (frames[index].machine == &operation) return chain;
+/// The operations that each operation of a context calls, among those defined there.
+using Callees = std::map<const ir::Machine*, std::vector<const ir::Machine*>>;
+
+Callees callees(const std::vector<const ir::Machine*>& definitions) {
+    std::map<std::string, const ir::Machine*> by_name;
+    for (const ir::Machine* definition : definitions) by_name[definition->name] = definition;
+    Callees result;
+    for (const ir::Machine* definition : definitions)
+        for (const ir::OperationId called : ir::called_operations(*definition))
+            if (const auto found = by_name.find(definition->operations[called.index].name); found != by_name.end())
+                result[definition].push_back(found->second);
+    return result;
+}
+
+/// Whether the calls go round somewhere: what nobody calls is taken away until nothing is left.
+bool goes_round(const Callees& callees) {
+    std::map<const ir::Machine*, std::size_t> callers;
+    for (const auto& [caller, called] : callees)
+        for (const ir::Machine* operation : called) ++callers[operation];
+    std::vector<const ir::Machine*> work;
+    for (const auto& [caller, called] : callees)
+        if (callers.count(caller) == 0) work.push_back(caller);
+    for (std::size_t i = 0; i < work.size(); ++i) {
+        const auto found = callees.find(work[i]);
+        if (found == callees.end()) continue;
+        for (const ir::Machine* operation : found->second)
+            if (--callers[operation] == 0) work.push_back(operation);
     }
-    return "";
+    return std::any_of(callers.begin(), callers.end(), [](const auto& left) { return left.second > 0; });
 }
 
 }  // namespace
+
+/// The calls from `operation` to `caller` and back, if the operation can come to call its caller: `o -> p -> o`.
+std::string MachineEmitter::recursion(const ir::Machine& caller, const ir::Machine& operation) {
+    if (!recursive_) recursive_ = goes_round(callees(callable()));
+    if (!*recursive_) return "";
+    const Callees calls = callees(callable());
+    std::map<const ir::Machine*, const ir::Machine*> before{{&operation, nullptr}};
+    std::vector<const ir::Machine*> work{&operation};
+    for (std::size_t i = 0; i < work.size() && before.count(&caller) == 0; ++i)
+        if (const auto found = calls.find(work[i]); found != calls.end())
+            for (const ir::Machine* next : found->second)
+                if (before.emplace(next, work[i]).second) work.push_back(next);
+    if (before.count(&caller) == 0) return "";
+    std::string chain = operation.name;
+    for (const ir::Machine* at = &caller; at != nullptr; at = before.at(at)) chain = at->name + " -> " + chain;
+    return chain;
+}
+
+/// What the operation starts with: its parameters, its own variables and clocks.
+Values MachineEmitter::called_values(const Place& place, const ir::Stmt& stmt, std::uint32_t callee,
+                                     const Values& values) const {
+    const Frame& frame = frames_[callee];
+    Values inside = values;
+    std::size_t parameter = 0;
+    for (std::size_t i = 0; i < frame.machine->variables.size(); ++i) {
+        const ir::Variable& variable = frame.machine->variables[i];
+        const CellId cell = frame.variables[i];
+        if (std::find(frame.own.begin(), frame.own.end(), cell) == frame.own.end()) continue;  // the caller's
+        const bool given = variable.scope == ir::VariableScope::parameter && parameter < stmt.args.size();
+        inside[cell] =
+            given ? expression_as(project(), scope(place.owner->frame, values), *stmt.args[parameter++], variable.type)
+                  : initial_value(callee, variable);
+    }
+    for (const CellId cell : frame.own)
+        if (cells_[cell].kind == CellKind::clock) inside[cell] = b::number(0);
+    return inside;
+}
 
 ExprPtr MachineEmitter::perform_call(const Place& place, const ir::Stmt& stmt, const Program& rest,
                                      const Values& values) {
@@ -50,28 +110,21 @@ ExprPtr MachineEmitter::perform_call(const Place& place, const ir::Stmt& stmt, c
                    ? skip
                    : b::internal_choice({skip, go(place.put({push(stuck, nullptr), nullptr}), values)});
     }
-    if (const std::string chain = chain_to(frames_, caller, operation); !chain.empty()) {
+    if (const std::string chain = recursion(*frames_[caller].machine, operation); !chain.empty()) {
         project().diagnostics.report(rules::recursive_call, stmt.origin.span, {operation.name, chain});
         return b::stop();
     }
-    const std::uint32_t index = callee_frame(caller, stmt, operation);
-    Values inside = values;
-    std::size_t parameter = 0;
-    const std::vector<CellId> own = frames_[index].own;
-    for (std::size_t i = 0; i < operation.variables.size(); ++i) {
-        const ir::Variable& variable = operation.variables[i];
-        const CellId cell = frames_[index].variables[i];
-        if (std::find(own.begin(), own.end(), cell) == own.end()) continue;  // the caller's
-        const bool given = variable.scope == ir::VariableScope::parameter && parameter < stmt.args.size();
-        inside[cell] = given ? expression_as(project(), scope(caller, values), *stmt.args[parameter++], variable.type)
-                             : initial_value(index, variable);
-    }
-    for (const CellId cell : own)
-        if (cells_[cell].kind == CellKind::clock) inside[cell] = b::number(0);
+    const bool shared = shares(place, returned);
+    const std::uint32_t index = shared ? shared_frame(caller, operation) : callee_frame(caller, stmt, operation);
+    Values inside = called_values(place, stmt, index, values);
     Activation body;
     body.frame = index;
     body.at = operation.initial;
-    const ExprPtr called = go(place.put({rest, std::make_shared<const Activation>(body)}), inside);
+    if (shared) {
+        const ExprPtr places = push_return(index, returned, values);
+        inside[*places_] = places;
+    }
+    const ExprPtr called = go(shared ? body : place.put({rest, std::make_shared<const Activation>(body)}), inside);
     b::Exprs conditions;
     for (const auto& condition : operation.preconditions)
         conditions.push_back(expression(project(), scope(index, inside), *condition));

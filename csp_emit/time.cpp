@@ -187,19 +187,27 @@ bool MachineEmitter::urgent(const View& view) const {
 }
 
 void MachineEmitter::tock_branch(const Activation& config, const View& view, std::vector<ExprPtr>& out) {
+    // Clocks of callers that are not in sight count on too (call_with).
     Values values;
-    for (const CellId cell : cells_of(config)) {
-        const ExprPtr name = b::name(cells_[cell].name);
-        if (cells_[cell].kind == CellKind::clock && cells_[cell].reading.empty())
-            values[cell] = b::call("clock_step", {name, cells_[cell].limit});
-        if (cells_[cell].kind == CellKind::deadline) values[cell] = minus_one(name);
-    }
+    for (const Spot& spot : view.spots)
+        for (const CellId cell : frames_[spot.activation->frame].own)
+            if (cells_[cell].kind == CellKind::clock && cells_[cell].reading.empty())
+                values[cell] = b::call("clock_step", {b::name(cells_[cell].name), cells_[cell].limit});
+    const auto deadlines = [&](const Program& program) {
+        for (const Link* link = program.get(); link != nullptr; link = link->tail.get())
+            if (link->head.kind == ItemKind::deadline_end)
+                values[link->head.cells.at(0)] = minus_one(b::name(cells_[link->head.cells.at(0)].name));
+    };
+    for (const Place& call : view.calls) deadlines(call.thread->rest);
+    for (const Place& place : view.places) deadlines(place.thread->rest);
     for (const auto& [cell, condition] : monitors(view, {})) {
         const ExprPtr left = minus_one(b::name(cells_[cell].name));
         const bool always = condition->kind == Op::boolean && condition->number != 0;
         values[cell] = always ? left : b::if_(condition, left, monitor_bound(cell, {}));
     }
+    after_tock_ = true;
     const ExprPtr tock = b::prefix(b::name("tock"), after_tock(config, values));
+    after_tock_ = false;
     const std::vector<ExprPtr> conditions = time_conditions(view);
     out.push_back(conditions.empty() ? tock : b::guard(b::all_of(conditions), tock));
 }

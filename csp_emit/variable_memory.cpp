@@ -79,6 +79,10 @@ ExprPtr Memories::rewritten_call(const Expr& expr, std::size_t target, const Pla
             arguments.push_back(expr.args[i]);
             continue;
         }
+        if (is_unneeded(*expr.args[i])) {
+            if (held_[target].count(parameter) != 0) arguments.push_back(expr.args[i]);
+            continue;
+        }
         const bool same = passes_on(*expr.args[i], parameter);
         const bool there = same || !found->second->shared.empty() ||
                            (place.start && cspm::equal(expr.args[i], found->second->initial));

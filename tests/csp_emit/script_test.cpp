@@ -19,6 +19,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using testing::model;
 using ::testing::Not;
 using testing::project;
@@ -114,23 +115,65 @@ TEST(Script, ValuesThatDoNotMatterAnyMoreAreDropped) {
 
 TEST(Liveness, GoesBackwardsAlongCalls) {
     namespace b = cspm::build;
-    // P(x,y) passes x to Q's first parameter, which Q passes on to R, which outputs it; y goes nowhere.
-    const auto call = [](const char* name, std::vector<const char*> arguments) {
-        b::Exprs list;
-        for (const char* argument : arguments) list.push_back(b::name(argument));
-        return b::call(name, list);
-    };
+    // P passes x to Q as y, which Q passes on to R, which outputs it; z goes nowhere.
     std::vector<Function> family{
-        {"P", {"x", "y"}, b::prefix(b::name("a"), call("Q", {"x", "y"}))},
-        {"Q", {"u", "v"}, b::prefix(b::name("a"), call("R", {"u", "v"}))},
-        {"R", {"s", "t"}, b::prefix(b::name("c"), {b::output(b::name("s"))}, call("P", {"s", "t"}))}};
-    auto initial = b::call("P", {b::number(1), b::number(2)});
-    drop_dead_parameters(family, initial);
+        {"P", {}, b::prefix(b::name("a"), call_with("Q", {{"y", b::name("x")}, {"z", b::name("x")}}))},
+        {"Q", {}, b::prefix(b::name("a"), call_with("R", {{"z", b::number(3)}}))},
+        {"R", {}, b::prefix(b::name("c"), {b::output(b::name("y"))}, call_with("P", {{"x", b::name("y")}}))}};
+    auto initial = call_with("P", {{"x", b::number(1)}, {"y", b::number(2)}});
+    EXPECT_THAT(find_parameters(family, initial, {{"x", "y", "z"}, {}, {}, {}}), IsEmpty());
     EXPECT_THAT(family[0].parameters, ElementsAre("x"));
-    EXPECT_THAT(family[1].parameters, ElementsAre("u"));
-    EXPECT_THAT(family[2].parameters, ElementsAre("s"));
+    EXPECT_THAT(family[1].parameters, ElementsAre("y"));
+    EXPECT_THAT(family[2].parameters, ElementsAre("y"));
     EXPECT_EQ(cspm::print(initial), "P(1)");
-    EXPECT_EQ(cspm::print(family[1].body), "a -> R(u)");
+    EXPECT_EQ(cspm::print(family[0].body), "a -> Q(x)");
+    EXPECT_EQ(cspm::print(family[1].body), "a -> R(y)");
+}
+
+TEST(Liveness, WhatNoCallGivesIsTold) {
+    namespace b = cspm::build;
+    std::vector<Function> family{{"P", {}, b::prefix(b::name("c"), {b::output(b::name("x"))}, b::stop())}};
+    auto initial = call_with("P", {});
+    EXPECT_THAT(find_parameters(family, initial, {{"x"}, {}, {}, {}}), ElementsAre("x"));
+}
+
+TEST(Liveness, ClocksThatACallDoesNotSpeakOfCountOnWithTime) {
+    namespace b = cspm::build;
+    std::vector<Function> family{
+        {"P", {}, b::prefix(b::name("tock"), call_with("Q", {}, true))},
+        {"Q", {}, b::guard(b::binary(cspm::ExprKind::equal, b::name("c"), b::name("n")), call_with("P", {}))}};
+    auto initial = call_with("P", {{"c", b::number(0)}, {"n", b::number(2)}});
+    const cspm::ExprPtr step = b::call("clock_step", {b::name("c"), b::number(3)});
+    (void)find_parameters(family, initial, {{"c", "n"}, {{"c", step}}, {}, {}});
+    EXPECT_EQ(cspm::print(family[0].body), "tock -> Q(clock_step(c, 3), n)");
+    EXPECT_EQ(cspm::print(family[1].body), "c == n & P(c, n)");
+}
+
+// O is called from A, behind which x is read, and from B, behind which nothing is: there x need not be kept.
+TEST(Liveness, ASharedFunctionTakesFromEachCallOnlyWhatIsReadBehindIt) {
+    namespace b = cspm::build;
+    const auto there = [](int place) { return b::sequence({b::number(place)}); };
+    const cspm::ExprPtr from_a = there(0);
+    const cspm::ExprPtr from_b = there(1);
+    const cspm::ExprPtr first = b::binary(cspm::ExprKind::equal, b::call("front", {b::name("r")}), b::number(0));
+    std::vector<Function> family{
+        {"A", {}, b::prefix(b::name("a"), call_with("O", {{"r", from_a}}))},
+        {"B", {}, b::prefix(b::name("b"), call_with("O", {{"r", from_b}}))},
+        {"O", {}, b::prefix(b::name("o"), call_with("End", {}))},
+        {"End", {}, b::if_(first, call_with("BehindA", {}), call_with("BehindB", {}))},
+        {"BehindA", {}, b::prefix(b::name("c"), {b::output(b::name("x"))}, call_with("B", {}))},
+        {"BehindB", {}, call_with("A", {{"x", b::number(5)}})}};
+    auto initial = call_with("A", {{"x", b::number(4)}});
+    const Candidates candidates{
+        {"x", "r"},
+        {},
+        "r",
+        {{from_a.get(), {"BehindA", b::sequence({})}}, {from_b.get(), {"BehindB", b::sequence({})}}}};
+    EXPECT_THAT(find_parameters(family, initial, candidates), IsEmpty());
+    EXPECT_EQ(cspm::print(family[0].body), "a -> O(x, <0>)");
+    EXPECT_THAT(family[1].parameters, IsEmpty());
+    fill_unneeded(family, {{"x", b::number(0)}, {"r", b::number(0)}});
+    EXPECT_EQ(cspm::print(family[1].body), "b -> O(0, <1>)");
 }
 
 TEST(Files, DefinitionsAndAssertionsThatIncludeThem) {
