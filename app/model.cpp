@@ -156,6 +156,7 @@ Exit run_model(const Options& options) {
         show_diagnostics(*project, options);
         return Exit::bad_input;
     }
+    if (!options.traces.empty()) return conform_traces(*project, options);
     Report report = begin(*project, options);
     const bool good = run_phases(*project, options, report);
     const bool accepted = show_diagnostics(*project, options);

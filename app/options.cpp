@@ -153,7 +153,10 @@ void add_times(CLI::App& app, Options& o) {
 
 void add_code(CLI::App& app, Options& o) {
     app.add_option("--component", o.component, "only this module, controller or machine")->option_text("NAME");
-    app.add_option("--cycle", o.cycle, "time units of one control cycle")->check(CLI::Range(1U, 1000U))->option_text("N [1]");
+    app.add_option_function<std::uint32_t>("--cycle", [&o](const std::uint32_t& units) {
+           o.cycle = units;
+           o.cycle_given = true;
+       }, "time units of one control cycle")->check(CLI::Range(1U, 1000U))->option_text("N [1]");
 }
 
 void add_out(CLI::App& app, Options& o) {
@@ -161,6 +164,12 @@ void add_out(CLI::App& app, Options& o) {
            o.out = dir;
            o.out_given = true;
        }, "folder for the files written")->option_text("DIR [out]");
+}
+
+void add_conform(CLI::App& app, Options& o) {
+    app.add_option("--traces", o.traces, "compare logs of runs with the model (docs/traces.md), and no generated code; files, or folders with .trace files")
+        ->allow_extra_args(false)
+        ->option_text("FILE ...");
 }
 
 void add_simulate(CLI::App& app, Options& o) {
@@ -172,6 +181,7 @@ void add_simulate(CLI::App& app, Options& o) {
     app.add_option("--seed", o.seed, "seed of the first trial, instead of the scenario's")->option_text("N");
     app.add_option("--threads", o.threads, "trials at the same time at most; 0 for one a core")->check(CLI::Range(0U, 64U))->option_text("N [0]");
     app.add_flag_callback("--no-pictures", [&o] { o.pictures = false; }, "write no tables and pictures");
+    app.add_option("--log", o.log, "write what every robot read and did in every cycle, for `conform --traces`")->option_text("DIR");
     app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
     add_warnings(app, o);
     add_out(app, o);
@@ -203,6 +213,7 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::emit_csp) add_times(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::conform) add_checking(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::conform) add_code(app, o);
+    if (row.verb == Verb::conform) add_conform(app, o);
     add_out(app, o);
 }
 

@@ -62,6 +62,9 @@ struct Options {
     std::uint32_t trials = 0;             ///< simulate: instead of the scenario's; 0: as it says
     std::optional<std::uint64_t> seed;    ///< simulate: instead of the scenario's
     bool pictures = true;                 ///< simulate: write tables and pictures
+    std::string log;                      ///< simulate: folder for logs of every robot, "" for none
+    std::vector<std::string> traces;      ///< conform: logs (files, folders) to compare with the model instead of code
+    bool cycle_given = false;
     bool deny_warnings = false;           ///< a warning is as bad as an error
     std::uint64_t memory_bytes = 0;       ///< 0: what `default_memory` says
     double timeout_seconds = 0;           ///< 0: none

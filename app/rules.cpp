@@ -6,6 +6,7 @@
 
 #include "checker/cspm/rules.hpp"
 #include "checker/cspm/types/rules.hpp"
+#include "conformance/rules.hpp"
 #include "cpp_emit/rules.hpp"
 #include "csp_emit/rules.hpp"
 #include "frontend/rules.hpp"
@@ -52,6 +53,7 @@ std::vector<const diagnostics::Rule*> all_rules() {
     add(cspm::rules::all());
     add(cspm::types::rules::all());
     add(simulation::rules::all());
+    add(conformance::rules::all());
     all.insert(all.end(), {&rules::bad_option, &rules::no_component, &rules::unwritable});
     return all;
 }

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <mutex>
 
 #include "app/interrupt.hpp"
 #include "app/rules.hpp"
@@ -13,6 +14,7 @@
 #include "diagnostics/json.hpp"
 #include "simulation/report.hpp"
 #include "simulation/rules.hpp"
+#include "simulation/trace_log.hpp"
 
 namespace robochart::app {
 namespace fs = std::filesystem;
@@ -104,6 +106,27 @@ void print_text(const Simulation& simulation, const simulation::RunResult& resul
     else fmt::print("{} of {} bands hold\n", held, result.bands.size());
 }
 
+/// The first log that could not be written; told by threads.
+struct LogFailure {
+    std::mutex mutex;
+    std::string text;
+};
+
+std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const Simulation& simulation, const Options& options, LogFailure& failure) {
+    simulation::TraceLogOptions wanted;
+    wanted.folder = options.log;
+    wanted.component = simulation.scenario.component.text;
+    wanted.model = model_of(simulation.scenario, options.inputs.front());
+    wanted.scenario = simulation.scenario.name.text;
+    wanted.failed = [&failure](const std::string& error) {
+        const std::lock_guard lock(failure.mutex);
+        if (failure.text.empty()) failure.text = error;
+    };
+    return [&simulation, wanted](std::uint32_t trial) {
+        return std::make_unique<simulation::TraceLog>(wanted, simulation.scenario, simulation.emission, trial);
+    };
+}
+
 /// Builds the controller and runs; what goes wrong is among the project's diagnostics.
 std::unique_ptr<simulation::Controller> build(Simulation& simulation) {
     std::string error;
@@ -140,10 +163,13 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     wanted.threads = stage.parallel ? options.threads : 1;
     wanted.stage = stage.make;
     wanted.record = options.pictures;
+    LogFailure failure;
+    if (!options.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
     wanted.interrupted = interrupted;
     wanted.progress = progress_of(options, simulation->scenario.name.text);
     const InterruptScope scope;
     const simulation::RunResult result = simulation::run(simulation->plan, controller->drive(), wanted, project.diagnostics);
+    if (!failure.text.empty()) project.diagnostics.report(rules::unwritable, {}, {failure.text});
     if (!project.diagnostics.ok() && !result.stopped()) return show_diagnostics(project, options), Exit::bad_input;
     std::string notes;
     std::vector<std::string> files;

@@ -6,6 +6,7 @@
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
 #include "conformance/component.hpp"
+#include "conformance/cyclic_model.hpp"
 #include "conformance/judge.hpp"
 #include "conformance/normal_form.hpp"
 #include "conformance/shared_object.hpp"
@@ -19,15 +20,6 @@ Result not_generated(std::string reason) {
     Result result;
     result.outcome = Outcome::not_generated;
     result.reason = std::move(reason);
-    return result;
-}
-
-/// The model alone: CSP blocks belong to assertions, and one that replaces the instantiation would make the model range
-/// over other values than the code.
-ir::System bare(const ir::System& system) {
-    ir::System result = system;
-    result.csp_blocks.clear();
-    result.properties.clear();
     return result;
 }
 
@@ -74,7 +66,7 @@ Result conform(const ir::System& system, const ir::Instantiation& instantiation,
                const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     const csp_emit::Emission script =
-        csp_emit::emit(bare(system), instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+        csp_emit::emit(without_blocks(system), instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (diagnostics.errors() != errors || !process)
         return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));

@@ -192,6 +192,17 @@ void NormalFormSystem::terminate(Move& move) {
     move.silent(process::tick);
 }
 
+bool NormalFormSystem::begins_cycle(lts::StateView state) const {
+    const bool fresh = std::all_of(state.begin() + fields, state.end(), [](lts::Word word) { return word == 0; });
+    const bool first = state[phase] == (inputs_ == 0 ? acting : reading) && state[progress] == 0;
+    return fresh && first && state[pending] == 0 && state[model_state] != gone;
+}
+
+std::string NormalFormSystem::describe_model(lts::StateView state) const {
+    const bool ended = state[phase] == ending || state[phase] == over || state[model_state] == gone;
+    return ended ? "" : model_->describe(state[model_state]);
+}
+
 std::string NormalFormSystem::describe(lts::StateView state) const {
     if (state[phase] == ending || state[phase] == over) return "terminated";
     if (state[model_state] == gone) return "terminating";

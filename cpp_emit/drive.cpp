@@ -79,8 +79,13 @@ private:
     Channel channel(Port::Kind kind, const std::string& name, std::string exported, std::string member,
                     std::vector<ir::TypeId> types) const {
         Channel result{{kind, name, {}}, std::move(exported), std::move(member), std::move(types)};
-        for (const ir::TypeId type : result.types)
-            result.port.arguments.push_back(carried(generation_.system.type(type).kind));
+        result.port.exported = result.exported;
+        for (const ir::TypeId id : result.types) {
+            const ir::Type& type = generation_.system.type(id);
+            result.port.arguments.push_back(carried(type.kind));
+            const bool named = type.kind == ir::TypeKind::enumeration;
+            result.port.literals.push_back(named ? type.labels : std::vector<std::string>{});
+        }
         return result;
     }
 

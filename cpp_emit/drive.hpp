@@ -20,6 +20,8 @@ struct Port {
     std::string name;                ///< in the model: "seeRobot", "MoveForward", "reached"
     std::vector<Carried> arguments;  ///< at most one for inputs
     double initial = 0;              ///< variables: the value before the first write (truth values, literals: 0)
+    std::string exported = {};       ///< in the interface: "seeRobot.in", "MoveForwardCall", "set_EXT_reached"
+    std::vector<std::vector<std::string>> literals = {};  ///< of each argument: names of its enumeration's values
 };
 
 struct DriveEmission {

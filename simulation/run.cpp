@@ -74,6 +74,8 @@ private:
         if (stage == nullptr) return;
         TrialOptions options;
         options.record = options_.record && trial < recorded_trials(scenario_);
+        const std::unique_ptr<Trace> trace = options_.trace ? options_.trace(trial) : nullptr;
+        options.trace = trace.get();
         options.steps_done = &steps_;
         options.interrupted = &stop_;
         result_.trials[trial] = run_trial(plan_, drive_, *stage, options);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "simulation/trial.hpp"
@@ -20,7 +21,9 @@ struct RunProgress {
 struct RunOptions {
     unsigned threads = 0;  ///< 0: one a core
     StageMaker stage = embedded_stage;
-    bool record = true;                                ///< keep positions, of the first `recorded_trials`
+    bool record = true;  ///< keep positions, of the first `recorded_trials`
+    /// Makes what sees a trial's cycles; called from the trial's thread. Empty: nothing does.
+    std::function<std::unique_ptr<Trace>(std::uint32_t trial)> trace;
     std::function<bool()> interrupted;                 ///< asked a few times a second
     std::function<void(const RunProgress&)> progress;  ///< told a few times a second, from the caller's thread
 };

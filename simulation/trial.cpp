@@ -76,7 +76,7 @@ private:
         for (const BoundStimulus& stimulus : plan_.stimuli) fill(stimulus);
         requests_[robot] = 0;
         const rc_drive_result result = drive_.step(controllers_[robot], signals_.data(), &actions_);
-        if (options_.trace != nullptr) options_.trace->cycle(robot, result_.steps, signals_.data(), actions_);
+        if (options_.trace != nullptr) options_.trace->cycle(robot, result_.steps, signals_.data(), actions_, result);
         if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) return stop(robot, result);
         for (std::uint32_t a = 0; a < actions_.count; ++a) act(robot, actions_.action[a]);
         move(robot);

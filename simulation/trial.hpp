@@ -26,7 +26,8 @@ struct Frame {
 class Trace {
 public:
     virtual ~Trace() = default;
-    virtual void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs) = 0;
+    virtual void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+                       rc_drive_result result) = 0;
 };
 
 /// A controller that could not go on.

@@ -172,6 +172,12 @@ std::optional<NormalForm::Node> NormalForm::after(Node node, Event event) {
     return arc->target;
 }
 
+std::vector<lts::StateView> NormalForm::states(Node node) const {
+    std::vector<lts::StateView> result;
+    for (const StateIndex member : *nodes_[node].members) result.push_back(graph_.state(member));
+    return result;
+}
+
 EventSet NormalForm::initials(Node node) {
     EventSet events;
     for (const Arc& arc : arcs(node)) events.push_back(arc.event);

@@ -30,6 +30,8 @@ public:
     std::span<const Edge> edges(lts::StateIndex state, process::Event event);
     [[nodiscard]] Offer offer(lts::StateIndex state);
     [[nodiscard]] std::size_t size() const { return states_.size(); }
+    /// The packed state behind a number.
+    [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }
 
 private:
     struct Extent {
@@ -71,6 +73,8 @@ public:
     bool diverges(Node node);
     /// Whether all states of one node are states of the other.
     [[nodiscard]] bool includes(Node larger, Node smaller) const;
+    /// The specification's states behind a node.
+    [[nodiscard]] std::vector<lts::StateView> states(Node node) const;
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
     /// From now on a node too many, by far more than there are states, throws SpecificationGrows.
     void refuse_growth() { may_grow_ = false; }

@@ -166,7 +166,8 @@ scenario World for M {
 
 class Counting final : public Trace {
 public:
-    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs) override {
+    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+               rc_drive_result /*result*/) override {
         ++cycles;
         if (robot != 0) return;
         if (inputs[0].present != 0) seen.push_back(step);

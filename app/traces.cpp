@@ -1,0 +1,232 @@
+// `conform MODEL --traces FILE`: logs of runs against the model (docs/traces.md).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "app/interrupt.hpp"
+#include "app/rules.hpp"
+#include "app/verbs.hpp"
+#include "checker/cspm/evaluation_error.hpp"
+#include "conformance/rules.hpp"
+#include "conformance/trace_check.hpp"
+#include "diagnostics/json.hpp"
+
+namespace robochart::app {
+namespace fs = std::filesystem;
+namespace {
+
+using conformance::RunVerdict;
+using diagnostics::json_string;
+
+/// A run worth telling, and the log it is in.
+struct Told {
+    std::string path;
+    conformance::RunReport run;
+};
+
+struct Totals {
+    std::size_t logs = 0;
+    std::uint64_t runs = 0, accepted = 0, rejected = 0, inconclusive = 0, cycles = 0, replaced = 0;
+    std::vector<Told> told;     ///< the first of those that are not accepted
+    std::string limit;          ///< why not everything was looked at
+    double seconds = 0;
+};
+constexpr std::size_t most_told = 100;
+
+std::string qualified(const ir::ComponentRef& ref) { return ref.package.empty() ? ref.path : ref.package + "::" + ref.path; }
+
+/// The files, and the logs in folders, in order.
+std::vector<std::string> logs(const Options& options, diagnostics::Diagnostics& diagnostics) {
+    std::vector<std::string> result;
+    for (const std::string& given : options.traces) {
+        std::error_code error;
+        if (!fs::is_directory(given, error)) {
+            result.push_back(given);
+            continue;
+        }
+        std::vector<std::string> inside;
+        for (auto it = fs::recursive_directory_iterator(given, error); !error && it != fs::recursive_directory_iterator(); it.increment(error))
+            if (it->path().extension() == ".trace") inside.push_back(it->path().string());
+        if (inside.empty()) diagnostics.report(rules::bad_option, {}, {fmt::format("--traces {}: there are no .trace files in the folder", given)});
+        std::sort(inside.begin(), inside.end());
+        result.insert(result.end(), inside.begin(), inside.end());
+    }
+    return result;
+}
+
+/// Checkers by component and cycle length; made when the first log needs one.
+class Checkers {
+public:
+    Checkers(Project& project, const Options& options) : project_(project), options_(options), limits_(limits(options, "traces")) {}
+
+    conformance::TraceChecker* of(const conformance::TraceHeader& header) {
+        const std::string wanted = !options_.component.empty() ? options_.component : header.component;
+        auto components = code_components(project_.system, wanted);
+        if (components.empty()) components = code_components(project_.system, "");
+        if (components.empty()) {
+            project_.diagnostics.report(rules::no_component, {}, {wanted.empty() ? "the model" : wanted});
+            return nullptr;
+        }
+        const std::uint32_t cycle = options_.cycle_given ? options_.cycle : header.cycle;
+        Entry& entry = entries_[{qualified(components.front()), cycle}];
+        if (entry.checker == nullptr && entry.error.empty()) load(entry, components.front(), cycle);
+        if (!entry.error.empty()) project_.diagnostics.report(rules::bad_option, {}, {"--traces: " + entry.error});
+        return entry.checker.get();
+    }
+
+private:
+    struct Entry {
+        std::unique_ptr<conformance::CyclicModel> model;
+        std::unique_ptr<conformance::TraceChecker> checker;
+        std::string error;
+    };
+    void load(Entry& entry, const ir::ComponentRef& component, std::uint32_t cycle) {
+        entry.model = conformance::CyclicModel::load(project_.system, project_.instantiation, component, cycle, limits_, project_.sources,
+                                                     project_.diagnostics, entry.error);
+        if (entry.model == nullptr) return;
+        entry.checker = std::make_unique<conformance::TraceChecker>(
+            *entry.model, std::vector<std::string>{qualified(component), component.path}, limits_, project_.sources);
+    }
+
+    Project& project_;
+    const Options& options_;
+    refine::Limits limits_;
+    std::map<std::pair<std::string, std::uint32_t>, Entry> entries_;
+};
+
+/// The header alone, as far as it is in order: which component the log is of.
+conformance::TraceHeader peek(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    conformance::LineReader lines(in);
+    conformance::TraceHeader header;
+    std::vector<conformance::TraceToken> tokens;
+    try {
+        for (int n = 0; n < 200 && lines.next(); ++n) {
+            conformance::split_line(lines.text(), tokens);
+            if (tokens.empty()) continue;
+            if (tokens.front().text == "run") break;
+            (void)conformance::read_header_line(tokens, header, lines.number());
+        }
+    } catch (const conformance::TraceFault&) {
+        // The reader proper finds it again and tells it.
+    }
+    return header;
+}
+
+/// The fault as a finding in a text that has the line in its place and nothing before it.
+void report_fault(Project& project, const std::string& path, const conformance::LogFault& found) {
+    const std::uint64_t above = std::min<std::uint64_t>(found.line > 0 ? found.line - 1 : 0, 50'000'000);
+    const auto source = project.sources.add(path, std::string(above, '\n') + found.text + "\n");
+    const auto begin = static_cast<std::uint32_t>(above + std::min<std::size_t>(found.fault.column, found.text.size()));
+    const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(begin + found.fault.length, above + found.text.size()));
+    project.diagnostics.report(*found.fault.rule, {source, begin, std::max(begin, end)}, found.fault.arguments);
+}
+
+void check_log(const std::string& path, Project& project, Checkers& checkers, Totals& totals) {
+    std::error_code error;
+    std::ifstream in(path, std::ios::binary);
+    if (!in || fs::is_directory(path, error)) {
+        project.diagnostics.report(rules::bad_option, {}, {fmt::format("--traces {}: cannot be read", path)});
+        return;
+    }
+    conformance::TraceChecker* const checker = checkers.of(peek(path));
+    if (checker == nullptr) return;
+    ++totals.logs;
+    const auto report = checker->check(in, [&](const conformance::RunReport& run) {
+        if (totals.told.size() < most_told) totals.told.push_back({path, run});
+    });
+    totals.runs += report.runs;
+    totals.accepted += report.accepted;
+    totals.rejected += report.rejected;
+    totals.inconclusive += report.inconclusive;
+    totals.cycles += report.cycles;
+    totals.replaced += report.replaced;
+    if (report.fault) report_fault(project, path, *report.fault);
+}
+
+void print_run(const Told& told, bool quiet) {
+    const conformance::RunReport& run = told.run;
+    const bool rejected = run.verdict == RunVerdict::rejected;
+    fmt::print("{}{}  {}:{}: run {}, cycle {}\n", quiet ? "" : "\n", rejected ? "rejected    " : "inconclusive", told.path, run.at_line,
+               run.name.empty() ? "without a name" : run.name, run.cycle);
+    const auto line = [](const char* title, const std::string& text) { fmt::print("    {:<10} {}\n", title, text); };
+    std::uint64_t number = run.at_line - run.before.size();
+    for (const std::string& before : run.before) line(fmt::format("line {}", number++).c_str(), before);
+    if (!run.cycle_so_far.empty()) line("then", fmt::format("{}", fmt::join(run.cycle_so_far, " ")));
+    line(rejected ? "logged" : "met", run.what);
+    if (!rejected) return line("reason", run.reason);
+    constexpr std::size_t shown = 12;
+    std::vector<std::string> allowed(run.allowed.begin(), run.allowed.begin() + static_cast<std::ptrdiff_t>(std::min(shown, run.allowed.size())));
+    if (run.allowed.size() > shown) allowed.push_back(fmt::format("{} more", run.allowed.size() - shown));
+    line("allowed", allowed.empty() ? "nothing" : fmt::format("{}", fmt::join(allowed, ", or ")));
+    if (!run.elements.empty()) line("began", fmt::format("{}", fmt::join(run.elements, ", ")));
+}
+
+Exit exit_of(const Totals& totals) {
+    if (totals.rejected > 0) return Exit::failed;
+    return totals.inconclusive > 0 || !totals.limit.empty() ? Exit::inconclusive : Exit::success;
+}
+
+void print_text(const Totals& totals, const Options& options) {
+    for (const Told& told : totals.told) print_run(told, options.quiet);
+    if (!totals.told.empty() && !options.quiet) fmt::print("\n");
+    if (totals.replaced > 0 && !options.quiet)
+        fmt::print("{} values are outside the finite reading; the model only passes such values on, so others stood for them (docs/traces.md)\n",
+                   with_commas(totals.replaced));
+    if (!totals.limit.empty()) fmt::print("inconclusive: {}\n", totals.limit);
+    fmt::print("{} runs in {} logs, {} cycles: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n", with_commas(totals.runs), totals.logs,
+               with_commas(totals.cycles), with_commas(totals.accepted), with_commas(totals.rejected), with_commas(totals.inconclusive), totals.seconds);
+}
+
+std::string texts(const std::vector<std::string>& list) {
+    std::vector<std::string> quoted;
+    for (const std::string& text : list) quoted.push_back(json_string(text));
+    return fmt::format("[{}]", fmt::join(quoted, ","));
+}
+
+void print_json(const Totals& totals, Exit exit) {
+    std::vector<std::string> runs;
+    for (const Told& told : totals.told) {
+        const conformance::RunReport& run = told.run;
+        runs.push_back(fmt::format(R"({{"log":{},"line":{},"run":{},"verdict":"{}","cycle":{},"logged":{},"reason":{},"sofar":{},"before":{},"allowed":{},"elements":{}}})",
+                                   json_string(told.path), run.at_line, json_string(run.name), run.verdict == RunVerdict::rejected ? "rejected" : "inconclusive",
+                                   run.cycle, json_string(run.what), json_string(run.reason), texts(run.cycle_so_far), texts(run.before),
+                                   texts(run.allowed), texts(run.elements)));
+    }
+    fmt::print(R"({{"schema":"robochart-verify/traces/1","logs":{},"runs":{},"cycles":{},"accepted":{},"rejected":{},"inconclusive":{},"replacedValues":{},"limit":{},"seconds":{:.3f},"exit":{},"told":[{}]}})"
+               "\n",
+               totals.logs, totals.runs, totals.cycles, totals.accepted, totals.rejected, totals.inconclusive, totals.replaced,
+               json_string(totals.limit), totals.seconds, static_cast<int>(exit), fmt::join(runs, ","));
+}
+
+}  // namespace
+
+Exit conform_traces(Project& project, const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    Totals totals;
+    const std::vector<std::string> paths = logs(options, project.diagnostics);
+    const InterruptScope scope;
+    try {
+        Checkers checkers(project, options);
+        for (const std::string& path : paths) check_log(path, project, checkers, totals);
+    } catch (const process::Interrupted& limit) {
+        totals.limit = limit.what();
+    } catch (const cspm::EvaluationError& failed) {
+        project.diagnostics.report(rules::bad_option, {}, {fmt::format("the script of the model cannot be evaluated: {}", failed.what())});
+    } catch (const conformance::AlphabetError& mismatch) {
+        project.diagnostics.report(rules::bad_option, {}, {mismatch.what()});
+    }
+    totals.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const bool readable = show_diagnostics(project, options);
+    if (options.format == Format::json && !readable) return Exit::bad_input;
+    const Exit exit = readable ? exit_of(totals) : Exit::bad_input;
+    if (options.format == Format::json) print_json(totals, exit);
+    else print_text(totals, options);
+    return exit;
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,55 @@
+// A component ready to be asked what it allows in control cycles, without any generated code: the script's process, the
+// alphabet, and NF_c(M) as a transition system (docs/conformance.md).
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "checker/cspm/session.hpp"
+#include "conformance/boundary.hpp"
+#include "conformance/model_graph.hpp"
+#include "conformance/normal_form_system.hpp"
+#include "csp_emit/emit.hpp"
+
+namespace robochart::conformance {
+
+class CyclicModel {
+public:
+    /// Nothing where the component has no timed semantics or no cyclic form; diagnostics or `error` tell. Throws
+    /// process::Interrupted at a limit and cspm::EvaluationError where the script cannot be evaluated.
+    [[nodiscard]] static std::unique_ptr<CyclicModel> load(const ir::System&, const ir::Instantiation&,
+                                                           const ir::ComponentRef&, std::uint32_t cycle_length,
+                                                           const refine::Limits&, diagnostics::SourceManager&,
+                                                           diagnostics::Diagnostics&, std::string& error);
+
+    [[nodiscard]] const Alphabet& alphabet() const { return *alphabet_; }
+    [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }
+    [[nodiscard]] const Boundary& boundary() const { return boundary_; }
+    [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }
+    [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
+    [[nodiscard]] NormalFormSystem& normal_form() { return *normal_form_; }
+    [[nodiscard]] ModelGraph& graph() { return *graph_; }
+    [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
+    [[nodiscard]] const ir::System& system() const { return *system_; }
+    [[nodiscard]] const ir::Instantiation& instantiation() const { return *instantiation_; }
+
+private:
+    CyclicModel() = default;
+
+    const ir::System* system_ = nullptr;
+    const ir::Instantiation* instantiation_ = nullptr;
+    std::uint32_t cycle_length_ = 1;
+    csp_emit::Emission script_;
+    Boundary boundary_;
+    std::unique_ptr<cspm::Session> session_;
+    std::unique_ptr<lts::TransitionSystem> model_;
+    std::unique_ptr<Alphabet> alphabet_;
+    std::unique_ptr<ModelGraph> graph_;
+    std::unique_ptr<NormalFormSystem> normal_form_;
+};
+
+/// The model alone: CSP blocks belong to assertions, and one that replaces the instantiation would make the model range
+/// over other values than the code.
+[[nodiscard]] ir::System without_blocks(const ir::System&);
+
+}  // namespace robochart::conformance

@@ -1,0 +1,65 @@
+// The text of logs (docs/traces.md): lines, tokens, the header, faults with their places. Reads line by line, so a log
+// may be larger than memory.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::conformance {
+
+/// A word of a line and where it stands, from 0, in bytes.
+struct TraceToken {
+    std::string_view text;
+    std::uint32_t column = 0;
+};
+
+/// Thrown where a log cannot be read; the reader adds line and text.
+struct TraceFault {
+    const diagnostics::Rule* rule = nullptr;
+    std::vector<std::string> arguments;
+    std::uint32_t column = 0;
+    std::uint32_t length = 1;
+};
+
+/// `line` without its comment, in words; blanks inside brackets and quotes do not part words.
+void split_line(std::string_view line, std::vector<TraceToken>& tokens);
+
+struct TraceHeader {
+    std::string model;
+    std::string component;
+    std::string robot;
+    std::uint32_t cycle = 1;                     ///< time units of one control cycle
+    std::vector<std::string> unobserved;         ///< "seeRobot?", "Move!"
+    std::vector<std::uint32_t> unobserved_line;  ///< of each, for faults
+};
+
+/// Takes one line of the header; false if it is none of the header's. Throws TraceFault.
+[[nodiscard]] bool read_header_line(const std::vector<TraceToken>&, TraceHeader&, std::uint64_t line);
+
+/// Lines of a stream, of at most `longest` bytes each.
+class LineReader {
+public:
+    static constexpr std::size_t longest = 1U << 20U;
+
+    explicit LineReader(std::istream& in) : in_(in) {}
+    /// False at the end. Throws TraceFault for lines that are too long or have zero bytes.
+    [[nodiscard]] bool next();
+    [[nodiscard]] std::string_view text() const { return line_; }
+    [[nodiscard]] std::uint64_t number() const { return number_; }
+
+private:
+    [[nodiscard]] bool fill();
+
+    std::istream& in_;
+    std::string buffer_;
+    std::size_t at_ = 0;
+    std::string line_;
+    std::uint64_t number_ = 0;
+};
+
+}  // namespace robochart::conformance

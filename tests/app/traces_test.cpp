@@ -1,0 +1,121 @@
+// `simulate --log` and `conform --traces` as a user runs them: runs of generated controllers are runs of their model, and
+// those of changed ones are not.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+
+namespace robochart::app {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::repository;
+using testing::run;
+
+/// A folder that is gone with the object.
+class Folder {
+public:
+    Folder() : path_(fs::temp_directory_path() / ("traces_test_" + std::to_string(::getpid()) + "_" + std::to_string(++made))) {
+        fs::create_directories(path_);
+    }
+    ~Folder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+private:
+    static inline int made = 0;
+    fs::path path_;
+};
+
+std::string contents(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A case study with one thing replaced, next to its scenario.
+void change(const Folder& folder, const std::string& study, const std::string& what, const std::string& with) {
+    std::string model = contents(repository("corpus/" + study + "/" + study + ".rct"));
+    const std::size_t at = model.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    model.replace(at, what.size(), with);
+    std::ofstream(folder / (study + ".rct")) << model;
+    fs::copy(repository("corpus/" + study + "/" + study + ".scenario"), folder / (study + ".scenario"));
+}
+
+TEST(Traces, EveryRobotOfBothCaseStudiesRunsAsItsModel) {
+    for (const char* study : {"aggregation", "swarm_taxis"}) {
+        const Folder folder;
+        const std::string scenario = repository(std::string("corpus/") + study + "/" + study + ".scenario");
+        const auto simulated = run({"simulate", scenario, "--trials", "2", "--no-pictures", "--log", folder / "logs"});
+        ASSERT_NE(simulated.exit, 2) << simulated.err;
+        ASSERT_TRUE(fs::exists(folder / "logs/trial-02/robot-19.trace"));
+        const auto checked = run({"conform", repository(std::string("corpus/") + study), "--traces", folder / "logs"});
+        EXPECT_EQ(checked.exit, 0) << checked.out << checked.err;
+        EXPECT_THAT(checked.out, HasSubstr("40 runs in 40 logs")) << study;
+        EXPECT_THAT(checked.out, HasSubstr("40 accepted, 0 rejected, 0 inconclusive")) << study;
+    }
+}
+
+/// Controllers of changed models: their logs are no runs of the model.
+TEST(Traces, ChangedControllersAreFoundOut) {
+    struct Change {
+        const char* study;
+        const char* what;
+        const char* with;
+        const char* told;
+    };
+    const std::vector<Change> changes = {
+        {"aggregation", "from i to S1", "from i to S2", "aggregation.rct"},
+        {"aggregation", "RotateClockwise(-5.02)", "RotateClockwise(-0.75)", "angularSpeed = -5.02"},
+        {"swarm_taxis", "since(T) >= 25", "since(T) >= 24", "swarm_taxis.rct"},
+        {"swarm_taxis", "reached = false; StartTurning(degree)", "StartTurning(degree); reached = false", "reached = false"}};
+    for (const Change& changed : changes) {
+        const Folder folder;
+        change(folder, changed.study, changed.what, changed.with);
+        const auto simulated = run({"simulate", folder / (std::string(changed.study) + ".scenario"), "--trials", "1",
+                                    "--no-pictures", "--log", folder / "logs"});
+        ASSERT_NE(simulated.exit, 2) << simulated.err;
+        const auto checked = run({"conform", repository(std::string("corpus/") + changed.study), "--traces", folder / "logs"});
+        EXPECT_EQ(checked.exit, 1) << changed.with << checked.out << checked.err;
+        EXPECT_THAT(checked.out, HasSubstr("rejected")) << changed.with;
+        EXPECT_THAT(checked.out, HasSubstr(changed.told)) << changed.with;
+    }
+}
+
+TEST(Traces, AnUnreadableLogIsToldLikeAnyInput) {
+    const testing::TemporaryFile log("run.trace",
+                                     "robochart-trace 1\ncomponent Aggregation\n\nrun a\nseeNobody? tock\n");
+    const auto ran = run({"conform", repository("corpus/aggregation"), "--traces", log.path()});
+    EXPECT_EQ(ran.exit, 2);
+    EXPECT_THAT(ran.err, HasSubstr("error[RC-L02]: aggregation::Aggregation has no input 'seeNobody'; it has seeWall, seeRobot"));
+    EXPECT_THAT(ran.err, HasSubstr("run.trace:5:1"));
+    EXPECT_THAT(ran.err, HasSubstr("5 | seeNobody? tock"));
+    EXPECT_EQ(run({"conform", repository("corpus/aggregation"), "--traces", "no_such.trace"}).exit, 2);
+    const auto other = run({"conform", repository("corpus/swarm_taxis"), "--traces", log.path()});
+    EXPECT_THAT(other.err, HasSubstr("RC-L04"));
+}
+
+TEST(Traces, JsonTellsWhatWasRejected) {
+    const testing::TemporaryFile log("run.trace", "robochart-trace 1\ncomponent Aggregation\nrun a\ntock\n");
+    const auto ran = run({"conform", repository("corpus/aggregation"), "--traces", log.path(), "--format", "json"});
+    EXPECT_EQ(ran.exit, 1) << ran.err;
+    const auto report = nlohmann::json::parse(ran.out);
+    EXPECT_EQ(report["schema"], "robochart-verify/traces/1");
+    EXPECT_EQ(report["rejected"], 1);
+    EXPECT_EQ(report["told"][0]["line"], 4);
+    EXPECT_EQ(report["told"][0]["logged"], "the end of the cycle");
+    EXPECT_THAT(report["told"][0]["allowed"][0].get<std::string>(), HasSubstr("angularSpeed = -0.75"));
+}
+
+}  // namespace
+}  // namespace robochart::app
