@@ -20,7 +20,8 @@ public:
         for (const cpp_emit::EventPort& event : component_.events)
             if (event.received) input(event.outside + ".in", event.type);
         for (const cpp_emit::StoredVariable& variable : component_.variables)
-            if (!variable.input.empty()) input("set_EXT_" + variable.variable->name, variable.variable->type);
+            if (!variable.input.empty() && !variable.copy)
+                input("set_EXT_" + variable.variable->name, variable.variable->type);
         for (const cpp_emit::PlatformCall& call : component_.calls)
             output(call.signature->name + "Call", call.signature->parameters);
         for (const cpp_emit::EventPort& event : component_.events)
@@ -28,7 +29,7 @@ public:
                 output(event.outside + ".out",
                        event.type ? std::vector<ir::TypeId>{*event.type} : std::vector<ir::TypeId>{});
         for (const cpp_emit::StoredVariable& variable : component_.variables)
-            if (variable.visible) output("set_" + variable.variable->name, {variable.variable->type});
+            if (variable.visible && !variable.copy) output("set_" + variable.variable->name, {variable.variable->type});
         std::vector<ir::MachineId> machines;
         for (const cpp_emit::Unit& unit : component_.units) machines.push_back(unit.id);
         result_.passed_on = passed_on(system_, machines);
