@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
+#include <map>
 
 #include "app/interrupt.hpp"
 #include "app/rules.hpp"
@@ -39,6 +41,8 @@ std::vector<std::string> notes(const ir::Instantiation& i) {
 bool write_all(const std::string& folder, const auto& files, std::vector<FileReport>& report, diagnostics::Diagnostics& diagnostics) {
     for (const auto& file : files) {
         const std::string path = folder + "/" + file.path;
+        if constexpr (requires { file.keep; })
+            if (file.keep && std::filesystem::exists(path)) continue;
         const std::string error = write_file(path, file.text);
         if (!error.empty()) {
             diagnostics.report(rules::unwritable, {}, {error});
@@ -60,6 +64,18 @@ bool write_normal_form(Project& project, const Options& options, const ir::Compo
 }
 
 std::string qualified(const ir::ComponentRef& ref) { return ref.package.empty() ? ref.path : ref.package + "::" + ref.path; }
+
+/// Where the files of a component go: "cpp/C", of a project "ros2/C".
+std::string cpp_folder(const Options& options, const ir::ComponentRef& component) {
+    return fmt::format("{}/{}/{}", options.out, options.target.empty() ? "cpp" : options.target, component.path);
+}
+
+cpp_emit::Target target_of(const std::string& name) {
+    using cpp_emit::Target;
+    static const std::map<std::string, Target> targets{
+        {"", Target::sources}, {"library", Target::library}, {"main", Target::main}, {"ros2", Target::ros2}, {"enki", Target::enki}, {"argos", Target::argos}};
+    return targets.at(name);
+}
 
 Report begin(const Project& project, const Options& options) {
     Report report;
@@ -102,10 +118,11 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     cpp_emit::Options generator;
     generator.cycle_length = options.cycle;
     generator.sources = &project.sources;
+    generator.target = target_of(options.target);
     for (const ir::ComponentRef& component : components) {
         const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
         if (!project.diagnostics.ok()) return false;
-        if (!write_all(options.out + "/cpp/" + component.path, emission.files, report.cpp_files, project.diagnostics)) return false;
+        if (!write_all(cpp_folder(options, component), emission.files, report.cpp_files, project.diagnostics)) return false;
     }
     return true;
 }

@@ -159,6 +159,12 @@ void add_code(CLI::App& app, Options& o) {
        }, "time units of one control cycle")->check(CLI::Range(1U, 1000U))->option_text("N [1]");
 }
 
+void add_target(CLI::App& app, Options& o) {
+    app.add_option("--target", o.target, "a project that builds as it stands, below DIR/TARGET/COMPONENT")
+        ->check(CLI::IsMember({"library", "main", "ros2", "enki", "argos"}))
+        ->option_text("TARGET {library,main,ros2,enki,argos}");
+}
+
 void add_out(CLI::App& app, Options& o) {
     app.add_option_function<std::string>("--out", [&o](const std::string& dir) {
            o.out = dir;
@@ -214,6 +220,7 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::conform) add_checking(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::conform) add_code(app, o);
     if (row.verb == Verb::conform) add_conform(app, o);
+    if (row.verb == Verb::emit_cpp) add_target(app, o);
     add_out(app, o);
 }
 

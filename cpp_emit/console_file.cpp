@@ -15,9 +15,14 @@ public:
 
     std::string write() {
         file_comment(generation_, out_, "Console driver");
-        out_.comment("Each line of input is one control cycle: the events raised in it, `seeRobot` or `heading=0.5`.");
-        for (const char* header : {"<cstdint>", "<cstdlib>", "<iostream>", "<sstream>", "<string>", "<type_traits>"})
+        out_.comment(
+            "Each line of input is one control cycle: the events raised in it, `seeRobot` or `heading=0.5`. With a "
+            "number of milliseconds as its argument a cycle comes that often, with what was typed until then.");
+        for (const char* header :
+             {"<chrono>", "<cstdint>", "<cstdlib>", "<iostream>", "<sstream>", "<string>", "<type_traits>"})
             out_.line(fmt::format("#include {}", header));
+        out_.line("#include <poll.h>");
+        out_.line("#include <unistd.h>");
         out_.gap();
         out_.line(fmt::format("#include \"{}.hpp\"", face_.cpp_name));
         out_.gap();
@@ -25,6 +30,8 @@ public:
         out_.gap();
         show_functions();
         console_class();
+        out_.gap();
+        cycle_functions();
         out_.gap();
         out_.line("}  // namespace");
         out_.gap();
@@ -138,11 +145,9 @@ private:
         out_.close();
     }
 
-    void main_function() {
-        out_.open("int main() {");
-        out_.line("Console controller;");
-        out_.line("std::string line;");
-        out_.open("for (int cycle = 1; std::getline(std::cin, line); ++cycle) {");
+    void cycle_functions() {
+        out_.doc("Raises the events of a line.");
+        out_.open("void raise_all(Console& controller, const std::string& line) {");
         out_.line("std::istringstream words(line);");
         out_.line("std::string word;");
         out_.open("while (words >> word) {");
@@ -151,13 +156,86 @@ private:
         out_.line(
             "if (!controller.raise(word.substr(0, equals), value)) std::cerr << \"not an input: \" << word << '\\n';");
         out_.close();
-        out_.line("std::cout << \"cycle \" << cycle << '\\n';");
+        out_.close();
+        out_.gap();
+        out_.doc("One cycle; whether there is a next one.");
+        out_.open("robochart::StepResult cycle(Console& controller, int number) {");
+        out_.line("std::cout << \"cycle \" << number << '\\n';");
         out_.line("const robochart::StepResult result = controller.step();");
         out_.line("controller.print();");
-        out_.line("if (result == robochart::StepResult::terminated) return EXIT_SUCCESS;");
-        out_.line("if (result != robochart::StepResult::quiescent) return EXIT_FAILURE;");
+        out_.line("std::cout.flush();");
+        out_.line("return result;");
         out_.close();
-        out_.line("return EXIT_SUCCESS;");
+        out_.gap();
+        out_.doc("Adds to `typed` what is typed until then; false at the end of the input.");
+        out_.open("bool listen(std::string& typed, std::chrono::steady_clock::time_point until) {");
+        out_.open("while (true) {");
+        out_.line("const auto left = until - std::chrono::steady_clock::now();");
+        out_.line("const auto wait = std::chrono::duration_cast<std::chrono::milliseconds>(left).count();");
+        out_.line("if (wait <= 0) return true;");
+        out_.line("pollfd input{STDIN_FILENO, POLLIN, 0};");
+        out_.line("if (poll(&input, 1, static_cast<int>(wait)) <= 0) continue;");
+        out_.line("char bytes[256];");
+        out_.line("const auto got = read(STDIN_FILENO, bytes, sizeof bytes);");
+        out_.line("if (got <= 0) return false;");
+        out_.line("typed.append(bytes, static_cast<std::size_t>(got));");
+        out_.close();
+        out_.close();
+        out_.gap();
+        out_.doc("A cycle every so often, until the input or the controller ends.");
+        out_.open("robochart::StepResult run_timed(Console& controller, std::chrono::milliseconds period) {");
+        out_.line("std::string typed;");
+        out_.line("auto result = robochart::StepResult::quiescent;");
+        out_.line("auto next = std::chrono::steady_clock::now();");
+        out_.line("bool open = true;");
+        out_.open("for (int number = 1; open && result == robochart::StepResult::quiescent; ++number) {");
+        out_.line("next += period;");
+        out_.line("open = listen(typed, next);");
+        out_.line("const std::size_t lines = open ? typed.rfind('\\n') + 1 : typed.size();");
+        out_.line("raise_all(controller, typed.substr(0, lines));");
+        out_.line("typed.erase(0, lines);");
+        out_.line("result = cycle(controller, number);");
+        out_.close();
+        out_.line("return result;");
+        out_.close();
+        out_.gap();
+        out_.doc("A cycle for every line.");
+        out_.open("robochart::StepResult run_by_lines(Console& controller) {");
+        out_.line("std::string line;");
+        out_.line("auto result = robochart::StepResult::quiescent;");
+        out_.open(
+            "for (int number = 1; result == robochart::StepResult::quiescent && std::getline(std::cin, line); "
+            "++number) {");
+        out_.line("raise_all(controller, line);");
+        out_.line("result = cycle(controller, number);");
+        out_.close();
+        out_.line("return result;");
+        out_.close();
+    }
+
+    void main_function() {
+        out_.open("int main(int argc, char** argv) {");
+        out_.line("const long period = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 0;");
+        out_.open("if (argc > 1 && period < 1) {");
+        out_.line(fmt::format("std::cerr << \"usage: {}_console [MILLISECONDS]\\n\";", face_.cpp_name));
+        out_.line("return EXIT_FAILURE;");
+        out_.close();
+        out_.line("Console controller;");
+        out_.line(
+            "const robochart::StepResult result = period > 0 ? run_timed(controller, "
+            "std::chrono::milliseconds(period))");
+        out_.line("                                                : run_by_lines(controller);");
+        out_.line(
+            "if (result == robochart::StepResult::step_bound) std::cerr << \"a cycle did not end within its bound of "
+            "steps\\n\";");
+        out_.line(
+            "if (result == robochart::StepResult::precondition) std::cerr << \"an operation was called outside its "
+            "precondition\\n\";");
+        out_.line("if (result == robochart::StepResult::deadline) std::cerr << \"a deadline was missed\\n\";");
+        out_.line(
+            "const bool good = result == robochart::StepResult::quiescent || result == "
+            "robochart::StepResult::terminated;");
+        out_.line("return good ? EXIT_SUCCESS : EXIT_FAILURE;");
         out_.close();
     }
 

@@ -7,6 +7,7 @@
 
 #include "cpp_emit/face.hpp"
 #include "cpp_emit/files.hpp"
+#include "cpp_emit/project.hpp"
 #include "cpp_emit/rules.hpp"
 #include "cpp_emit/support.hpp"
 
@@ -59,6 +60,10 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     emission.files.insert(emission.files.end(), std::begin(rest), std::end(rest));
     const std::vector<OutputFile> values = value_headers(*component);
     emission.files.insert(emission.files.end(), values.begin(), values.end());
+    if (options.target != Target::sources) {
+        emission.files = project_files(generation, core, face, emission.files, diagnostics);
+        emission.shim.clear();
+    }
     emission.fault_sites = mutation.sites();
     return emission;
 }

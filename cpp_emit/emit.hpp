@@ -15,6 +15,7 @@ namespace robochart::cpp_emit {
 struct OutputFile {
     std::string path;
     std::string text;
+    bool keep = false;  ///< its reader's to change: not written where it is there
 };
 
 /// Seeded faults of the generator, for testing the conformance checker (conformance/mutants). `none` in production.
@@ -48,7 +49,19 @@ enum class Fault {
     deadline_kept,      ///< a deadline that was met goes on
 };
 
+/// What is emitted: the classes with everything that the conformance check needs, or a project that builds as it
+/// stands.
+enum class Target {
+    sources,  ///< the classes, the exploration interface, a console driver
+    library,  ///< a CMake library to install
+    main,     ///< a console program
+    ros2,     ///< a package with a node
+    enki,     ///< e-pucks in Enki
+    argos,    ///< a controller of ARGoS
+};
+
 struct Options {
+    Target target = Target::sources;
     Fault fault = Fault::none;
     std::uint32_t fault_site = 0;  ///< which applicable place (transition, call, … in textual order) carries the fault
     std::uint32_t cycle_length = 1;  ///< time units that pass between two control cycles

@@ -41,11 +41,14 @@ const Rule crossing{"RC-G12", Severity::error, "no C++ for transition '{}': it l
                     "top: the order of exits and entries is defined for these only."};
 const Rule too_large{"RC-G13", Severity::error, "no C++ for '{}': {}",
                      "A limit of the generated code or of its exploration interface (runtime/explore_abi.h)."};
+const Rule no_project{"RC-G14", Severity::error, "no {} project for '{}': {}",
+                      "A target may offer less than the language: messages of std_msgs carry truth values, numbers, "
+                      "enumerations without arguments, and several numbers as the arguments of an operation."};
 
 std::span<const Rule* const> all() {
     static constexpr std::array table = {
-        &no_component,        &no_body,   &unsupported_type, &unsupported_expr, &unsupported_node,
-        &unsupported_trigger, &recursion, &unconnected,      &crossing,         &too_large,
+        &no_component, &no_body,     &unsupported_type, &unsupported_expr, &unsupported_node, &unsupported_trigger,
+        &recursion,    &unconnected, &crossing,         &too_large,        &no_project,
     };
     return table;
 }

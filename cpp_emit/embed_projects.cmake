@@ -1,0 +1,10 @@
+# Builds the texts of cpp_emit/projects into the program: one table from path to text.
+file(GLOB_RECURSE paths RELATIVE ${PROJECTS_DIR} ${PROJECTS_DIR}/*)
+list(SORT paths)
+set(text "// Texts of cpp_emit/projects, built in by embed_projects.cmake.\n#include \"cpp_emit/project.hpp\"\n\n#include <stdexcept>\n\nnamespace robochart::cpp_emit {\n\nstd::string project_template(std::string_view path) {\n")
+foreach(path ${paths})
+  file(READ ${PROJECTS_DIR}/${path} content)
+  string(APPEND text "    if (path == \"${path}\")\n        return R\"--project--(${content})--project--\";\n")
+endforeach()
+string(APPEND text "    throw std::logic_error(\"no text \" + std::string(path));\n}\n\n}  // namespace robochart::cpp_emit\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,42 @@
+// Projects around the classes of one component, one a target: what is needed to build it as it stands. The constant
+// parts are the texts in cpp_emit/projects, in which names between @ signs are replaced. Private to the room.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cpp_emit/face.hpp"
+
+namespace robochart::cpp_emit {
+
+/// A text of cpp_emit/projects, "enki/main.cpp".
+[[nodiscard]] std::string project_template(std::string_view path);
+/// The text with every @KEY@ replaced.
+[[nodiscard]] std::string filled(std::string text, const std::map<std::string, std::string>& keys);
+
+/// Parts of the class that face its users, of all interfaces and its own.
+template <class Visit>
+void each_class(const Face& face, const Visit& visit) {
+    for (const FaceClass& base : face.bases) visit(base);
+    visit(face.own);
+}
+
+/// The name, or a longer one that no member of the class has.
+[[nodiscard]] std::string free_member(const Face&, std::string name);
+
+/// Files of the project of Options::target; `controller` holds those of the classes and their CMakeLists.txt and
+/// main.cpp. What the target cannot do is refused by name.
+[[nodiscard]] std::vector<OutputFile> project_files(const Generation&, const Core&, const Face&,
+                                                    const std::vector<OutputFile>& controller,
+                                                    diagnostics::Diagnostics&);
+
+/// The class that an author of a robot fills: events from its sensors, operations to its actuators.
+[[nodiscard]] OutputFile robot_file(const Generation&, const Core&, const Face&, const std::string& act);
+/// Reports what has no message; then the node's header and source.
+[[nodiscard]] bool has_messages(const Generation&, const Face&, diagnostics::Diagnostics&);
+[[nodiscard]] std::string node_header(const Generation&, const Core&, const Face&);
+[[nodiscard]] std::string node_source(const Generation&, const Core&, const Face&);
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,7 @@
+# The generated classes; see controller/@CLASS@.hpp.
+add_library(@CLASS@ STATIC controller/@CLASS@.cpp)
+add_library(@CLASS@::@CLASS@ ALIAS @CLASS@)
+target_include_directories(@CLASS@ PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/controller>
+                                          $<INSTALL_INTERFACE:include/@CLASS@>)
+target_compile_features(@CLASS@ PUBLIC cxx_std_17)
+set_target_properties(@CLASS@ PROPERTIES POSITION_INDEPENDENT_CODE ON)

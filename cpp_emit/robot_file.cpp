@@ -1,0 +1,134 @@
+// robot.hpp of the projects for simulators: where events come from and what operations do is no part of a model, so
+// this file is the author's. As generated it raises nothing and tells what the controller does.
+#include <fmt/format.h>
+
+#include "cpp_emit/project.hpp"
+#include "cpp_emit/types.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+class RobotWriter {
+public:
+    RobotWriter(const Generation& generation, const Core& core, const Face& face, std::string act)
+        : generation_(generation), core_(core), face_(face), act_(std::move(act)) {}
+
+    std::string write() {
+        out_.comment(
+            fmt::format("A robot with the controller of the RoboChart {} {}: which sensors raise its events, what its "
+                        "operations and variables do.",
+                        generation_.component.kind, generation_.place(generation_.component.origin)));
+        out_.comment("This file is yours: robochart-verify made it and leaves it alone where it is there.");
+        out_.line("#pragma once");
+        out_.gap();
+        out_.line("#include <iostream>");
+        out_.line("#include <type_traits>");
+        out_.gap();
+        out_.line("#include \"body.hpp\"");
+        out_.line(fmt::format("#include \"{}.hpp\"", face_.cpp_name));
+        out_.gap();
+        tell_function();
+        out_.gap();
+        robot_class();
+        return out_.text();
+    }
+
+private:
+    void tell_function() {
+        out_.doc("Writes what a robot does, with the values that have a text.");
+        out_.line("template <class... Values>");
+        out_.open("void tell(const Body& body, const char* what, const Values&... values) {");
+        out_.line("std::cout << \"robot \" << body.number() << \": \" << what;");
+        out_.line("[[maybe_unused]] const auto one = [](const auto& value) {");
+        out_.line("    using Value = std::decay_t<decltype(value)>;");
+        out_.line("    if constexpr (std::is_arithmetic_v<Value>) std::cout << ' ' << value;");
+        out_.line("    if constexpr (std::is_enum_v<Value>) std::cout << ' ' << static_cast<int>(value);");
+        out_.line("};");
+        out_.line("(one(values), ...);");
+        out_.line("std::cout << '\\n';");
+        out_.close();
+    }
+
+    void robot_class() {
+        out_.open(fmt::format("class Robot final : public ::{}::{} {{", face_.name_space, face_.cpp_name));
+        out_.label("public:");
+        out_.line("explicit Robot(Body& body) : robot_body_(body) {}");
+        out_.gap();
+        events();
+        variables();
+        each_class(face_, [&](const FaceClass& part) {
+            for (const FaceOperation& operation : part.operations)
+                if (!operation.modelled) call(operation);
+        });
+        out_.gap();
+        out_.label("private:");
+        out_.line("Body& robot_body_;");
+        out_.close("};");
+    }
+
+    void events() {
+        out_.doc("Before a control cycle: raise the events that the sensors tell of. It lowers them again.");
+        out_.open("void CheckInEvent() override {");
+        each_class(face_, [&](const FaceClass& part) {
+            for (const FaceEvent& event : part.events) {
+                if (event.sent) continue;
+                const std::string value =
+                    event.port->type ? fmt::format(" {} = ...; (a {})", event.value, type(*event.port->type)) : "";
+                out_.comment(fmt::format("event {}: {} = ...;{}", event.port->model_name, event.flag, value));
+            }
+        });
+        out_.close();
+        out_.gap();
+    }
+
+    void variables() {
+        out_.doc(
+            "After a control cycle: what the controller has made of the variables that it shares, and what it sent.");
+        out_.open(fmt::format("void {}() {{", act_));
+        each_class(face_, [&](const FaceClass& part) {
+            for (const FaceVariable& variable : part.variables)
+                if (variable.stored->visible)
+                    out_.comment(fmt::format("variable {}: {}", generation_.place(variable.stored->variable->origin),
+                                             variable.member));
+            for (const FaceEvent& event : part.events) {
+                if (!event.sent) continue;
+                out_.line(fmt::format("if ({}) tell(robot_body_, \"{}\"{});", event.flag, event.port->model_name,
+                                      event.port->type ? ", " + event.value : ""));
+            }
+        });
+        out_.close();
+    }
+
+    void call(const FaceOperation& operation) {
+        std::string parameters, values;
+        const auto& signature = *operation.signature;
+        for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
+            const std::string name = free_member(face_, NameScope().unique(signature.parameter_names[i]));
+            parameters += fmt::format("{}{} {}", i == 0 ? "" : ", ", type(signature.parameters[i]), name);
+            values += ", " + name;
+        }
+        out_.gap();
+        out_.doc(generation_.place(signature.origin));
+        out_.line(fmt::format("void {}({}) override {{ tell(robot_body_, \"{}\"{}); }}", operation.method, parameters,
+                              signature.name, values));
+    }
+
+    [[nodiscard]] std::string type(ir::TypeId id) const {
+        return deployed_type(generation_, "::" + core_.name_space, id);
+    }
+
+    const Generation& generation_;
+    const Core& core_;
+    const Face& face_;
+    std::string act_;
+    CodeWriter out_;
+};
+
+}  // namespace
+
+OutputFile robot_file(const Generation& generation, const Core& core, const Face& face, const std::string& act) {
+    return {"robot.hpp", RobotWriter(generation, core, face, act).write(), true};
+}
+
+}  // namespace robochart::cpp_emit

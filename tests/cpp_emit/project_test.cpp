@@ -1,0 +1,297 @@
+// Projects of `emit cpp --target`: each is generated, configured, built without a warning and run as it stands. ROS 2
+// is not in Debian, so its package is built against tests/cpp_emit/ros2_stub; ARGoS where it is installed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "diagnostics/render.hpp"
+#include "tests/cpp_emit/harness.hpp"
+#include "tests/cpp_emit/models.hpp"
+#include "tests/needed.hpp"
+
+namespace robochart::cpp_emit {
+namespace {
+
+using testing::Folder;
+
+const std::string stub = std::string(ROBOCHART_SOURCE_DIR) + "/tests/cpp_emit/ros2_stub";
+const std::string flags = "-O0 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror";
+
+class Project : public ::testing::Test {
+protected:
+    void emit(const ir::System& system, const char* name, Target target) {
+        Options options;
+        options.target = target;
+        const Emission emission = testing::emit_ok(system, testing::component(system, name), options);
+        EXPECT_FALSE(emission.files.empty());
+        folder_.write(emission);
+    }
+    void emit(const char* model, const char* name, Target target) { emit(testing::corpus(model), name, target); }
+
+    void build(const std::string& options = "") const {
+        folder_.run("cmake -S . -B build -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS='" + flags + "' " + options +
+                    " && cmake --build build");
+    }
+
+    void write(const std::string& path, const std::string& text) const {
+        std::ofstream(folder_.path() + "/" + path) << text;
+    }
+
+    /// Builds the package against the stub, with a program that drives its node.
+    void drive(const std::string& node_header, const std::string& text) const {
+        build("-DCMAKE_PREFIX_PATH=" + stub + "/cmake");
+        write("drive.cpp", "#include \"" + node_header +
+                               "\"\n#define EXPECT(x) if (!(x)) return __LINE__\n"
+                               "using rclcpp::Network;\n"
+                               "template <class M> std::vector<M> taken(const std::string& topic) {\n"
+                               "    std::vector<M> all;\n"
+                               "    for (const std::any& each : Network::get().published[topic])\n"
+                               "        all.push_back(std::any_cast<M>(each));\n"
+                               "    Network::get().published[topic].clear();\n"
+                               "    return all;\n}\n" +
+                               text);
+        folder_.run("c++ -std=c++17 -O0 -I " + stub +
+                    "/include -I src -I controller drive.cpp -Lbuild -l:$(basename build/*_node.so) "
+                    "-Wl,-rpath,$PWD/build -o drive");
+        folder_.run("./drive; code=$?; test $code = 0 || { sed -n ${code}p drive.cpp; exit 1; }");
+    }
+
+    Folder folder_;
+};
+
+TEST_F(Project, ALibraryIsInstalledAndFound) {
+    emit("aggregation", "Aggregation", Target::library);
+    build("-DCMAKE_INSTALL_PREFIX=$PWD/prefix");
+    folder_.run("cmake --install build && mkdir user");
+    write("user/CMakeLists.txt",
+          "cmake_minimum_required(VERSION 3.16)\nproject(user LANGUAGES CXX)\nfind_package(AggregationFSM REQUIRED)\n"
+          "add_executable(user user.cpp)\ntarget_link_libraries(user AggregationFSM::AggregationFSM)\n");
+    write("user/user.cpp", R"(#include <AggregationFSM.hpp>
+int main() {
+    aggregation::AggregationFSM robot;
+    robot.step();
+    return robot.angularSpeed == -0.75 ? 0 : 1;
+})");
+    folder_.run(
+        "cmake -S user -B user/build -DCMAKE_PREFIX_PATH=$PWD/prefix && cmake --build user/build && user/build/user");
+}
+
+TEST_F(Project, TheConsoleTakesLinesOrTime) {
+    emit("swarm_taxis", "SwarmTaxis", Target::main);
+    build();
+    const std::string lines =
+        folder_.run("printf '\\nillumination=true\\nrobotDetected nothing\\n' | build/SwarmTaxisFSM_console");
+    EXPECT_NE(lines.find("cycle 1\n  MoveForward()\n  CheckIlluminationStatus()\n  state Forward"), std::string::npos)
+        << lines;
+    EXPECT_NE(lines.find("cycle 3\n  CalcAvoidanceHeading()"), std::string::npos) << lines;
+    EXPECT_NE(lines.find("not an input: nothing"), std::string::npos) << lines;
+    // Four cycles and a last one at the end of the input; the event typed after one and a half comes in the second.
+    const std::string timed =
+        folder_.run("(sleep 0.3; echo robotDetected; sleep 0.5) | build/SwarmTaxisFSM_console 200");
+    EXPECT_NE(timed.find("cycle 1\n  MoveForward()"), std::string::npos) << timed;
+    EXPECT_NE(timed.find("  CalcAvoidanceHeading()\n"), std::string::npos) << timed;
+    EXPECT_NE(timed.find("cycle 3"), std::string::npos) << timed;
+    std::string output;
+    EXPECT_NE(folder_.status("build/SwarmTaxisFSM_console often", output), 0);
+    EXPECT_NE(output.find("usage"), std::string::npos) << output;
+}
+
+TEST_F(Project, ARosNodeTurnsMessagesIntoEvents) {
+    emit("swarm_taxis", "SwarmTaxis", Target::ros2);
+    drive("SwarmTaxisFSM_node.hpp", R"(
+#include <cmath>
+int main() {
+    swarm_taxis::SwarmTaxisFSMNode node;
+    Network& network = Network::get();
+    EXPECT(network.timers.size() == 1 && network.timers[0]->period == 0.1);
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/MoveForward").size() == 1);
+    EXPECT(taken<std_msgs::msg::String>("/SwarmTaxis/state").back().data == "Forward");
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/MoveForward").empty());
+    EXPECT(taken<std_msgs::msg::String>("/SwarmTaxis/state").empty());
+    network.send("/SwarmTaxis/in/illumination", std_msgs::msg::Bool{true});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Bool>("/SwarmTaxis/variable/illuminated").back().data);
+    EXPECT(taken<std_msgs::msg::Float64>("/SwarmTaxis/variable/avoidanceRadius").back().data == 0.2);
+    for (int i = 0; i < 3; ++i) network.tick();
+    network.send("/SwarmTaxis/in/robotDetected", std_msgs::msg::Empty{});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/CalcAvoidanceHeading").size() == 1);
+    network.send("/SwarmTaxis/in/heading", std_msgs::msg::Float64{0.5});
+    network.tick();
+    const auto turns = taken<std_msgs::msg::Float64>("/SwarmTaxis/out/StartTurning");
+    EXPECT(turns.size() == 1 && turns[0].data == 0.5);
+    return 0;
+})");
+}
+
+/// An enumeration, whole numbers, several arguments, an event sent, termination.
+const char* const typed = R"(package p
+enumeration Light { Red Green }
+interface I { go(a : real, b : nat) lamp(l : Light) var level : int }
+interface E { event see : Light event count : nat event done : nat }
+stm M { requires I uses E var l : Light var n : nat initial i
+    state A { entry go(0.5, 3) }
+    final F
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger see?l action lamp(l) ; level = 7 }
+    transition t2 { from A to F trigger count?n action done!n } }
+controller C { requires I uses E sref m = M connection C on see to m on see connection C on count to m on count
+    connection m on done to C on done }
+robotic platform R { provides I uses E }
+module Mod { rref r = R cref c = C connection r on see to c on see (_async) connection r on count to c on count (_async)
+    connection c on done to r on done (_async) }
+)";
+
+TEST_F(Project, ARosNodeCarriesNumbersAndEnumerations) {
+    emit(testing::model(typed), "Mod", Target::ros2);
+    drive("M_node.hpp", R"(
+int main() {
+    p::MNode node;
+    Network& network = Network::get();
+    network.tick();
+    const auto went = taken<std_msgs::msg::Float64MultiArray>("/Mod/out/go");
+    EXPECT(went.size() == 1 && went[0].data == (std::vector<double>{0.5, 3}));
+    network.send("/Mod/in/see", std_msgs::msg::Int64{2});   // no light
+    network.send("/Mod/in/count", std_msgs::msg::Int64{-1});  // no natural number
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Int64>("/Mod/out/lamp").empty());
+    network.send("/Mod/in/see", std_msgs::msg::Int64{1});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Int64>("/Mod/out/lamp").back().data == 1);
+    EXPECT(taken<std_msgs::msg::Int64>("/Mod/variable/level").back().data == 7);
+    network.send("/Mod/in/count", std_msgs::msg::Int64{4});
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Int64>("/Mod/sent/done").back().data == 4);
+    EXPECT(network.timers[0]->cancelled);
+    return 0;
+})");
+}
+
+TEST(ProjectText, APackageIsWellFormed) {
+    const ir::System system = testing::corpus("swarm_taxis");
+    Options options;
+    options.target = Target::ros2;
+    const Emission emission = testing::emit_ok(system, testing::component(system, "SwarmTaxis"), options);
+    std::string text;
+    for (const OutputFile& file : emission.files)
+        if (file.path == "package.xml") text = file.text;
+    ASSERT_NE(text.find("<package format=\"3\">"), std::string::npos) << text;
+    // Every element is closed where it was opened; the order is that of REP 149.
+    std::vector<std::string> open, order;
+    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
+        const std::size_t end = text.find('>', at);
+        ASSERT_NE(end, std::string::npos);
+        const std::string tag = text.substr(at + 1, end - at - 1);
+        if (tag[0] == '?') continue;
+        if (tag[0] == '/') {
+            ASSERT_FALSE(open.empty());
+            EXPECT_EQ(open.back(), tag.substr(1));
+            open.pop_back();
+            continue;
+        }
+        open.push_back(tag.substr(0, tag.find(' ')));
+        order.push_back(open.back());
+    }
+    EXPECT_TRUE(open.empty());
+    const std::vector<std::string> expected{"package",    "name",    "version",          "description",
+                                            "maintainer", "license", "buildtool_depend", "depend",
+                                            "depend",     "depend",  "export",           "build_type"};
+    EXPECT_EQ(order, expected);
+    EXPECT_NE(text.find("<name>swarm_taxis</name>"), std::string::npos) << text;
+}
+
+TEST(ProjectText, WhatHasNoMessageIsRefused) {
+    const char* const text = R"(package p
+interface I { path(all : Seq(real)) }
+interface E { event found : Seq(nat) }
+stm M { requires I uses E var s : Seq(nat) initial i
+    state A { entry path(<>) }
+    transition t0 { from i to A } transition t1 { from A to A trigger found?s } }
+)";
+    const ir::System system = testing::model(text);
+    diagnostics::Diagnostics diagnostics;
+    const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
+    for (const Target target : {Target::library, Target::main, Target::enki, Target::argos, Target::ros2}) {
+        Options options;
+        options.target = target;
+        const Emission emission = emit(system, inst, testing::component(system, "M"), options, diagnostics);
+        EXPECT_EQ(emission.files.empty(), target == Target::ros2);
+    }
+    std::string codes;
+    for (const auto& each : diagnostics.sorted()) codes += std::string(each.rule->code) + " " + each.message() + "\n";
+    EXPECT_NE(codes.find("RC-G14 no ros2 project for 'M': std_msgs has no message for the event 'found'"),
+              std::string::npos)
+        << codes;
+    EXPECT_NE(codes.find("the operation 'path'"), std::string::npos) << codes;
+}
+
+/// What an author writes into robot.hpp for aggregation.
+const char* const aggregation_robot = R"(#pragma once
+#include "AggregationFSM.hpp"
+#include "body.hpp"
+class Robot final : public ::aggregation::AggregationFSM {
+public:
+    explicit Robot(Body& body) : body_(body) {}
+    void CheckInEvent() override { (body_.sees_robot() ? seeRobot : seeWall) = true; }
+    void act() { body_.drive(linearSpeed, angularSpeed); }
+private:
+    Body& body_;
+};
+)";
+
+bool enki_is_there(const Folder& folder) {
+    std::string ignored;
+    return folder.status("echo '#include <enki/PhysicalEngine.h>' | c++ -x c++ -fsyntax-only -", ignored) == 0;
+}
+
+/// As generated, robots tell what they do and stand; filled in, twenty of them gather.
+TEST_F(Project, RobotsInEnki) {
+    ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
+    emit("aggregation", "Aggregation", Target::enki);
+    build();
+    const std::string standing = folder_.run("build/AggregationFSM_enki 2 1");
+    EXPECT_NE(standing.find("robot,x,y,heading,good,state"), std::string::npos) << standing;
+    EXPECT_NE(standing.find(",1,S1"), std::string::npos) << standing;
+    write("robot.hpp", aggregation_robot);
+    folder_.run("cmake --build build");
+    std::istringstream table(folder_.run("build/AggregationFSM_enki 20 180 | tail -20 | cut -d, -f2,3 | tr , ' '"));
+    std::vector<std::pair<double, double>> at;
+    for (double x = 0, y = 0; table >> x >> y;) at.emplace_back(x, y);
+    ASSERT_EQ(at.size(), 20U);
+    double mean_x = 0, mean_y = 0, spread = 0;
+    for (const auto& [x, y] : at) mean_x += x / 20, mean_y += y / 20;
+    for (const auto& [x, y] : at) spread += std::hypot(x - mean_x, y - mean_y) / 20;
+    // Scattered over the arena robots are about 95 cm from their centroid; a cluster of twenty, 12 to 17 cm.
+    EXPECT_LT(spread, 25);
+}
+
+TEST_F(Project, RobotsOfOtherModelsInEnki) {
+    ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
+    emit(testing::model(typed), "Mod", Target::enki);
+    build();
+    const std::string output = folder_.run("build/M_enki 1 1");
+    EXPECT_NE(output.find("robot 0: go 0.5 3"), std::string::npos) << output;
+}
+
+/// ROBOCHART_ARGOS is where ARGoS is installed, as found when the project was configured.
+TEST_F(Project, APluginOfArgos) {
+    const std::string prefix = ROBOCHART_ARGOS;
+    if (prefix.empty()) GTEST_SKIP() << "ARGoS is not installed (-DARGoS_ROOT=PREFIX)";
+    emit("swarm_taxis", "SwarmTaxis", Target::argos);
+    build("-DCMAKE_PREFIX_PATH=" + prefix);
+    const std::string output =
+        folder_.run("LD_LIBRARY_PATH=" + prefix + "/lib/argos3 " + prefix + "/bin/argos3 -n -z -c SwarmTaxisFSM.argos");
+    EXPECT_NE(output.find("robot puck0: MoveForward"), std::string::npos) << output;
+    // Nobody answers: the state of Coherence waits for its heading.
+    EXPECT_NE(output.find("robot puck9: CalcCoherenceHeading"), std::string::npos) << output;
+}
+
+}  // namespace
+}  // namespace robochart::cpp_emit

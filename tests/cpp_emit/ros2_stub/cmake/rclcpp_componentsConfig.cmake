@@ -1,0 +1,13 @@
+# rclcpp_components' target and command, for tests: the real command writes a program with the node and builds it.
+add_library(rclcpp_components::component INTERFACE IMPORTED)
+set_target_properties(rclcpp_components::component PROPERTIES
+  INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_CURRENT_LIST_DIR}/../include)
+function(rclcpp_components_register_node target)
+  cmake_parse_arguments(NODE "" "PLUGIN;EXECUTABLE" "" ${ARGN})
+  if(NOT TARGET ${target} OR NOT NODE_PLUGIN OR NOT NODE_EXECUTABLE)
+    message(FATAL_ERROR "rclcpp_components_register_node: a target, PLUGIN and EXECUTABLE")
+  endif()
+  if(TARGET ${NODE_EXECUTABLE})
+    message(FATAL_ERROR "rclcpp_components_register_node: ${NODE_EXECUTABLE} is a target already")
+  endif()
+endfunction()

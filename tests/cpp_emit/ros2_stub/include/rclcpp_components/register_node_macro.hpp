@@ -1,0 +1,10 @@
+// The registration of a component, for tests: checks what the real one needs of the class.
+#pragma once
+
+#include <type_traits>
+
+#include "rclcpp/rclcpp.hpp"
+
+#define RCLCPP_COMPONENTS_REGISTER_NODE(...)                                              \
+    static_assert(std::is_base_of_v<rclcpp::Node, __VA_ARGS__>, "a component is a node"); \
+    static_assert(std::is_constructible_v<__VA_ARGS__, const rclcpp::NodeOptions&>, "from options");

@@ -1,0 +1,14 @@
+// std_msgs/msg/Int64 as far as generated nodes use it, for tests.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace std_msgs::msg {
+
+struct Int64 {
+    std::int64_t data{};
+};
+
+}  // namespace std_msgs::msg
