@@ -65,7 +65,7 @@ struct Code {
     Value constant = nullptr;
     std::vector<const Code*> args;
     std::vector<FieldCode> fields;
-    std::vector<ClauseCode> clauses;
+    std::vector<ClauseCode> clauses;  ///< prefix: whose events are those of a set, `[] e : S @ e -> P`
     std::vector<std::pair<const Code*, const Code*>> links;
     std::vector<ClauseCode> link_clauses;  ///< replicated linked parallel: clauses of the links
     Unit* unit = nullptr;                  ///< prefix

@@ -42,10 +42,23 @@ const Code* Resolver::compile(const ExprPtr& expr) {
         case ExprKind::let:
             return let(*expr);
         case ExprKind::prefix:
-            return prefix(*expr);
+            return prefix(*expr, {});
+        case ExprKind::replicated_external:
+            return offers_events(*expr) ? prefix(*expr->args[0], expr->clauses) : with_clauses(*expr);
         default:
             return with_clauses(*expr);
     }
+}
+
+// `[] e : S @ e -> P` offers the events of a set: one prefix of many events, not a choice of many prefixes. In a timed
+// section the choice waits for tock with all its operands, so it stays one there.
+bool Resolver::offers_events(const Expr& choice) const {
+    const Expr& body = *choice.args[0];
+    if (timed_ != nullptr || choice.clauses.size() != 1 || body.kind != ExprKind::prefix) return false;
+    const PatternPtr& variable = choice.clauses[0].pattern;
+    const Expr& event = *body.args[0];
+    return variable && variable->kind == PatternKind::name && body.fields.empty() && event.kind == ExprKind::name &&
+           event.text == variable->text;
 }
 
 const Code* Resolver::literal(const Expr& expr) {
@@ -254,13 +267,14 @@ void Resolver::let_timed(const Decl& decl, LetScope& let) {
     timed_ = outside;
 }
 
-const Code* Resolver::prefix(const Expr& expr) {
+const Code* Resolver::prefix(const Expr& expr, const std::vector<Clause>& offered) {
     Code& code = new_code(expr);
     code.number = static_cast<std::uint32_t>(program_.prefixes.size());
     program_.prefixes.push_back(&code);
     code.unit = &new_unit(unit_);
     Unit* const outer_unit = std::exchange(unit_, code.unit);
     Scope* const outer_scope = scope_;
+    code.clauses = clauses(offered);
     code.args.push_back(compile(expr.args[0]));
     for (const Field& each : expr.fields) code.fields.push_back(field(each));
     code.args.push_back(compile(expr.args[1]));

@@ -106,7 +106,8 @@ std::vector<Branch> Evaluator::script_branches(Value key) {
         frame[static_cast<std::size_t>(code.unit->captures[i].second)] = key->items[i + 1];
     }
     std::vector<Branch> result;
-    perform(code, 0, share(eval(*code.args[0], frame)), frame, result);
+    for_each(code, code.clauses, 0, frame,
+             [&](Frame& inside) { perform(code, 0, share(eval(*code.args[0], inside)), inside, result); });
     return result;
 }
 

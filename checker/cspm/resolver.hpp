@@ -112,7 +112,8 @@ private:
     void let_value(const Decl& decl, LetScope& let);
     void let_timed(const Decl& decl, LetScope& let);
     std::vector<std::string> pattern_variables(const Pattern& pattern);
-    const Code* prefix(const Expr& expr);
+    const Code* prefix(const Expr& expr, const std::vector<Clause>& offered);
+    [[nodiscard]] bool offers_events(const Expr& choice) const;
     FieldCode field(const Field& field);
     void field_parts(const Pattern& pattern, std::vector<MatchCode>& parts);
     const Code* with_clauses(const Expr& expr);

@@ -187,5 +187,22 @@ assert P [FD= |~| x : {0, 1} @ ([] y : {0, 1} @ c.x.y -> STOP)
                     "hh");
 }
 
+// `[] e : S @ e -> P` offers the events of S; P may look at the event, and two events may be one.
+TEST(OperatorsTest, ChoiceOverASetOfEvents) {
+    expect_outcomes(R"(channel a : {0, 1}
+channel b, c
+P = [] e : {| a, b |} @ e -> (if member(e, {| a |}) then c -> P else STOP)
+Q = a?_ -> c -> Q [] b -> STOP
+assert P [FD= Q
+assert Q [FD= P
+Offer(s) = [] e : s @ e -> Offer(diff(s, {e}))
+assert a.0 -> b -> STOP [] b -> a.0 -> STOP [FD= Offer({a.0, b})
+assert Offer({a.0, b}) [FD= a.0 -> b -> STOP [] b -> a.0 -> STOP
+assert Offer({}) [FD= STOP
+assert STOP [FD= Offer({})
+)",
+                    "hhhhhh");
+}
+
 }  // namespace
 }  // namespace robochart::cspm::test
