@@ -158,13 +158,11 @@ DeclPtr MachineEmitter::state_module(ir::NodeId id) {
 
 void MachineEmitter::declare_sets(std::vector<DeclPtr>& decls) {
     b::Exprs visible;
-    b::Exprs external;
     b::Exprs entered;
     if (machine().kind == ir::MachineKind::state_machine) visible.push_back(b::name("terminate"));
     for (const CellId cell : frames_[0].variables) {
         if (!cells_[cell].shared) continue;
-        external.push_back(b::name("set_EXT_" + cells_[cell].channel));
-        visible.push_back(external.back());
+        visible.push_back(b::name("set_EXT_" + cells_[cell].channel));
         visible.push_back(b::name("set_" + cells_[cell].channel));
     }
     for (const ir::Event& event : machine().events) visible.push_back(b::name(event.name));
@@ -177,7 +175,7 @@ void MachineEmitter::declare_sets(std::vector<DeclPtr>& decls) {
     for (const ExprPtr& channel : visible)
         if (channel->kind == cspm::ExprKind::name) visible_.push_back(channel->text);
     decls.push_back(b::value("sem__events", b::productions(visible)));
-    decls.push_back(b::value("shared_variable_events", b::productions(external)));
+    decls.push_back(b::value("shared_variable_events", b::productions(external_write_events())));
     decls.push_back(b::value("enteredSS", b::productions(entered)));
     decls.push_back(b::value("internal_events", b::productions(hidden)));
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "checker/cspm/build.hpp"
+#include "csp_emit/alike_branches.hpp"
 #include "csp_emit/rules.hpp"
 #include "csp_emit/types.hpp"
 #include "semantics/query.hpp"
@@ -128,6 +129,10 @@ std::vector<cspm::DeclPtr> MachineEmitter::point_definitions(ExprPtr& initial) {
     fill_unneeded(functions, values_of_no_interest());
     std::vector<cspm::DeclPtr> result = memory_definitions(remembered_, timed());
     if (returns_to_several()) add_places(result);
+    std::vector<NamedSet> sets{{"shared_variable_events", b::productions(external_write_events())}};
+    gather_alike_branches(functions, context_.names, sets);
+    for (std::size_t i = 1; i < sets.size(); ++i)
+        result.push_back(b::value(sets[i].name, sets[i].events, "events after which some point goes on alike"));
     for (std::size_t i = 0; i < points_.size(); ++i) result.push_back(definition(points_[i], functions[i]));
     return result;
 }

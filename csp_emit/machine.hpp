@@ -223,6 +223,7 @@ private:
                     const std::map<std::string, double>& sizes) const;
     Remembered memory_of(CellId cell);
     void external_writes(const Activation& config, const View& view, std::vector<ExprPtr>& out);
+    std::vector<ExprPtr> external_write_events() const;
     bool refuses_writes(const Place& place) const;
 
     // time.cpp (semantics 3.10)

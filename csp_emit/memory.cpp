@@ -28,6 +28,14 @@ bool MachineEmitter::refuses_writes(const Place& place) const {
            next->head.stmt->body.at(0).get() == item.stmt;
 }
 
+/// `set_EXT_x` of every shared variable.
+std::vector<ExprPtr> MachineEmitter::external_write_events() const {
+    std::vector<ExprPtr> result;
+    for (const CellId cell : frames_[0].variables)
+        if (cells_[cell].shared) result.push_back(b::name("set_EXT_" + cells_[cell].channel));
+    return result;
+}
+
 void MachineEmitter::external_writes(const Activation& config, const View& view, std::vector<ExprPtr>& out) {
     for (const Place& place : view.places)
         if (refuses_writes(place)) return;
