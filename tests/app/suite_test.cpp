@@ -1,6 +1,6 @@
 // RoboTool's regression suite through the command: every folder of models that RoboTool accepts has as many obligations
-// as EXPECTED.tsv lists, and each is as worded. What is not yet so stands in a table that can only shrink: an entry
-// that has begun to hold fails the test until it is taken out. Skipped where the material is absent.
+// as EXPECTED.tsv lists, and each is as worded. The obligations that differ stand in a table with the reason: one more,
+// or one less, fails the test. Skipped where the material is absent.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,10 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders of which not every obligation is decided as expected, and why.
-const std::map<std::string, std::string>& not_yet() {
+/// What is not as the suite words it, line by line as `shortfall` has it, by folder. RoboTool has no check for `clock C
+/// is initialised` (assertions.md 4). The comment above the claim in clocks6, that the clock is not used there, is that
+/// of clocks5; in clocks6 every run resets the clock with the trigger `time`, and then t2 reads it
+/// (RoboToolSuite.TheClockOfClocks6IsResetBeforeItIsRead).
+const std::map<std::string, std::string>& departures() {
     static const std::map<std::string, std::string> table{
-        {"clocks6", "claims that a clock is not initialised which every run resets before it is read"},
+        {"clocks6",
+         "C1 [untimed] clock clocks6::ctrl0::stm0::Cl is not initialised: fails\n"
+         "C1 [timed] clock clocks6::ctrl0::stm0::Cl is not initialised: fails\n"
+         "5 of 7 obligations hold\n"},
     };
     return table;
 }
@@ -80,17 +86,55 @@ TEST(RoboToolSuite, EveryObligationIsAsExpected) {
     std::size_t obligations = 0;
     for (const Row& row : rows) {
         obligations += row.obligations;
-        const std::string missing = shortfall(suite, row);
-        if (not_yet().contains(row.folder))
-            EXPECT_NE(missing, "") << row.folder << " is as expected now: take it out of the table";
-        else
-            EXPECT_EQ(missing, "") << row.folder;
+        const auto known = departures().find(row.folder);
+        EXPECT_EQ(shortfall(suite, row), known == departures().end() ? "" : known->second) << row.folder;
     }
     EXPECT_EQ(obligations, 200U);
-    for (const auto& [folder, why] : not_yet()) {
+    for (const auto& [folder, what] : departures()) {
         const auto named = [&name = folder](const Row& row) { return row.folder == name; };
         EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), named)) << folder << " is no folder of the suite";
     }
+}
+
+// stm0 of clocks6 as the suite has it, and without the reset on t1: what the claim of the suite says is so there only.
+// `since(Cl)` is read by t2 and, inside the call, by T1 of opA.
+std::string clocks6(const std::string& reset) {
+    return R"(
+        interface E { event time : nat event output }
+        interface K { clock Cl }
+        interface A { opA(d : nat) }
+        operation opA(d : nat) { requires K initial i final F state s0 { }
+            transition T0 { from i to s0 } transition T1 { from s0 to F condition since(Cl) == d * 2 action wait(d) } }
+        controller ctrl0 {
+            uses E opref opa = opA
+            connection stm0 on output to ctrl0 on output connection ctrl0 on time to stm0 on time
+            stm stm0 { requires A uses E clock Cl var t : nat initial i0 final f0
+                state s0 { initial i0 state s0 { entry wait(2) } transition t0 { from i0 to s0 } }
+                state s1 { } state s2 { }
+                transition t0 { from i0 to s0 } transition t1 { from s0 to s1 trigger time ? t )" +
+           reset + R"( }
+                transition t2 { from s1 to s2 condition since(Cl) == t action opA(t) }
+                transition t3 { from s2 to f0 action output <{ 0 } } } })";
+}
+
+TEST(RoboToolSuite, TheClockOfClocks6IsResetBeforeItIsRead) {
+    const auto answers = [](const std::string& reset) {
+        const TemporaryFile model("m.rct", clocks6(reset));
+        const TemporaryFile claims("m.assertions",
+                                   "assertion Is: clock ctrl0::stm0::Cl is initialised\n"
+                                   "assertion IsNot: clock ctrl0::stm0::Cl is not initialised\n");
+        const Ran ran = run({"check", model.path(), claims.path(), "--format", "json"});
+        std::string result;
+        const auto report = nlohmann::json::parse(ran.out, nullptr, false);
+        if (report.is_discarded()) return ran.err;
+        for (const auto& assertion : report["assertions"]) {
+            const std::string title = assertion["title"];
+            result += title.substr(0, title.find(" clock")) + " " + assertion["answer"].get<std::string>() + "\n";
+        }
+        return result;
+    };
+    EXPECT_EQ(answers("#Cl"), "Is [untimed] holds\nIsNot [untimed] fails\nIs [timed] holds\nIsNot [timed] fails\n");
+    EXPECT_EQ(answers(""), "Is [untimed] fails\nIsNot [untimed] holds\nIs [timed] fails\nIsNot [timed] holds\n");
 }
 
 }  // namespace
