@@ -1,5 +1,6 @@
 // Names of the model that CSPM could not keep: its keywords, its predefined functions and ours, where the script would
-// take the element for them. Such elements get a number behind their name, all over the model alike.
+// take the element for them, and names that two elements would share there. Such elements get a number behind their
+// name, all over the model alike.
 #pragma once
 
 #include "csp_emit/project.hpp"
@@ -13,7 +14,7 @@ struct SafeNames {
     ir::Instantiation instantiation;
 };
 
-/// Renames what needs to be; each renamed element is reported once (RC-C04).
+/// Renames what needs to be; each renamed element is reported once (RC-C04, RC-C09).
 [[nodiscard]] SafeNames safe_names(const ir::System&, const ir::Instantiation&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::csp_emit

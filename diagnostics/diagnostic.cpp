@@ -59,6 +59,12 @@ std::vector<Diagnostic> Diagnostics::sorted() const {
     };
     std::stable_sort(result.begin(), result.end(),
                      [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+    // What is made twice, for the two readings of time, notes the same twice.
+    const auto noted = [](const Diagnostic& a, const Diagnostic& b) {
+        return a.rule == b.rule && a.rule->severity == Severity::note && a.span.source == b.span.source &&
+               a.span.begin == b.span.begin && a.span.end == b.span.end && a.arguments == b.arguments;
+    };
+    result.erase(std::unique(result.begin(), result.end(), noted), result.end());
     return result;
 }
 

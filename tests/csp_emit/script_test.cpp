@@ -270,6 +270,33 @@ TEST(Rules, TooManyCombinationsOfDuringActionsAreRefused) {
     EXPECT_THAT(m->codes(), ElementsAre("RC-C06"));
 }
 
+// Each pair of elements would be one name in CSPM; both are used, and what happens is still told apart.
+TEST(Rules, NamesThatTwoElementsWouldShareGetANumber) {
+    const auto m = model(R"(
+        type K
+        function a(p : nat) : nat { postcondition result == p }
+        interface V { var x : nat }
+        interface O { go() }
+        interface E { event K : K event a event set_x : nat event goCall }
+        stm S {
+            uses E requires V requires O var y : K
+            initial i state a { } state S { }
+            transition t { from i to a }
+            transition u { from a to S trigger K ? y action set_x ! 1 ; goCall ; go() ; x = a(2) ; a }
+        })");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    EXPECT_EQ(testing::equal(*m, Time::untimed, "Alone", "Spec", R"(
+        Alone = S::VS__(0) [| {| S::set_EXT_x |} |] SKIP
+        Spec = S::a_2::entered -> S::K.in?x -> S::set_x_1.out.1 -> S::goCall_1.out -> S::goCall -> S::set_x.2 ->
+               S::a.out -> S::S::entered -> STOP)"),
+              "holds");
+    std::set<std::string> renamed;
+    for (const auto& finding : m->diagnostics.sorted())
+        if (finding.rule == &rules::name_of_another) renamed.insert(finding.arguments[0] + " " + finding.arguments[1]);
+    EXPECT_THAT(renamed,
+                ::testing::UnorderedElementsAre("K K_1", "a a_1", "a a_2", "set_x set_x_1", "goCall goCall_1"));
+}
+
 TEST(Rules, NamesOfCspmGetANumber) {
     const auto m = model(R"(
         stm member {
