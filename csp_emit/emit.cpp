@@ -72,6 +72,17 @@ private:
     NameManager& names_;
 };
 
+/// What the blocks declare that would be a pattern in the place of a parameter (checkers.md 3).
+void reserve_patterns(const std::vector<DeclPtr>& blocks, NameManager& names) {
+    for (const DeclPtr& decl : blocks) {
+        if (decl->kind == cspm::DeclKind::channel)
+            for (const std::string& name : decl->names) names.reserve(name);
+        if (decl->kind == cspm::DeclKind::datatype)
+            for (const cspm::Constructor& each : decl->constructors) names.reserve(each.name);
+        if (decl->kind == cspm::DeclKind::timed) reserve_patterns(decl->decls, names);
+    }
+}
+
 /// Components of a package, in the order machines, controllers, modules.
 class Packages {
 public:
@@ -248,6 +259,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     Emission result;
     std::vector<DeclPtr>& definitions = result.definitions.decls;
     const std::vector<DeclPtr> blocks = user_blocks(project);
+    reserve_patterns(blocks, names);
     std::set<std::string> given;
     defined_names(blocks, given);
     append(definitions, without(library(project), given));  // a user's definition takes the library's place

@@ -89,6 +89,22 @@ TEST(Script, ParametersAvoidNamesOfEvents) {
     EXPECT_THAT(text, Not(HasSubstr("(v_x)")));
 }
 
+TEST(Script, ParametersAvoidNamesOfBlocks) {
+    const auto m = model(R"(
+        stm S {
+            event a
+            var x : nat var y : nat
+            initial i
+            state A { entry x = x + 1 ; y = x + y ; a ; if x == y then a else skip end ; a }
+            transition t0 { from i to A }
+        })",
+                         "csp Block csp-begin\nchannel v_x\ndatatype Kind = v_y | other\ncsp-end");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    EXPECT_THAT(printed(*m, Time::untimed), HasSubstr("(v_x_2, v_y_2)"));
+    EXPECT_EQ(testing::verdicts(*m, Time::untimed, "assert S::D__(0) [FD= S::a.out -> S::a.out -> S::a.out -> STOP"),
+              std::vector<std::string>{"holds"});
+}
+
 TEST(Script, VariablesThatNothingReadsAreNotKept) {
     const auto m = model("stm S { var x : nat initial i state A { entry x = 2 } transition t0 { from i to A } }");
     EXPECT_THAT(printed(*m, Time::untimed), Not(HasSubstr("v_x")));

@@ -272,6 +272,7 @@ PatternTerm NameResolver::declared_pattern(const Item& item, const Pattern& patt
     term.syntax = &pattern;
     if (pattern.kind == PatternKind::name) {
         term.symbol = constructor_named(pattern);
+        if (term.symbol != nullptr && term.symbol->owner != nullptr) item.declaration->uses.push_back(term.symbol);
         if (term.symbol == nullptr && pattern.text.find("::") == std::string::npos) {
             term.symbol = declare(item, pattern.text, pattern.span, SymbolKind::variable);
         }

@@ -63,6 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"CSPM-T08@2", "f(x) = x + 1\nv = f(true)"}, Wrong{"CSPM-T08@2", "f(0) = 1\nf(true) = 2"},
         Wrong{"CSPM-T08@1", "v = { x | x <- <1> }"}, Wrong{"CSPM-T08@1", "v = < x | x <- {1} >"},
         Wrong{"CSPM-T08@1", "channel c : 1"}, Wrong{"CSPM-T08@2", "channel c\nP = c -> 1"},
+        Wrong{"CSPM-T08@1", "c = 1\nchannel c : {0..2}"}, Wrong{"CSPM-T08@2", "channel c : {0..2}\nc = 1"},
         Wrong{"CSPM-T08@2", "channel c : Int\nP = c!true -> STOP"},
         Wrong{"CSPM-T08@2", "channel c : Int\nP = c?x:1 -> STOP"}, Wrong{"CSPM-T08@1", "P = if 1 then STOP else SKIP"},
         Wrong{"CSPM-T08@2", "f :: (a) -> b\nf(x) = x"},
