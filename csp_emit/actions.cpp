@@ -350,9 +350,11 @@ ExprPtr MachineEmitter::reception(const Place& place, const ir::Stmt& stmt) {
     const ExprPtr next = go(place.put(running(push(store, place.thread->rest->tail))), {{cell, b::name(received)}});
     ExprPtr from;
     if (input.predicate) {
-        const ExprPtr condition = expression(project(), scope(frame, {}, b::name(received)), *input.predicate);
-        from = b::set_comprehension({b::name(received)},
-                                    {b::generator(received, type_set(project(), type)), b::condition(condition)});
+        const Scope names = scope(frame, {}, b::name(received));
+        b::Exprs conditions = preconditions(project(), names, *input.predicate);
+        conditions.push_back(expression(project(), names, *input.predicate));
+        from = b::set_comprehension({b::name(received)}, {b::generator(received, type_set(project(), type)),
+                                                          b::condition(b::all_of(conditions))});
     }
     const ExprPtr event = b::dot({b::name(frames_[frame].events.at(input.event.index)), b::name("in")});
     return b::prefix(event, {b::input(received, from)}, next);

@@ -45,7 +45,12 @@ bool Project::speaks_of(const std::string& path) const {
 }
 
 void Project::refuse(const std::string& construct, diagnostics::Span span) const {
-    diagnostics.report(rules::unsupported, span, {construct});
+    const auto known = diagnostics.sorted();  // a statement may be written at several points
+    const bool again = std::any_of(known.begin(), known.end(), [&](const diagnostics::Diagnostic& finding) {
+        return finding.rule == &rules::unsupported && finding.span.source == span.source &&
+               finding.span.begin == span.begin && finding.arguments.at(0) == construct;
+    });
+    if (!again) diagnostics.report(rules::unsupported, span, {construct});
 }
 
 std::string Project::text(diagnostics::Span span) const {

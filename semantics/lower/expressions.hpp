@@ -31,7 +31,7 @@ struct Names {
 
 /// Whether type variables (`?X`) occur in the signature.
 [[nodiscard]] bool is_generic(const frontend::Function&);
-/// The id of a function for all types, used for these types; another use for other types is reported.
+/// The id of a function for all types, used for these types; none, and a report, where it is used for too many.
 [[nodiscard]] FunctionId lower_instance(Lowering&, const frontend::Function&, const std::vector<TypeId>& parameters,
                                         TypeId result, std::map<std::string, TypeId> variables,
                                         diagnostics::Span where);

@@ -28,21 +28,39 @@ void lower_conditions(Lowering& lowering, const frontend::Function& source, Func
         lowering.diagnostics.report(rules::function_by_contract, source.name_span, {source.name});
 }
 
-/// Signature first: the conditions may call the function.
-FunctionId add(Lowering& lowering, const frontend::Function& source, std::vector<TypeId> parameters, TypeId result) {
+/// The signature; its conditions are still to be lowered, since they may call the function.
+FunctionId declare(Lowering& lowering, const frontend::Function& source, std::string name,
+                   std::vector<TypeId> parameters, TypeId result) {
     const FunctionId id{static_cast<std::uint32_t>(lowering.system.functions.size())};
-    lowering.functions[&source] = id;
     Function function;
-    function.name = source.name;
+    function.name = std::move(name);
     function.package = lowering.package_of(source);
     function.origin = origin_of(source.name, source.span);
     for (const auto& parameter : source.parameters) function.parameter_names.push_back(parameter->name);
     function.parameters = std::move(parameters);
     function.result = result;
-    lowering.system.functions.push_back(function);
+    lowering.system.functions.push_back(std::move(function));
+    return id;
+}
+
+void define(Lowering& lowering, const frontend::Function& source, FunctionId id) {
+    Function function = lowering.system.functions[id.index];
     lower_conditions(lowering, source, function);
     lowering.system.functions[id.index] = std::move(function);
-    return id;
+}
+
+/// A name that no other function of the package has: `f`, `f_2`, `f_3`.
+std::string instance_name(const Lowering& lowering, const frontend::Function& source, std::size_t instances) {
+    if (instances == 0) return source.name;
+    const std::string package = lowering.package_of(source);
+    const auto declared = [&](const std::string& name) {
+        return std::any_of(lowering.home.begin(), lowering.home.end(), [&](const auto& known) {
+            return known.first->name == name && lowering.package_of(*known.first) == package;
+        });
+    };
+    std::size_t number = instances + 1;
+    while (declared(source.name + "_" + std::to_string(number))) number += 100;
+    return source.name + "_" + std::to_string(number);
 }
 
 }  // namespace
@@ -62,19 +80,31 @@ FunctionId lower_function(Lowering& lowering, const frontend::Function& source, 
     std::vector<TypeId> parameters;
     for (const auto& parameter : source.parameters)
         parameters.push_back(lower_type(lowering, parameter->type, parameter->span));
-    return add(lowering, source, std::move(parameters), lower_type(lowering, source.result, source.span));
+    const TypeId result = lower_type(lowering, source.result, source.span);
+    const FunctionId id = lowering.functions[&source] =
+        declare(lowering, source, source.name, std::move(parameters), result);
+    define(lowering, source, id);
+    return id;
 }
 
+/// One function for each choice of types: the first keeps the name, the others have a number behind it.
 FunctionId lower_instance(Lowering& lowering, const frontend::Function& source, const std::vector<TypeId>& parameters,
                           TypeId result, std::map<std::string, TypeId> variables, diagnostics::Span where) {
-    if (const auto known = lowering.functions.find(&source); known != lowering.functions.end()) {
-        const Function& before = lowering.system.functions.at(known->second.index);
-        if (before.parameters == parameters && before.result == result) return known->second;
-        lowering.unsupported("function " + source.name + " used for several types", where);
+    constexpr std::size_t most = 64;  // a contract may call the function for ever larger types
+    std::vector<FunctionId>& known = lowering.instances[&source];
+    for (const FunctionId id : known) {
+        const Function& instance = lowering.system.functions[id.index];
+        if (instance.parameters == parameters && instance.result == result) return id;
+    }
+    if (known.size() == most) {
+        lowering.unsupported("function " + source.name + " used for more than " + std::to_string(most) + " types",
+                             where);
         return {};
     }
+    const FunctionId id = declare(lowering, source, instance_name(lowering, source, known.size()), parameters, result);
+    known.push_back(id);
     std::swap(lowering.type_variables, variables);
-    const FunctionId id = add(lowering, source, parameters, result);
+    define(lowering, source, id);
     std::swap(lowering.type_variables, variables);
     return id;
 }

@@ -35,6 +35,7 @@ struct Lowering {
     ByDeclaration<TypeId> declared_types{};
     std::map<std::string, TypeId> types{};  ///< structural key -> id
     ByDeclaration<FunctionId> functions{};
+    ByDeclaration<std::vector<FunctionId>> instances{};  ///< of functions for all types: those of the types in use
     std::map<std::string, TypeId> type_variables{};  ///< of the function for all types whose conditions are lowered
     ByDeclaration<MachineId> machines{};             ///< by frontend::Machine
     ByDeclaration<ControllerId> controllers{};       ///< by frontend::Component

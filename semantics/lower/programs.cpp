@@ -186,9 +186,16 @@ void Programs::assignment(const ast::Stmt& source, Stmt& stmt) {
 }
 
 void Programs::communication(const ast::Stmt& source, Stmt& stmt) {
-    stmt.communication = lower_communication(lowering_, names_, *source.communication);
-    if (source.communication->predicate)
-        lowering_.unsupported("a condition on the value of a communication in an action", source.span);
+    const ast::Communication& communication = *source.communication;
+    stmt.communication = lower_communication(lowering_, names_, communication);
+    if (!communication.predicate) return;
+    if (communication.kind != ast::CommKind::input)
+        return lowering_.unsupported("a condition on a communication that receives no value in an action", source.span);
+    Names incoming = names_;  // the variable stands for the value that comes in, as in a trigger
+    incoming.trigger_variable = communication.variable_target;
+    stmt.communication.predicate = lower_expression(lowering_, incoming, *communication.predicate, boolean_type);
+    if (mentions_time(stmt.communication.predicate))
+        lowering_.unsupported("a timed expression in an action", communication.predicate->span);
 }
 
 void Programs::call(const ast::Stmt& source, Stmt& stmt) {

@@ -336,6 +336,26 @@ TEST(Operations, UndefinedOnesAreOneEvent) {
               "holds");
 }
 
+// What does not satisfy the condition is refused, as at a trigger: x is 1 when the second value is awaited.
+TEST(Actions, ReceiveOnlyWhatSatisfiesTheCondition) {
+    EXPECT_EQ(untimed(machine(R"(
+        var x : nat = 1 var y : nat
+        initial i
+        state A { entry n [| y > x |] ? y ; m ! y ; n [| x == y - x |] ? y ; m ! y }
+        transition t0 { from i to A }
+    )"),
+                      "Spec = S::n.in.2 -> S::m.out.2 -> S::n.in.2 -> S::m.out.2 -> STOP"),
+              "holds");
+}
+
+TEST(Actions, AConditionOnWhatIsSentIsRefused) {
+    const auto m = model(machine(R"(
+        var x : nat initial i state A { entry n [| x == 0 |] ! x } transition t0 { from i to A })"));
+    EXPECT_NE(m->messages().find("a condition on a communication that receives no value in an action"),
+              std::string::npos)
+        << m->messages();
+}
+
 TEST(Time, WaitsCountTocksAndOutputsAreNotUrgent) {
     EXPECT_EQ(timed(machine(R"(
         initial i
