@@ -208,8 +208,14 @@ std::string parameter_list(const Generation& generation, const ir::OperationSign
 }
 
 void write_platform_comment(const Generation& generation, CodeWriter& out) {
-    const auto method = [&](const char* result, const std::string& name, const std::string& parameters) {
+    std::vector<std::string> calls;
+    const auto method = [&](const char* result, const std::string& name, const std::string& parameters,
+                            const std::vector<ir::TypeId>& types) {
         out.comment(fmt::format("    {} {}({});", result, name, parameters));
+        std::vector<std::string> values;
+        for (const ir::TypeId type : types)
+            values.push_back(fmt::format("std::declval<{}>()", cpp_type(generation.system, type)));
+        calls.push_back(fmt::format("{}({})", name, fmt::join(values, ", ")));
     };
     const Component& component = generation.component;
     out.gap();
@@ -221,18 +227,21 @@ void write_platform_comment(const Generation& generation, CodeWriter& out) {
         std::vector<std::string> parameters;
         for (const ir::TypeId type : function.parameters) parameters.push_back(cpp_type(generation.system, type));
         method(cpp_type(generation.system, function.result).c_str(), hook.method,
-               fmt::format("{}", fmt::join(parameters, ", ")));
+               fmt::format("{}", fmt::join(parameters, ", ")), function.parameters);
     }
     for (const PlatformCall& call : component.calls)
-        method("void", call.method, parameter_list(generation, *call.signature));
+        method("void", call.method, parameter_list(generation, *call.signature), call.signature->parameters);
     for (const ModelledCall& call : component.modelled)
-        method("bool", call.method, parameter_list(generation, *call.signature));
+        method("bool", call.method, parameter_list(generation, *call.signature), call.signature->parameters);
     for (const EventPort& event : component.events)
         if (!event.output.empty())
-            method("void", event.output, event.type ? cpp_type(generation.system, *event.type) + " value" : "");
+            method("void", event.output, event.type ? cpp_type(generation.system, *event.type) + " value" : "",
+                   event.type ? std::vector{*event.type} : std::vector<ir::TypeId>{});
     for (const StoredVariable& variable : component.variables)
         if (variable.visible && !variable.copy)
-            method("void", variable.output, cpp_type(generation.system, variable.variable->type) + " value");
+            method("void", variable.output, cpp_type(generation.system, variable.variable->type) + " value",
+                   {variable.variable->type});
+    write_platform_concept(calls, out);
 }
 
 void write_variables(const Generation& generation, CodeWriter& out) {
@@ -353,9 +362,10 @@ Core make_core(const Generation& generation) {
     core.relative = component.cpp_name + "_core";
     core.name_space = package_namespace(component.package) + "::" + core.relative;
     core.header = component.cpp_name + "_core.hpp";
-    NameScope type_names(std::set<std::string>{"State", "Inputs", "Step", "Real", "Nat", "Int", "Types", "Platform",
-                                               "step", "advance_clock", "advance_wait", "duration", "divide", "modulus",
-                                               "place_of", "rounded_down"});
+    NameScope type_names(std::set<std::string>{
+        "State",      "Inputs",        "Step",         "Real",     "Nat",     "Int",     "Types",    "Platform",
+        "step",       "advance_clock", "advance_wait", "duration", "divide",  "modulus", "place_of", "rounded_down",
+        "PlatformOf", "PlatformCheck", "layout",       "name",     "element", "init"});
     for (const ir::TypeId id : component.enumerations)
         (void)type_names.unique(declared_name(generation.system.type(id)));
     for (const Unit& unit : component.units) {
@@ -412,10 +422,19 @@ std::string core_header(const Generation& generation, const Core& core) {
     write_platform_comment(generation, out);
     write_step_class(generation, core, out);
     out.gap();
+    out.doc("The state before the first cycle, which runs the initial transition.");
+    out.line("template <class Types>");
+    out.open("[[nodiscard]] constexpr State<Types> init() noexcept {");
+    out.line("return {};");
+    out.close();
+    out.gap();
     out.doc("One control cycle of the controller.");
     out.line("template <class Types, class Platform>");
     out.open(
         "robochart::StepResult step(State<Types>& state, const Inputs<Types>& inputs, Platform& platform) noexcept {");
+    out.line("#if defined(__cpp_concepts) && __cpp_concepts >= 201907L");
+    out.line("static_assert(PlatformOf<Platform, Types>, \"the platform lacks a method, or one may throw\");");
+    out.line("#endif");
     out.line("return Step<Types, Platform>(state, inputs, platform).cycle();");
     out.close();
     out.gap();

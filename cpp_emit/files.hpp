@@ -22,6 +22,10 @@ struct Core {
 [[nodiscard]] Core make_core(const Generation&);
 /// The core: enumerations, State, Inputs, Step and step().
 [[nodiscard]] std::string core_header(const Generation&, const Core&);
+/// The layout of State as a table, and names of its places (runtime/layout.hpp).
+[[nodiscard]] std::string layout_header(const Generation&, const Core&);
+/// The concept behind the comment that lists the platform's methods; calls like "turn(std::declval<Real>())".
+void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 /// The source that exports robochart_explore() (runtime/explore_abi.h).
 [[nodiscard]] std::string shim_source(const Generation&, const Core&);
 
@@ -29,6 +33,7 @@ struct Core {
 [[nodiscard]] std::string runtime_header();
 [[nodiscard]] std::string finite_header();
 [[nodiscard]] std::string timer_header();
+[[nodiscard]] std::string layout_helpers();
 [[nodiscard]] std::string composed_header();
 [[nodiscard]] std::string matrix_header();
 [[nodiscard]] std::string eigen_header();

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 /// What a violated precondition of an operation does. Define it before including generated code to change that.
 #ifndef RC_REQUIRE

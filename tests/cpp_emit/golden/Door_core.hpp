@@ -57,6 +57,21 @@ struct Inputs {
 
 // The platform that Step drives has these methods, all noexcept; replaces_X answers true when it has done X itself:
 //     void send_bell(Nat value);
+#if defined(__cpp_concepts) && __cpp_concepts >= 201907L
+/// The same for compilers that have concepts; step() asks for it.
+template <class Types, class P>
+struct PlatformCheck {
+    using Real = typename Types::Real;
+    using Nat = typename Types::Nat;
+    using Int = typename Types::Int;
+
+    static constexpr bool complete = requires([[maybe_unused]] P& platform) {
+        { platform.send_bell(std::declval<Nat>()) } noexcept;
+    };
+};
+template <class P, class Types>
+concept PlatformOf = PlatformCheck<Types, P>::complete;
+#endif
 
 /// The behaviour. It lives for one cycle.
 template <class Types, class Platform>
@@ -167,9 +182,18 @@ private:
     bool send_bell_done_ = false;  ///< made in this cycle
 };
 
+/// The state before the first cycle, which runs the initial transition.
+template <class Types>
+[[nodiscard]] constexpr State<Types> init() noexcept {
+    return {};
+}
+
 /// One control cycle of the controller.
 template <class Types, class Platform>
 robochart::StepResult step(State<Types>& state, const Inputs<Types>& inputs, Platform& platform) noexcept {
+    #if defined(__cpp_concepts) && __cpp_concepts >= 201907L
+    static_assert(PlatformOf<Platform, Types>, "the platform lacks a method, or one may throw");
+    #endif
     return Step<Types, Platform>(state, inputs, platform).cycle();
 }
 
