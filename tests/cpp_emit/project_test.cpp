@@ -90,9 +90,9 @@ TEST_F(Project, TheConsoleTakesLinesOrTime) {
         << lines;
     EXPECT_NE(lines.find("cycle 3\n  CalcAvoidanceHeading()"), std::string::npos) << lines;
     EXPECT_NE(lines.find("not an input: nothing"), std::string::npos) << lines;
-    // Four cycles and a last one at the end of the input; the event typed after one and a half comes in the second.
-    const std::string timed =
-        folder_.run("(sleep 0.3; echo robotDetected; sleep 0.5) | build/SwarmTaxisFSM_console 200");
+    // A cycle every tenth of a second, for one and a half; what is typed meanwhile is raised in the next one.
+    const std::string timed = folder_.run(
+        "for i in 1 2 3 4 5 6 7 8 9 10; do sleep 0.15; echo robotDetected; done | build/SwarmTaxisFSM_console 100");
     EXPECT_NE(timed.find("cycle 1\n  MoveForward()"), std::string::npos) << timed;
     EXPECT_NE(timed.find("  CalcAvoidanceHeading()\n"), std::string::npos) << timed;
     EXPECT_NE(timed.find("cycle 3"), std::string::npos) << timed;

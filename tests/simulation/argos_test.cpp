@@ -155,6 +155,27 @@ TEST(Argos, RobotsSeeAndHearWhoIsThere) {
     });
 }
 
+TEST(Argos, WallsStandWhereTheScenarioPutsThem) {
+    in_own_process([] {
+        Staged staged(replaced(three_robots(), "arena 400 cm by 400 cm",
+                               "arena 400 cm by 400 cm open\n\twall (15 cm, -20 cm) to (15 cm, 20 cm)"));
+        if (staged.stage == nullptr) return false;
+        Sensor eye;
+        Sensor radio;
+        Sensor ring;
+        ring.proximity.range = 20;
+        // A millimetre thick; without walls around, the second robot looks into the open.
+        EXPECT_EQ(staged.stage->line_of_sight(0, eye).what, Seen::wall);
+        EXPECT_NEAR(staged.stage->line_of_sight(0, eye).distance, 11.45, 0.1);
+        EXPECT_EQ(staged.stage->line_of_sight(1, eye).what, Seen::nothing);
+        EXPECT_FALSE(staged.stage->somebody_within(0, radio, 80));
+        // The rays of the ring are 22.5 degrees aside: 14.95 cm / cos 22.5 - 3.5 cm.
+        EXPECT_FALSE(staged.stage->close_within(0, ring, 12.5));
+        EXPECT_TRUE(staged.stage->close_within(0, ring, 12.9));
+        return true;
+    });
+}
+
 TEST(Argos, DrivesWithTheScenariosWheels) {
     in_own_process([] {
         Staged staged(replaced(three_robots(), "axle 5.3 cm", "axle 5.1 cm"));
