@@ -26,6 +26,7 @@ public:
         variables();
         timers();
         machines();
+        event_methods();
         std::erase_if(face_.bases, [](const FaceClass& base) {
             return base.variables.empty() && base.events.empty() && base.operations.empty();
         });
@@ -72,9 +73,19 @@ private:
             for (const bool sent : {false, true}) {
                 if (sent ? port.output.empty() : !port.received) continue;
                 const std::string flag = member(port.model_name, sent && port.received ? "_sent" : "_event");
-                target.events.push_back({&port, flag, port.type ? member(flag + "_value", "_of_event") : "", sent});
+                target.events.push_back({&port, flag, port.type ? member(flag + "_value", "_of_event") : "", sent, ""});
             }
         }
+    }
+
+    /// Last, so that they take no other member's name.
+    void event_methods() {
+        const auto name = [&](FaceClass& part) {
+            for (FaceEvent& event : part.events)
+                event.method = member((event.sent ? "on_" : "raise_") + event.port->model_name, "_event");
+        };
+        for (FaceClass& base : face_.bases) name(base);
+        name(face_.own);
     }
 
     void variables() {

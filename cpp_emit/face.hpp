@@ -25,6 +25,7 @@ struct FaceEvent {
     std::string flag;
     std::string value;
     bool sent = false;
+    std::string method;  ///< raises it; of sent ones, is told of it
 };
 
 struct FaceVariable {

@@ -76,6 +76,23 @@ void write_function_hooks(const Generation& generation, const Core& core, const 
     }
 }
 
+/// `raise_e(value)` for events received, `on_e(value)`, to be overridden, for those sent.
+void write_event_method(const Generation& generation, const Core& core, CodeWriter& out, const FaceEvent& event) {
+    const std::string type = event.port->type ? deployed_type(generation, core.relative, *event.port->type) : "";
+    out.gap();
+    if (event.sent) {
+        out.doc("Event " + event.port->model_name + " is sent.");
+        out.line(fmt::format("virtual void {}({}) {{}}", event.method,
+                             type.empty() ? "" : fmt::format("[[maybe_unused]] {} new_value", type)));
+        return;
+    }
+    out.doc("Raises the event for the next cycle; of several values the last counts.");
+    out.open(fmt::format("void {}({}) noexcept {{", event.method, type.empty() ? "" : type + " new_value"));
+    out.line(event.flag + " = true;");
+    if (!type.empty()) out.line(event.value + " = new_value;");
+    out.close();
+}
+
 void write_members(const Generation& generation, const Core& core, CodeWriter& out, const FaceClass& face) {
     for (const FaceVariable& variable : face.variables) {
         const ir::Variable& declared = *variable.stored->variable;
@@ -90,6 +107,7 @@ void write_members(const Generation& generation, const Core& core, CodeWriter& o
             out.line(
                 fmt::format("{} {}{{}};", deployed_type(generation, core.relative, *event.port->type), event.value));
     }
+    for (const FaceEvent& event : face.events) write_event_method(generation, core, out, event);
     for (const FaceOperation& operation : face.operations) write_operation(generation, core, out, operation);
 }
 
@@ -142,6 +160,7 @@ void write_platform(const Generation& generation, const Core& core, const Face& 
             out.open(fmt::format("void {}({}) const noexcept {{", event.port->output, list));
             out.line(fmt::format("machine.{} = true;", event.flag));
             if (valued) out.line(fmt::format("machine.{} = value;", event.value));
+            out.line(fmt::format("machine.{}({});", event.method, valued ? "value" : ""));
             out.close();
         }
         for (const FaceVariable& variable : part.variables) {

@@ -124,6 +124,33 @@ int main() {
 })");
 }
 
+TEST_F(Face, EventsAreRaisedAndHeardByMethods) {
+    const ir::System system = testing::model(R"(package p
+interface I { event ask : int event answer : int event done var value : int }
+stm M { uses I var n : int initial i state S { }
+    transition t0 { from i to S } transition t1 { from S to S trigger ask?n action answer!(n + 1) ; done } }
+)");
+    folder_.write(testing::emit_ok(system, testing::component(system, "M")));
+    std::ofstream(folder_.path() + "/user.cpp") << R"(#include "M.hpp"
+struct Robot : p::M {
+    void on_answer(std::int64_t heard) override { answered = heard; }
+    void on_done() override { ++times; }
+    std::int64_t answered = 0;
+    int times = 0;
+};
+int main() {
+    Robot robot;
+    robot.step();
+    robot.raise_ask(3);
+    robot.raise_ask(4);  // the last one counts
+    robot.step();
+    if (robot.answered != 5 || robot.times != 1 || !robot.answer || robot.answer_value != 5) return 1;
+    robot.step();
+    return robot.times == 1 && !robot.answer ? 0 : 2;
+})";
+    folder_.run("c++ -std=c++17 -Wall -Wextra -Wshadow -Werror -I. user.cpp M.cpp -o user && ./user");
+}
+
 TEST_F(Face, PreconditionsGoToTheHook) {
     const ir::System system = testing::model(R"(package p
 interface I { op(a : int) }

@@ -36,6 +36,19 @@ public:
     bool bell = false;  ///< event bell: sent in the last cycle
     std::int64_t bell_value{};
 
+    /// Raises the event for the next cycle; of several values the last counts.
+    void raise_open() noexcept {
+        open = true;
+    }
+
+    /// Raises the event for the next cycle; of several values the last counts.
+    void raise_close() noexcept {
+        close = true;
+    }
+
+    /// Event bell is sent.
+    virtual void on_bell([[maybe_unused]] std::int64_t new_value) {}
+
 private:
     struct Platform;
 
