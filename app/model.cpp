@@ -63,6 +63,40 @@ bool write_normal_form(Project& project, const Options& options, const ir::Compo
     return write_all(options.out, std::vector<Script>{script}, report.csp_files, project.diagnostics);
 }
 
+/// .aut, .dot or .csp.
+conformance::Export export_format(const std::string& path) {
+    using conformance::Export;
+    const auto dot = path.rfind('.');
+    const std::string ending = dot == std::string::npos ? "" : path.substr(dot);
+    if (ending == ".aut") return Export::aut;
+    if (ending == ".dot") return Export::dot;
+    return ending == ".csp" ? Export::csp : Export::none;
+}
+
+/// All states of the code, where they are known.
+bool write_code_graph(Project& project, const Options& options, conformance::Result& result, Report& report) {
+    std::string error = result.exported.empty() ? fmt::format("--export {}: nothing is written, {}", options.exported_code,
+                                                              result.export_failure.empty() ? "there is no code" : result.export_failure)
+                                                : write_file(options.exported_code, result.exported);
+    if (error.empty()) {
+        report.csp_files.push_back({options.exported_code, result.exported.size()});
+        return true;
+    }
+    project.diagnostics.report(rules::unwritable, {}, {std::move(error)});
+    return false;
+}
+
+/// What --export asks for can be had, of one component.
+bool export_fits(Project& project, const Options& options, std::size_t components) {
+    if (options.exported_code.empty()) return true;
+    const bool named = export_format(options.exported_code) != conformance::Export::none;
+    if (named && components == 1) return true;
+    project.diagnostics.report(rules::bad_option, {},
+                               {fmt::format("--export {}: {}", options.exported_code,
+                                            named ? "there are several components, name one with --component" : "the file's name ends in .aut, .dot or .csp")});
+    return false;
+}
+
 std::string qualified(const ir::ComponentRef& ref) { return ref.package.empty() ? ref.path : ref.package + "::" + ref.path; }
 
 /// Where the files of a component go: "cpp/C", of a project "ros2/C".
@@ -130,11 +164,13 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
 void check_conformance(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
     if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+    if (!export_fits(project, options, components.size())) return;
     for (const ir::ComponentRef& component : components) {
         const auto start = std::chrono::steady_clock::now();
         conformance::Options wanted;
         wanted.cycle_length = options.cycle;
         wanted.limits = limits(options);
+        wanted.exported = export_format(options.exported_code);
         ConformanceReport one;
         one.component = qualified(component);
         const InterruptScope scope;
@@ -142,6 +178,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const bool exported = options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
         if (exported && !write_normal_form(project, options, component, one.result.normal_form, report)) return;
+        if (!options.exported_code.empty() && !write_code_graph(project, options, one.result, report)) return;
         report.conformance.push_back(std::move(one));
     }
 }

@@ -64,6 +64,7 @@ struct Options {
     std::optional<std::uint64_t> seed;    ///< simulate: instead of the scenario's
     bool pictures = true;                 ///< simulate: write tables and pictures
     std::string log;                      ///< simulate: folder for logs of every robot, "" for none
+    std::string exported_code;            ///< conform: file for L(G), .aut, .dot or .csp; "" for none
     std::vector<std::string> traces;      ///< conform: logs (files, folders) to compare with the model instead of code
     bool cycle_given = false;
     bool deny_warnings = false;           ///< a warning is as bad as an error

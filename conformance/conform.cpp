@@ -7,6 +7,7 @@
 #include "checker/cspm/session.hpp"
 #include "conformance/component.hpp"
 #include "conformance/cyclic_model.hpp"
+#include "conformance/export.hpp"
 #include "conformance/judge.hpp"
 #include "conformance/normal_form.hpp"
 #include "conformance/shared_object.hpp"
@@ -45,8 +46,9 @@ Result judge_object(const csp_emit::Emission& script, const cspm::ExprPtr& proce
         cspm::Session session(script.definitions);
         const auto model = session.system(process);
         Result result = judge(*model, session.event_table(), interface, code, options.cycle_length, options.limits);
-        result.normal_form =
-            normal_form_text(script, process, Alphabet(interface, session.event_table()), options.cycle_length);
+        const Alphabet alphabet(interface, session.event_table());
+        result.normal_form = normal_form_text(script, process, alphabet, options.cycle_length);
+        if (options.exported != Export::none) export_code(result, {script, process, code, alphabet}, options);
         return result;
     } catch (const AlphabetError& mismatch) {
         Result result;

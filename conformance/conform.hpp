@@ -41,12 +41,18 @@ struct Result {
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
     std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script
     std::vector<std::string> warnings;  ///< of the code: states that are not canonical
+    std::string exported;               ///< L(G) in the format asked for (Options::exported)
+    std::string export_failure;         ///< why there is none, where one was asked for
 };
+
+/// L(G) for other tools: Aldebaran's format, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
+enum class Export { none, aut, dot, csp };
 
 struct Options {
     std::uint32_t cycle_length = 1;  ///< c: tocks per cycle
-    cpp_emit::Options generator;     ///< seeded faults, for tests
-    std::string compiler = "c++";    ///< must accept g++'s options
+    Export exported = Export::none;
+    cpp_emit::Options generator;   ///< seeded faults, for tests
+    std::string compiler = "c++";  ///< must accept g++'s options
     std::string flags = "-std=c++17 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror";
     std::string
         work_dir;  ///< where sources and the shared object are put; "" : a fresh temporary folder, removed after

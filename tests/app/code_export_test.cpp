@@ -1,0 +1,74 @@
+// `conform --export`: all states of the code for other tools, and a script with the model that our own checker of
+// scripts decides as `conform` does.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "command.hpp"
+
+namespace robochart::app {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::repository;
+using testing::run;
+using ::testing::StartsWith;
+
+std::string contents(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string temporary(const std::string& name) {
+    return (fs::temp_directory_path() / ("export_" + std::to_string(::getpid()) + "_" + name)).string();
+}
+
+TEST(CodeExport, TheScriptRepeatsTheCheck) {
+    for (const char* study : {"corpus/aggregation", "tests/conformance/models/nested"}) {
+        const std::string path = temporary("code.csp");
+        const auto ran = run({"conform", repository(study), "--export", path});
+        ASSERT_EQ(ran.exit, 0) << ran.out << ran.err;
+        EXPECT_THAT(contents(path), HasSubstr("assert NF__ [FD= Code__"));
+        const auto decided = run({"cspm", path});
+        EXPECT_EQ(decided.exit, 0) << decided.out << decided.err;
+        // The same code with one write left out is no refinement: the script tells the difference.
+        std::string broken = contents(path);
+        const std::size_t code = broken.find("Code__0 =");
+        const std::size_t write = broken.find("registerWrite.", code);
+        ASSERT_NE(write, std::string::npos);
+        const std::size_t arrow = broken.find("->", write);
+        broken.replace(write, arrow - write, "tock ");
+        std::ofstream(path, std::ios::binary) << broken;
+        EXPECT_EQ(run({"cspm", path}).exit, 1);
+        fs::remove(path);
+    }
+}
+
+/// Aldebaran: `des (0, transitions, states)`, then as many lines as transitions.
+TEST(CodeExport, AldebaranHasEveryTransition) {
+    const std::string path = temporary("code.aut");
+    ASSERT_EQ(run({"conform", repository("corpus/aggregation"), "--export", path}).exit, 0);
+    const std::string text = contents(path);
+    EXPECT_THAT(text, StartsWith("des (0,"));
+    EXPECT_THAT(text, HasSubstr("registerRead.present__seeRobot"));
+    EXPECT_THAT(text, HasSubstr("registerWrite.wrote__set_linearSpeed.-1088"));
+    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    EXPECT_EQ(text.substr(0, text.find('\n')).find("," + std::to_string(lines - 1) + ","), 6U) << text.substr(0, 40);
+    fs::remove(path);
+}
+
+TEST(CodeExport, OptionsThatDoNotFitAreSaid) {
+    const auto ending = run({"conform", repository("corpus/aggregation"), "--export", "code.txt"});
+    EXPECT_EQ(ending.exit, 2);
+    EXPECT_THAT(ending.err, HasSubstr(".aut, .dot or .csp"));
+    const auto large = run({"conform", repository("corpus/aggregation"), "--export", "code.aut", "--max-states", "3"});
+    EXPECT_EQ(large.exit, 2);
+    EXPECT_THAT(large.err, HasSubstr("nothing is written"));
+}
+
+}  // namespace
+}  // namespace robochart::app
