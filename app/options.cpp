@@ -39,11 +39,12 @@ struct VerbRow {
     const char* help;
     const char* input;
 };
-constexpr std::array<VerbRow, 11> verbs{{
+constexpr std::array<VerbRow, 12> verbs{{
     {Verb::verify, "verify", "", "all of it: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL"},
     {Verb::check, "check", "", "read the model and decide its assertions", "MODEL"},
     {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL"},
     {Verb::emit_cpp, "cpp", "emit", "write the C++ controllers", "MODEL"},
+    {Verb::emit_monitor, "monitor", "emit", "write monitors: headers that follow a controller and say where it leaves its model", "MODEL"},
     {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL"},
     {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT"},
     {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "CODE"},
@@ -189,6 +190,7 @@ void add_simulate(CLI::App& app, Options& o) {
     app.add_option("--seed", o.seed, "seed of the first trial, instead of the scenario's")->option_text("N");
     app.add_option("--threads", o.threads, "trials at the same time at most; 0 for one a core")->check(CLI::Range(0U, 64U))->option_text("N [0]");
     app.add_flag_callback("--no-pictures", [&o] { o.pictures = false; }, "write no tables and pictures");
+    app.add_flag("--monitor", o.monitor, "stop a trial where a robot does what its model does not allow");
     app.add_option("--log", o.log, "write what every robot read and did in every cycle, for `conform --traces`")->option_text("DIR");
     app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
     add_warnings(app, o);
@@ -220,7 +222,7 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     add_model(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::emit_csp) add_times(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::conform) add_checking(app, o);
-    if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::conform) add_code(app, o);
+    if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::emit_monitor || row.verb == Verb::conform) add_code(app, o);
     if (row.verb == Verb::conform) add_conform(app, o);
     if (row.verb == Verb::emit_cpp) add_target(app, o);
     add_out(app, o);

@@ -21,7 +21,7 @@ enum class Exit : int {
     internal = 70,     ///< a fault of ours
 };
 
-enum class Verb { verify, check, emit_csp, emit_cpp, conform, cspm, explain, format, lsp, simulate, validate };
+enum class Verb { verify, check, emit_csp, emit_cpp, emit_monitor, conform, cspm, explain, format, lsp, simulate, validate };
 enum class Format { text, json, sarif, plain, framed_json };
 enum class ProgressMode { automatic, json, never };
 enum class Color { automatic, always, never };
@@ -63,6 +63,7 @@ struct Options {
     std::uint32_t trials = 0;             ///< simulate: instead of the scenario's; 0: as it says
     std::optional<std::uint64_t> seed;    ///< simulate: instead of the scenario's
     bool pictures = true;                 ///< simulate: write tables and pictures
+    bool monitor = false;                 ///< simulate: a monitor beside every controller
     std::string log;                      ///< simulate: folder for logs of every robot, "" for none
     std::string exported_code;            ///< conform: file for L(G), .aut, .dot or .csp; "" for none
     std::vector<std::string> traces;      ///< conform: logs (files, folders) to compare with the model instead of code

@@ -30,6 +30,10 @@ const diagnostics::Rule unwritable{"RC-A03", Severity::error, "{}",
                                    "cannot be made, the file or folder is not writable, or the disk is full. Files written before it are "
                                    "complete; the file itself is as it was."};
 
+const diagnostics::Rule no_monitor{"RC-A04", Severity::error, "no cyclic automaton can be made for {}: {}",
+                                   "Monitors and test suites are made from the normal form of a component, all of it: its states must be few "
+                                   "enough, its inputs and outputs numbers, truth values and literals. Smaller carriers (--range) make it smaller."};
+
 }  // namespace rules
 
 namespace {
@@ -54,7 +58,7 @@ std::vector<const diagnostics::Rule*> all_rules() {
     add(cspm::types::rules::all());
     add(simulation::rules::all());
     add(conformance::rules::all());
-    all.insert(all.end(), {&rules::bad_option, &rules::no_component, &rules::unwritable});
+    all.insert(all.end(), {&rules::bad_option, &rules::no_component, &rules::unwritable, &rules::no_monitor});
     return all;
 }
 

@@ -12,6 +12,7 @@ namespace rules {
 extern const diagnostics::Rule bad_option;      ///< an option's value does not fit the model
 extern const diagnostics::Rule no_component;    ///< nothing to generate code for
 extern const diagnostics::Rule unwritable;      ///< a file could not be written
+extern const diagnostics::Rule no_monitor;      ///< a component without monitor or test suite
 }  // namespace rules
 
 /// Every rule of every room, by room then table order.

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "app/interrupt.hpp"
+#include "app/monitor.hpp"
 #include "app/rules.hpp"
 #include "app/verbs.hpp"
 #include "diagnostics/json.hpp"
@@ -165,13 +166,16 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     wanted.record = options.pictures;
     LogFailure failure;
     if (!options.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
+    const auto monitors = options.monitor ? make_monitors(*simulation, options) : nullptr;
+    if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
+    if (monitors != nullptr) wanted.trace = monitors->beside(wanted.trace);
     wanted.interrupted = interrupted;
     wanted.progress = progress_of(options, simulation->scenario.name.text);
     const InterruptScope scope;
     const simulation::RunResult result = simulation::run(simulation->plan, controller->drive(), wanted, project.diagnostics);
     if (!failure.text.empty()) project.diagnostics.report(rules::unwritable, {}, {failure.text});
     if (!project.diagnostics.ok() && !result.stopped()) return show_diagnostics(project, options), Exit::bad_input;
-    std::string notes;
+    std::string notes = monitors == nullptr ? "" : monitors->note();
     std::vector<std::string> files;
     if (options.pictures && !result.interrupted)
         files = write_simulation_files(*simulation, result, controller->drive(), options, notes);

@@ -23,6 +23,8 @@ void check_assertions(Project&, const Options&, Report&);
 /// Writes cpp/COMPONENT/… below the output folder.
 [[nodiscard]] bool write_cpp(Project&, const Options&, Report&);
 void check_conformance(Project&, const Options&, Report&);
+/// Writes monitor/COMPONENT/… below the output folder.
+Exit emit_monitors(Project&, const Options&);
 /// conform --traces: logs of runs against the model.
 Exit conform_traces(Project&, const Options&);
 /// The phase asked for by --print, to stdout.

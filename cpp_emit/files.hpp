@@ -44,6 +44,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string explore_helpers();
 [[nodiscard]] std::string explore_header();
 [[nodiscard]] std::string drive_header();
+[[nodiscard]] std::string monitor_header();
 
 /// "Generated from RoboChart ... edit the model" for the top of a file.
 void file_comment(const Generation&, CodeWriter&, const std::string& what);

@@ -78,6 +78,11 @@ private:
         const rc_drive_result result = drive_.step(controllers_[robot], signals_.data(), &actions_);
         if (options_.trace != nullptr) options_.trace->cycle(robot, result_.steps, signals_.data(), actions_, result);
         if (result > RC_DRIVE_TERMINATED || actions_.overflow != 0) return stop(robot, result);
+        const Objection* const objection = options_.trace == nullptr ? nullptr : options_.trace->objection();
+        if (objection != nullptr) {
+            result_.stop = Stop{robot, time(), objection->cause, objection->place};
+            return;
+        }
         for (std::uint32_t a = 0; a < actions_.count; ++a) act(robot, actions_.action[a]);
         move(robot);
     }

@@ -22,12 +22,20 @@ struct Frame {
     std::vector<std::uint16_t> states;  ///< index into the controller's table of states; its size in between
 };
 
+/// Why a trial must stop.
+struct Objection {
+    std::string cause;  ///< "it wrote ..., which the model does not allow"
+    std::string place;  ///< element of the model
+};
+
 /// Sees every cycle of every robot; for logs that are compared with the model. Called from the trial's thread.
 class Trace {
 public:
     virtual ~Trace() = default;
     virtual void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
                        rc_drive_result result) = 0;
+    /// Asked after each cycle; null: go on.
+    [[nodiscard]] virtual const Objection* objection() const { return nullptr; }
 };
 
 /// A controller that could not go on.

@@ -92,6 +92,26 @@ TEST(Traces, ChangedControllersAreFoundOut) {
     }
 }
 
+TEST(Monitors, LetTrueControllersRun) {
+    for (const char* study : {"aggregation", "swarm_taxis"}) {
+        const std::string scenario = repository(std::string("corpus/") + study + "/" + study + ".scenario");
+        const auto ran = run({"simulate", scenario, "--no-pictures", "--monitor", "--trials", "2"});
+        EXPECT_EQ(ran.err.find("RC-M12"), std::string::npos) << ran.err;
+        EXPECT_THAT(ran.out, HasSubstr("40 robots watched\n")) << "all, to the end: " << ran.out;
+    }
+}
+
+TEST(Monitors, AreEmittedAndRefused) {
+    const Folder folder;
+    const auto emitted = run({"emit", "monitor", repository("corpus/aggregation"), "--out", folder / "out"});
+    EXPECT_EQ(emitted.exit, 0) << emitted.err;
+    EXPECT_TRUE(fs::exists(folder / "out/monitor/Aggregation/Aggregation_monitor.hpp"));
+    EXPECT_TRUE(fs::exists(folder / "out/monitor/Aggregation/robochart/monitor.hpp"));
+    const auto large = run({"emit", "monitor", repository("corpus/swarm_taxis"), "--max-states", "20"});
+    EXPECT_EQ(large.exit, 2);
+    EXPECT_THAT(large.err, HasSubstr("RC-A04"));
+}
+
 TEST(Traces, AnUnreadableLogIsToldLikeAnyInput) {
     const testing::TemporaryFile log("run.trace",
                                      "robochart-trace 1\ncomponent Aggregation\n\nrun a\nseeNobody? tock\n");

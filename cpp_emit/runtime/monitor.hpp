@@ -1,0 +1,187 @@
+// A monitor beside a controller: follows what it reads and does in the normal form of its model, and says at the first
+// event that the model does not allow. State number and dense tables; no heap, no exceptions. Ships with generated
+// monitors. Copyright: see LICENSE (Apache-2.0).
+#ifndef ROBOCHART_MONITOR_HPP
+#define ROBOCHART_MONITOR_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+namespace robochart {
+
+/// Values of an argument, ascending; numbers of the model times `scale`.
+struct MonitorValues {
+    const std::int64_t* value;
+    std::uint32_t count;
+    std::int64_t scale;
+    bool consecutive;  ///< value[i] is value[0] + i
+    bool passed_on;    ///< others may stand for values outside: the model only passes them on
+};
+
+/// An input or output.
+struct MonitorChannel {
+    const char* name;             ///< in the model: "seeRobot", "MoveForward"
+    const char* element;          ///< with file and line
+    const MonitorValues* values;  ///< of each argument
+    std::uint32_t arguments;
+    /// Columns of the table. Inputs: absent, then present with each value. Outputs: by the places of the arguments'
+    /// values, the last one fastest.
+    const std::uint16_t* column;
+};
+
+struct MonitorTables {
+    const char* component;
+    std::uint32_t cycle_length;  ///< tocks of a cycle
+    std::uint32_t states;
+    std::uint32_t columns;
+    const std::uint16_t* next;  ///< [state * columns + column]
+    std::uint32_t inputs;
+    const MonitorChannel* input;
+    std::uint32_t outputs;
+    const MonitorChannel* output;
+    std::uint16_t tock;  ///< column
+    std::uint16_t tick;
+    const char* const* where;  ///< of states in which cycles begin: the elements the model may be in; else null
+};
+
+enum class MonitorVerdict : std::uint8_t {
+    allowed,   ///< all that was seen is a run of the model
+    violated,  ///< the last event seen is not
+    unknown,   ///< a value outside the finite reading of the model, which depends on it: nothing is known from here on
+};
+
+/// Told of every cycle: each input in the order of the table, what was written in the order in which it was, then the
+/// time units. A value of a few bytes.
+class Monitor {
+public:
+    static constexpr std::uint16_t dead = 0xffff;
+
+    explicit constexpr Monitor(const MonitorTables& tables) noexcept : tables_(&tables) {}
+
+    constexpr void absent(std::uint32_t input) noexcept { take(tables_->input[input].column[0], input, 'r'); }
+    constexpr void read(std::uint32_t input) noexcept { take(tables_->input[input].column[1], input, 'r'); }
+    template <class Value>
+    constexpr void read(std::uint32_t input, Value value) noexcept {
+        const std::uint32_t place = find(tables_->input[input].values[0], value);
+        if (place != no_place) take(tables_->input[input].column[1 + place], input, 'r');
+    }
+    template <class... Values>
+    constexpr void wrote(std::uint32_t output, Values... values) noexcept {
+        std::uint32_t place = 0;
+        std::uint32_t argument = 0;
+        const MonitorChannel& channel = tables_->output[output];
+        ((place = add(place, channel.values[argument++], values)), ...);
+        if (place != no_place) take(channel.column[place], output, 'w');
+    }
+    /// The same, argument by argument: `start`, then `argument` for each, then `wrote_at`.
+    static constexpr std::uint32_t start() noexcept { return 0; }
+    template <class Value>
+    constexpr std::uint32_t argument(std::uint32_t place, std::uint32_t output, std::uint32_t number,
+                                     Value value) noexcept {
+        return add(place, tables_->output[output].values[number], value);
+    }
+    constexpr void wrote_at(std::uint32_t output, std::uint32_t place) noexcept {
+        if (place != no_place) take(tables_->output[output].column[place], output, 'w');
+    }
+    /// The end of the cycle: its time units pass.
+    constexpr void end_of_cycle() noexcept {
+        for (std::uint32_t t = 0; t < tables_->cycle_length; ++t) take(tables_->tock, 0, 't');
+        if (verdict_ == MonitorVerdict::allowed) begun_ = state_;
+    }
+    constexpr void terminated() noexcept { take(tables_->tick, 0, 'e'); }
+    constexpr void reset() noexcept { *this = Monitor(*tables_); }
+
+    [[nodiscard]] constexpr MonitorVerdict verdict() const noexcept { return verdict_; }
+    /// violated: the name of what was read or written, or "the end of the cycle", "termination".
+    [[nodiscard]] constexpr const char* event() const noexcept {
+        if (kind_ == 'r') return tables_->input[channel_].name;
+        if (kind_ == 'w') return tables_->output[channel_].name;
+        return kind_ == 't' ? "the end of the cycle" : "termination";
+    }
+    /// violated: the element of the model behind it, "" for time and termination.
+    [[nodiscard]] constexpr const char* element() const noexcept {
+        if (kind_ == 'r') return tables_->input[channel_].element;
+        return kind_ == 'w' ? tables_->output[channel_].element : "";
+    }
+    /// Where the model may have been when the cycle began: elements with file and line.
+    [[nodiscard]] constexpr const char* where() const noexcept {
+        return tables_->where[begun_] == nullptr ? "" : tables_->where[begun_];
+    }
+    [[nodiscard]] constexpr std::uint16_t state() const noexcept { return state_; }
+
+private:
+    static constexpr std::uint32_t no_place = 0xffffffffU;
+
+    constexpr void take(std::uint16_t column, std::uint32_t channel, char kind) noexcept {
+        if (verdict_ != MonitorVerdict::allowed) return;
+        const std::uint16_t next =
+            column == dead ? dead : tables_->next[std::size_t{state_} * tables_->columns + column];
+        if (next != dead) {
+            state_ = next;
+            return;
+        }
+        verdict_ = MonitorVerdict::violated;
+        channel_ = static_cast<std::uint16_t>(channel);
+        kind_ = kind;
+    }
+
+    template <class Value>
+    constexpr std::uint32_t add(std::uint32_t place, const MonitorValues& values, Value value) noexcept {
+        const std::uint32_t here = place == no_place ? no_place : find(values, value);
+        return here == no_place ? no_place : place * values.count + here;
+    }
+
+    constexpr std::uint32_t find(const MonitorValues& values, bool value) noexcept {
+        return among(values, value ? 1 : 0, value ? 1U : 0U);
+    }
+    constexpr std::uint32_t find(const MonitorValues& values, std::int64_t value) noexcept {
+        return among(values, value * values.scale, static_cast<std::uint64_t>(value));
+    }
+    /// A decimal of the model in binary floating point is off by less than 1e-9 of itself.
+    constexpr std::uint32_t find(const MonitorValues& values, double value) noexcept {
+        const double scaled = value * static_cast<double>(values.scale);
+        if (!(scaled > -9e15 && scaled < 9e15)) return outside(values, 1);
+        const auto near = static_cast<std::int64_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
+        const double rest = scaled - static_cast<double>(near);
+        const double size = scaled < 0 ? -scaled : scaled;
+        const bool whole = (rest < 0 ? -rest : rest) <= 1e-9 * (size < 1 ? 1 : size);
+        const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(value * 1e3));
+        return whole ? among(values, near, bits) : outside(values, bits);
+    }
+
+    constexpr std::uint32_t among(const MonitorValues& values, std::int64_t value, std::uint64_t bits) noexcept {
+        if (values.consecutive) {
+            const std::int64_t place = value - values.value[0];
+            return place >= 0 && place < std::int64_t{values.count} ? static_cast<std::uint32_t>(place)
+                                                                    : outside(values, bits);
+        }
+        std::uint32_t low = 0;
+        std::uint32_t high = values.count;
+        while (low < high) {
+            const std::uint32_t middle = low + (high - low) / 2;
+            if (values.value[middle] < value)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        return low < values.count && values.value[low] == value ? low : outside(values, bits);
+    }
+
+    constexpr std::uint32_t outside(const MonitorValues& values, std::uint64_t bits) noexcept {
+        if (values.passed_on && values.count > 0)
+            return static_cast<std::uint32_t>((bits * 0x9E3779B97F4A7C15ULL >> 32U) % values.count);
+        if (verdict_ == MonitorVerdict::allowed) verdict_ = MonitorVerdict::unknown;
+        return no_place;
+    }
+
+    const MonitorTables* tables_;
+    std::uint16_t state_ = 0;
+    std::uint16_t begun_ = 0;
+    std::uint16_t channel_ = 0;
+    char kind_ = ' ';
+    MonitorVerdict verdict_ = MonitorVerdict::allowed;
+};
+
+}  // namespace robochart
+
+#endif

@@ -1,0 +1,82 @@
+// Monitors beside controllers whose generator was at fault: the trial stops at the first event that is none of the
+// model's, with its element.
+#include "app/monitor.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+#include "cpp_emit/drive.hpp"
+
+namespace robochart::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Watched {
+public:
+    explicit Watched(const std::string& study) {
+        options_.verb = Verb::simulate;
+        options_.inputs = {testing::repository("corpus/" + study + "/" + study + ".scenario")};
+        options_.trials = 1;
+        simulation_ = load_simulation(options_);
+        monitors_ = make_monitors(*simulation_, options_);
+        EXPECT_NE(monitors_, nullptr);
+    }
+
+    /// One trial with the controller of a generator with this fault; the stop, if there was one.
+    std::optional<simulation::Stop> run(cpp_emit::Fault fault, std::uint32_t site) {
+        Project& project = *simulation_->project;
+        cpp_emit::Options generator;
+        generator.cycle_length = simulation_->scenario.units_per_step;
+        generator.sources = &project.sources;
+        generator.fault = fault;
+        generator.fault_site = site;
+        const auto component = code_components(project.system, simulation_->scenario.component.text).front();
+        const auto emission = cpp_emit::emit_drive(project.system, project.instantiation, component, generator, project.diagnostics);
+        std::string error;
+        const auto controller = simulation::Controller::build(emission, "", error);
+        EXPECT_NE(controller, nullptr) << error;
+        simulation::RunOptions wanted;
+        wanted.record = false;
+        wanted.trace = monitors_->beside({});
+        diagnostics::Diagnostics found;
+        return simulation::run(simulation_->plan, controller->drive(), wanted, found).trials.at(0).stop;
+    }
+
+private:
+    Options options_;
+    std::unique_ptr<Simulation> simulation_;
+    std::unique_ptr<Monitors> monitors_;
+};
+
+TEST(Monitors, StopFaultyControllersWithTheElement) {
+    using cpp_emit::Fault;
+    Watched aggregation("aggregation");
+    EXPECT_FALSE(aggregation.run(Fault::none, 0).has_value());
+    for (const auto& [fault, cause] : std::vector<std::pair<Fault, std::string>>{{Fault::argument_swapped, "angularSpeed"},
+                                                                                  {Fault::entry_dropped, "the end of the cycle"},
+                                                                                  {Fault::wrong_target, ""},
+                                                                                  {Fault::wait_dropped, ""}}) {
+        const auto stop = aggregation.run(fault, 0);
+        ASSERT_TRUE(stop.has_value()) << static_cast<int>(fault);
+        EXPECT_THAT(stop->cause, HasSubstr("its model does not allow " + cause));
+        EXPECT_THAT(stop->place, HasSubstr("aggregation.rct:"));
+    }
+}
+
+TEST(Monitors, StopFaultyTaxis) {
+    using cpp_emit::Fault;
+    Watched taxis("swarm_taxis");
+    EXPECT_FALSE(taxis.run(Fault::none, 0).has_value());
+    // Resets in textual order: t0, where the clock stands at 0 anyway; t1 and t2, before those of t4 and t5; then t4.
+    for (const auto& [fault, site] : std::vector<std::pair<Fault, std::uint32_t>>{
+             {Fault::clock_not_reset, 3}, {Fault::clock_off_by_one, 1}, {Fault::output_repeated, 0}, {Fault::guard_negated, 0}}) {
+        const auto stop = taxis.run(fault, site);
+        ASSERT_TRUE(stop.has_value()) << static_cast<int>(fault);
+        EXPECT_THAT(stop->place, HasSubstr("swarm_taxis.rct:"));
+    }
+}
+
+}  // namespace
+}  // namespace robochart::app
