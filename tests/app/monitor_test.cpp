@@ -69,9 +69,8 @@ TEST(Monitors, StopFaultyTaxis) {
     using cpp_emit::Fault;
     Watched taxis("swarm_taxis");
     EXPECT_FALSE(taxis.run(Fault::none, 0).has_value());
-    // Resets in textual order: t0, where the clock stands at 0 anyway; t1 and t2, before those of t4 and t5; then t4.
     for (const auto& [fault, site] : std::vector<std::pair<Fault, std::uint32_t>>{
-             {Fault::clock_not_reset, 3}, {Fault::clock_off_by_one, 1}, {Fault::output_repeated, 0}, {Fault::guard_negated, 0}}) {
+             {Fault::wait_dropped, 0}, {Fault::clock_off_by_one, 0}, {Fault::entry_dropped, 1}, {Fault::guard_negated, 0}}) {
         const auto stop = taxis.run(fault, site);
         ASSERT_TRUE(stop.has_value()) << static_cast<int>(fault);
         EXPECT_THAT(stop->place, HasSubstr("swarm_taxis.rct:"));
