@@ -5,6 +5,7 @@
 #include <set>
 
 #include "checker/cspm/build.hpp"
+#include "checker/cspm/lookup.hpp"
 #include "cpp_emit/types.hpp"
 
 namespace robochart::conformance {
@@ -21,46 +22,6 @@ std::string flatten(const std::string& name) {
         result += std::isalnum(static_cast<unsigned char>(name[i])) != 0 ? name[i] : '_';
     }
     return result;
-}
-
-const cspm::Decl* find_module(const std::vector<cspm::DeclPtr>& decls, const std::string& path);
-
-const cspm::Decl* in_module(const cspm::Decl& module, const std::string& path) {
-    const std::string& name = module.names.front();
-    if (path == name) return &module;
-    if (path.compare(0, name.size() + 2, name + "::") != 0) return nullptr;
-    const std::string rest = path.substr(name.size() + 2);
-    if (const cspm::Decl* found = find_module(module.exports, rest)) return found;
-    return find_module(module.decls, rest);
-}
-
-const cspm::Decl* find_module(const std::vector<cspm::DeclPtr>& decls, const std::string& path) {
-    for (const cspm::DeclPtr& decl : decls) {
-        const cspm::Decl* found = nullptr;
-        if (decl->kind == cspm::DeclKind::timed) found = find_module(decl->decls, path);
-        if (decl->kind == cspm::DeclKind::module && !decl->names.empty()) found = in_module(*decl, path);
-        if (found != nullptr) return found;
-    }
-    return nullptr;
-}
-
-const cspm::Decl* find_function(const std::vector<cspm::DeclPtr>& decls, const std::string& name) {
-    for (const cspm::DeclPtr& decl : decls) {
-        if (decl->kind == cspm::DeclKind::timed) {
-            if (const cspm::Decl* found = find_function(decl->decls, name)) return found;
-        }
-        if (decl->kind == cspm::DeclKind::function && decl->names.front() == name) return decl.get();
-    }
-    return nullptr;
-}
-
-const cspm::Decl* find_value(const std::vector<cspm::DeclPtr>& decls, const std::string& name) {
-    for (const cspm::DeclPtr& decl : decls) {
-        if (decl->kind == cspm::DeclKind::value && !decl->patterns.empty() && !decl->patterns.front().empty() &&
-            decl->patterns.front().front()->text == name)
-            return decl.get();
-    }
-    return nullptr;
 }
 
 /// A carrier by the model's type; values of composed types are numbered in the order of ir::carrier.
@@ -165,15 +126,13 @@ std::string component_prefix(const ir::ComponentRef& ref) {
 
 cspm::ExprPtr component_process(const cspm::Script& script, const ir::ComponentRef& ref) {
     const std::string prefix = component_prefix(ref);
-    const cspm::Decl* const module = find_module(script.decls, prefix);
-    if (module == nullptr) return nullptr;
-    const cspm::Decl* const process = find_function(module->exports, "D__");
-    if (process == nullptr || process->patterns.empty()) return nullptr;
+    const cspm::DeclPtr process = cspm::declaration_of(script, prefix + "::D__");
+    if (!process || process->kind != cspm::DeclKind::function) return nullptr;
     // semantics 3.12: the id, then the constants, whose values are global definitions of the same name.
     std::vector<cspm::ExprPtr> arguments{b::number(0)};
     const std::vector<cspm::PatternPtr>& parameters = process->patterns.front();
     for (std::size_t p = 1; p < parameters.size(); ++p) {
-        if (find_value(script.decls, parameters[p]->text) == nullptr) return nullptr;
+        if (!cspm::declaration_of(script, parameters[p]->text)) return nullptr;
         arguments.push_back(b::name(parameters[p]->text));
     }
     return b::call(prefix + "::D__", std::move(arguments));

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "checker/cspm/build.hpp"
+#include "checker/cspm/lookup.hpp"
 
 namespace robochart::conformance {
 
@@ -38,29 +39,6 @@ ExprPtr end() {
 ExprPtr after_tocks(std::uint32_t tocks, ExprPtr process) {
     for (std::uint32_t t = 0; t < tocks; ++t) process = b::prefix(b::name("tock"), process);
     return process;
-}
-
-/// Searches one list of declarations; timed sections are no scopes of their own.
-DeclPtr find_in(const std::vector<DeclPtr>& decls, const std::string& qualified);
-
-DeclPtr find_in_module(const cspm::Decl& module, const std::string& qualified) {
-    const std::string prefix = module.names.empty() ? "" : module.names.front() + "::";
-    if (prefix.empty() || qualified.compare(0, prefix.size(), prefix) != 0) return nullptr;
-    const std::string rest = qualified.substr(prefix.size());
-    if (DeclPtr found = find_in(module.exports, rest)) return found;
-    return find_in(module.decls, rest);
-}
-
-DeclPtr find_in(const std::vector<DeclPtr>& decls, const std::string& qualified) {
-    for (const DeclPtr& decl : decls) {
-        DeclPtr found;
-        if (decl->kind == cspm::DeclKind::module) found = find_in_module(*decl, qualified);
-        if (decl->kind == cspm::DeclKind::timed) found = find_in(decl->decls, qualified);
-        const bool names_it = std::find(decl->names.begin(), decl->names.end(), qualified) != decl->names.end();
-        if (decl->kind == cspm::DeclKind::channel && names_it) found = decl;
-        if (found) return found;
-    }
-    return nullptr;
 }
 
 /// What a declaration declares in its own scope.
@@ -298,7 +276,8 @@ private:
 }  // namespace
 
 cspm::DeclPtr find_channel(const cspm::Script& script, const std::string& qualified) {
-    return find_in(script.decls, qualified);
+    DeclPtr found = cspm::declaration_of(script, qualified);
+    return found && found->kind == cspm::DeclKind::channel ? found : nullptr;
 }
 
 NormalFormScript normal_form(const cspm::Script& script, const cspm::ExprPtr& model, const Alphabet& alphabet,

@@ -16,6 +16,7 @@ struct ConstantParameter {
     const ir::Machine* owner = nullptr;  ///< the machine that declares it; null: the component itself does
     ir::ConstantId id;                   ///< in the owner
     ir::TypeId type;
+    std::string inside = {};  ///< machines: its short name in their processes
     std::string source = {};  ///< where its value counts in this context (ir::constant_source): assertions set it there
 };
 

@@ -18,21 +18,24 @@ void MachineEmitter::mean(const std::string& event, EventMeaning meaning) {
     emitted_.provenance.events[context_.path + "::" + event] = std::move(meaning);
 }
 
-/// `id__`, the operation's parameters, the constants in order of declaration (semantics 3.12).
-std::vector<std::string> MachineEmitter::parameter_names(bool with_id) const {
-    std::vector<std::string> result;
-    if (with_id) {
-        result.emplace_back("id__");
-        for (const CellId cell : frames_[0].variables)
-            if (cells_[cell].parameter) result.push_back(cells_[cell].name);
-    }
-    for (const ConstantParameter& constant : constants_) result.push_back(constant.parameter);
+/// `id__`, the operation's parameters, then the constants in order of declaration (semantics 3.12), given by name.
+std::vector<std::string> MachineEmitter::parameters_with(const std::vector<std::string>& constants) const {
+    std::vector<std::string> result{"id__"};
+    for (const CellId cell : frames_[0].variables)
+        if (cells_[cell].parameter) result.push_back(cells_[cell].name);
+    result.insert(result.end(), constants.begin(), constants.end());
     return result;
 }
 
-ExprPtr MachineEmitter::constant_call(const std::string& name, bool with_id) const {
+std::vector<std::string> MachineEmitter::constants_inside() const {
+    std::vector<std::string> result;
+    for (const ConstantParameter& constant : constants_) result.push_back(constant.inside);
+    return result;
+}
+
+ExprPtr MachineEmitter::call_of(const std::string& name, const std::vector<std::string>& parameters) {
     b::Exprs arguments;
-    for (const std::string& parameter : parameter_names(with_id)) arguments.push_back(b::name(parameter));
+    for (const std::string& parameter : parameters) arguments.push_back(b::name(parameter));
     return b::call(name, arguments);
 }
 
@@ -119,7 +122,7 @@ void MachineEmitter::declare_clocks(std::vector<DeclPtr>& decls) {
         if (read || project().mentions(reading)) decls.push_back(b::channel({reading}, b::name("core_clock_type")));
         if (!project().mentions(name + "_clock_type")) continue;
         std::vector<std::string> parameters{"id__"};
-        for (const ConstantParameter& constant : constants_) parameters.push_back(constant.parameter);
+        for (const ConstantParameter& constant : constants_) parameters.push_back(constant.inside);
         const ExprPtr limit = root.clocks[i] ? cells_[*root.clocks[i]].limit : b::number(1);
         decls.push_back(
             b::function_decl(name + "_clock_type", b::variables(parameters), b::set_range(b::number(0), limit)));
@@ -182,14 +185,17 @@ void MachineEmitter::declare_sets(std::vector<DeclPtr>& decls) {
 
 /// D__, O__, VS__, VS_O__, FVS__, HEXT__, HUP__ (semantics 3.12).
 void MachineEmitter::declare_variants(std::vector<DeclPtr>& decls, const ExprPtr& initial) {
-    const auto parameters = parameter_names(true);
+    std::vector<std::string> constants;
+    for (const ConstantParameter& constant : constants_) constants.push_back(constant.parameter);
+    const auto parameters = parameters_with(constants);
     const auto define = [&](const std::string& name, const ExprPtr& process) {
         decls.push_back(b::function_decl(name, b::variables(parameters), process));
     };
-    const auto of = [&](const std::string& name) { return constant_call(name, true); };
+    const auto of = [&](const std::string& name) { return call_of(name, parameters); };
     const ExprPtr within = b::name("internal_events");
     const ExprPtr inside = local_resets_ ? b::call("union", {within, b::name("localClockResets")}) : within;
-    define("STM__", with_memories(initial, remembered_, timed()));
+    decls.push_back(b::function_decl("STM__", b::variables(parameters_with(constants_inside())),
+                                     with_memories(initial, remembered_, timed())));
     if (project().mentions("FVS_C__")) define("FVS_C__", maximal_progress(project(), b::hide(of("STM__"), within)));
     define("FVS__", maximal_progress(project(), b::hide(of("STM__"), inside)));
     define("D__", maximal_progress(project(), b::hide(of("STM__"), b::call("union", {inside, b::name("enteredSS")}))));

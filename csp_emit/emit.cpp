@@ -15,6 +15,7 @@
 #include "csp_emit/module.hpp"
 #include "csp_emit/rules.hpp"
 #include "csp_emit/safe_names.hpp"
+#include "csp_emit/shared_modules.hpp"
 #include "csp_emit/types.hpp"
 #include "semantics/query.hpp"
 
@@ -133,7 +134,7 @@ void emit_components(const Project& project, const NameManager& names, Emitted& 
         const ModuleContext context{&project, &module, qualified(module.package, module.name), names};
         packages.add(module.package, emit_module(context, emitted).module);
     }
-    const auto modules = packages.decls();
+    const auto modules = share_modules(packages.decls(), names);
     decls.insert(decls.end(), modules.begin(), modules.end());
 }
 

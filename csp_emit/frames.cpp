@@ -138,9 +138,8 @@ void MachineEmitter::add_clocks(Frame& frame, bool root) {
 }
 
 void MachineEmitter::add_constants(Frame& frame) {
-    const ir::Machine& owner = *frame.machine;
-    for (const ir::Constant& constant : owner.constants)
-        frame.constants.push_back(b::name(ir::constant_name(owner.package, owner.path, constant.name)));
+    for (const ConstantParameter& constant : constants_)
+        if (constant.owner == frame.machine) frame.constants.push_back(b::name(constant.inside));
 }
 
 /// The machine's constants in order of declaration, then those of the operations it calls (semantics 3.12).
@@ -149,7 +148,13 @@ void MachineEmitter::collect_constants(const ir::Machine& owner, std::vector<con
     seen.push_back(&owner);
     for (std::uint32_t i = 0; i < owner.constants.size(); ++i) {
         const std::string name = ir::constant_name(owner.package, owner.path, owner.constants[i].name);
-        constants_.push_back({name, owner.constants[i].name, name, &owner, {i}, owner.constants[i].type});
+        constants_.push_back({name,
+                              owner.constants[i].name,
+                              name,
+                              &owner,
+                              {i},
+                              owner.constants[i].type,
+                              context_.names.unique(flatten(owner.constants[i].name))});
     }
     for (const ir::OperationId called : ir::called_operations(owner)) {
         const auto found = context_.definitions.find(owner.operations[called.index].name);

@@ -98,7 +98,7 @@ std::vector<Function> MachineEmitter::explore() {
 /// Everything that points may have as parameters: constants, then cells in the order in which they came up.
 Candidates MachineEmitter::candidates() const {
     Candidates result;
-    for (const ConstantParameter& constant : constants_) result.names.push_back(constant.parameter);
+    for (const ConstantParameter& constant : constants_) result.names.push_back(constant.inside);
     for (const Cell& cell : cells_) {
         result.names.push_back(cell.name);
         if (cell.kind == CellKind::clock && cell.reading.empty())
@@ -114,7 +114,7 @@ Candidates MachineEmitter::candidates() const {
 
 /// The initial process has values for everything but constants and an operation's parameters.
 void MachineEmitter::check_initial(const std::vector<std::string>& needed) const {
-    const std::vector<std::string> known = parameter_names(true);
+    const std::vector<std::string> known = parameters_with(constants_inside());
     for (const std::string& name : needed)
         if (std::find(known.begin(), known.end(), name) == known.end())
             throw std::logic_error("csp_emit: parameter " + name + " has no value");
@@ -278,7 +278,7 @@ cspm::DeclPtr MachineEmitter::definition(const Point& point, const Function& fun
         meaning.types.push_back(type);
         meaning.deadlines.push_back(deadline);
     };
-    for (const ConstantParameter& constant : constants_) keep(constant.parameter, constant.constant, constant.type, {});
+    for (const ConstantParameter& constant : constants_) keep(constant.inside, constant.constant, constant.type, {});
     for (const Cell& cell : cells_) keep(cell.name, cell.meaning, cell.type, cell.deadline);
     const Activation& inner = innermost(point.config);
     const Item* item = running_item(point.config);

@@ -120,8 +120,9 @@ private:
     void declare_sets(std::vector<cspm::DeclPtr>& decls);
     void declare_variants(std::vector<cspm::DeclPtr>& decls, const ExprPtr& initial);
     cspm::DeclPtr state_module(ir::NodeId node);
-    std::vector<std::string> parameter_names(bool with_id) const;
-    ExprPtr constant_call(const std::string& name, bool with_id) const;
+    std::vector<std::string> parameters_with(const std::vector<std::string>& constants) const;
+    std::vector<std::string> constants_inside() const;
+    static ExprPtr call_of(const std::string& name, const std::vector<std::string>& parameters);
     std::vector<ir::NodeId> states() const;
     void mean(const std::string& event, EventMeaning meaning);
 

@@ -204,7 +204,7 @@ void MachineEmitter::add_places(std::vector<cspm::DeclPtr>& decls) {
 /// For arguments that nothing reads: the value that makes the fewest states.
 std::map<std::string, ExprPtr> MachineEmitter::values_of_no_interest() const {
     std::map<std::string, ExprPtr> result;
-    for (const ConstantParameter& constant : constants_) result[constant.parameter] = b::name(constant.parameter);
+    for (const ConstantParameter& constant : constants_) result[constant.inside] = b::name(constant.inside);
     for (const Cell& cell : cells_) {
         if (cell.kind == CellKind::clock)
             result[cell.name] = cell.limit;  // a clock there stands still

@@ -99,9 +99,9 @@ ExprPtr MachineEmitter::clock_limit(const ir::Machine& opened, const std::string
     sets.push_back(b::set({b::number(literal)}));
     const std::string name = context_.names.unique("CLID_" + flatten(clock) + "_max");
     const ExprPtr largest = b::call("clock_type_max", {b::call("Union", {b::set(sets)})});
-    clock_limits_.push_back(b::function_decl(name, b::variables(parameter_names(false)), plus_one(largest),
+    clock_limits_.push_back(b::function_decl(name, b::variables(constants_inside()), plus_one(largest),
                                              "where clock " + clock + " saturates"));
-    return constant_call(name, false);
+    return call_of(name, constants_inside());
 }
 
 /// A bound in whole time units, rounded up; variables range over their types.
@@ -114,7 +114,8 @@ ExprPtr MachineEmitter::clock_bound(const ir::Machine& checked, const ir::Expr& 
         return b::name(name);
     };
     names.constant = [&](ir::ConstantId id) {
-        return b::name(ir::constant_name(checked.package, checked.path, checked.constants.at(id.index).name));
+        const auto same = [&](const ConstantParameter& c) { return c.owner == &checked && c.id == id; };
+        return b::name(std::find_if(constants_.begin(), constants_.end(), same)->inside);
     };
     names.placed = false;  // all values of a type, not those of a state
     names.clock = [](ir::ClockId) { return b::number(0); };

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "checker/cspm/build.hpp"
+#include "checker/cspm/lookup.hpp"
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
 #include "tests/csp_emit/fixture.hpp"
@@ -74,19 +75,13 @@ std::vector<Component> components_of(const Emission& ours) {
 }
 
 /// The channels of the component's sem__events.
-std::vector<std::string> alphabet(const std::vector<DeclPtr>& decls, const std::string& path) {
-    const std::size_t cut = path.find("::");
-    for (const DeclPtr& decl : decls) {
-        if (decl->kind != DeclKind::module || decl->names.front() != path.substr(0, cut)) continue;
-        if (cut != std::string::npos) return alphabet(decl->exports, path.substr(cut + 2));
-        for (const DeclPtr& inner : decl->exports) {
-            if (inner->kind != DeclKind::value || inner->patterns.front().front()->text != "sem__events") continue;
-            std::vector<std::string> result;
-            for (const ExprPtr& channel : inner->body->args) result.push_back(channel->text);
-            return result;
-        }
-    }
-    return {};
+std::vector<std::string> alphabet(const cspm::Script& script, const std::string& path) {
+    const DeclPtr events = cspm::declaration_of(script, path + "::sem__events");
+    EXPECT_TRUE(events) << path;
+    std::vector<std::string> result;
+    if (events)
+        for (const ExprPtr& channel : events->body->args) result.push_back(channel->text);
+    return result;
 }
 
 ExprPtr called(const ExprPtr& process, const std::string& name) {
@@ -123,7 +118,7 @@ void compare(testing::Model& m, Time time, Variables variables, const std::strin
                 decl = b::value(name, b::number(found->second));
     for (const Component& component : components_of(ours)) {
         std::vector<cspm::Link> links;
-        for (const std::string& event : alphabet(ours.definitions.decls, component.name))
+        for (const std::string& event : alphabet(ours.definitions, component.name))
             links.push_back(
                 {b::name("ours__::" + component.name + "::" + event), b::name(component.name + "::" + event)});
         const ExprPtr own = b::rename(called(component.process, "ours__::" + component.name + "::D__"), links);

@@ -67,10 +67,10 @@ TEST(Script, SharedRoboToolModelsReadBackEqual) {
 TEST(Script, UsesRoboToolsNames) {
     const auto m = project(std::string(ROBOCHART_SOURCE_DIR) + "/corpus/aggregation");
     const std::string text = printed(*m, Time::timed);
-    for (const char* part :
-         {"module aggregation", "module OP_MoveClockwise", "module AggregationFSM", "module stm_ref", "module ctrl_ref",
-          "channel seeWall : InOut", "MoveClockwiseCall : core_real.core_real", "set_linearSpeed, set_EXT_linearSpeed",
-          "sem__events", "D__(id__)", "VS_O__(id__)", "real_scale = 100"})
+    for (const char* part : {"module aggregation", "module OP_MoveClockwise", "module AggregationFSM", "module stm_ref",
+                             "instance ctrl_ref = AggregationController__(0)", "channel seeWall : InOut",
+                             "MoveClockwiseCall : core_real.core_real", "set_linearSpeed, set_EXT_linearSpeed",
+                             "sem__events", "D__(id__)", "VS_O__(id__)", "real_scale = 100"})
         EXPECT_THAT(text, HasSubstr(part));
 }
 

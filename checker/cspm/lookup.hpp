@@ -1,0 +1,15 @@
+// Where a qualified name is declared, in the text of a script: for tools that look at scripts without evaluating them.
+#pragma once
+
+#include <string_view>
+
+#include "checker/cspm/syntax.hpp"
+
+namespace robochart::cspm {
+
+/// The declaration of `path`, a name or `A::B::name` with or without a `::` in front: into modules, their private parts
+/// too, into timed sections, and from an instance into the module that it is made of. Of a function the first clause.
+/// Null if there is none.
+[[nodiscard]] DeclPtr declaration_of(const Script& script, std::string_view path);
+
+}  // namespace robochart::cspm

@@ -1,0 +1,192 @@
+// See shared_modules.hpp. The largest modules first: what is inside them is then there once.
+#include "csp_emit/shared_modules.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "checker/cspm/build.hpp"
+#include "checker/cspm/reader.hpp"
+#include "csp_emit/liveness.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::Decl;
+using cspm::DeclKind;
+using cspm::DeclPtr;
+using cspm::Expr;
+using cspm::ExprKind;
+
+namespace {
+
+/// Below this an instance saves nothing worth the indirection.
+constexpr std::size_t worth_sharing = 500;
+
+/// Positions in nested lists of exported declarations.
+using Path = std::vector<std::size_t>;
+
+struct Place {
+    Path path;
+    const Decl* module = nullptr;
+    std::vector<const Decl*> around;  ///< enclosing modules, outermost first
+};
+
+std::string first_part(const std::string& name) {
+    return name.substr(0, name.find("::"));
+}
+
+void used_names(const Expr& expr, std::set<std::string>& result) {
+    if (expr.kind == ExprKind::name) result.insert(first_part(expr.text));
+    for_each_part(expr, [&](const Expr& part) { used_names(part, result); });
+    for (const cspm::Link& link : expr.links) {
+        used_names(*link.from, result);
+        used_names(*link.to, result);
+    }
+    for (const DeclPtr& decl : expr.decls)
+        if (decl->body) used_names(*decl->body, result);
+}
+
+void used_names(const Decl& decl, std::set<std::string>& result) {
+    if (decl.body) used_names(*decl.body, result);
+    for (const cspm::Constructor& constructor : decl.constructors)
+        if (constructor.fields) used_names(*constructor.fields, result);
+    for (const auto* parts : {&decl.decls, &decl.exports})
+        for (const DeclPtr& part : *parts) used_names(*part, result);
+    if (decl.kind == DeclKind::instance) result.insert(first_part(decl.text));
+}
+
+std::set<std::string> declared_names(const Decl& module) {
+    std::set<std::string> result;
+    for (const auto* parts : {&module.decls, &module.exports})
+        for (const DeclPtr& part : *parts) {
+            result.insert(part->names.begin(), part->names.end());
+            if (part->kind == DeclKind::value) result.insert(part->patterns.front().front()->text);
+            for (const cspm::Constructor& constructor : part->constructors) result.insert(constructor.name);
+        }
+    return result;
+}
+
+class Sharer {
+public:
+    Sharer(std::vector<DeclPtr> decls, NameManager names)
+        : decls_(std::move(decls)), names_(std::move(names)), parameter_(names_.unique("u__")) {}
+
+    std::vector<DeclPtr> run() {
+        while (share_largest()) {
+        }
+        return decls_;
+    }
+
+private:
+    bool share_largest() {
+        std::map<std::string, std::vector<Place>> groups;
+        collect(decls_, {}, {}, groups);
+        const std::vector<Place>* best = nullptr;
+        std::size_t most = worth_sharing;
+        for (const auto& [text, places] : groups)
+            if (places.size() > 1 && text.size() > most && movable(places)) {
+                best = &places;
+                most = text.size();
+            }
+        if (best == nullptr) return false;
+        share(*best);
+        return true;
+    }
+
+    void collect(const std::vector<DeclPtr>& decls, const Path& path, const std::vector<const Decl*>& around,
+                 std::map<std::string, std::vector<Place>>& groups) {
+        for (std::size_t i = 0; i < decls.size(); ++i) {
+            const Decl& decl = *decls[i];
+            if (decl.kind != DeclKind::module || !decl.decls.empty()) continue;
+            Path here = path;
+            here.push_back(i);
+            if (decl.parameters.empty()) groups[text_of(decls[i])].push_back({here, &decl, around});
+            std::vector<const Decl*> inside = around;
+            inside.push_back(&decl);
+            collect(decl.exports, here, inside, groups);
+        }
+    }
+
+    /// Printed once: declarations do not change, only lists of them do.
+    const std::string& text_of(const DeclPtr& module) {
+        const auto [entry, fresh] = texts_.try_emplace(module);
+        if (fresh) entry->second = cspm::print(cspm::Script{module->exports});
+        return entry->second;
+    }
+
+    static std::size_t common_depth(const std::vector<Place>& places) {
+        std::size_t depth = places.front().around.size();
+        for (const Place& place : places) {
+            std::size_t same = 0;
+            while (same < depth && same < place.around.size() && place.around[same] == places.front().around[same])
+                ++same;
+            depth = same;
+        }
+        return depth;
+    }
+
+    /// Whether all names mean the same where the shared module will stand.
+    static bool movable(const std::vector<Place>& places) {
+        std::set<std::string> outside;
+        used_names(*places.front().module, outside);
+        for (const std::string& own : declared_names(*places.front().module)) outside.erase(own);
+        for (const Place& place : places)
+            for (std::size_t depth = common_depth(places); depth < place.around.size(); ++depth)
+                for (const std::string& name : declared_names(*place.around[depth]))
+                    if (outside.count(name) != 0) return false;
+        return true;
+    }
+
+    void share(std::vector<Place> places) {
+        const std::string name = names_.unique(places.front().module->names.front() + "__");
+        const DeclPtr shared =
+            b::module_(name, {parameter_}, {}, places.front().module->exports, places.front().module->comment);
+        const Path scope(places.front().path.begin(),
+                         places.front().path.begin() + static_cast<std::ptrdiff_t>(common_depth(places)));
+        for (const Place& place : places) {
+            Decl instance = *b::instance(place.module->names.front(), name, {b::number(0)});
+            decls_ = replaced(decls_, place.path, 0, std::make_shared<const Decl>(std::move(instance)));
+        }
+        Path before = scope;
+        before.push_back(places.front().path[scope.size()]);
+        for (const Place& place : places) before.back() = std::min(before.back(), place.path[scope.size()]);
+        decls_ = inserted(decls_, before, 0, shared);
+    }
+
+    /// `change` is done to the list that holds the declaration at the path.
+    template <class Change>
+    static std::vector<DeclPtr> changed(std::vector<DeclPtr> decls, const Path& path, std::size_t depth,
+                                        const Change& change) {
+        if (depth + 1 == path.size()) {
+            change(decls, decls.begin() + static_cast<std::ptrdiff_t>(path[depth]));
+            return decls;
+        }
+        Decl outer = *decls[path[depth]];
+        outer.exports = changed(outer.exports, path, depth + 1, change);
+        decls[path[depth]] = std::make_shared<const Decl>(std::move(outer));
+        return decls;
+    }
+    static std::vector<DeclPtr> replaced(const std::vector<DeclPtr>& decls, const Path& path, std::size_t depth,
+                                         const DeclPtr& by) {
+        return changed(decls, path, depth, [&](std::vector<DeclPtr>&, auto at) { *at = by; });
+    }
+    static std::vector<DeclPtr> inserted(const std::vector<DeclPtr>& decls, const Path& path, std::size_t depth,
+                                         const DeclPtr& decl) {
+        return changed(decls, path, depth, [&](std::vector<DeclPtr>& list, auto at) { list.insert(at, decl); });
+    }
+
+    std::vector<DeclPtr> decls_;
+    NameManager names_;
+    std::string parameter_;
+    std::map<DeclPtr, std::string> texts_;  ///< looked up only
+};
+
+}  // namespace
+
+std::vector<DeclPtr> share_modules(std::vector<DeclPtr> decls, NameManager names) {
+    return Sharer(std::move(decls), std::move(names)).run();
+}
+
+}  // namespace robochart::csp_emit
