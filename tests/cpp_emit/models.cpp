@@ -43,7 +43,7 @@ ir::System model(const std::string& text) {
     return lowered(sources, model, diagnostics);
 }
 
-std::size_t emit_all(const std::string& project, const Folder& folder) {
+std::size_t emit_all(const std::string& project, const Folder& folder, const Options& options) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const auto model = frontend::load_project(sources, project, diagnostics);
@@ -58,7 +58,7 @@ std::size_t emit_all(const std::string& project, const Folder& folder) {
             ref.kind = kind;
             ref.definition = i;
             diagnostics::Diagnostics refusals;
-            Emission emission = emit(system, inst, ref, {}, refusals);
+            Emission emission = emit(system, inst, ref, options, refusals);
             if (emission.files.empty()) continue;
             const std::string name = std::to_string(std::hash<std::string>{}(project)) + "_" +
                                      std::to_string(static_cast<int>(kind)) + "_" + std::to_string(i);

@@ -15,6 +15,6 @@ namespace robochart::cpp_emit::testing {
 
 /// Writes the code of every component of a project that can be generated, one folder each; how many there are.
 /// Projects with errors count as none.
-[[nodiscard]] std::size_t emit_all(const std::string& project, const Folder&);
+[[nodiscard]] std::size_t emit_all(const std::string& project, const Folder&, const Options& = {});
 
 }  // namespace robochart::cpp_emit::testing

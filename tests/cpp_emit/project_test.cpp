@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -13,6 +14,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 #include "tests/needed.hpp"
+#include "tests/shared_folder.hpp"
 
 namespace robochart::cpp_emit {
 namespace {
@@ -278,6 +280,24 @@ TEST_F(Project, RobotsOfOtherModelsInEnki) {
     build();
     const std::string output = folder_.run("build/M_enki 1 1");
     EXPECT_NE(output.find("robot 0: go 0.5 3"), std::string::npos) << output;
+}
+
+/// RoboTool's own models, where they are at hand: classes and console programs of all modules.
+TEST(ProjectText, RoboToolsModelsOnTheConsole) {
+    namespace fs = std::filesystem;
+    const fs::path suite = robochart::tests::shared_folder() / "suite/robotool/accept";
+    if (!fs::is_directory(suite)) GTEST_SKIP() << "the shared models are absent";
+    Options options;
+    options.target = Target::main;
+    Folder folder;
+    std::size_t generated = 0;
+    for (const fs::directory_entry& project : fs::directory_iterator(suite))
+        generated += testing::emit_all(project.path().string(), folder, options);
+    EXPECT_GE(generated, 45U);
+    // One translation unit each: most of the time goes into the standard library's headers.
+    folder.run("for d in *_" + std::to_string(static_cast<int>(ir::ComponentKind::module)) +
+               "_*/; do (cd $d && cat main.cpp controller/*.cpp | c++ -std=c++17 -Wall -Wextra -Wpedantic "
+               "-Wconversion -Werror -Icontroller -fsyntax-only -x c++ -) || exit 1; done");
 }
 
 /// ROBOCHART_ARGOS is where ARGoS is installed, as found when the project was configured.
