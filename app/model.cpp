@@ -170,6 +170,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
         conformance::Options wanted;
         wanted.cycle_length = options.cycle;
         wanted.limits = limits(options);
+        wanted.walks.cycles = options.walks;
         wanted.exported = export_format(options.exported_code);
         ConformanceReport one;
         one.component = qualified(component);

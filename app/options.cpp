@@ -177,6 +177,7 @@ void add_conform(CLI::App& app, Options& o) {
     app.add_option("--traces", o.traces, "compare logs of runs with the model (docs/traces.md), and no generated code; files, or folders with .trace files")
         ->allow_extra_args(false)
         ->option_text("FILE ...");
+    app.add_option("--walks", o.walks, "cycles of guided random walks where the whole is too large; 0 for none")->option_text("N [200000]");
     app.add_option("--export", o.exported_code, "write all states of the code to this file, for other tools (.aut, .dot) or with the model for FDR (.csp)")
         ->option_text("FILE");
 }

@@ -65,6 +65,7 @@ struct Options {
     bool pictures = true;                 ///< simulate: write tables and pictures
     bool monitor = false;                 ///< simulate: a monitor beside every controller
     std::string log;                      ///< simulate: folder for logs of every robot, "" for none
+    std::uint64_t walks = 200'000;        ///< conform: cycles of random walks where the whole is too large; 0: none
     std::string exported_code;            ///< conform: file for L(G), .aut, .dot or .csp; "" for none
     std::vector<std::string> traces;      ///< conform: logs (files, folders) to compare with the model instead of code
     bool cycle_given = false;

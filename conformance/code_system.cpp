@@ -207,6 +207,7 @@ std::uint32_t CodeSystem::intern_node(std::size_t level, Node node) {
 /// Calls `step` twice on copies: a controller with memory outside its state would differ.
 std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>& registers) {
     ++cycles_;
+    if (poll_) poll_();
     Bytes once = from;
     Bytes twice = from;
     rc_log log{};

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -37,6 +38,7 @@ public:
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
+    void watch(const std::function<void()>& poll) override { poll_ = poll; }
 
     /// For telling runs: the reset image, one step (`readings` one per register), an image as text.
     [[nodiscard]] std::uint32_t reset() const { return reset_; }
@@ -82,6 +84,7 @@ private:
     std::vector<Node> nodes_;
     std::deque<CycleResult> results_;  ///< references stay valid
     std::uint64_t cycles_ = 0;
+    std::function<void()> poll_;  ///< while the inputs of one state are tried, which may take long
     std::string unsound_;
     bool alias_found_ = false;
 };

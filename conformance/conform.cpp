@@ -5,12 +5,14 @@
 
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/lts/term_system.hpp"
 #include "conformance/component.hpp"
 #include "conformance/cyclic_model.hpp"
 #include "conformance/export.hpp"
 #include "conformance/judge.hpp"
 #include "conformance/normal_form.hpp"
 #include "conformance/shared_object.hpp"
+#include "conformance/walks.hpp"
 #include "csp_emit/emit.hpp"
 
 namespace robochart::conformance {
@@ -37,6 +39,42 @@ std::string normal_form_text(const csp_emit::Emission& script, const cspm::ExprP
     return cspm::print(cspm::Script{form.decls});
 }
 
+/// What was searched before a limit was reached, then walks. They follow the model term by term where it was not
+/// compiled as a whole.
+Result walked(Result bounded, cspm::Session& session, lts::TransitionSystem* compiled, const cspm::ExprPtr& process,
+              const Interface& interface, const rc_interface& code, const Options& options) {
+    if (options.walks.cycles == 0) return bounded;
+    process::OperationalSemantics semantics(session.terms());
+    lts::TermSystem terms(semantics, session.process(process));
+    const Alphabet alphabet(interface, session.event_table());
+    ModelGraph graph(compiled == nullptr ? terms : *compiled, alphabet);
+    Result result = walk(graph, alphabet, code, options.cycle_length, options.limits, options.walks);
+    std::string before = bounded.reason;
+    if (bounded.product.depth > 0)
+        before +=
+            fmt::format("; no difference in {} states, {} events deep", bounded.product.states, bounded.product.depth);
+    if (result.outcome == Outcome::inconclusive) result.reason = fmt::format("{}; {}", before, result.reason);
+    result.schedulability = bounded.schedulability;
+    result.product = bounded.product;
+    result.model_states = graph.size();
+    return result;
+}
+
+Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
+               const rc_interface& code, const Options& options) {
+    std::unique_ptr<lts::TransitionSystem> model;
+    Result result;
+    try {
+        model = session.system(process, options.limits);
+        result = judge(*model, session.event_table(), interface, code, options.cycle_length, options.limits);
+    } catch (const process::Interrupted& limit) {
+        result.reason = fmt::format("the model was not compiled: {}", limit.what());
+    }
+    const bool wanted = !options.limits.interrupted || !options.limits.interrupted();
+    if (result.outcome != Outcome::inconclusive || !wanted) return result;
+    return walked(std::move(result), session, model.get(), process, interface, code, options);
+}
+
 Result judge_object(const csp_emit::Emission& script, const cspm::ExprPtr& process, const ir::System& system,
                     const ir::Instantiation& instantiation, const ir::ComponentRef& component, const rc_interface& code,
                     const Options& options) {
@@ -44,8 +82,7 @@ Result judge_object(const csp_emit::Emission& script, const cspm::ExprPtr& proce
     complete(interface, system, instantiation, component, script.provenance);
     try {
         cspm::Session session(script.definitions);
-        const auto model = session.system(process);
-        Result result = judge(*model, session.event_table(), interface, code, options.cycle_length, options.limits);
+        Result result = checked(session, process, interface, code, options);
         const Alphabet alphabet(interface, session.event_table());
         result.normal_form = normal_form_text(script, process, alphabet, options.cycle_length);
         if (options.exported != Export::none) export_code(result, {script, process, code, alphabet}, options);

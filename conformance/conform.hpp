@@ -48,8 +48,16 @@ struct Result {
 /// L(G) for other tools: Aldebaran's format, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
 enum class Export { none, aut, dot, csp };
 
+/// Guided random walks where the whole is too large (walks.hpp).
+struct WalkOptions {
+    std::uint64_t cycles = 200'000;  ///< of all walks together; 0: none
+    double seconds = 20;
+    std::uint64_t seed = 1;
+};
+
 struct Options {
     std::uint32_t cycle_length = 1;  ///< c: tocks per cycle
+    WalkOptions walks;
     Export exported = Export::none;
     cpp_emit::Options generator;   ///< seeded faults, for tests
     std::string compiler = "c++";  ///< must accept g++'s options
