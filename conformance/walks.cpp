@@ -21,6 +21,8 @@ using Node = refine::NormalForm::Node;
 using Readings = std::vector<std::uint32_t>;  ///< of one cycle, one a register: 0 absent, else 1 + its value
 using Bytes = std::vector<unsigned char>;
 
+constexpr std::uint64_t most_states = 50'000'000;
+
 struct Position {
     Bytes image;
     Node node = 0;
@@ -317,13 +319,15 @@ Result walk(ModelGraph& model, const Alphabet& alphabet, const rc_interface& cod
     bounds.deadline =
         std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                                std::chrono::duration<double>(2 * options.seconds + 1));
+    bounds.max_states = most_states;  // of the search, where it ended; walks are bounded by their cycles
     Walker walker(model, alphabet, code, cycle_length, bounds);
-    Search search(walker, alphabet, options);
+    std::optional<Search> search;
     try {
-        return search.run();
+        search.emplace(walker, alphabet, options);
+        return search->run();
     } catch (const process::Interrupted& limit) {
         Result result;
-        result.reason = fmt::format("{} ({})", search.summary(), limit.what());
+        result.reason = search ? fmt::format("{} ({})", search->summary(), limit.what()) : limit.what();
         return result;
     }
 }
