@@ -212,6 +212,7 @@ Exit run_model(const Options& options) {
         return Exit::bad_input;
     }
     if (options.verb == Verb::emit_monitor) return emit_monitors(*project, options);
+    if (options.verb == Verb::emit_tests) return emit_tests(*project, options);
     if (!options.traces.empty()) return conform_traces(*project, options);
     Report report = begin(*project, options);
     const bool good = run_phases(*project, options, report);

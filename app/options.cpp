@@ -39,12 +39,13 @@ struct VerbRow {
     const char* help;
     const char* input;
 };
-constexpr std::array<VerbRow, 12> verbs{{
+constexpr std::array<VerbRow, 13> verbs{{
     {Verb::verify, "verify", "", "all of it: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL"},
     {Verb::check, "check", "", "read the model and decide its assertions", "MODEL"},
     {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL"},
     {Verb::emit_cpp, "cpp", "emit", "write the C++ controllers", "MODEL"},
     {Verb::emit_monitor, "monitor", "emit", "write monitors: headers that follow a controller and say where it leaves its model", "MODEL"},
+    {Verb::emit_tests, "tests", "emit", "write finite complete test suites, and GoogleTest that replays them against an implementation", "MODEL"},
     {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL"},
     {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT"},
     {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "CODE"},
@@ -223,7 +224,10 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     add_model(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::emit_csp) add_times(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::conform) add_checking(app, o);
-    if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::emit_monitor || row.verb == Verb::conform) add_code(app, o);
+    if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::emit_monitor || row.verb == Verb::emit_tests || row.verb == Verb::conform) add_code(app, o);
+    if (row.verb == Verb::emit_tests)
+        app.add_option("--extra-states", o.extra_states, "states over control cycles that an implementation may have more than the model")
+            ->check(CLI::Range(0U, 8U))->option_text("M [0]");
     if (row.verb == Verb::conform) add_conform(app, o);
     if (row.verb == Verb::emit_cpp) add_target(app, o);
     add_out(app, o);

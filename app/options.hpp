@@ -21,7 +21,7 @@ enum class Exit : int {
     internal = 70,     ///< a fault of ours
 };
 
-enum class Verb { verify, check, emit_csp, emit_cpp, emit_monitor, conform, cspm, explain, format, lsp, simulate, validate };
+enum class Verb { verify, check, emit_csp, emit_cpp, emit_monitor, emit_tests, conform, cspm, explain, format, lsp, simulate, validate };
 enum class Format { text, json, sarif, plain, framed_json };
 enum class ProgressMode { automatic, json, never };
 enum class Color { automatic, always, never };
@@ -66,6 +66,7 @@ struct Options {
     bool monitor = false;                 ///< simulate: a monitor beside every controller
     std::string log;                      ///< simulate: folder for logs of every robot, "" for none
     std::uint64_t walks = 200'000;        ///< conform: cycles of random walks where the whole is too large; 0: none
+    std::uint32_t extra_states = 0;       ///< emit tests: that an implementation may have more than the model
     std::string exported_code;            ///< conform: file for L(G), .aut, .dot or .csp; "" for none
     std::vector<std::string> traces;      ///< conform: logs (files, folders) to compare with the model instead of code
     bool cycle_given = false;

@@ -25,6 +25,8 @@ void check_assertions(Project&, const Options&, Report&);
 void check_conformance(Project&, const Options&, Report&);
 /// Writes monitor/COMPONENT/… below the output folder.
 Exit emit_monitors(Project&, const Options&);
+/// Writes tests/COMPONENT/… below the output folder.
+Exit emit_tests(Project&, const Options&);
 /// conform --traces: logs of runs against the model.
 Exit conform_traces(Project&, const Options&);
 /// The phase asked for by --print, to stdout.

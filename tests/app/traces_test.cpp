@@ -101,6 +101,19 @@ TEST(Monitors, LetTrueControllersRun) {
     }
 }
 
+TEST(TestSuites, AreEmittedAndAreRunsOfTheModel) {
+    const Folder folder;
+    const auto emitted = run({"emit", "tests", repository("corpus/aggregation"), "--extra-states", "1", "--out", folder / "out"});
+    EXPECT_EQ(emitted.exit, 0) << emitted.err;
+    EXPECT_TRUE(fs::exists(folder / "out/tests/Aggregation/Aggregation_suite_test.cpp"));
+    const auto checked = run({"conform", repository("corpus/aggregation"), "--traces", folder / "out/tests"});
+    EXPECT_EQ(checked.exit, 0) << checked.out << checked.err;
+    EXPECT_THAT(checked.out, HasSubstr(" 0 rejected, 0 inconclusive"));
+    const auto choice = run({"emit", "tests", repository("corpus/swarm_taxis"), "--out", folder / "out"});
+    EXPECT_EQ(choice.exit, 2);
+    EXPECT_THAT(choice.err, HasSubstr("leaves a choice"));
+}
+
 TEST(Monitors, AreEmittedAndRefused) {
     const Folder folder;
     const auto emitted = run({"emit", "monitor", repository("corpus/aggregation"), "--out", folder / "out"});

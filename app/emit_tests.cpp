@@ -1,0 +1,78 @@
+// `emit tests`: finite complete test suites, as logs and as GoogleTest (docs/conformance.md, "Test suites").
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "app/interrupt.hpp"
+#include "app/rules.hpp"
+#include "app/verbs.hpp"
+#include "checker/cspm/evaluation_error.hpp"
+#include "conformance/test_suite.hpp"
+
+namespace robochart::app {
+namespace {
+
+std::string identifier(const std::string& path) {
+    std::string name;
+    for (const char c : path) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    return name;
+}
+
+struct Made {
+    std::vector<cpp_emit::OutputFile> files;
+    std::size_t states = 0, tests = 0, cycles = 0;
+};
+
+/// Throws std::length_error where there is none.
+Made make(Project& project, const Options& options, const ir::ComponentRef& component, const refine::Limits& bounds) {
+    std::string error;
+    const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component, options.cycle, bounds,
+                                                      project.sources, project.diagnostics, error);
+    if (model == nullptr) throw std::length_error(error);
+    const auto machine = conformance::machine_of_cycles(*model, bounds);
+    const auto tests = conformance::complete_suite(machine, options.extra_states);
+    const std::string name = identifier(component.path);
+    const std::string qualified = component.package.empty() ? component.path : component.package + "::" + component.path;
+    Made made{conformance::suite_sources(name), machine.states(), tests.size(), 0};
+    for (const auto& test : tests) made.cycles += test.size();
+    made.files.push_back({name + ".trace", conformance::suite_log(machine, tests, *model, qualified, options.extra_states)});
+    return made;
+}
+
+}  // namespace
+
+Exit emit_tests(Project& project, const Options& options) {
+    const auto components = code_components(project.system, options.component);
+    if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+    const InterruptScope scope;
+    std::string written;
+    for (const ir::ComponentRef& component : components) {
+        const refine::Limits bounds = limits(options, "tests of " + component.path);
+        std::string refused;
+        try {
+            const Made made = make(project, options, component, bounds);
+            for (const auto& file : made.files) {
+                const std::string path = fmt::format("{}/tests/{}/{}", options.out, identifier(component.path), file.path);
+                const std::string error = write_file(path, file.text);
+                if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
+                written += fmt::format("  {:<70} {:>9} bytes\n", path, with_commas(file.text.size()));
+            }
+            written += fmt::format("  {}: {} states over control cycles, {} more allowed; {} runs, {} cycles\n", component.path, made.states,
+                                   options.extra_states, with_commas(made.tests), with_commas(made.cycles));
+        } catch (const std::length_error& large) {
+            refused = large.what();
+        } catch (const process::Interrupted& limit) {
+            refused = limit.what();
+        } catch (const cspm::EvaluationError& failed) {
+            refused = failed.what();
+        } catch (const conformance::AlphabetError& mismatch) {
+            refused = mismatch.what();
+        }
+        if (!refused.empty()) project.diagnostics.report(rules::no_monitor, {}, {component.path, refused});
+    }
+    if (!show_diagnostics(project, options)) return Exit::bad_input;
+    if (!options.quiet) fmt::print("{}", written);
+    return Exit::success;
+}
+
+}  // namespace robochart::app
