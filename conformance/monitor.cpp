@@ -26,7 +26,6 @@ constexpr std::size_t most_cells = 1U << 24U;
 struct Arc {
     process::Event event;
     std::uint32_t target;
-    friend bool operator==(const Arc&, const Arc&) = default;
 };
 
 /// The deterministic automaton of NF_c(M), explored.
