@@ -75,9 +75,12 @@ Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Inter
     return walked(std::move(result), session, model.get(), process, interface, code, options);
 }
 
-Result judge_object(const csp_emit::Emission& script, const cspm::ExprPtr& process, const ir::System& system,
-                    const ir::Instantiation& instantiation, const ir::ComponentRef& component, const rc_interface& code,
-                    const Options& options) {
+}  // namespace
+
+Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
+                  const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
+    const cspm::ExprPtr process = component_process(script.definitions, component);
+    if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
     Interface interface = interface_of(code);
     complete(interface, system, instantiation, component, script.provenance);
     try {
@@ -99,8 +102,6 @@ Result judge_object(const csp_emit::Emission& script, const cspm::ExprPtr& proce
     }
 }
 
-}  // namespace
-
 Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,
                const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
@@ -119,7 +120,7 @@ Result conform(const ir::System& system, const ir::Instantiation& instantiation,
     std::string error;
     const auto object = build(code, options, error);
     if (!object) return not_generated(std::move(error));
-    return judge_object(script, process, system, instantiation, component, object->interface(), options);
+    return judge_code(script, system, instantiation, component, object->interface(), options);
 }
 
 }  // namespace robochart::conformance

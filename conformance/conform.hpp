@@ -7,6 +7,8 @@
 
 #include "checker/refine/check.hpp"
 #include "cpp_emit/emit.hpp"
+#include "cpp_emit/runtime/explore_abi.h"
+#include "csp_emit/emit.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "semantics/instantiation.hpp"
 #include "semantics/ir.hpp"
@@ -66,6 +68,10 @@ struct Options {
         work_dir;  ///< where sources and the shared object are put; "" : a fresh temporary folder, removed after
     refine::Limits limits;
 };
+
+/// Checks loaded code against the timed script of its model.
+[[nodiscard]] Result judge_code(const csp_emit::Emission& script, const ir::System&, const ir::Instantiation&,
+                                const ir::ComponentRef&, const rc_interface& code, const Options&);
 
 /// Generates, compiles, explores and checks one component.
 [[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,

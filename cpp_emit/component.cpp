@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cpp_emit/interruption.hpp"
 #include "cpp_emit/rules.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/uses.hpp"
@@ -51,6 +52,7 @@ public:
         collect_functions();
         collect_types();
         collect_uses(component_, system_);
+        mark_interruptible(component_);
         name_everything();
         if (diagnostics_.errors() != errors_before_) return std::nullopt;
         return std::move(component_);
@@ -304,11 +306,20 @@ private:
 
     void mark_read(const Unit& unit) {
         visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
-            if (expr.kind != ir::ExprKind::variable) return;
-            const ir::Variable& variable = unit.machine->variables[expr.variable.index];
-            if (!unit.root && variable.scope != ir::VariableScope::required) return;
-            component_.variables[component_.parts[part_].variables.at(variable.name)].read = true;
+            if (expr.kind == ir::ExprKind::variable) mark_read(unit, expr.variable);
         });
+        // The watch over a deadline asks the guard of what the variable has, not of what comes (semantics 3.10).
+        for (const ir::Transition& transition : unit.machine->transitions)
+            if (transition.deadline && transition.trigger && transition.trigger->variable.valid())
+                visit(transition.guard, [&](const ir::Expr& expr) {
+                    if (expr.kind == ir::ExprKind::trigger_value) mark_read(unit, transition.trigger->variable);
+                });
+    }
+
+    void mark_read(const Unit& unit, ir::VariableId id) {
+        const ir::Variable& variable = unit.machine->variables[id.index];
+        if (!unit.root && variable.scope != ir::VariableScope::required) return;
+        component_.variables[component_.parts[part_].variables.at(variable.name)].read = true;
     }
 
     // ---- calls and names
@@ -348,7 +359,7 @@ private:
             add(component_.modelled, ModelledCall{&signature, definition, {}},
                 [&](const ModelledCall& call) { return call.definition == definition; });
         } else {
-            add(component_.calls, PlatformCall{&signature, {}},
+            add(component_.calls, PlatformCall{&signature, {}, false},
                 [&](const PlatformCall& call) { return call.signature->name == signature.name; });
         }
     }

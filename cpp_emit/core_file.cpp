@@ -7,6 +7,7 @@
 
 #include "cpp_emit/channels.hpp"
 #include "cpp_emit/files.hpp"
+#include "cpp_emit/interruption.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/uses.hpp"
 
@@ -316,6 +317,11 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.line("Platform& platform_;");
     for (const EventPort& port : generation.component.events)
         if (port.sent) out.line(fmt::format("bool {} = false;  ///< made in this cycle", sent_flag(port)));
+    for (const PlatformCall& call : generation.component.calls)
+        if (call.interruptible) out.line(fmt::format("bool {} = false;  ///< made in this cycle", done_flag(call)));
+    for (const StoredVariable& variable : generation.component.variables)
+        if (variable.interruptible && !variable.copy)
+            out.line(fmt::format("bool {} = false;  ///< written in this cycle", done_flag(variable)));
     out.close("};");
 }
 

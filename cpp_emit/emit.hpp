@@ -82,4 +82,7 @@ struct Emission {
 [[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                             const Options&, diagnostics::Diagnostics&);
 
+/// All headers that generated code may include, below robochart/.
+[[nodiscard]] std::vector<OutputFile> shipped_headers();
+
 }  // namespace robochart::cpp_emit

@@ -123,6 +123,11 @@ std::string ExpressionWriter::function(const ir::Expr& expr, const char* name) c
 }
 
 std::string ExpressionWriter::comparison(const ir::Expr& expr, const char* symbol) const {
+    // A value compared with itself: compilers warn.
+    if (write(*expr.args[0]) == write(*expr.args[1]))
+        return expr.kind == ExprKind::equal || expr.kind == ExprKind::greater_equal || expr.kind == ExprKind::less_equal
+                   ? "true"
+                   : "false";
     const TypeKind left = kind(*expr.args[0]);
     const TypeKind right = kind(*expr.args[1]);
     if (numeric(left) && numeric(right)) {
@@ -253,7 +258,7 @@ std::string ExpressionWriter::write(const ir::Expr& expr) const {
         case ExprKind::logical_not:
             return "!" + operand(*expr.args[0]);
         case ExprKind::iff:
-            return logical(expr, "==");
+            return write(*expr.args[0]) == write(*expr.args[1]) ? "true" : logical(expr, "==");
         case ExprKind::implies:
             return fmt::format("!{} || {}", operand(*expr.args[0]), operand(*expr.args[1]));
         case ExprKind::disjunction:

@@ -22,6 +22,8 @@ public:
     void set_incoming(std::string text) { incoming_ = std::move(text); }
 
     [[nodiscard]] std::string write(const ir::Expr&) const;
+    /// The same as an operand: in parentheses unless it binds tightest.
+    [[nodiscard]] std::string operand(const ir::Expr&) const;
     /// The expression as a value of a numeric type other than its own; others unchanged.
     [[nodiscard]] std::string write_as(const ir::Expr&, ir::TypeId) const;
     /// Where a variable is stored; "" for shared variables that nothing reads.
@@ -29,7 +31,6 @@ public:
     [[nodiscard]] std::string clock(ir::ClockId) const;
 
 private:
-    [[nodiscard]] std::string operand(const ir::Expr&) const;
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
     [[nodiscard]] std::string arithmetic(const ir::Expr&, const char* symbol) const;
     [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;

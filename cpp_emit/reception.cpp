@@ -12,7 +12,8 @@ namespace {
 
 std::string conjunction(const std::string& first, const std::string& second) {
     if (first.empty() || second.empty()) return first + second;
-    return first + " && " + (second.find("||") == std::string::npos ? second : "(" + second + ")");
+    const bool weaker = second.find("||") != std::string::npos || second.find(" ? ") != std::string::npos;
+    return first + " && " + (weaker ? "(" + second + ")" : second);
 }
 
 class Reception {

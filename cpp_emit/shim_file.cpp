@@ -245,7 +245,7 @@ private:
 
     void name_function(const Enumeration& enumeration) {
         out_.gap();
-        out_.open(fmt::format("const char* name(core::{} place) noexcept {{", enumeration.name));
+        out_.open(fmt::format("[[maybe_unused]] const char* name(core::{} place) noexcept {{", enumeration.name));
         out_.open("switch (place) {");
         for (const Enumerator& value : enumeration.values)
             out_.line(fmt::format("case core::{0}::{1}: return \"{1}\";", enumeration.name, value.name));
@@ -294,7 +294,7 @@ private:
             for (const Enumeration& enumeration : machine.enumerations) name_function(enumeration);
             out_.gap();
             out_.open(fmt::format(
-                "void print(robochart::Text& text, const char* prefix, const core::{}<Checking>& f) noexcept {{",
+                "[[maybe_unused]] void print(robochart::Text& text, const char* prefix, const core::{}<Checking>& f) noexcept {{",
                 generation_.component.units[index].frame));
             for (const Field& field : machine.layout.fields)
                 if (field.name == "at") print_field(field, machine);

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "cpp_emit/expression.hpp"
+#include "cpp_emit/interruption.hpp"
 #include "cpp_emit/machine_plan.hpp"
 #include "cpp_emit/reception.hpp"
 #include "cpp_emit/types.hpp"
@@ -25,7 +26,12 @@ bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr&
             return stmt->communication.kind == CommKind::input ||
                    waits_to_send(generation.component.event(unit, stmt->communication.event));
         case StmtKind::call:
-            return unit.definitions[stmt->operation.index].valid();
+            return unit.definitions[stmt->operation.index].valid() ||
+                   generation.component.call(unit, stmt->operation).interruptible;
+        case StmtKind::assign: {
+            const StoredVariable* const stored = generation.component.stored(unit, stmt->variable);
+            return stored != nullptr && stored->interruptible;
+        }
         default:
             return std::any_of(stmt->body.begin(), stmt->body.end(),
                                [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
@@ -95,7 +101,7 @@ void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) 
         case StmtKind::if_then_else:
             return if_statement(*stmt, stem);
         case StmtKind::assign:
-            return assign(*stmt);
+            return assign(*stmt, stem);
         case StmtKind::communicate:
             return communicate(*stmt, stem);
         case StmtKind::call:
@@ -131,7 +137,7 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
     const std::string then_label = fresh(stem);
     const std::string else_label = fresh(stem);
     const std::string end_label = fresh(stem);
-    code().line(fmt::format("{} = {} ? {} : {};", thread_.variable, expressions.write(*stmt.condition),
+    code().line(fmt::format("{} = {} ? {} : {};", thread_.variable, expressions.operand(*stmt.condition),
                             thread_.at(then_label), thread_.at(else_label)));
     code().line("break;");
     begin(then_label, "then");
@@ -142,8 +148,20 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
     resume_at(end_label, "end if");
 }
 
-void ProgramWriter::assign(const ir::Stmt& stmt) {
+/// What a during action does may be cut short while it waits for the next cycle to do it again.
+void ProgramWriter::await_turn(const std::string& flag, const std::string& stem, const std::string& what) {
+    (void)resume_here(stem, what);
+    code().open(fmt::format("if ({}) {{", flag));
+    code().line("return moved;");
+    code().close();
+    code().line(flag + " = true;");
+}
+
+void ProgramWriter::assign(const ir::Stmt& stmt, const std::string& stem) {
     if (generation_.mutation.hits(Fault::assignment_dropped)) return;
+    const StoredVariable* const stored = generation_.component.stored(unit_, stmt.variable);
+    if (stored != nullptr && stored->interruptible)
+        await_turn(done_flag(*stored), stem, "writes " + stored->variable->name);
     const ExpressionWriter expressions(generation_, unit_, "f");
     const ir::TypeId type = unit_.machine->variables[stmt.variable.index].type;
     if (!stmt.path.empty()) return assign_part(stmt, type);
@@ -311,12 +329,14 @@ void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
     if (unit_.definitions[stmt.operation.index].valid()) {
         call_operation(stmt, texts, stem);
     } else {
-        call_platform(stmt, texts);
+        call_platform(stmt, texts, stem);
     }
 }
 
-void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts) {
+void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts,
+                                  const std::string& stem) {
     const PlatformCall& call = generation_.component.call(unit_, stmt.operation);
+    if (call.interruptible) await_turn(done_flag(call), stem, "calls " + call.signature->name);
     code().line(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
 }
 

@@ -80,7 +80,8 @@ private:
     [[nodiscard]] std::string fresh(const std::string& stem);
     void if_statement(const ir::Stmt&, const std::string& stem);
     void suspending_if(const ir::Stmt&, const std::string& stem);
-    void assign(const ir::Stmt&);
+    void await_turn(const std::string& flag, const std::string& stem, const std::string& what);
+    void assign(const ir::Stmt&, const std::string& stem);
     void assign_part(const ir::Stmt&, ir::TypeId whole);
     void communicate(const ir::Stmt&, const std::string& stem);
     void await_input(const ir::Stmt&, const std::string& stem);
@@ -90,7 +91,7 @@ private:
     void send_out(const EventUse&, const std::string& value);
     void offer(const EventUse&, const std::string& value, const std::string& at, const std::string& next);
     void call(const ir::Stmt&, const std::string& stem);
-    void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments);
+    void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
     void call_operation(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
     void offer_to_platform(const Unit& operation, const std::string& frame);
     void require_preconditions(const Unit& operation, const std::string& frame);

@@ -93,13 +93,15 @@ void Behaviour::container(Lines& out, std::size_t depth, bool must_end) {
 }
 
 void Behaviour::state(Lines& out, const std::string& name, std::size_t depth) {
-    const bool composite = shape_.composite_states && depth > 0 && random_.chance(25);
+    const bool composite = shape_.composite_states && depth > 0 && random_.chance(shape_.composites);
     const bool entry = random_.chance(40);
     const bool during = shape_.during_actions && random_.chance(15);
     const bool exit = shape_.exit_actions && random_.chance(15);
-    if (!composite && !entry && !during && !exit && random_.chance(70)) return out.line("state " + name + " {}");
+    if (!shape_.paced && !composite && !entry && !during && !exit && random_.chance(70))
+        return out.line("state " + name + " {}");
     out.open("state " + name);
     if (entry) out.line("entry " + action());
+    if (shape_.paced && !entry) out.line("entry wait(1)");
     if (composite) {
         const std::string outer = std::exchange(inside_, name);
         container(out, depth - 1, false);

@@ -40,7 +40,7 @@ Behaviour::Behaviour(Random& random, const Shape& shape, Names& names, Types& ty
 }
 
 std::string Behaviour::action() {
-    return sequence(2);
+    return shape_.paced ? sequence(2) + "; wait(1)" : sequence(2);
 }
 
 std::string Behaviour::sequence(std::size_t depth) {

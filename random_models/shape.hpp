@@ -51,6 +51,7 @@ struct Shape {
     Count defined_operations{0, 1};  ///< of a controller
     Count statements{1, 3};          ///< of an action
     std::size_t depth = 1;           ///< of nested composite states
+    unsigned composites = 25;        ///< percent of the states, down to that depth
 
     // Parts of the language.
     Data data;
@@ -63,6 +64,7 @@ struct Shape {
     bool conditionals = true;        ///< `if` statements
     bool inputs_in_actions = false;  ///< `e?x` as a statement
     bool time = false;               ///< clocks, since, sinceEntry, wait, deadlines
+    bool paced = false;              ///< with `time`: actions end in a time unit, and so do entries of states
     bool shared_variables = true;    ///< of the platform and of controllers
     bool open_constants = false;     ///< constants without a value
     bool varied_places = false;      ///< members of interfaces in components, and those of components in interfaces

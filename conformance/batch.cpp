@@ -1,0 +1,116 @@
+#include "conformance/batch.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "conformance/component.hpp"
+#include "conformance/judge.hpp"
+#include "conformance/shared_object.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+const cpp_emit::OutputFile* file_ending(const cpp_emit::Emission& code, std::string_view end) {
+    for (const cpp_emit::OutputFile& file : code.files)
+        if (file.path.ends_with(end)) return &file;
+    return nullptr;
+}
+
+/// Without lines of the preprocessor: what they include and define stands once at the top.
+void append_text(std::string& text, const std::string& source) {
+    const std::string_view entry = "extern \"C\" const rc_interface* robochart_explore(void) {";
+    for (std::size_t begin = 0; begin < source.size();) {
+        const std::size_t end = std::min(source.find('\n', begin), source.size());
+        const std::string_view line = std::string_view(source).substr(begin, end - begin);
+        begin = end + 1;
+        if (line.starts_with("#")) continue;
+        text += line == entry ? "const rc_interface* explore() {" : line;
+        text += '\n';
+    }
+}
+
+constexpr const char* preamble = R"(#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#define RC_REQUIRE(condition) static_cast<void>(0)
+
+#include "robochart/composed.hpp"
+#include "robochart/explore.hpp"
+#include "robochart/matrix.hpp"
+#include "robochart/runtime.hpp"
+#include "robochart/text.hpp"
+#include "robochart/toolkit.hpp"
+
+)";
+
+}  // namespace
+
+std::unique_ptr<Candidate> candidate(ir::System system, const ir::Instantiation& instantiation,
+                                     const ir::ComponentRef& component, const Options& options,
+                                     diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    auto result = std::make_unique<Candidate>();
+    result->system = std::move(system);
+    result->system.csp_blocks.clear();  // they belong to assertions; see conform
+    result->system.properties.clear();
+    result->instantiation = instantiation;
+    result->component = component;
+    cpp_emit::Options generator = options.generator;
+    generator.cycle_length = options.cycle_length;
+    result->code = cpp_emit::emit(result->system, instantiation, component, generator, diagnostics);
+    if (diagnostics.errors() != errors || result->code.shim.empty()) return nullptr;
+    result->script =
+        csp_emit::emit(result->system, instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+    return diagnostics.errors() == errors ? std::move(result) : nullptr;
+}
+
+std::vector<cpp_emit::OutputFile> batch_files(const std::vector<std::unique_ptr<Candidate>>& candidates) {
+    std::vector<cpp_emit::OutputFile> files = cpp_emit::shipped_headers();
+    std::string text = preamble;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const cpp_emit::Emission& code = candidates[i]->code;
+        text += fmt::format("namespace candidate_{} {{\n", i);
+        append_text(text, file_ending(code, "_core.hpp")->text);
+        append_text(text, file_ending(code, code.shim)->text);
+        text += fmt::format("}}  // namespace candidate_{}\n\n", i);
+        text += fmt::format(
+            "extern \"C\" __attribute__((visibility(\"default\"))) const rc_interface* robochart_explore_{0}(void) {{\n"
+            "    return candidate_{0}::explore();\n}}\n\n",
+            i);
+    }
+    files.push_back({batch_source, std::move(text)});
+    return files;
+}
+
+std::unique_ptr<Batch> Batch::build(std::vector<std::unique_ptr<Candidate>> candidates, const Options& options,
+                                    std::string& error) {
+    std::unique_ptr<Batch> batch(new Batch);
+    batch->candidates_ = std::move(candidates);
+    batch->options_ = options;
+    batch->library_ = cpp_emit::SharedLibrary::build(batch_files(batch->candidates_), {batch_source},
+                                                     {options.compiler, options.flags, options.work_dir}, error);
+    return batch->library_ ? std::move(batch) : nullptr;
+}
+
+Result Batch::judge(std::size_t index, std::optional<std::chrono::steady_clock::time_point> deadline) const {
+    const Candidate& candidate = *candidates_.at(index);
+    Result result;
+    void* const symbol = library_->symbol(fmt::format("robochart_explore_{}", index).c_str());
+    const rc_interface* const code =
+        symbol == nullptr ? nullptr : reinterpret_cast<const rc_interface* (*)()>(symbol)();
+    const std::string fault = code == nullptr ? "it has no entry" : interface_fault(*code);
+    if (!fault.empty()) {
+        result.outcome = Outcome::differs;
+        result.reason = "the exploration interface cannot be used: " + fault;
+        return result;
+    }
+    Options options = options_;
+    if (deadline) options.limits.deadline = deadline;
+    return judge_code(candidate.script, candidate.system, candidate.instantiation, candidate.component, *code, options);
+}
+
+}  // namespace robochart::conformance

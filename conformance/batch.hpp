@@ -1,0 +1,56 @@
+// Many small components at once: their generated code is compiled as one translation unit (a compiler's start and the
+// headers cost more than a small machine), then each is judged by itself. For random models and surveys.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "conformance/conform.hpp"
+#include "cpp_emit/shared_library.hpp"
+#include "csp_emit/emit.hpp"
+
+namespace robochart::conformance {
+
+/// A model with its component, ready to be judged.
+struct Candidate {
+    ir::System system;
+    ir::Instantiation instantiation;
+    ir::ComponentRef component;
+    csp_emit::Emission script;
+    cpp_emit::Emission code;
+};
+
+/// The model's timed script and its generated code; nothing, with what was found, if it is refused.
+[[nodiscard]] std::unique_ptr<Candidate> candidate(ir::System, const ir::Instantiation&, const ir::ComponentRef&,
+                                                   const Options&, diagnostics::SourceManager&,
+                                                   diagnostics::Diagnostics&);
+
+/// The cores and exploration interfaces of all candidates as one source, each in a namespace of its own; the entry of
+/// candidate i is `robochart_explore_i`.
+[[nodiscard]] std::vector<cpp_emit::OutputFile> batch_files(const std::vector<std::unique_ptr<Candidate>>&);
+/// The source among these files.
+inline constexpr const char* batch_source = "batch.cpp";
+
+/// Candidates compiled together.
+class Batch {
+public:
+    /// On failure returns nothing and sets `error` to the compiler's words.
+    static std::unique_ptr<Batch> build(std::vector<std::unique_ptr<Candidate>>, const Options&, std::string& error);
+
+    [[nodiscard]] std::size_t size() const { return candidates_.size(); }
+    /// Schedulability and refinement of one.
+    [[nodiscard]] Result judge(std::size_t index,
+                               std::optional<std::chrono::steady_clock::time_point> deadline = {}) const;
+
+private:
+    Batch() = default;
+
+    std::vector<std::unique_ptr<Candidate>> candidates_;
+    Options options_;
+    std::unique_ptr<cpp_emit::SharedLibrary> library_;
+};
+
+}  // namespace robochart::conformance
