@@ -6,6 +6,7 @@
 
 #include "conformance/component.hpp"
 #include "conformance/judge.hpp"
+#include "conformance/safe_model.hpp"
 #include "conformance/shared_object.hpp"
 
 namespace robochart::conformance {
@@ -49,22 +50,21 @@ constexpr const char* preamble = R"(#include <cstddef>
 
 }  // namespace
 
-std::unique_ptr<Candidate> candidate(ir::System system, const ir::Instantiation& instantiation,
+std::unique_ptr<Candidate> candidate(const ir::System& system, const ir::Instantiation& instantiation,
                                      const ir::ComponentRef& component, const Options& options,
                                      diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     auto result = std::make_unique<Candidate>();
-    result->system = std::move(system);
-    result->system.csp_blocks.clear();  // they belong to assertions; see conform
-    result->system.properties.clear();
-    result->instantiation = instantiation;
-    result->component = component;
+    SafeModel model = safe_model(system, instantiation, component, diagnostics);
+    result->system = std::move(model.system);
+    result->instantiation = std::move(model.instantiation);
+    result->component = std::move(model.component);
     cpp_emit::Options generator = options.generator;
     generator.cycle_length = options.cycle_length;
-    result->code = cpp_emit::emit(result->system, instantiation, component, generator, diagnostics);
+    result->code = cpp_emit::emit(result->system, result->instantiation, result->component, generator, diagnostics);
     if (diagnostics.errors() != errors || result->code.shim.empty()) return nullptr;
     result->script =
-        csp_emit::emit(result->system, instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+        csp_emit::emit(result->system, result->instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
     return diagnostics.errors() == errors ? std::move(result) : nullptr;
 }
 

@@ -24,7 +24,7 @@ struct Candidate {
 };
 
 /// The model's timed script and its generated code; nothing, with what was found, if it is refused.
-[[nodiscard]] std::unique_ptr<Candidate> candidate(ir::System, const ir::Instantiation&, const ir::ComponentRef&,
+[[nodiscard]] std::unique_ptr<Candidate> candidate(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
                                                    const Options&, diagnostics::SourceManager&,
                                                    diagnostics::Diagnostics&);
 
@@ -41,6 +41,7 @@ public:
     static std::unique_ptr<Batch> build(std::vector<std::unique_ptr<Candidate>>, const Options&, std::string& error);
 
     [[nodiscard]] std::size_t size() const { return candidates_.size(); }
+    [[nodiscard]] const Candidate& candidate(std::size_t index) const { return *candidates_.at(index); }
     /// Schedulability and refinement of one.
     [[nodiscard]] Result judge(std::size_t index,
                                std::optional<std::chrono::steady_clock::time_point> deadline = {}) const;

@@ -11,6 +11,7 @@
 #include "conformance/export.hpp"
 #include "conformance/judge.hpp"
 #include "conformance/normal_form.hpp"
+#include "conformance/safe_model.hpp"
 #include "conformance/shared_object.hpp"
 #include "conformance/walks.hpp"
 #include "csp_emit/emit.hpp"
@@ -105,22 +106,24 @@ Result judge_code(const csp_emit::Emission& script, const ir::System& system, co
 Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,
                const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
+    const SafeModel model = safe_model(system, instantiation, component, diagnostics);
     const csp_emit::Emission script =
-        csp_emit::emit(without_blocks(system), instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
-    const cspm::ExprPtr process = component_process(script.definitions, component);
+        csp_emit::emit(model.system, model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+    const cspm::ExprPtr process = component_process(script.definitions, model.component);
     if (diagnostics.errors() != errors || !process)
         return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
 
     cpp_emit::Options generator = options.generator;
     generator.cycle_length = options.cycle_length;
-    const cpp_emit::Emission code = cpp_emit::emit(system, instantiation, component, generator, diagnostics);
+    const cpp_emit::Emission code =
+        cpp_emit::emit(model.system, model.instantiation, model.component, generator, diagnostics);
     if (diagnostics.errors() != errors || code.shim.empty())
         return not_generated(fmt::format("no C++ is generated for {}", component.path));
 
     std::string error;
     const auto object = build(code, options, error);
     if (!object) return not_generated(std::move(error));
-    return judge_code(script, system, instantiation, component, object->interface(), options);
+    return judge_code(script, model.system, model.instantiation, model.component, object->interface(), options);
 }
 
 }  // namespace robochart::conformance

@@ -1,0 +1,159 @@
+#include "tests/conformance/constructs.hpp"
+
+#include <algorithm>
+
+#include "cpp_emit/walk.hpp"
+
+namespace robochart::conformance::test {
+
+namespace {
+
+using ir::NodeKind;
+using ir::StmtKind;
+
+class Constructs {
+public:
+    explicit Constructs(const ir::System& system) : system_(system) {}
+
+    std::set<std::string> collect() {
+        for (const ir::Machine& machine : system_.machines) look(machine);
+        for (const ir::Controller& controller : system_.controllers) look(controller);
+        for (const ir::Module& module : system_.modules) look(module);
+        return found_;
+    }
+
+private:
+    void note(bool is, const std::string& word) {
+        if (is) found_.insert(word);
+    }
+
+    void look(const ir::Machine& machine) {
+        note(machine.kind == ir::MachineKind::operation, "operation");
+        for (const ir::Node& node : machine.nodes) look(machine, node);
+        for (const ir::Transition& transition : machine.transitions) look(machine, transition);
+        for (const ir::Variable& variable : machine.variables) {
+            note(variable.scope == ir::VariableScope::required, "shared variable");
+            note(variable.scope == ir::VariableScope::local, "variable");
+        }
+        cpp_emit::visit_statements(machine, [&](const ir::Stmt& stmt) { look(machine, stmt); });
+        cpp_emit::visit_expressions(machine, [&](const ir::Expr& expr) {
+            note(expr.kind == ir::ExprKind::since, "since");
+            note(expr.kind == ir::ExprKind::since_entry, "sinceEntry");
+        });
+    }
+
+    void look(const ir::Machine& machine, const ir::Node& node) {
+        std::size_t depth = 0;
+        for (ir::NodeId at = node.parent; at.valid(); at = machine.nodes[at.index].parent) ++depth;
+        for (std::size_t d = 1; d <= depth; ++d) note(true, "depth " + std::to_string(d));
+        note(node.kind == NodeKind::junction, "junction");
+        note(node.kind == NodeKind::final, depth == 0 ? "final" : "inner final");
+        note(node.entry != nullptr, "entry");
+        note(node.during != nullptr, "during");
+        note(node.during != nullptr && node.composite(), "during of a composite");
+        note(node.exit != nullptr, "exit");
+        note(node.exit != nullptr && node.composite(), "exit of a composite");
+    }
+
+    void look(const ir::Machine& machine, const ir::Transition& transition) {
+        const ir::Node& source = machine.nodes[transition.source.index];
+        const bool state = source.kind == NodeKind::state;
+        note(transition.trigger.has_value(), "trigger");
+        note(transition.trigger && transition.trigger->variable.valid(), "trigger with a value");
+        note(state && !transition.trigger, "no trigger");
+        note(transition.trigger && transition.guard, "trigger with a guard");
+        note(transition.deadline != nullptr, "deadline of a trigger");
+        note(transition.action != nullptr, "action");
+        note(!transition.resets.empty(), "reset with a transition");
+        note(state && source.composite(), "transition out of a composite");
+    }
+
+    void look(const ir::Machine& machine, const ir::Stmt& stmt) {
+        note(stmt.kind == StmtKind::if_then_else, "if");
+        note(stmt.kind == StmtKind::assign, "assignment");
+        note(stmt.kind == StmtKind::wait, "wait");
+        note(stmt.kind == StmtKind::wait_interval, "wait of an interval");
+        note(stmt.kind == StmtKind::clock_reset, "reset");
+        note(stmt.kind == StmtKind::deadline, "deadline");
+        if (stmt.kind == StmtKind::call) {
+            const std::string& name = machine.operations[stmt.operation.index].name;
+            const auto defines = [&](const ir::Machine& other) {
+                return other.kind == ir::MachineKind::operation && other.name == name;
+            };
+            const bool defined = std::any_of(system_.machines.begin(), system_.machines.end(), defines);
+            note(true, defined ? "call" : "call of the platform");
+        }
+        if (stmt.kind != StmtKind::communicate) return;
+        const bool input = stmt.communication.kind == ir::CommKind::input;
+        note(true, input ? "input in an action" : stmt.communication.value ? "output with a value" : "output");
+    }
+
+    void look(const ir::Controller& controller) {
+        note(controller.machines.size() > 1, "parallel machines");
+        for (const ir::Connection& connection : controller.connections)
+            note(connection.from.kind == ir::EndKind::part && connection.to.kind == ir::EndKind::part,
+                 "connected machines");
+    }
+
+    void look(const ir::Module& module) {
+        note(module.controllers.size() > 1, "parallel controllers");
+        for (const ir::Connection& connection : module.connections)
+            if (connection.from.kind == ir::EndKind::part && connection.to.kind == ir::EndKind::part)
+                note(true, connection.async ? "asynchronous connection" : "synchronous connection");
+    }
+
+    const ir::System& system_;
+    std::set<std::string> found_;
+};
+
+}  // namespace
+
+std::set<std::string> constructs(const ir::System& system) {
+    return Constructs(system).collect();
+}
+
+std::set<std::string> claimed_constructs() {
+    return {"action",
+            "assignment",
+            "asynchronous connection",
+            "call",
+            "call of the platform",
+            "connected machines",
+            "deadline",
+            "deadline of a trigger",
+            "depth 1",
+            "depth 2",
+            "depth 3",
+            "depth 4",
+            "during",
+            "during of a composite",
+            "entry",
+            "exit",
+            "exit of a composite",
+            "final",
+            "if",
+            "inner final",
+            "input in an action",
+            "junction",
+            "no trigger",
+            "operation",
+            "output",
+            "output with a value",
+            "parallel controllers",
+            "parallel machines",
+            "reset",
+            "reset with a transition",
+            "shared variable",
+            "since",
+            "sinceEntry",
+            "synchronous connection",
+            "transition out of a composite",
+            "trigger",
+            "trigger with a guard",
+            "trigger with a value",
+            "variable",
+            "wait",
+            "wait of an interval"};
+}
+
+}  // namespace robochart::conformance::test

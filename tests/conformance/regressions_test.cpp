@@ -1,0 +1,86 @@
+// What random models found: each once gave code that did not compile without a warning, or did what its model does not.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "conformance/conform.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The first module or, without one, the machine S conforms.
+void expect_conforming(const std::string& text) {
+    std::string folder = (fs::path(testing::TempDir()) / "regression-XXXXXX").string();
+    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    std::ofstream(fs::path(folder) / "model.rct") << text;
+    test::Model model(folder);
+    const ir::ComponentRef component = model.system.modules.empty() ? model.machine("S") : model.module();
+    diagnostics::Diagnostics found;
+    const Result result = conform(model.system, model.instantiation, component, {}, model.sources, found);
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason.substr(0, 2000);
+    fs::remove_all(folder);
+}
+
+std::string machine(const std::string& declarations, const std::string& body) {
+    return "interface Calls { move(p : boolean) }\nstm S { requires Calls event e event out var x : boolean\n" +
+           declarations + "\ninitial i transition t0 { from i to A }\n" + body + "\n}\n";
+}
+
+TEST(Regressions, AGuardThatIsAConditionalDoesNotReplaceItsTrigger) {
+    expect_conforming(machine("",
+                              "state A { } state B { entry out }\n"
+                              "transition t1 { from A to B trigger e condition if x then true else x end }"));
+}
+
+TEST(Regressions, AConditionalDecidesAnIfThatWaits) {
+    expect_conforming(
+        machine("", "state A { entry if (if x then true else x end) then wait(1) else wait(2) end; out }"));
+}
+
+TEST(Regressions, ValuesAreComparedWithThemselvesWithoutAWarning) {
+    expect_conforming(machine("",
+                              "state A { entry x = (x == x) iff (x != x) } state B { entry out }\n"
+                              "transition t1 { from A to B condition x iff x }"));
+}
+
+TEST(Regressions, AnOperationMayBeCalledWhereNothingLeads) {
+    expect_conforming(
+        "operation op() { initial i state A { } final f transition t0 { from i to A }\n"
+        "transition t1 { from A to f } }\n"
+        "interface Ops { op() }\n"
+        "controller C { opref r = op sref m = S }\n"
+        "stm S { requires Ops initial i state A { exit op() } transition t0 { from i to A } }\n"
+        "module M { robotic platform P { } cref c = C }\n");
+}
+
+TEST(Regressions, TheWatchOverADeadlineReadsAVariableThatNothingElseDoes) {
+    expect_conforming(
+        "interface V { var v : boolean }\n"
+        "controller C { requires V event e : boolean sref m = S connection C on e to m on e }\n"
+        "stm S { requires V event e : boolean initial i state A { }\n"
+        "transition t0 { from i to A } transition t1 { from A to A trigger e?v <{2} condition not v }\n"
+        "state B { } transition t2 { from A to B } }\n"
+        "module M { robotic platform P { provides V event e : boolean } cref c = C connection P on e to c on e "
+        "( _async ) }\n");
+}
+
+/// A transition may leave the state before the during action repeats its call.
+TEST(Regressions, ADuringActionWaitsToRepeatACall) {
+    expect_conforming(machine("", "state A { during move(x); move(x) } state B { }\ntransition t1 { from A to B }"));
+}
+
+TEST(Regressions, ADuringActionWaitsToRepeatAWriteThatIsSeen) {
+    expect_conforming(
+        "interface V { var v : nat }\n"
+        "controller C { requires V sref m = S }\n"
+        "stm S { requires V initial i state A { during v = 1; v = 2 } state B { }\n"
+        "transition t0 { from i to A } transition t1 { from A to B } }\n"
+        "module M { robotic platform P { provides V } cref c = C }\n");
+}
+
+}  // namespace
+}  // namespace robochart::conformance
