@@ -69,6 +69,7 @@ struct Shape {
     bool open_constants = false;     ///< constants without a value
     bool varied_places = false;      ///< members of interfaces in components, and those of components in interfaces
     bool references = true;          ///< rref, cref, sref, opref beside definitions in place
+    bool buffers = false;            ///< half of the connections between controllers are asynchronous
     bool unconnected_events = true;
     bool else_conditions = false;  ///< `condition else`
     bool probabilistic = false;

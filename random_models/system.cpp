@@ -135,8 +135,9 @@ std::vector<Port> SystemBuilder::connect(std::vector<Part> parts, const std::str
 void SystemBuilder::write(Lines& out, const std::vector<Link>& links, bool asynchronous, const std::string& outer) {
     for (const Link& link : links) {
         const bool with_platform = asynchronous && (link.from == outer || link.to == outer);
+        const bool buffered = asynchronous && shape_.buffers && !with_platform && random_.chance(50);
         out.line(fmt::format("connection {} on {} to {} on {}{}{}", link.from, link.from_event, link.to, link.to_event,
-                             with_platform ? " ( _async )" : "", link.both_ways ? " [ mult ]" : ""));
+                             with_platform || buffered ? " ( _async )" : "", link.both_ways ? " [ mult ]" : ""));
     }
 }
 

@@ -31,7 +31,7 @@ Shape shape_of(std::uint64_t seed) {
     Shape shape = seed % 6 == 0 ? Shape::untimed_core() : Shape::timed_core();
     shape.paced = shape.time && seed % 6 != 1;
     shape.assertions = false;
-    shape.inputs_in_actions = shape.else_conditions = true;
+    shape.inputs_in_actions = shape.else_conditions = shape.buffers = true;
     shape.events = {1, 2};
     shape.variables = {0, 1};
     shape.controllers = {1, seed % 3 == 0 ? 2U : 1U};
