@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <string_view>
 
 #include "conformance/component.hpp"
@@ -19,34 +20,25 @@ const cpp_emit::OutputFile* file_ending(const cpp_emit::Emission& code, std::str
     return nullptr;
 }
 
-/// Without lines of the preprocessor: what they include and define stands once at the top.
-void append_text(std::string& text, const std::string& source) {
+/// The text without what stands once at the top: `includes` gets the headers, but those of the candidate itself.
+void append_text(std::string& text, const std::string& source, std::set<std::string>& includes) {
     const std::string_view entry = "extern \"C\" const rc_interface* robochart_explore(void) {";
     for (std::size_t begin = 0; begin < source.size();) {
         const std::size_t end = std::min(source.find('\n', begin), source.size());
         const std::string_view line = std::string_view(source).substr(begin, end - begin);
         begin = end + 1;
-        if (line.starts_with("#")) continue;
+        if (line.starts_with("#include <") || line.starts_with("#include \"robochart/")) includes.emplace(line);
+        if (line.starts_with("#include") || line.starts_with("#pragma") || line.starts_with("#define")) continue;
         text += line == entry ? "const rc_interface* explore() {" : line;
         text += '\n';
     }
 }
 
-constexpr const char* preamble = R"(#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <type_traits>
-
-#define RC_REQUIRE(condition) static_cast<void>(0)
-
-#include "robochart/composed.hpp"
-#include "robochart/explore.hpp"
-#include "robochart/matrix.hpp"
-#include "robochart/runtime.hpp"
-#include "robochart/text.hpp"
-#include "robochart/toolkit.hpp"
-
-)";
+std::string preamble(const std::set<std::string>& includes) {
+    std::string text = "#define RC_REQUIRE(condition) static_cast<void>(0)\n\n";
+    for (const std::string& include : includes) text += include + "\n";
+    return text + "\n";
+}
 
 }  // namespace
 
@@ -70,19 +62,20 @@ std::unique_ptr<Candidate> candidate(const ir::System& system, const ir::Instant
 
 std::vector<cpp_emit::OutputFile> batch_files(const std::vector<std::unique_ptr<Candidate>>& candidates) {
     std::vector<cpp_emit::OutputFile> files = cpp_emit::shipped_headers();
-    std::string text = preamble;
+    std::set<std::string> includes;
+    std::string text;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const cpp_emit::Emission& code = candidates[i]->code;
         text += fmt::format("namespace candidate_{} {{\n", i);
-        append_text(text, file_ending(code, "_core.hpp")->text);
-        append_text(text, file_ending(code, code.shim)->text);
+        append_text(text, file_ending(code, "_core.hpp")->text, includes);
+        append_text(text, file_ending(code, code.shim)->text, includes);
         text += fmt::format("}}  // namespace candidate_{}\n\n", i);
         text += fmt::format(
             "extern \"C\" __attribute__((visibility(\"default\"))) const rc_interface* robochart_explore_{0}(void) {{\n"
             "    return candidate_{0}::explore();\n}}\n\n",
             i);
     }
-    files.push_back({batch_source, std::move(text)});
+    files.push_back({batch_source, preamble(includes) + text});
     return files;
 }
 

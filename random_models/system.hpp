@@ -61,7 +61,7 @@ private:
     std::string platform(const std::string& name, const std::vector<Port>& ports);
     void declare_ports(Lines& out, const std::vector<Port>& ports);
     std::vector<Port> connect(std::vector<Part> parts, const std::string& outer, std::vector<Link>& links);
-    static void write(Lines& out, const std::vector<Link>& links, bool asynchronous, const std::string& outer);
+    void write(Lines& out, const std::vector<Link>& links, bool asynchronous, const std::string& outer);
 
     // Controllers and machines (system_controllers.cpp)
     Part controller(Lines& module);

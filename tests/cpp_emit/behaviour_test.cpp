@@ -242,7 +242,8 @@ TEST(During, OfACompositeStartsWithItsFirstChildsEntry) {
         "state O { initial j state P { entry x(1) ; wait(1) ; x(2) } transition u0 { from j to P } during x(3) }",
         tell);
     EXPECT_THAT(m.cycle(), ElementsAre("xCall(1)"));
-    EXPECT_THAT(m.cycle(), ElementsAre("xCall(2)", "xCall(3)"));
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(2)"));
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(3)"));  // once a cycle: a transition may cut it short
 }
 
 // ---------------------------------------------------------------- time (R5)
