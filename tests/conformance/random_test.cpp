@@ -110,7 +110,7 @@ protected:
         candidates_.clear();
         ASSERT_TRUE(batch) << fmt::format("seeds {}\n{}", fmt::join(seeds_, " "), error.substr(0, 4000));
         for (std::size_t i = 0; i < batch->size(); ++i)
-            count(seeds_[i], batch->candidate(i), batch->judge(i, steady_clock::now() + std::chrono::seconds(1)));
+            count(seeds_[i], batch->candidate(i), batch->judge(i, steady_clock::now() + std::chrono::seconds(4)));
         seeds_.clear();
     }
 
