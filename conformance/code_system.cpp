@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -24,6 +25,9 @@ enum Phase : lts::Word {
 /// Bytes handed to `initial` before it writes: two patterns, so that what it leaves unwritten shows.
 constexpr std::array<unsigned char, 2> fills{0x00, 0xA5};
 
+/// Results of one cycle.
+constexpr std::size_t max_ways = 4096;
+
 bool same(const rc_log& a, const rc_log& b) {
     if (a.count != b.count || a.overflow != b.overflow) return false;
     for (std::uint32_t r = 0; r < a.count && r < ROBOCHART_MAX_RECORDS; ++r) {
@@ -35,6 +39,19 @@ bool same(const rc_log& a, const rc_log& b) {
         }
     }
     return true;
+}
+
+/// The next ways for the probabilistic junctions that a cycle passed, counted from the last; false after the last ones.
+bool next_choices(rc_log& log) {
+    for (std::uint32_t k = log.asked; k > 0; --k) {
+        const std::uint32_t taken = k - 1 < log.given ? log.choice[k - 1] : 0;
+        if (taken + 1 >= log.ways[k - 1]) continue;
+        for (std::uint32_t earlier = log.given; earlier < k - 1; ++earlier) log.choice[earlier] = 0;
+        log.choice[k - 1] = taken + 1;
+        log.given = k;
+        return true;
+    }
+    return false;
 }
 
 /// The event that L(G) performs, and no NF allows, when a cycle ends in an outcome with no place in the relation.
@@ -146,6 +163,9 @@ void CodeSystem::read(lts::StateView state, lts::SuccessorSink& sink) {
 
 void CodeSystem::act(lts::StateView state, lts::SuccessorSink& sink) {
     const CycleResult& result = results_[state[number]];
+    for (const std::uint32_t way : result.ways)
+        sink.add(process::tau, std::array<lts::Word, fields>{acting, way, 0}, process::tau);
+    if (!result.ways.empty()) return;
     if (state[detail] >= result.writes.size()) return finish(state, result, sink);
     const std::array<lts::Word, fields> next{acting, state[number], state[detail] + 1};
     const process::Event event = result.writes[state[detail]];
@@ -204,14 +224,28 @@ std::uint32_t CodeSystem::intern_node(std::size_t level, Node node) {
     return place->second;
 }
 
-/// Calls `step` twice on copies: a controller with memory outside its state would differ.
+/// One result, or a choice between those of all ways that probabilistic junctions may take.
 std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>& registers) {
+    rc_log log{};
+    std::vector<std::uint32_t> ways;
+    do {
+        const std::uint32_t result = run_once(from, registers, log);
+        if (std::find(ways.begin(), ways.end(), result) == ways.end()) ways.push_back(result);
+        if (ways.size() > max_ways) throw std::length_error("a cycle has too many ways through its junctions");
+    } while (next_choices(log));
+    if (ways.size() == 1) return ways.front();
+    CycleResult choice;
+    choice.ways = std::move(ways);
+    return intern_result(std::move(choice));
+}
+
+/// Calls `step` twice on copies: a controller with memory outside its state would differ.
+std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_register>& registers, rc_log& log) {
     ++cycles_;
     if (poll_) poll_();
     Bytes once = from;
     Bytes twice = from;
-    rc_log log{};
-    rc_log again{};
+    rc_log again = log;
     const rc_result outcome = code_->step(once.data(), registers.data(), &log);
     if (outcome != code_->step(twice.data(), registers.data(), &again) || once != twice || !same(log, again))
         unsound_ = "`step` gives two results for one state and one set of inputs";
@@ -235,6 +269,7 @@ CycleResult CodeSystem::result_of(rc_result outcome, const rc_log& log, const By
 std::uint32_t CodeSystem::intern_result(CycleResult result) {
     std::string key = fmt::format("{} {} {}", static_cast<int>(result.outcome), result.overflow, result.next);
     for (const process::Event event : result.writes) key += fmt::format(" {}", event);
+    for (const std::uint32_t way : result.ways) key += fmt::format(" or {}", way);
     const auto [place, fresh] = result_ids_.emplace(key, static_cast<std::uint32_t>(results_.size()));
     if (fresh) results_.push_back(std::move(result));
     return place->second;
@@ -244,6 +279,7 @@ const CycleResult& CodeSystem::step(std::uint32_t image, const std::vector<std::
     std::uint32_t at = root(image);
     for (std::size_t i = 0; i < alphabet_->interface().inputs.size(); ++i)
         at = nodes_[at][i < readings.size() ? readings[i] : 0];
+    while (!results_[at].ways.empty()) at = results_[at].ways.front();
     return results_[at];
 }
 

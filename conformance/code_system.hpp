@@ -24,6 +24,8 @@ struct CycleResult {
     bool overflow = false;
     std::vector<process::Event> writes;
     std::uint32_t next = 0;  ///< image
+    /// Not empty: the cycle passed probabilistic junctions, and these are the results of the ways that they may take.
+    std::vector<std::uint32_t> ways;
 };
 
 class CodeSystem : public lts::TransitionSystem {
@@ -63,6 +65,7 @@ private:
     std::uint32_t tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read);
     std::uint32_t intern_node(std::size_t level, Node);
     [[nodiscard]] std::uint32_t run(const Bytes& from, const std::vector<rc_register>& registers);
+    std::uint32_t run_once(const Bytes& from, const std::vector<rc_register>& registers, rc_log& log);
     [[nodiscard]] CycleResult result_of(rc_result, const rc_log&, const Bytes&);
     std::uint32_t intern_result(CycleResult);
     void read(lts::StateView state, lts::SuccessorSink& sink);

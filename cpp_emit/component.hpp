@@ -159,6 +159,7 @@ struct Component {
     std::vector<FunctionHook> functions;
     std::vector<CarrierUse> carriers;
     std::vector<ir::TypeId> enumerations;  ///< declared types used, parts before the whole
+    bool probabilistic = false;            ///< there are probabilistic junctions
     bool matrices = false;                 ///< vectors or matrices are used: robochart/matrix.hpp
     bool toolkit = false;  ///< functions or relations, conversions, sets of values with parts: robochart/toolkit.hpp
     bool strings = false;  ///< robochart/text.hpp

@@ -139,6 +139,12 @@ void write_platform(const Generation& generation, const Core& core, const Face& 
     out.open(fmt::format("struct {}::Platform {{", face.cpp_name));
     out.line(fmt::format("{}& machine;", face.cpp_name));
     write_function_hooks(generation, core, face, out);
+    if (generation.component.probabilistic) {
+        out.gap();
+        out.open("std::size_t choose(const double* chances, std::size_t count) const noexcept {");
+        out.line("return machine.choose(chances, count);");
+        out.close();
+    }
     each_class(face, [&](const FaceClass& part) {
         for (const FaceOperation& operation : part.operations) {
             const auto& signature = *operation.signature;
@@ -320,6 +326,13 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.gap();
     write_members(generation, core, out, face.own);
     write_functions(generation, core, face, out);
+    if (generation.component.probabilistic) {
+        out.gap();
+        out.doc("Which way a probabilistic junction takes, by the chances of its ways; override it to draw one.");
+        out.line("virtual std::size_t choose(const double* chances, std::size_t count) noexcept {");
+        out.line("    return robochart::first_way(chances, count);");
+        out.line("}");
+    }
     out.gap();
     out.label("private:");
     out.line("struct Platform;");

@@ -4,6 +4,7 @@
 
 #include "cpp_emit/expression.hpp"
 #include "cpp_emit/machine_writer.hpp"
+#include "cpp_emit/types.hpp"
 #include "cpp_emit/walk.hpp"
 
 namespace robochart::cpp_emit {
@@ -17,6 +18,7 @@ void MachineWriter::control_places() {
         const NodeId id{index};
         const ir::Node& node = machine.nodes[index];
         if (node.kind == NodeKind::initial || node.kind == NodeKind::junction) choose_place(id);
+        if (node.kind == NodeKind::probabilistic) draw_place(id);
         if (plan_.target(id) != plan_.label(id)) enter_place(id);
         if (plan_.shared_exit(id)) exit_place(id);
         for (const ir::TransitionId transition : node.outgoing)
@@ -43,6 +45,37 @@ void MachineWriter::choose_place(NodeId id) {
         program.code().close();
     }
     if (stays) program.code().line("return moved;");
+}
+
+/// Probabilistic junctions: a free choice in the semantics, drawn by the platform.
+void MachineWriter::draw_place(NodeId id) {
+    ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
+    program.begin(plan_.label(id), generation_.place(plan_.node(id).origin));
+    const auto& ways = plan_.node(id).outgoing;
+    if (ways.empty()) return program.code().line("return moved;");
+    const ExpressionWriter expressions(generation_, unit_, "f");
+    std::string chances;
+    for (const ir::TransitionId way : ways) {
+        const ir::ExprPtr& probability = plan_.machine().transitions[way.index].probability;
+        const std::string text = !probability ? "1.0"
+                                 : probability->kind == ir::ExprKind::real
+                                     ? decimal_text(probability->decimal)
+                                     : fmt::format("robochart::chance({})", expressions.write(*probability));
+        chances += (chances.empty() ? "" : ", ") + text;
+    }
+    program.code().open("{");
+    program.code().line(fmt::format("const double chances[] = {{{}}};", chances));
+    program.code().open("switch (robochart::choose(platform_, chances)) {");
+    for (std::size_t way = 0; way < ways.size(); ++way) {
+        const ir::Transition& transition = plan_.machine().transitions[ways[way].index];
+        program.code().comment(generation_.place(transition.origin));
+        program.code().line(way + 1 == ways.size() ? "default:" : fmt::format("case {}:", way));
+        for (const ir::ClockId clock : transition.resets) program.line(clock_reset(generation_, unit_, clock));
+        program.jump(after_exit(transition));
+    }
+    program.code().close();
+    program.code().close();
+    program.code().line("break;");
 }
 
 void MachineWriter::enter_place(NodeId id) {

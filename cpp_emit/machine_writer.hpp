@@ -34,6 +34,7 @@ private:
     // machine_control.cpp: the programs of the control thread and of the during actions
     void control_places();
     void choose_place(ir::NodeId);
+    void draw_place(ir::NodeId);
     void enter_place(ir::NodeId);
     void exit_place(ir::NodeId);
     void take_place(ir::TransitionId);

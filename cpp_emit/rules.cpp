@@ -22,9 +22,10 @@ const Rule unsupported_expr{"RC-G05", Severity::error, "no C++ for {} in '{}'",
                             "Variables start with a value, arithmetic is on numbers, vectors and matrices, and `is` "
                             "asks whether a number is of a "
                             "type of numbers."};
-const Rule unsupported_node{"RC-G07", Severity::error, "no C++ for {} '{}'",
-                            "A probabilistic junction needs a random source, which the generated core does not have; "
-                            "states, initial nodes, junctions and final nodes are generated."};
+const Rule unsupported_node{
+    "RC-G07", Severity::error, "no C++ for {} '{}'",
+    "States, initial nodes, junctions, probabilistic junctions and final nodes are generated; a "
+    "composite state is entered through its initial node."};
 const Rule unsupported_trigger{"RC-G08", Severity::error, "no C++ for the trigger of '{}': {}",
                                "A trigger receives: `e` or `e?x`. Transitions out of initial nodes and "
                                "junctions have none."};

@@ -231,6 +231,10 @@ private:
                                   outputs_[index].method, parameters, index, arguments));
         }
         functions_of_the_model();
+        if (generation_.component.probabilistic)
+            out_.line(
+                "std::size_t choose(const double*, std::size_t count) noexcept { return "
+                "robochart::recorded_way(log_, count); }");
         for (const ModelledCall& call : generation_.component.modelled) {
             std::string parameters;
             for (const ir::TypeId parameter : call.signature->parameters)
@@ -293,9 +297,10 @@ private:
             const MachineCode& machine = core_.machines[index];
             for (const Enumeration& enumeration : machine.enumerations) name_function(enumeration);
             out_.gap();
-            out_.open(fmt::format(
-                "[[maybe_unused]] void print(robochart::Text& text, const char* prefix, const core::{}<Checking>& f) noexcept {{",
-                generation_.component.units[index].frame));
+            out_.open(
+                fmt::format("[[maybe_unused]] void print(robochart::Text& text, const char* prefix, const "
+                            "core::{}<Checking>& f) noexcept {{",
+                            generation_.component.units[index].frame));
             for (const Field& field : machine.layout.fields)
                 if (field.name == "at") print_field(field, machine);
             for (const Field& field : machine.layout.fields)
@@ -346,6 +351,7 @@ private:
         }
         out_.line("log->count = 0;");
         out_.line("log->overflow = 0;");
+        out_.line("log->asked = 0;");
         out_.line("Log platform(*log);");
         out_.line("const robochart::StepResult result = core::step(current, read, platform);");
         out_.line("std::memcpy(state, &current, sizeof current);");

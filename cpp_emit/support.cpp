@@ -193,9 +193,6 @@ private:
     }
 
     void check_node(const ir::Machine& machine, const ir::Node& node) {
-        if (node.kind == NodeKind::probabilistic)
-            diagnostics_.report(rules::unsupported_node, node.origin.span,
-                                {"the probabilistic junction", machine.name + "::" + node.path});
         if (node.composite() && !node.initial.valid())
             diagnostics_.report(rules::unsupported_node, node.origin.span,
                                 {"a composite state without an initial node", machine.name + "::" + node.path});

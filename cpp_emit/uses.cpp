@@ -59,6 +59,8 @@ public:
         for (const PlatformCall& call : component_.calls)
             for (const ir::TypeId parameter : call.signature->parameters) type(parameter);
         for (const Unit& unit : component_.units) {
+            for (const ir::Node& node : unit.machine->nodes)
+                component_.probabilistic = component_.probabilistic || node.kind == ir::NodeKind::probabilistic;
             for (const ir::Variable& variable : unit.machine->variables) type(variable.type);
             visit_expressions(*unit.machine, [&](const ir::Expr& expr) { expression(expr); });
         }
@@ -124,7 +126,7 @@ std::vector<OutputFile> shipped_headers() {
     return {{"robochart/composed.hpp", composed_header()}, {"robochart/drive_abi.h", drive_header()},
             {"robochart/eigen.hpp", eigen_header()},       {"robochart/explore.hpp", explore_helpers()},
             {"robochart/explore_abi.h", explore_header()}, {"robochart/finite.hpp", finite_header()},
-            {"robochart/layout.hpp", layout_helpers()},     {"robochart/matrix.hpp", matrix_header()},
+            {"robochart/layout.hpp", layout_helpers()},    {"robochart/matrix.hpp", matrix_header()},
             {"robochart/runtime.hpp", runtime_header()},   {"robochart/text.hpp", text_header()},
             {"robochart/timer.hpp", timer_header()},       {"robochart/toolkit.hpp", toolkit_header()}};
 }

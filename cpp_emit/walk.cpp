@@ -45,6 +45,7 @@ void visit_expressions(const ir::Machine& machine, const ExprVisitor& visitor) {
     visit_statements(machine, [&](const ir::Stmt& stmt) { visit_own(stmt, visitor); });
     for (const auto& transition : machine.transitions) {
         visit(transition.guard, visitor);
+        visit(transition.probability, visitor);
         if (transition.trigger) visit_communication(*transition.trigger, visitor);
     }
     for (const auto& condition : machine.preconditions) visit(condition, visitor);

@@ -88,6 +88,17 @@ void write_record(rc_log& log, std::uint32_t output, Values... values) noexcept 
     log.record[log.count++] = record;
 }
 
+/// The way that the explorer wants; beyond the log's end only the overflow is noted.
+inline std::size_t recorded_way(rc_log& log, std::size_t count) noexcept {
+    if (log.asked == ROBOCHART_MAX_CHOICES) {
+        log.overflow = 1;
+        return 0;
+    }
+    const std::uint32_t place = log.asked++;
+    log.ways[place] = static_cast<std::uint32_t>(count);
+    return place < log.given ? log.choice[place] : 0;
+}
+
 /// Text in a buffer of fixed size, cut where it ends.
 class Text {
 public:

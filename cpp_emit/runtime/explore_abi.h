@@ -11,9 +11,10 @@
 extern "C" {
 #endif
 
-#define ROBOCHART_ABI_VERSION 1
+#define ROBOCHART_ABI_VERSION 2
 #define ROBOCHART_MAX_ARGUMENTS 8
 #define ROBOCHART_MAX_RECORDS 64
+#define ROBOCHART_MAX_CHOICES 32
 
 /* An input register: an event received from outside, or a shared variable written from outside. */
 typedef struct rc_input {
@@ -39,6 +40,12 @@ typedef struct rc_log {
     uint32_t count;
     uint32_t overflow;       /* set when more than ROBOCHART_MAX_RECORDS were written */
     rc_record record[ROBOCHART_MAX_RECORDS];
+    /* Probabilistic junctions: the k-th that the cycle passes takes way choice[k] if k < given, else way 0. `step` sets
+     * asked, how many it passed, and ways[k], how many ways there were. */
+    uint32_t given;
+    uint32_t asked;
+    uint32_t choice[ROBOCHART_MAX_CHOICES];
+    uint32_t ways[ROBOCHART_MAX_CHOICES];
 } rc_log;
 
 typedef enum rc_result {

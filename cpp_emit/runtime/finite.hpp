@@ -74,6 +74,11 @@ private:
     std::int64_t raw_ = 0;
 };
 
+template <class Carrier>
+constexpr double chance(Finite<Carrier> probability) noexcept {
+    return static_cast<double>(probability.raw()) / static_cast<double>(Carrier::scale);
+}
+
 /// A duration in time units; negative ones are zero.
 template <class Carrier>
 constexpr std::uint32_t duration(Finite<Carrier> units) noexcept {

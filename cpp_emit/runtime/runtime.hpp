@@ -109,6 +109,41 @@ constexpr std::uint32_t duration(std::int64_t units) noexcept {
     return units > INT32_MAX ? static_cast<std::uint32_t>(INT32_MAX) : static_cast<std::uint32_t>(units);
 }
 
+/// The probability of a way as a number (robochart/finite.hpp has it for carriers).
+constexpr double chance(double probability) noexcept {
+    return probability;
+}
+
+constexpr double chance(std::int64_t probability) noexcept {
+    return static_cast<double>(probability);
+}
+
+/// Which way a probabilistic junction takes if nobody says: the first that has a chance.
+constexpr std::size_t first_way(const double* chances, std::size_t count) noexcept {
+    for (std::size_t way = 0; way < count; ++way)
+        if (chances[way] > 0.0) return way;
+    return 0;
+}
+
+template <class Platform, class = void>
+struct Chooses : std::false_type {};
+template <class Platform>
+struct Chooses<Platform, std::void_t<decltype(std::declval<Platform&>().choose(static_cast<const double*>(nullptr),
+                                                                               std::size_t{}))>> : std::true_type {};
+
+/// Which way a probabilistic junction takes: `platform.choose(chances, count)` if there is such a method, which may ask
+/// a source of random numbers; else the first that has a chance. Any answer is one that the model allows.
+template <class Platform, std::size_t count>
+constexpr std::size_t choose([[maybe_unused]] Platform& platform, const double (&chances)[count]) noexcept {
+    std::size_t way = 0;
+    if constexpr (Chooses<Platform>::value) {
+        way = platform.choose(static_cast<const double*>(chances), count);
+    } else {
+        way = first_way(chances, count);
+    }
+    return way < count ? way : count - 1;
+}
+
 /// A clock advances until its saturation: beyond it no guard can tell the difference.
 constexpr void advance_clock(std::uint32_t& clock, std::uint32_t units, std::uint32_t saturation) noexcept {
     clock = units < saturation - clock ? clock + units : saturation;

@@ -47,6 +47,7 @@ private:
         for (ir::NodeId at = node.parent; at.valid(); at = machine.nodes[at.index].parent) ++depth;
         for (std::size_t d = 1; d <= depth; ++d) note(true, "depth " + std::to_string(d));
         note(node.kind == NodeKind::junction, "junction");
+        note(node.kind == NodeKind::probabilistic, "probabilistic junction");
         note(node.kind == NodeKind::final, depth == 0 ? "final" : "inner final");
         note(node.entry != nullptr, "entry");
         note(node.during != nullptr, "during");
@@ -141,6 +142,7 @@ std::set<std::string> claimed_constructs() {
             "output with a value",
             "parallel controllers",
             "parallel machines",
+            "probabilistic junction",
             "reset",
             "reset with a transition",
             "shared variable",

@@ -32,6 +32,7 @@ Shape shape_of(std::uint64_t seed) {
     shape.paced = shape.time && seed % 6 != 1;
     shape.assertions = false;
     shape.inputs_in_actions = shape.else_conditions = shape.buffers = true;
+    shape.probabilistic = seed % 5 == 0;
     shape.events = {1, 2};
     shape.variables = {0, 1};
     shape.controllers = {1, seed % 3 == 0 ? 2U : 1U};

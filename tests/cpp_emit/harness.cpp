@@ -113,7 +113,7 @@ std::vector<std::string> Controller::cycle(const Registers& raised) {
         }
     }
     EXPECT_EQ(found, raised.size()) << "unknown input or value";
-    rc_log log;
+    rc_log log{};
     result_ = interface_->step(state_.data(), registers.data(), &log);
     EXPECT_EQ(log.overflow, 0U);
     std::vector<std::string> texts;

@@ -68,11 +68,13 @@ TEST(Refusals, SetsThatMayHaveTooManyMembers) {
     EXPECT_EQ(machine_codes("var s : Set(nat * nat * nat * nat * nat) state A { entry s = s }"), Codes{"RC-G13"});
 }
 
-TEST(Refusals, ProbabilisticJunctions) {
-    EXPECT_EQ(
-        machine_codes("event a state A {} probabilistic q state B {} state C {} transition t1 { from A to q trigger a }"
-                      "transition t2 { from q to B probability 0.5 } transition t3 { from q to C probability 0.5 }"),
-        Codes{"RC-G07"});
+TEST(Refusals, CompositeStatesWithoutInitialNode) {
+    ir::System system = testing::model(
+        "package p stm M { initial i state A { initial j state B {} transition u { from j to B } }\n"
+        "transition t0 { from i to A } }");
+    for (ir::Node& node : system.machines[0].nodes) node.initial = {};
+    const auto got = codes(system, component(system, "M"));
+    EXPECT_EQ(std::count(got.begin(), got.end(), "RC-G07"), 1);
 }
 
 TEST(Refusals, TriggersThatDoNotOnlyReceive) {
