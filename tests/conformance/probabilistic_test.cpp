@@ -1,0 +1,51 @@
+// Probabilistic junctions: a free choice in the semantics, drawn by the platform in the code; every way is explored.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* text = R"(
+stm S {
+    event go
+    event left
+    event right
+    initial i
+    probabilistic p
+    state Waiting { }
+    state Left { entry left }
+    state Right { entry right }
+    transition t0 { from i to Waiting }
+    transition t1 { from Waiting to p trigger go }
+    transition t2 { from p to Left probability 0.75 }
+    transition t3 { from p to Right probability 0.25 }
+    transition t4 { from Left to Waiting trigger go }
+    transition t5 { from Right to Waiting trigger go }
+}
+)";
+
+TEST(Probabilistic, EveryWayIsExplored) {
+    std::string folder = (fs::path(testing::TempDir()) / "probabilistic-XXXXXX").string();
+    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    std::ofstream(fs::path(folder) / "s.rct") << text;
+    test::Model model(folder);
+    fs::remove_all(folder);
+    test::Bench bench(model, model.machine("S"));
+    const Result right = bench.check();
+    EXPECT_EQ(right.outcome, Outcome::conforms) << right.reason;
+    EXPECT_GE(right.code_states, 3U);  // waiting, left and right
+    // The target of any transition is wrong, the less likely way of the junction included.
+    const std::uint32_t sites = bench.sites(cpp_emit::Fault::wrong_target);
+    EXPECT_EQ(sites, 6U);
+    for (std::uint32_t site = 0; site < sites; ++site)
+        EXPECT_EQ(bench.check(cpp_emit::Fault::wrong_target, site).outcome, Outcome::differs) << site;
+}
+
+}  // namespace
+}  // namespace robochart::conformance
