@@ -35,6 +35,9 @@ std::vector<std::string> notes(const ir::Instantiation& i) {
     std::string reals = fmt::format("{} values", i.real.size());
     if (i.scale != 1) reals += fmt::format(", exact in steps of 1/{} (from the model's decimal literals)", i.scale);
     result.push_back(fmt::format("finite reading: nat {}, int {}, real {}, clocks 0..{}", range(i.nat), range(i.integer), reals, i.clock_bound));
+    const ir::Instantiation usual;
+    if (i.sequence_bound != usual.sequence_bound) result.back() += fmt::format(", sequences of at most {}", i.sequence_bound);
+    if (i.given_size != usual.given_size) result.back() += fmt::format(", given types of {}", i.given_size);
     return result;
 }
 

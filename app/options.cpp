@@ -122,7 +122,7 @@ void add_warnings(CLI::App& app, Options& o) {
 void add_model(CLI::App& app, Options& o) {
     add_warnings(app, o);
     app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
-    app.add_option("--range", o.ranges, "carrier of nat, int or real")->option_text("TYPE=LOW..HIGH ...");
+    app.add_option("--range", o.ranges, "carrier of nat, int or real; lengths of Seq, times of clock, elements of given")->option_text("TYPE=LOW..HIGH ...");
     app.add_option("--print", o.print, "print a phase and stop")
         ->check(CLI::IsMember({"ast", "model", "ir", "script", "timed-script"}))
         ->option_text("PHASE {ast,model,ir,script,timed-script}");

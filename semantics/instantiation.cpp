@@ -51,8 +51,14 @@ void include(Range& range, const Decimal& decimal) {
         range.high = std::max(range.high, whole(decimal, false));
 }
 
+/// Sizes that are counted from 0: lengths of sequences, times of clocks, elements of given types.
+bool is_size(const std::string& name) {
+    return name == "Seq" || name == "clock" || name == "given";
+}
+
 void read_range_options(const InstantiationOptions& options, Ranges& ranges, Diagnostics& diagnostics) {
     for (const auto& [name, bounds] : options.ranges) {
+        if (is_size(name)) continue;
         const auto* at = std::find(Ranges::names.begin(), Ranges::names.end(), name);
         if (at == Ranges::names.end()) {
             diagnostics.report(rules::unknown_range_option, {}, {name});
@@ -154,11 +160,36 @@ std::vector<std::int64_t> real_numbers(const Range& range, const Literals& liter
     return {units.begin(), units.end()};
 }
 
-void set_clock_bound(const System& system, Instantiation& instantiation) {
+/// Where the clocks of the model may saturate without changing a comparison.
+std::int64_t clock_need(const System& system, const Instantiation& instantiation) {
+    std::int64_t result = 0;
     for (const auto& machine : system.machines)
         for (std::uint32_t i = 0; i < machine.clocks.size(); ++i)
-            instantiation.clock_bound =
-                std::max(instantiation.clock_bound, clock_saturation(system, instantiation, machine, ClockId{i}));
+            result = std::max(result, clock_saturation(system, instantiation, machine, ClockId{i}));
+    return result;
+}
+
+/// What the options say of sizes. Clocks must be able to pass what they are compared with.
+void set_sizes(const InstantiationOptions& options, std::int64_t clocks, Instantiation& instantiation,
+               Diagnostics& diagnostics) {
+    for (const auto& [name, bounds] : options.ranges) {
+        if (!is_size(name)) continue;
+        const auto [low, high] = bounds;
+        const std::string compared = "the model compares clocks with " + std::to_string(clocks - 1);
+        const char* cause = low != 0                           ? "it is counted from 0"
+                            : high < 0                         ? "the range is empty"
+                            : high >= most_values              ? "it is too large"
+                            : name == "clock" && high < clocks ? compared.c_str()
+                                                               : nullptr;
+        if (cause != nullptr)
+            diagnostics.report(rules::bad_range, {}, {name, std::to_string(low), std::to_string(high), cause});
+        else if (name == "Seq")
+            instantiation.sequence_bound = high;
+        else if (name == "clock")
+            instantiation.clock_bound = high;
+        else
+            instantiation.given_size = high + 1;
+    }
 }
 
 }  // namespace
@@ -178,7 +209,9 @@ Instantiation instantiate(const System& system, const InstantiationOptions& opti
     instantiation.integer = numbers(ranges.by_type[1], "int", diagnostics);
     instantiation.real = real_numbers(ranges.by_type[2], literals, instantiation.scale, diagnostics);
     set_constants(system, chosen, instantiation);
-    set_clock_bound(system, instantiation);
+    const std::int64_t clocks = clock_need(system, instantiation);
+    instantiation.clock_bound = std::max(instantiation.clock_bound, clocks);
+    set_sizes(options, clocks, instantiation, diagnostics);
     return instantiation;
 }
 

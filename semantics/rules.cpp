@@ -35,12 +35,18 @@ const Rule bad_constant_value{
     "RC-S11", Severity::error, "--const {}: '{}' is not a value of type {}",
     "Values are RoboChart literals: 3, -1, 0.25, true, red or Colour::red. Decimals need type real; nat has no "
     "negative numbers."};
-const Rule unknown_range_option{"RC-S12", Severity::error, "--range {}: only nat, int and real have a range",
-                                "`--range nat=0..4` says which numbers the type holds while the model is checked."};
+const Rule unknown_range_option{
+    "RC-S12", Severity::error, "--range {}: only nat, int, real, Seq, clock and given have a range",
+    "`--range nat=0..4` says which numbers the type holds while the model is checked, `--range Seq=0..3` how long "
+    "sequences are, `--range clock=0..20` how far clocks count, `--range given=0..2` how many elements every given "
+    "type "
+    "has."};
 const Rule bad_range{
     "RC-S13", Severity::error, "--range {}={}..{}: {}",
     "A range runs from its least to its greatest number; nat starts at 0 or above; every type must hold 0, where "
-    "variables start."};
+    "variables start. Lengths of sequences, clocks and elements of given types are counted from 0, and clocks as far "
+    "as "
+    "the model compares them."};
 const Rule ranges_not_nested{"RC-S14", Severity::error,
                              "--range {}={}..{}: must hold all of {} ({}..{}), because a {} may be used as {}",
                              "nat is usable as int and int as real, so the numbers of each must be numbers of the "

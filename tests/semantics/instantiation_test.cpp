@@ -192,9 +192,24 @@ TEST(Instantiate, ChosenRanges) {
     EXPECT_EQ(inst.real.back(), 4);
 }
 
+TEST(Instantiate, ChosenSizes) {
+    const auto inst = instantiate_quietly(core_system(), {{}, {{"Seq", {0, 3}}, {"clock", {0, 4}}, {"given", {0, 4}}}});
+    EXPECT_EQ(inst.sequence_bound, 3);
+    EXPECT_EQ(inst.clock_bound, 4);
+    EXPECT_EQ(inst.given_size, 5);
+    // since(C) < 25 needs 26 to be told from 25.
+    const auto system = with_guard(compare(ExprKind::less, since(0), nat(25)));
+    EXPECT_EQ(instantiate_quietly(system, {{}, {{"clock", {0, 26}}}}).clock_bound, 26);
+    EXPECT_EQ(codes(system, {{}, {{"clock", {0, 25}}}}), Codes{"RC-S13"});
+}
+
 TEST(Instantiate, WrongRangesAreReported) {
     EXPECT_EQ(codes(core_system(), {{}, {{"bool", {0, 1}}}}), Codes{"RC-S12"});
     EXPECT_EQ(codes(core_system(), {{}, {{"nat", {2, 1}}}}), Codes{"RC-S13"});
+    for (const char* size : {"Seq", "clock", "given"}) {
+        EXPECT_EQ(codes(core_system(), {{}, {{size, {1, 3}}}}), Codes{"RC-S13"}) << size << " is counted from 0";
+        EXPECT_EQ(codes(core_system(), {{}, {{size, {0, -1}}}}), Codes{"RC-S13"}) << size;
+    }
     EXPECT_EQ(codes(core_system(), {{}, {{"nat", {-1, 1}}}}), Codes{"RC-S13"});
     EXPECT_EQ(codes(core_system(), {{}, {{"int", {1, 5}}}}), Codes{"RC-S13"});
     EXPECT_EQ(codes(core_system(), {{}, {{"int", {-1, 1}}}}), Codes{"RC-S14"});
