@@ -37,6 +37,7 @@ bool reads_clock(const ir::Machine& machine, std::uint32_t clock) {
 
 CellId MachineEmitter::add_cell(Cell cell) {
     cell.name = context_.names.unique(cell.name);
+    cell_named_[cell.name] = static_cast<CellId>(cells_.size());
     cells_.push_back(std::move(cell));
     return static_cast<CellId>(cells_.size() - 1);
 }

@@ -270,24 +270,25 @@ std::vector<ExprPtr> MachineEmitter::branches(const Activation& settled) {
 cspm::DeclPtr MachineEmitter::definition(const Point& point, const Function& function) const {
     DefinitionMeaning meaning;
     meaning.text = describe(point.config);
-    const auto keep = [&](const std::string& parameter, const std::string& name, ir::TypeId type,
-                          const ir::Origin& deadline) {
-        const auto& kept = function.parameters;
-        if (std::find(kept.begin(), kept.end(), parameter) == kept.end()) return;
-        meaning.parameters.push_back(name);
-        meaning.types.push_back(type);
-        meaning.deadlines.push_back(deadline);
-    };
-    for (const ConstantParameter& constant : constants_) keep(constant.inside, constant.constant, constant.type, {});
-    for (const Cell& cell : cells_) keep(cell.name, cell.meaning, cell.type, cell.deadline);
+    for (const std::string& parameter : function.parameters) {
+        const auto found = cell_named_.find(parameter);
+        const Cell* cell = found == cell_named_.end() ? nullptr : &cells_[found->second];
+        const auto constant = std::find_if(constants_.begin(), constants_.end(),
+                                           [&](const ConstantParameter& c) { return c.inside == parameter; });
+        const bool known = cell == nullptr && constant != constants_.end();
+        meaning.parameters.push_back(cell != nullptr ? cell->meaning : known ? constant->constant : "");
+        meaning.types.push_back(cell != nullptr ? cell->type : known ? constant->type : ir::TypeId{});
+        meaning.deadlines.push_back(cell != nullptr ? cell->deadline : ir::Origin{});
+    }
     const Activation& inner = innermost(point.config);
     const Item* item = running_item(point.config);
     if (item != nullptr && item->stmt != nullptr)
         meaning.origin = item->stmt->origin;
     else if (inner.at.valid())
         meaning.origin = frames_[inner.frame].machine->nodes[inner.at.index].origin;
-    emitted_.provenance.definitions[context_.path + "::" + point.name] = meaning;
-    return b::function_decl(function.name, b::variables(function.parameters), function.body, meaning.text);
+    DefinitionMeaning& kept = emitted_.provenance.definitions[context_.path + "::" + point.name];
+    kept = std::move(meaning);
+    return b::function_decl(function.name, b::variables(function.parameters), function.body, kept.text);
 }
 
 std::string MachineEmitter::describe(const Activation& config) const {

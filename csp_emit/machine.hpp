@@ -249,6 +249,7 @@ private:
     MachineContext context_;
     Emitted& emitted_;
     std::vector<Cell> cells_;
+    std::map<std::string, CellId> cell_named_;
     std::vector<Frame> frames_;
     std::vector<ConstantParameter> constants_;
     std::map<std::pair<std::uint32_t, const ir::Stmt*>, std::uint32_t> callees_;
