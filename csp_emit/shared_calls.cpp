@@ -34,6 +34,7 @@ ExprPtr pushed(std::int64_t number, const ExprPtr& outer) {
 
 /// Whether nothing goes on beside the call, so that its caller is described by where it returns to.
 bool MachineEmitter::shares(const Place& place, const Activation& returned) const {
+    if (!project().options.share_calls) return false;
     if (place.during || returned.frame != place.owner->frame) return false;
     if (!returned.durings.empty() || returned.control.callee) return false;
     for (const Link* link = returned.control.rest.get(); link != nullptr; link = link->tail.get())
