@@ -80,6 +80,7 @@ struct Options {
     /// A machine that may have more states than this, by the sizes of its carriers, keeps its largest variables in
     /// memory processes of their own.
     double states_of_a_process = 50'000;
+    bool share_modules = true;  ///< modules of equal text are written once (shared_modules.hpp)
     bool share_calls = true;  ///< one definition of an operation for its calls; else each stands in its caller's place
 };
 

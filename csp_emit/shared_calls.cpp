@@ -205,10 +205,11 @@ void MachineEmitter::add_places(std::vector<cspm::DeclPtr>& decls) {
 /// For arguments that nothing reads: the value that makes the fewest states.
 std::map<std::string, ExprPtr> MachineEmitter::values_of_no_interest() const {
     std::map<std::string, ExprPtr> result;
-    for (const ConstantParameter& constant : constants_) result[constant.inside] = b::name(constant.inside);
+    for (const ConstantParameter& constant : constants_)
+        result[constant.inside] = default_literal(project(), constant.type);
     for (const Cell& cell : cells_) {
-        if (cell.kind == CellKind::clock)
-            result[cell.name] = cell.limit;  // a clock there stands still
+        if (cell.kind == CellKind::clock)  // at its limit a clock stands still; one of constants may not be known there
+            result[cell.name] = cell.limit->kind == cspm::ExprKind::integer ? cell.limit : b::number(0);
         else if (cell.kind == CellKind::variable && cell.type.valid())
             result[cell.name] = default_literal(project(), cell.type);
         else

@@ -75,6 +75,18 @@ TEST(Calls, KeepTheCallersVariablesAndStartTheirOwnAnew) {
               "holds");
 }
 
+// Constant k is read behind the first call only: behind the other one it is no parameter any more.
+TEST(Calls, KeepConstantsWhereTheyAreRead) {
+    EXPECT_EQ(same(with_operations(steps, R"(
+        const k : nat = 2
+        initial i state A { entry op(0) ; n ! k } state B { entry op(1) }
+        transition t0 { from i to A } transition t1 { from A to B trigger c }
+    )"),
+                   Time::untimed, "C::s::D__(0, const_S_k)", R"(
+        Spec = C::s::a.out -> C::s::b.out -> C::s::n.out.2 -> C::s::c.in -> C::s::a.out -> C::s::b.out -> STOP)"),
+              "holds");
+}
+
 TEST(Calls, ClocksOfTheCallerCountOnInside) {
     EXPECT_EQ(same(with_operations(R"(
         operation op(p : nat) { uses E initial i final f transition t { from i to f action wait(p) } }

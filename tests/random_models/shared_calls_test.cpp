@@ -43,7 +43,7 @@ void collect(const std::vector<cspm::DeclPtr>& decls, const std::string& path, s
                 if (!inner(name)) outer.push_back(prefix + name);
     for (const cspm::DeclPtr& decl : decls) {
         if (decl->kind == DeclKind::module) collect(decl->exports, prefix + decl->names.at(0), outer, machines);
-        if (decl->kind != DeclKind::function || decl->names.at(0) != "STM__") continue;
+        if (decl->kind != DeclKind::function || decl->names.at(0) != "D__") continue;
         Machine& machine = machines.emplace_back(Machine{path, {}, outer});
         for (const auto& pattern : decl->patterns.at(0)) machine.parameters.push_back(pattern->text);
     }
@@ -90,10 +90,12 @@ void compare(std::uint64_t seed, const Shape& shape, csp_emit::Time time, Tally&
     diagnostics::Diagnostics findings;
     const ir::System system = ir::lower(loaded->model, loaded->sources, findings);
     const ir::Instantiation instantiation = ir::instantiate(system, {}, findings);
-    csp_emit::Options apart;
+    csp_emit::Options together;
+    together.share_modules = false;
+    csp_emit::Options apart = together;
     apart.share_calls = false;
     const auto inlined = csp_emit::emit(system, instantiation, time, apart, loaded->sources, findings);
-    cspm::Script script = csp_emit::emit(system, instantiation, time, {}, loaded->sources, findings).definitions;
+    cspm::Script script = csp_emit::emit(system, instantiation, time, together, loaded->sources, findings).definitions;
     if (!findings.ok() || equal(script, inlined.definitions)) return;
     std::vector<cspm::DeclPtr> modules;
     for (const cspm::DeclPtr& decl : inlined.definitions.decls)
