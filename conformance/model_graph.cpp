@@ -59,6 +59,7 @@ const ModelRole& ModelGraph::role(process::Event event) {
 }
 
 void ModelGraph::expand(ModelState state) {
+    if (poll_) poll_();
     Collect sink;
     // A copy: `words_` may grow while the model answers through its own sink.
     const std::vector<lts::Word> packed(view(state).begin(), view(state).end());
@@ -87,7 +88,13 @@ const std::vector<bool>& ModelGraph::hears(ModelState start) {
     std::vector<bool> heard(alphabet_->interface().inputs.size());
     std::unordered_map<ModelState, bool> seen{{start, true}};
     std::vector<ModelState> open{start};
+    // Beyond this the answer is yes for all: fewer readings are as good as none, and nothing else changes.
+    constexpr std::size_t most = 20'000;
     while (!open.empty()) {
+        if (seen.size() > most) {
+            heard.assign(heard.size(), true);
+            break;
+        }
         const ModelState state = open.back();
         open.pop_back();
         for (const ModelEdge& edge : edges(state)) {

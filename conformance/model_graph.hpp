@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -34,6 +35,8 @@ public:
     /// Ignores the simulation assumptions, so it may say yes too often, never no wrongly.
     [[nodiscard]] const std::vector<bool>& hears(ModelState);
     [[nodiscard]] std::string describe(ModelState) const;
+    /// Called for every state expanded; may throw. Empty: none.
+    void watch(const std::function<void()>& poll) { poll_ = poll; }
     [[nodiscard]] std::size_t size() const { return edges_.size(); }
 
 private:
@@ -46,6 +49,7 @@ private:
     void expand(ModelState);
     [[nodiscard]] const ModelRole& role(process::Event);
 
+    std::function<void()> poll_;
     lts::TransitionSystem* model_;
     const Alphabet* alphabet_;
     std::size_t width_;

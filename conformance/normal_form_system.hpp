@@ -25,6 +25,7 @@ public:
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
+    void watch(const std::function<void()>& poll) override { model_->watch(poll); }
     /// Whether a cycle may begin in the state: nothing is read or written yet.
     [[nodiscard]] bool begins_cycle(lts::StateView state) const;
     /// The states of M behind it, as M tells them; "" after termination.
