@@ -5,6 +5,7 @@
 
 #include "app/bounds.hpp"
 #include "app/interrupt.hpp"
+#include "app/sizes.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/session.hpp"
 
@@ -137,7 +138,7 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
 
 void check_time(Project& project, const Options& options, Time time, Report& report) {
     const csp_emit::Emission emission = emit_csp(project, options, time);
-    if (!project.diagnostics.ok() || emission.obligations.empty()) return;
+    if (!project.diagnostics.ok() || (emission.obligations.empty() && !options.sizes)) return;
     const std::unique_ptr<cspm::Session> session = open(project, emission, time, report);
     if (!session) return;
     BoundWatch bounds(project, emission, time, report.bounds);
@@ -156,6 +157,7 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
         }
         report.assertions.push_back(std::move(one));
     }
+    if (options.sizes) measure_sizes(*session, emission, time, options, report);
 }
 
 }  // namespace

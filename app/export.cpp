@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/explored.hpp"
 #include "app/interrupt.hpp"
 #include "app/script.hpp"
 #include "app/verbs.hpp"
@@ -11,7 +12,6 @@
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/lts/graph.hpp"
-#include "checker/refine/watch.hpp"
 
 namespace robochart::app {
 namespace {
@@ -53,19 +53,6 @@ void write_script(const LoadedScript& loaded, const cspm::ExprPtr& process, cons
                name);
 }
 
-lts::Graph explored(lts::TransitionSystem& system, const refine::Limits& limits) {
-    refine::Budget budget(limits);
-    std::size_t states = 0;
-    budget.report_by([&states](refine::Progress& progress) { progress.states = states; });
-    const refine::Watch watch({&system}, budget);
-    lts::Exploration all = lts::explore(system, [&](std::size_t known) {
-        states = known;
-        budget.states(known);
-        budget.charge();
-    });
-    return std::move(all.graph);
-}
-
 Exit export_from(LoadedScript& loaded, const Options& options) {
     const std::string& format = options.exported[0];
     const cspm::DeclPtr asked = asked_process(loaded, options.exported[1]);
@@ -78,7 +65,8 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
     const refine::Limits bounds = limits(options, options.exported[1]);
     const cspm::ExprPtr& process = asked->assertion.specification;
     const auto system = session.system(process, bounds);
-    const lts::Graph graph = explored(*system, bounds);
+    std::size_t known = 0;
+    const lts::Graph graph = explored(*system, bounds, known);
     if (format == "aut") lts::write_aut(graph, session.event_table(), std::cout);
     if (format == "dot") lts::write_dot(graph, session.event_table(), std::cout);
     if (format == "csp") write_script(loaded, process, graph, session.event_table());

@@ -151,6 +151,7 @@ void add_times(CLI::App& app, Options& o) {
     auto* timed = app.add_flag_callback("--timed", [&o] { o.times = Times::timed; }, "only the timed semantics");
     app.add_flag_callback("--untimed", [&o] { o.times = Times::untimed; }, "only the untimed semantics")->excludes(timed);
     app.add_flag("--core", o.core, "also check the generated core assertions of every component");
+    app.add_flag("--sizes", o.sizes, "tell how many states and transitions every component has");
 }
 
 void add_code(CLI::App& app, Options& o) {

@@ -42,6 +42,7 @@ struct Options {
     bool show_internal = false;           ///< --trace: raw event traces beside the told counterexample
     Times times = Times::both;
     bool core = false;
+    bool sizes = false;                   ///< check: how large the components' processes are
     bool check = false;                   ///< format: write nothing, tell what would change
     bool diff = false;                    ///< format: write nothing, show what would change
     bool assertions = false;              ///< format: standard input is an assertion file

@@ -69,6 +69,18 @@ void write_files(std::string& out, std::string_view title, const std::vector<Fil
     for (const FileReport& file : files) out += fmt::format("  {:<70} {:>9} bytes\n", file.path, with_commas(file.bytes));
 }
 
+std::string shown(const SizeReport::Size& size) {
+    if (!size.whole) return fmt::format("{:>10} states and more      ", with_commas(size.states));
+    return fmt::format("{:>10} states {:>11} transitions", with_commas(size.states), with_commas(size.transitions));
+}
+
+void write_sizes(std::string& out, const std::vector<SizeReport>& sizes) {
+    if (sizes.empty()) return;
+    out += "\nsizes of the components, as they are and compressed\n";
+    for (const SizeReport& size : sizes)
+        out += fmt::format("  {:<7} {:<45} {} {}\n", size.time, size.component, shown(size.process), shown(size.compressed));
+}
+
 std::string closing(const Report& report) {
     const auto count = [&](Answer answer) {
         return std::count_if(report.assertions.begin(), report.assertions.end(), [&](const auto& a) { return a.answer == answer; });
@@ -120,6 +132,7 @@ std::string render_text(const Report& report, const Options& options) {
     if (!report.assertions.empty() && !options.quiet) out += "\nassertions\n";
     for (const AssertionReport& a : report.assertions) write_assertion(out, a, report.subject, width, options);
     write_bounds(out, report.bounds);
+        write_sizes(out, report.sizes);
     if (!report.conformance.empty() && !options.quiet) out += "\nconformance of the generated C++\n";
     for (const ConformanceReport& c : report.conformance) write_conformance(out, c, options);
     if (!options.quiet) {

@@ -37,6 +37,19 @@ struct BoundReport {
     std::string time;     ///< "untimed", "timed", or both
 };
 
+/// How large a component's process is. Where a bound was reached: what was known then.
+struct SizeReport {
+    struct Size {
+        std::size_t states = 0;
+        std::size_t transitions = 0;
+        bool whole = true;
+    };
+    std::string component;  ///< "P::C::stm_ref0"
+    std::string time;       ///< "untimed", "timed"
+    Size process;           ///< D__
+    Size compressed;        ///< O__
+};
+
 struct ConformanceReport {
     std::string component;
     conformance::Result result;
@@ -56,6 +69,7 @@ struct Report {
     std::string subject = "model";        ///< what it is that does what a counterexample tells
     std::vector<AssertionReport> assertions;
     std::vector<BoundReport> bounds;
+    std::vector<SizeReport> sizes;
     std::vector<ConformanceReport> conformance;
     std::vector<FileReport> csp_files, cpp_files;
 

@@ -37,6 +37,8 @@ Json conformance_json(const ConformanceReport& c) {
     return json;
 }
 
+Json size(const SizeReport::Size& size) { return {{"states", size.states}, {"transitions", size.transitions}, {"whole", size.whole}}; }
+
 Json files(const std::vector<FileReport>& list) {
     Json json = Json::array();
     for (const FileReport& file : list) json.push_back({{"path", file.path}, {"bytes", file.bytes}});
@@ -53,6 +55,9 @@ std::string render_json(const Report& report) {
     json["bounds"] = Json::array();
     for (const BoundReport& b : report.bounds)
         json["bounds"].push_back({{"element", b.element}, {"place", b.place}, {"text", b.text}, {"time", b.time}});
+    if (!report.sizes.empty()) json["sizes"] = Json::array();
+    for (const SizeReport& s : report.sizes)
+        json["sizes"].push_back({{"component", s.component}, {"time", s.time}, {"process", size(s.process)}, {"compressed", size(s.compressed)}});
     json["conformance"] = Json::array();
     for (const ConformanceReport& c : report.conformance) json["conformance"].push_back(conformance_json(c));
     json["cspFiles"] = files(report.csp_files);

@@ -389,11 +389,7 @@ Obligation Asserter::property(std::uint32_t index) {
 
 /// The generated assertions of one component: deadlock, divergence, determinism, and in time timelock.
 void Asserter::core(const std::string& path, const ComponentEmission& component, std::vector<Obligation>& out) const {
-    b::Exprs arguments{b::number(0)};
-    for (const ArgumentParameter& parameter : component.arguments)
-        arguments.push_back(default_literal(project_, parameter.type));
-    for (const ConstantParameter& constant : component.constants) arguments.push_back(b::name(constant.value));
-    const ExprPtr process = b::call(path + "::D__", arguments);
+    const ExprPtr process = default_process(project_, path, component, "D__");
     const auto add = [&](const std::string& what, PropertyKind kind, std::vector<DeclPtr> assertions) {
         Obligation obligation;
         obligation.kind = kind;
@@ -410,6 +406,15 @@ void Asserter::core(const std::string& path, const ComponentEmission& component,
 }
 
 }  // namespace
+
+ExprPtr default_process(const Project& project, const std::string& path, const ComponentEmission& component,
+                        const std::string& variant) {
+    b::Exprs arguments{b::number(0)};
+    for (const ArgumentParameter& parameter : component.arguments)
+        arguments.push_back(default_literal(project, parameter.type));
+    for (const ConstantParameter& constant : component.constants) arguments.push_back(b::name(constant.value));
+    return b::call(path + "::" + variant, arguments);
+}
 
 std::vector<Obligation> obligations(const Project& project, NameManager names, Emitted& emitted) {
     Asserter asserter(project, std::move(names), emitted);

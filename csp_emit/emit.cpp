@@ -278,6 +278,9 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
         append(result.script.decls, obligation.preparation);
         append(result.script.decls, obligation.assertions);
     }
+    for (const auto& [path, component] : emitted.components)
+        result.components.push_back(
+            {path, default_process(project, path, component, "D__"), default_process(project, path, component, "O__")});
     result.provenance = std::move(emitted.provenance);
     return result;
 }

@@ -66,12 +66,20 @@ struct Obligation {
     std::string reason;  ///< why there is no check; else what is so if it fails and no single run shows it
 };
 
+/// A component's processes with the values that an assertion without others takes (semantics 3.12).
+struct ComponentProcesses {
+    std::string path;          ///< "P::C::stm_ref0"
+    cspm::ExprPtr process;     ///< its D__
+    cspm::ExprPtr compressed;  ///< its O__
+};
+
 struct Emission {
     cspm::Script definitions;  ///< library, instantiations, components
     cspm::Script script;       ///< definitions, the CSP blocks, the assertions: what is checked
     std::vector<Obligation> obligations;
     Provenance provenance;
-    std::set<std::string> bounded;  ///< functions whose value the finite reading may choose (bounds.hpp)
+    std::vector<ComponentProcesses> components;  ///< every one, nested ones too, by path
+    std::set<std::string> bounded;               ///< functions whose value the finite reading may choose (bounds.hpp)
 };
 
 struct Options {
