@@ -43,7 +43,7 @@ done
 expect "$(options_of verify)" aggregation --  # a model as the first word is `verify`
 expect "emit explain" e
 expect "aggregation" check agg
-expect "aggregation cpp csp false_claims swarm_taxis" emit ""
+expect "aggregation cpp csp false_claims monitor swarm_taxis tests" emit ""
 expect "always auto never" check --color ""
 expect "json" check --format j
 expect "timed-script" check aggregation --print t
