@@ -221,7 +221,7 @@ ExprPtr MachineEmitter::value_of(CellId cell, const Values& values) const {
 
 Scope MachineEmitter::scope(std::uint32_t index, const Values& values, ExprPtr trigger_value) const {
     Scope result;
-    const auto* values_now = &values;
+    const auto values_now = std::make_shared<const Values>(values);  // a scope may outlive what it was made with
     result.variable = [this, index, values_now](ir::VariableId id) {
         return value_of(frames_[index].variables.at(id.index), *values_now);
     };

@@ -235,7 +235,7 @@ constexpr const char* wide =
 TEST(Limits, AreInconclusiveWithFigures) {
     const TemporaryFile script("wide.csp", wide);
     for (const std::vector<std::string>& limit :
-         {std::vector<std::string>{"--max-states", "5000"}, {"--timeout", "0.2"}, {"--memory", "40MiB"}}) {
+         {std::vector<std::string>{"--max-states", "5000"}, {"--timeout", "0.2"}, {"--memory", "80MiB"}}) {
         const Json object = refines(script.path(), limit);
         const Json& result = object["results"][0];
         EXPECT_TRUE(result["result"].is_null()) << limit[0];
