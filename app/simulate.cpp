@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <mutex>
 
@@ -187,6 +188,22 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     show_diagnostics(project, options);
     print_text(*simulation, result, options, stage, files, notes);
     return exit;
+}
+
+int simulate_program(const char* program, int argc, char** argv, const OtherStage& stage) {
+    std::vector<const char*> words{program, "simulate"};
+    words.insert(words.end(), argv + 1, argv + argc);
+    try {
+        const Parsed parsed = parse_command_line(static_cast<int>(words.size()), words.data());
+        if (!parsed.options) {
+            fmt::print(parsed.exit == Exit::success ? stdout : stderr, "{}", parsed.message);
+            return static_cast<int>(parsed.exit);
+        }
+        return static_cast<int>(run_simulate(*parsed.options, stage));
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}: a fault of this program: {}\n", program, error.what());
+        return static_cast<int>(Exit::internal);
+    }
 }
 
 Exit run_simulate(const Options& options) {

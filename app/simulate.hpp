@@ -27,6 +27,8 @@ struct OtherStage {
     bool parallel = true;      ///< may trials run at the same time?
 };
 Exit run_simulate(const Options&, const OtherStage&);
+/// The whole of a program that simulates in another simulator: its arguments are those of the verb. Returns its exit code.
+int simulate_program(const char* program, int argc, char** argv, const OtherStage&);
 
 /// Tables and pictures of a run below the output folder. Returns the paths; problems are reported.
 [[nodiscard]] std::vector<std::string> write_simulation_files(Simulation&, const simulation::RunResult&, const rc_drive&,

@@ -41,20 +41,10 @@ ExprPtr after_tocks(std::uint32_t tocks, ExprPtr process) {
     return process;
 }
 
-/// What a declaration declares in its own scope.
-std::vector<std::string> declared_names(const cspm::Decl& decl) {
-    std::vector<std::string> names = decl.names;
-    if (decl.kind == cspm::DeclKind::value) {
-        for (const cspm::PatternPtr& pattern : decl.patterns.front()) names.push_back(pattern->text);
-    }
-    for (const cspm::Constructor& constructor : decl.constructors) names.push_back(constructor.name);
-    return names;
-}
-
 bool declares(const std::vector<DeclPtr>& decls, const std::string& name) {
     return std::any_of(decls.begin(), decls.end(), [&](const DeclPtr& decl) {
         if (decl->kind == cspm::DeclKind::timed) return declares(decl->decls, name);
-        const std::vector<std::string> names = declared_names(*decl);
+        const std::vector<std::string> names = cspm::declared_names(*decl);
         return std::find(names.begin(), names.end(), name) != names.end();
     });
 }
@@ -94,7 +84,7 @@ private:
     void add(DeclPtr decl) { result_.decls.push_back(std::move(decl)); }
 
     void check_name(const cspm::Decl& decl) const {
-        for (const std::string& name : declared_names(decl)) {
+        for (const std::string& name : cspm::declared_names(decl)) {
             if (decl.kind != cspm::DeclKind::external && declares(script_.decls, name))
                 throw AlphabetError(fmt::format("the script of the model already declares {}", name));
         }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "checker/cspm/build.hpp"
+#include "checker/cspm/lookup.hpp"
 #include "checker/cspm/reader.hpp"
 #include "csp_emit/liveness.hpp"
 
@@ -57,14 +58,11 @@ void used_names(const Decl& decl, std::set<std::string>& result) {
     if (decl.kind == DeclKind::instance) result.insert(first_part(decl.text));
 }
 
-std::set<std::string> declared_names(const Decl& module) {
+std::set<std::string> names_inside(const Decl& module) {
     std::set<std::string> result;
     for (const auto* parts : {&module.decls, &module.exports})
-        for (const DeclPtr& part : *parts) {
-            result.insert(part->names.begin(), part->names.end());
-            if (part->kind == DeclKind::value) result.insert(part->patterns.front().front()->text);
-            for (const cspm::Constructor& constructor : part->constructors) result.insert(constructor.name);
-        }
+        for (const DeclPtr& part : *parts)
+            for (const std::string& name : cspm::declared_names(*part)) result.insert(name);
     return result;
 }
 
@@ -131,10 +129,10 @@ private:
     static bool movable(const std::vector<Place>& places) {
         std::set<std::string> outside;
         used_names(*places.front().module, outside);
-        for (const std::string& own : declared_names(*places.front().module)) outside.erase(own);
+        for (const std::string& own : names_inside(*places.front().module)) outside.erase(own);
         for (const Place& place : places)
             for (std::size_t depth = common_depth(places); depth < place.around.size(); ++depth)
-                for (const std::string& name : declared_names(*place.around[depth]))
+                for (const std::string& name : names_inside(*place.around[depth]))
                     if (outside.count(name) != 0) return false;
         return true;
     }

@@ -68,6 +68,14 @@ DeclPtr inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes)
 
 }  // namespace
 
+std::vector<std::string> declared_names(const Decl& decl) {
+    std::vector<std::string> names = decl.names;
+    if (decl.kind == DeclKind::value)
+        for (const PatternPtr& pattern : decl.patterns.front()) names.push_back(pattern->text);
+    for (const Constructor& constructor : decl.constructors) names.push_back(constructor.name);
+    return names;
+}
+
 DeclPtr declaration_of(const Script& script, std::string_view path) {
     if (path.substr(0, separator.size()) == separator) path.remove_prefix(separator.size());
     return found(path, {&script.decls});

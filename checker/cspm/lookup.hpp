@@ -1,11 +1,16 @@
 // Where a qualified name is declared, in the text of a script: for tools that look at scripts without evaluating them.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "checker/cspm/syntax.hpp"
 
 namespace robochart::cspm {
+
+/// The names that a declaration brings into its scope: constructors too, of a value the variables that are its pattern.
+[[nodiscard]] std::vector<std::string> declared_names(const Decl& decl);
 
 /// The declaration of `path`, a name or `A::B::name` with or without a `::` in front: into modules, their private parts
 /// too, into timed sections, and from an instance into the module that it is made of. Of a function the first clause.

@@ -27,13 +27,7 @@ using testing::replaced;
 const std::string corpus = std::string(ROBOCHART_SOURCE_DIR) + "/corpus/";
 
 RunResult run_in_argos(Experiment& experiment) {
-    std::string error;
-    experiment.controller = Controller::build(experiment.emission, "", error);
-    EXPECT_NE(experiment.controller, nullptr) << error;
-    RunOptions options;
-    options.threads = 1;
-    options.stage = argos_stage;
-    return run(experiment.plan, experiment.controller->drive(), options, experiment.diagnostics);
+    return experiment.run(1, argos_stage);
 }
 
 void in_own_process(const std::function<bool()>& body) {

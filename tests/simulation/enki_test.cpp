@@ -19,13 +19,7 @@ using testing::replaced;
 const std::string corpus = std::string(ROBOCHART_SOURCE_DIR) + "/corpus/";
 
 RunResult run_in_enki(Experiment& experiment) {
-    std::string error;
-    experiment.controller = Controller::build(experiment.emission, "", error);
-    EXPECT_NE(experiment.controller, nullptr) << error;
-    RunOptions options;
-    options.threads = 1;  // Enki's random numbers are global
-    options.stage = enki_stage;
-    return run(experiment.plan, experiment.controller->drive(), options, experiment.diagnostics);
+    return experiment.run(1, enki_stage);  // Enki's random numbers are global
 }
 
 TEST(Enki, OneClusterInAllTenTrials) {

@@ -85,7 +85,7 @@ Experiment::Experiment(const std::string& model, const std::string& text, const 
     if (diagnostics.ok()) plan = bind(scenario, emission, diagnostics);
 }
 
-RunResult Experiment::run(unsigned threads) {
+RunResult Experiment::run(unsigned threads, const StageMaker& stage) {
     EXPECT_TRUE(diagnostics.ok()) << messages();
     std::string error;
     if (controller == nullptr) controller = Controller::build(emission, "", error);
@@ -93,6 +93,7 @@ RunResult Experiment::run(unsigned threads) {
     if (controller == nullptr) return {};
     RunOptions options;
     options.threads = threads;
+    options.stage = stage;
     return simulation::run(plan, controller->drive(), options, diagnostics);
 }
 

@@ -24,7 +24,7 @@ struct Experiment {
     Experiment(const std::string& model, const std::string& scenario, const std::string& model_path = "model.rct");
 
     /// Builds the controller once and runs all trials. The experiment must have no errors.
-    RunResult run(unsigned threads = 2);
+    RunResult run(unsigned threads = 2, const StageMaker& stage = embedded_stage);
     /// The codes of the findings, in order of place: "RC-M07 RC-M08".
     [[nodiscard]] std::string codes() const;
     /// The messages.
