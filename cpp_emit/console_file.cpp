@@ -17,14 +17,19 @@ public:
         file_comment(generation_, out_, "Console driver");
         out_.comment(
             "Each line of input is one control cycle: the events raised in it, `seeRobot` or `heading=0.5`. With a "
-            "number of milliseconds as its argument a cycle comes that often, with what was typed until then.");
-        for (const char* header :
-             {"<chrono>", "<cstdint>", "<cstdlib>", "<iostream>", "<sstream>", "<string>", "<type_traits>"})
+            "number of milliseconds as its argument a cycle comes that often, with what was typed until then. --log "
+            "FILE "
+            "writes a log for `robochart-verify conform --traces`, --coverage prints which transitions were taken.");
+        for (const char* header : {"<chrono>", "<cstdint>", "<cstdlib>", "<iostream>", "<sstream>", "<string>",
+                                   "<string_view>", "<type_traits>"})
             out_.line(fmt::format("#include {}", header));
         out_.line("#include <poll.h>");
         out_.line("#include <unistd.h>");
         out_.gap();
         out_.line(fmt::format("#include \"{}.hpp\"", face_.cpp_name));
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("#include \"robochart/trace_file.hpp\"");
+        out_.line("#endif");
         out_.gap();
         out_.line("namespace {");
         out_.gap();
@@ -32,6 +37,8 @@ public:
         console_class();
         out_.gap();
         cycle_functions();
+        out_.gap();
+        options_function();
         out_.gap();
         out_.line("}  // namespace");
         out_.gap();
@@ -213,18 +220,33 @@ private:
         out_.close();
     }
 
-    void main_function() {
-        out_.open("int main(int argc, char** argv) {");
-        out_.line("const long period = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 0;");
-        out_.open("if (argc > 1 && period < 1) {");
-        out_.line(fmt::format("std::cerr << \"usage: {}_console [MILLISECONDS]\\n\";", face_.cpp_name));
-        out_.line("return EXIT_FAILURE;");
+    void options_function() {
+        out_.doc("What was asked for; `wrong` if it was not understood.");
+        out_.open("struct Asked {");
+        out_.line("long period = 0;  ///< milliseconds; 0: a cycle a line");
+        out_.line("std::string log;");
+        out_.line("bool coverage = false;");
+        out_.line("bool wrong = false;");
+        out_.close("};");
+        out_.gap();
+        out_.open("Asked asked(int argc, char** argv) {");
+        out_.line("Asked result;");
+        out_.open("for (int i = 1; i < argc; ++i) {");
+        out_.line("const std::string_view word = argv[i];");
+        out_.open("if (word == \"--coverage\") {");
+        out_.line("result.coverage = true;");
+        out_.reopen("} else if (word == \"--log\" && i + 1 < argc) {");
+        out_.line("result.log = argv[++i];");
+        out_.reopen("} else {");
+        out_.line("result.period = std::strtol(argv[i], nullptr, 10);");
+        out_.line("result.wrong = result.wrong || result.period < 1;");
         out_.close();
-        out_.line("Console controller;");
-        out_.line(
-            "const robochart::StepResult result = period > 0 ? run_timed(controller, "
-            "std::chrono::milliseconds(period))");
-        out_.line("                                                : run_by_lines(controller);");
+        out_.close();
+        out_.line("return result;");
+        out_.close();
+        out_.gap();
+        out_.doc("Tells what a cycle could not do.");
+        out_.open("void tell(robochart::StepResult result) {");
         out_.line(
             "if (result == robochart::StepResult::step_bound) std::cerr << \"a cycle did not end within its bound of "
             "steps\\n\";");
@@ -232,6 +254,44 @@ private:
             "if (result == robochart::StepResult::precondition) std::cerr << \"an operation was called outside its "
             "precondition\\n\";");
         out_.line("if (result == robochart::StepResult::deadline) std::cerr << \"a deadline was missed\\n\";");
+        out_.close();
+    }
+
+    void open_log() {
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("robochart::TraceFile log(Console::RunHeader());");
+        out_.open("if (!wanted.log.empty() && !log.open(wanted.log)) {");
+        out_.line("std::cerr << \"cannot write \" << wanted.log << '\\n';");
+        out_.line("return EXIT_FAILURE;");
+        out_.close();
+        out_.line("controller.SetTracer(&log);");
+        out_.line("#else");
+        out_.open("if (!wanted.log.empty() || wanted.coverage) {");
+        out_.line("std::cerr << \"--log and --coverage need a build with -DROBOCHART_TRACE=ON\\n\";");
+        out_.line("return EXIT_FAILURE;");
+        out_.close();
+        out_.line("#endif");
+    }
+
+    void main_function() {
+        out_.open("int main(int argc, char** argv) {");
+        out_.line("const Asked wanted = asked(argc, argv);");
+        out_.open("if (wanted.wrong) {");
+        out_.line(fmt::format("std::cerr << \"usage: {}_console [MILLISECONDS] [--log FILE] [--coverage]\\n\";",
+                              face_.cpp_name));
+        out_.line("return EXIT_FAILURE;");
+        out_.close();
+        out_.line("Console controller;");
+        open_log();
+        out_.line(
+            "const robochart::StepResult result = wanted.period > 0 ? run_timed(controller, "
+            "std::chrono::milliseconds(wanted.period))");
+        out_.line("                                                       : run_by_lines(controller);");
+        out_.line("tell(result);");
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("if (wanted.coverage) std::cout << log.coverage();");
+        out_.line("if (!log.good()) std::cerr << \"cannot write \" << wanted.log << '\\n';");
+        out_.line("#endif");
         out_.line(
             "const bool good = result == robochart::StepResult::quiescent || result == "
             "robochart::StepResult::terminated;");
@@ -260,6 +320,9 @@ std::string build_file(const Face& face) {
     out.line(fmt::format("add_library({0} STATIC {0}.cpp)", face.cpp_name));
     out.line(fmt::format("target_include_directories({} PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}})", face.cpp_name));
     out.line(fmt::format("target_compile_features({} PUBLIC cxx_std_17)", face.cpp_name));
+    out.line("option(ROBOCHART_TRACE \"The controller can tell a tracer what it does: --log, --coverage\" OFF)");
+    out.line(fmt::format("target_compile_definitions({} PUBLIC ROBOCHART_TRACE=$<BOOL:${{ROBOCHART_TRACE}}>)",
+                         face.cpp_name));
     out.gap();
     out.line(fmt::format("add_executable({}_console main.cpp)", face.cpp_name));
     out.line(fmt::format("target_link_libraries({0}_console PRIVATE {0})", face.cpp_name));

@@ -289,6 +289,16 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     out.close();
 }
 
+/// Nothing is left of it where the platform does not listen.
+void write_hook(const Generation& generation, CodeWriter& out) {
+    out.gap();
+    out.doc(fmt::format("Tells a platform that has a method `taken` of a transition; {}_trace.hpp names them.",
+                        generation.component.cpp_name));
+    out.open("void taken([[maybe_unused]] std::uint32_t transition) noexcept {");
+    out.line("if constexpr (robochart::Listens<Platform>::value) platform_.taken(transition);");
+    out.close();
+}
+
 void write_step_class(const Generation& generation, const Core& core, CodeWriter& out) {
     out.gap();
     out.doc("The behaviour. It lives for one cycle.");
@@ -304,6 +314,7 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.gap();
     out.label("private:");
     write_variables(generation, out);
+    write_hook(generation, out);
     for (const MachineCode& machine : core.machines) {
         out.gap();
         out.raw(machine.methods);
@@ -369,9 +380,10 @@ Core make_core(const Generation& generation) {
     core.name_space = package_namespace(component.package) + "::" + core.relative;
     core.header = component.cpp_name + "_core.hpp";
     NameScope type_names(std::set<std::string>{
-        "State",      "Inputs",        "Step",         "Real",     "Nat",     "Int",     "Types",    "Platform",
-        "step",       "advance_clock", "advance_wait", "duration", "divide",  "modulus", "place_of", "rounded_down",
-        "PlatformOf", "PlatformCheck", "layout",       "name",     "element", "init"});
+        "State",    "Inputs",       "Step",          "Real",          "Nat",        "Int",      "Types",
+        "Platform", "step",         "advance_clock", "advance_wait",  "duration",   "divide",   "modulus",
+        "place_of", "rounded_down", "PlatformOf",    "PlatformCheck", "layout",     "name",     "element",
+        "init",     "Traced",       "traced_step",   "transitions",   "run_header", "log_value"});
     for (const ir::TypeId id : component.enumerations)
         (void)type_names.unique(declared_name(generation.system.type(id)));
     for (const Unit& unit : component.units) {

@@ -132,7 +132,8 @@ private:
     const Component& component_;
     Face face_;
     NameScope members_{{"step", "MakeTransition", "CheckInEvent", "reset", "state", "States", "name", "isFinal", "core",
-                        "terminated", "Platform", "raise", "print", "show_value", "read_value", "Console"}};
+                        "terminated", "Platform", "SetTracer", "RunHeader", "tracer", "raise", "print", "show_value",
+                        "read_value", "Console"}};
 };
 
 }  // namespace

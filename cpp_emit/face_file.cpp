@@ -180,6 +180,23 @@ void write_platform(const Generation& generation, const Core& core, const Face& 
     out.close("};");
 }
 
+/// Variables that others write are members here: a log has those that have changed.
+void write_outside_writes(const Core& core, const Face& face, CodeWriter& out) {
+    std::vector<const FaceVariable*> written;
+    each_class(face, [&](const FaceClass& part) {
+        for (const FaceVariable& variable : part.variables)
+            if (!variable.stored->input.empty()) written.push_back(&variable);
+    });
+    if (written.empty()) return;
+    out.line("#if ROBOCHART_TRACE");
+    out.line("if (tracer_ != nullptr) {");
+    for (const FaceVariable* variable : written)
+        out.line(fmt::format("    {}::log_write_of_{}(*tracer_, core_, {});", core.relative, variable->stored->input,
+                             variable->member));
+    out.line("}");
+    out.line("#endif");
+}
+
 void write_cycle(const Core& core, const Face& face, CodeWriter& out) {
     out.open(fmt::format("robochart::StepResult {}::MakeTransition() noexcept {{", face.cpp_name));
     out.line("CheckInEvent();");
@@ -210,9 +227,19 @@ void write_cycle(const Core& core, const Face& face, CodeWriter& out) {
         before.push_back(fmt::format("core_.{} = {}.counter;", timer.field, timer.member));
         after.push_back(fmt::format("{}.counter = core_.{};", timer.member, timer.field));
     }
+    write_outside_writes(core, face, out);
     for (const std::string& line : before) out.line(line);
     out.line("Platform platform{*this};");
+    out.line("#if ROBOCHART_TRACE");
+    out.line(fmt::format("const robochart::StepResult result = tracer_ == nullptr ? {0}::step(core_, inputs, platform)",
+                         core.relative));
+    out.line(
+        fmt::format("                                                        : "
+                    "{}::traced_step(core_, inputs, platform, *tracer_);",
+                    core.relative));
+    out.line("#else");
     out.line(fmt::format("const robochart::StepResult result = {}::step(core_, inputs, platform);", core.relative));
+    out.line("#endif");
     out.line("terminated_ = result == robochart::StepResult::terminated;");
     for (const std::string& line : after) out.line(line);
     out.line("return result;");
@@ -231,6 +258,9 @@ void write_reset(const Generation& generation, const Core& core, const Face& fac
         for (const FaceEvent& event : part.events) out.line(event.flag + " = false;");
     });
     for (const FaceTimer& timer : face.timers) out.line(timer.member + ".ResetTimer();");
+    out.line("#if ROBOCHART_TRACE");
+    out.line("if (tracer_ != nullptr) tracer_->begin();");
+    out.line("#endif");
     out.close();
 }
 
@@ -292,6 +322,9 @@ std::string machine_header(const Generation& generation, const Core& core, const
     for (const FaceClass& base : face.bases) out.line(fmt::format("#include \"{}.hpp\"", base.cpp_name));
     out.line(fmt::format("#include \"{}\"", core.header));
     if (!face.timers.empty()) out.line("#include \"robochart/timer.hpp\"");
+    out.line("#if ROBOCHART_TRACE");
+    out.line("#include \"robochart/trace.hpp\"");
+    out.line("#endif");
     out.gap();
     out.line(fmt::format("namespace {} {{", face.name_space));
     out.gap();
@@ -319,6 +352,12 @@ std::string machine_header(const Generation& generation, const Core& core, const
         out.line(fmt::format("[[nodiscard]] static const char* name({} state) noexcept;", machine.enumeration));
     }
     out.line("[[nodiscard]] bool isFinal() const noexcept { return terminated_; }");
+    out.line("#if ROBOCHART_TRACE");
+    out.doc("Whom it tells what it does from now on (robochart/trace_file.hpp writes logs); null: nobody.");
+    out.line("void SetTracer(robochart::Tracer* tracer) noexcept { tracer_ = tracer; }");
+    out.doc("What its logs begin with, and its transitions.");
+    out.line("[[nodiscard]] static const robochart::RunHeader& RunHeader() noexcept;");
+    out.line("#endif");
     out.gap();
     for (const FaceTimer& timer : face.timers)
         out.line(
@@ -339,6 +378,9 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.gap();
     out.line(fmt::format("{}::State<robochart::Deployment> core_{{}};", core.relative));
     out.line("bool terminated_ = false;");
+    out.line("#if ROBOCHART_TRACE");
+    out.line("robochart::Tracer* tracer_ = nullptr;");
+    out.line("#endif");
     out.close("};");
     out.gap();
     out.line(fmt::format("}}  // namespace {}", face.name_space));
@@ -349,6 +391,9 @@ std::string machine_source(const Generation& generation, const Core& core, const
     CodeWriter out;
     file_comment(generation, out, "Controller");
     out.line(fmt::format("#include \"{}.hpp\"", face.cpp_name));
+    out.line("#if ROBOCHART_TRACE");
+    out.line(fmt::format("#include \"{}_trace.hpp\"", generation.component.cpp_name));
+    out.line("#endif");
     out.gap();
     out.line(fmt::format("namespace {} {{", face.name_space));
     out.gap();
@@ -362,6 +407,11 @@ std::string machine_source(const Generation& generation, const Core& core, const
         write_state(core, face, machine, out);
         out.gap();
     }
+    out.line("#if ROBOCHART_TRACE");
+    out.line(fmt::format("const robochart::RunHeader& {}::RunHeader() noexcept {{ return {}::run_header; }}",
+                         face.cpp_name, core.relative));
+    out.line("#endif");
+    out.gap();
     out.line(fmt::format("}}  // namespace {}", face.name_space));
     return out.text();
 }

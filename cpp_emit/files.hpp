@@ -29,6 +29,9 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 /// The source that exports robochart_explore() (runtime/explore_abi.h).
 [[nodiscard]] std::string shim_source(const Generation&, const Core&);
 
+/// What a traced controller needs: its transitions by number, its runs as logs (runtime/trace.hpp, docs/traces.md).
+[[nodiscard]] std::string trace_header(const Generation&, const Core&);
+
 /// Texts of the headers in cpp_emit/runtime, built into the program.
 [[nodiscard]] std::string runtime_header();
 [[nodiscard]] std::string finite_header();
@@ -45,6 +48,8 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string explore_header();
 [[nodiscard]] std::string drive_header();
 [[nodiscard]] std::string monitor_header();
+[[nodiscard]] std::string trace_helpers();
+[[nodiscard]] std::string trace_files();
 
 /// "Generated from RoboChart ... edit the model" for the top of a file.
 void file_comment(const Generation&, CodeWriter&, const std::string& what);

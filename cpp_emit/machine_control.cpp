@@ -37,6 +37,7 @@ void MachineWriter::choose_place(NodeId id) {
         const std::string condition = guard(transition, "");
         if (!condition.empty()) program.code().open(fmt::format("if ({}) {{", condition));
         for (const ir::ClockId clock : transition.resets) program.line(clock_reset(generation_, unit_, clock));
+        program.line(tell_taken(transition_id));
         program.jump(after_exit(transition));
         if (condition.empty()) {
             stays = false;
@@ -71,6 +72,7 @@ void MachineWriter::draw_place(NodeId id) {
         program.code().comment(generation_.place(transition.origin));
         program.code().line(way + 1 == ways.size() ? "default:" : fmt::format("case {}:", way));
         for (const ir::ClockId clock : transition.resets) program.line(clock_reset(generation_, unit_, clock));
+        program.line(tell_taken(ways[way]));
         program.jump(after_exit(transition));
     }
     program.code().close();

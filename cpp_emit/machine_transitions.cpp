@@ -8,6 +8,7 @@
 #include "cpp_emit/expression.hpp"
 #include "cpp_emit/machine_writer.hpp"
 #include "cpp_emit/reception.hpp"
+#include "cpp_emit/transition_numbers.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -86,7 +87,12 @@ void MachineWriter::begin_transition(const ir::Transition& transition, ir::Trans
         if (!line.empty()) out_.line(line);
     }
     depart(transition.source, id);
+    out_.line(tell_taken(id));
     out_.line("return spend();");
+}
+
+std::string MachineWriter::tell_taken(ir::TransitionId id) const {
+    return fmt::format("taken({});", transition_number(generation_.component, unit_, id));
 }
 
 std::string MachineWriter::guard(const ir::Transition& transition, const std::string& incoming) {

@@ -53,6 +53,8 @@ private:
     bool try_trigger(const ir::Transition&, ir::TransitionId);
     void begin_transition(const ir::Transition&, ir::TransitionId);
     [[nodiscard]] std::string guard(const ir::Transition&, const std::string& incoming);
+    /// The call of the trace hook.
+    [[nodiscard]] std::string tell_taken(ir::TransitionId) const;
     void depart(ir::NodeId source, ir::TransitionId);
     [[nodiscard]] std::vector<std::string> attempts(ir::NodeId leaf) const;
     [[nodiscard]] ir::NodeId target_of(const ir::Transition&);

@@ -47,6 +47,8 @@ public:
         keys_["PACKAGE"] = package_name(generation.component.name);
         keys_["ELEMENT"] = generation.component.kind + " " + generation.place(generation.component.origin);
         keys_["DEPENDENCIES"] = eigen_ ? "find_package(Eigen3 QUIET)\n" : "";
+        const Target target = generation.options.target;
+        keys_["TRACE"] = target == Target::library || target == Target::ros2 ? "OFF" : "ON";
         keys_["CONTROLLER"] = controller_target();
     }
 

@@ -138,6 +138,8 @@ public:
         out_.gap();
         publish();
         out_.gap();
+        log_method();
+        out_.gap();
         out_.line(fmt::format("}}  // namespace {}", face_.name_space));
         out_.gap();
         out_.line(fmt::format("RCLCPP_COMPONENTS_REGISTER_NODE({}::{})", face_.name_space, node_));
@@ -149,6 +151,7 @@ private:
 
     void includes() {
         out_.line("#include <cstdint>");
+        out_.line("#include <memory>");
         out_.line("#include <optional>");
         out_.line("#include <string>");
         out_.gap();
@@ -158,6 +161,9 @@ private:
         for (const std::string& message : messages) out_.line(fmt::format("#include <std_msgs/msg/{}.hpp>", message));
         out_.gap();
         out_.line(fmt::format("#include \"{}.hpp\"", face_.cpp_name));
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("#include \"robochart/trace_file.hpp\"");
+        out_.line("#endif");
         out_.gap();
     }
 
@@ -197,13 +203,19 @@ private:
     void node_class() {
         out_.open(fmt::format("class {} : public rclcpp::Node {{", node_));
         out_.label("public:");
-        out_.doc("Parameter `cycle`: seconds of a control cycle.");
+        out_.doc(
+            "Parameters: `cycle`, seconds of a control cycle; `log`, a file to write a log into for robochart-verify "
+            "conform --traces, in builds with -DROBOCHART_TRACE=ON.");
         out_.line(fmt::format("explicit {}(const rclcpp::NodeOptions& options = rclcpp::NodeOptions());", node_));
         out_.gap();
         out_.label("private:");
         out_.line("void cycle();");
         out_.line("void publish();");
+        out_.line("void log(const std::string& file);");
         out_.gap();
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("std::unique_ptr<robochart::TraceFile> log_;");
+        out_.line("#endif");
         out_.line(fmt::format("{}Messages robot_;", face_.cpp_name));
         out_.line("rclcpp::CallbackGroup::SharedPtr group_;");
         for (const auto& [topic, event] : topics_.received) subscription("in", topic);
@@ -249,11 +261,26 @@ private:
         for (const FaceMachine& machine : face_.machines)
             out_.line(fmt::format("{0}_ = create_publisher<std_msgs::msg::String>(\"~/{0}\", rclcpp::QoS(10));",
                                   machine.method));
+        out_.line("log(declare_parameter(\"log\", std::string()));");
         out_.line("const double seconds = declare_parameter(\"cycle\", 0.1);");
         out_.comment("On the node's clock, which is the simulator's where use_sim_time is set.");
         out_.line(
             "timer_ = rclcpp::create_timer(this, get_clock(), rclcpp::Duration::from_seconds(seconds), "
             "[this] { cycle(); }, group_);");
+        out_.close();
+    }
+
+    void log_method() {
+        out_.open(fmt::format("void {}::log(const std::string& file) {{", node_));
+        out_.line("if (file.empty()) return;");
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line(
+            fmt::format("log_ = std::make_unique<robochart::TraceFile>({}Messages::RunHeader());", face_.cpp_name));
+        out_.line("if (log_->open(file)) return robot_.SetTracer(log_.get());");
+        out_.line("RCLCPP_ERROR(get_logger(), \"cannot write %s\", file.c_str());");
+        out_.line("#else");
+        out_.line("RCLCPP_ERROR(get_logger(), \"%s: logs need a build with -DROBOCHART_TRACE=ON\", file.c_str());");
+        out_.line("#endif");
         out_.close();
     }
 

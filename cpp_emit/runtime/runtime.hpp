@@ -21,6 +21,12 @@
         this->require(condition);         \
     } while (false)
 
+/// 1: the generated classes can tell a tracer what they do (robochart/trace.hpp). It must be the same wherever their
+/// headers are included.
+#ifndef ROBOCHART_TRACE
+#define ROBOCHART_TRACE 0
+#endif
+
 namespace robochart {
 
 /// How a control cycle ended.
@@ -143,6 +149,11 @@ constexpr std::size_t choose([[maybe_unused]] Platform& platform, const double (
     }
     return way < count ? way : count - 1;
 }
+
+template <class Platform, class = void>
+struct Listens : std::false_type {};
+template <class Platform>
+struct Listens<Platform, std::void_t<decltype(std::declval<Platform&>().taken(std::uint32_t{}))>> : std::true_type {};
 
 /// A clock advances until its saturation: beyond it no guard can tell the difference.
 constexpr void advance_clock(std::uint32_t& clock, std::uint32_t units, std::uint32_t saturation) noexcept {

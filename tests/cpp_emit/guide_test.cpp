@@ -53,6 +53,10 @@ TEST(Guide, TheLeanFace) {
     run("lean", "aggregation", "Aggregation", "");
 }
 
+TEST(Guide, TheTraceHook) {
+    run("traced", "aggregation", "Aggregation", "AggregationFSM.cpp -DROBOCHART_TRACE=1");
+}
+
 /// A platform that lacks a method, or whose method may throw, is told by its name in C++20.
 TEST(Guide, ThePlatformIsAConcept) {
     const ir::System system = testing::corpus("aggregation");

@@ -45,8 +45,8 @@ protected:
     }
 
     /// Builds the package against the stub, with a program that drives its node.
-    void drive(const std::string& node_header, const std::string& text) const {
-        build("-DCMAKE_PREFIX_PATH=" + stub + "/cmake");
+    void drive(const std::string& node_header, const std::string& text, bool traced = false) const {
+        build("-DCMAKE_PREFIX_PATH=" + stub + "/cmake" + (traced ? " -DROBOCHART_TRACE=ON" : ""));
         write("drive.cpp", "#include \"" + node_header +
                                "\"\n#define EXPECT(x) if (!(x)) return __LINE__\n"
                                "using rclcpp::Network;\n"
@@ -57,7 +57,7 @@ protected:
                                "    Network::get().published[topic].clear();\n"
                                "    return all;\n}\n" +
                                text);
-        folder_.run("c++ -std=c++17 -O0 -I " + stub +
+        folder_.run("c++ -std=c++17 -O0 -DROBOCHART_TRACE=" + std::to_string(traced) + " -I " + stub +
                     "/include -I src -I controller drive.cpp -Lbuild -l:$(basename build/*_node.so) "
                     "-Wl,-rpath,$PWD/build -o drive");
         folder_.run("./drive; code=$?; test $code = 0 || { sed -n ${code}p drive.cpp; exit 1; }");
@@ -176,6 +176,30 @@ int main() {
 })");
 }
 
+/// The trace hook: what was read and done, in the words of docs/traces.md.
+TEST_F(Project, ARosNodeWritesALog) {
+    emit(testing::model(typed), "Mod", Target::ros2);
+    drive("M_node.hpp", R"(
+#include <fstream>
+#include <sstream>
+int main() {
+    Network& network = Network::get();
+    network.parameters["log"] = std::string("run.trace");
+    p::MNode node;
+    network.tick();
+    network.send("/Mod/in/see", std_msgs::msg::Int64{1});
+    network.tick();
+    network.send("/Mod/in/count", std_msgs::msg::Int64{4});
+    network.tick();
+    std::ostringstream log;
+    log << std::ifstream("run.trace").rdbuf();
+    EXPECT(log.str() == "robochart-trace 1\ncomponent p::Mod\ncycle 1\nrun 1\ngo!0.5!3 tock\n"
+                        "see?Green lamp!Green level!7 go!0.5!3 tock\ncount?4 done!4 terminate\n");
+    return 0;
+})",
+          true);
+}
+
 TEST(ProjectText, APackageIsWellFormed) {
     const ir::System system = testing::corpus("swarm_taxis");
     Options options;
@@ -258,7 +282,9 @@ TEST_F(Project, RobotsInEnki) {
     ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
     emit("aggregation", "Aggregation", Target::enki);
     build();
-    const std::string standing = folder_.run("build/AggregationFSM_enki 2 1");
+    const std::string standing = folder_.run("mkdir logs && build/AggregationFSM_enki 2 1 1 logs");
+    folder_.run("grep -q '^component aggregation::Aggregation$' logs/robot-1.trace");
+    folder_.run("grep -q '^angularSpeed!-0.75 linearSpeed!-10.88 tock$' logs/robot-0.trace");
     EXPECT_NE(standing.find("robot,x,y,heading,good,state"), std::string::npos) << standing;
     EXPECT_NE(standing.find(",1,S1"), std::string::npos) << standing;
     write("robot.hpp", aggregation_robot);
@@ -297,7 +323,7 @@ TEST(ProjectText, RoboToolsModelsOnTheConsole) {
     // One translation unit each: most of the time goes into the standard library's headers.
     folder.run("for d in *_" + std::to_string(static_cast<int>(ir::ComponentKind::module)) +
                "_*/; do (cd $d && cat main.cpp controller/*.cpp | c++ -std=c++17 -Wall -Wextra -Wpedantic "
-               "-Wconversion -Werror -Icontroller -fsyntax-only -x c++ -) || exit 1; done");
+               "-Wconversion -Werror -DROBOCHART_TRACE=1 -Icontroller -fsyntax-only -x c++ -) || exit 1; done");
 }
 
 /// ROBOCHART_ARGOS is where ARGoS is installed, as found when the project was configured.

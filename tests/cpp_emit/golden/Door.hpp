@@ -6,6 +6,9 @@
 
 #include "Door_core.hpp"
 #include "robochart/timer.hpp"
+#if ROBOCHART_TRACE
+#include "robochart/trace.hpp"
+#endif
 
 namespace house {
 
@@ -28,6 +31,12 @@ public:
     [[nodiscard]] States state() const noexcept;
     [[nodiscard]] static const char* name(States state) noexcept;
     [[nodiscard]] bool isFinal() const noexcept { return terminated_; }
+    #if ROBOCHART_TRACE
+    /// Whom it tells what it does from now on (robochart/trace_file.hpp writes logs); null: nobody.
+    void SetTracer(robochart::Tracer* tracer) noexcept { tracer_ = tracer; }
+    /// What its logs begin with, and its transitions.
+    [[nodiscard]] static const robochart::RunHeader& RunHeader() noexcept;
+    #endif
 
     robochart::Timer T;  ///< clock Door::T (door.rct:7)
 
@@ -54,6 +63,9 @@ private:
 
     Door_core::State<robochart::Deployment> core_{};
     bool terminated_ = false;
+    #if ROBOCHART_TRACE
+    robochart::Tracer* tracer_ = nullptr;
+    #endif
 };
 
 }  // namespace house

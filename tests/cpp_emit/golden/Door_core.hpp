@@ -93,6 +93,11 @@ public:
     }
 
 private:
+    /// Tells a platform that has a method `taken` of a transition; Door_trace.hpp names them.
+    void taken([[maybe_unused]] std::uint32_t transition) noexcept {
+        if constexpr (robochart::Listens<Platform>::value) platform_.taken(transition);
+    }
+
     /// Actions and junctions of Door, until it settles or has to wait.
     bool control([[maybe_unused]] State<Types>& f) noexcept {
         bool moved = false;
@@ -103,6 +108,7 @@ private:
                 // Door::i (door.rct:8)
                 case At::i:
                     // Door::t0 (door.rct:14)
+                    taken(0);
                     f.at = At::Closed;
                     break;
                 // enters Door::Open (door.rct:11)
@@ -136,6 +142,7 @@ private:
             inputs_.open.present = false;
             f.T = 0;
             f.at = At::enter_Open;
+            taken(1);
             return spend();
         }
         return false;
@@ -147,6 +154,7 @@ private:
         if (inputs_.close.present && Nat(f.T) >= Nat(2)) {
             inputs_.close.present = false;
             f.at = At::take_t2;
+            taken(2);
             return spend();
         }
         return false;

@@ -18,6 +18,7 @@ namespace rclcpp {
 struct Network {
     std::map<std::string, std::vector<std::function<void(const std::any&)>>> listeners;
     std::map<std::string, std::vector<std::any>> published;
+    std::map<std::string, std::any> parameters;  ///< as given on the command line
     struct Timer {
         double period = 0;
         bool cancelled = false;
@@ -119,8 +120,10 @@ public:
         return std::make_shared<Publisher<Message>>(full(topic));
     }
     template <class Value>
-    Value declare_parameter(const std::string&, const Value& value) {
-        return value;
+    Value declare_parameter(const std::string& name, const Value& value) {
+        const auto& given = Network::get().parameters;
+        const auto found = given.find(name);
+        return found == given.end() ? value : std::any_cast<Value>(found->second);
     }
     Clock::SharedPtr get_clock() { return std::make_shared<Clock>(); }
     [[nodiscard]] Logger get_logger() const { return {}; }

@@ -1,0 +1,81 @@
+// A tracer that writes a log for `robochart-verify conform --traces` and counts transitions; for hosts with files.
+// Ships with the generated code. Copyright: see LICENSE (Apache-2.0).
+#ifndef ROBOCHART_TRACE_FILE_HPP
+#define ROBOCHART_TRACE_FILE_HPP
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "robochart/trace.hpp"
+
+namespace robochart {
+
+class TraceFile final : public Tracer {
+public:
+    explicit TraceFile(const RunHeader& header) : header_(header), counts_(header.transition_count) {}
+    TraceFile(const TraceFile&) = delete;
+    TraceFile& operator=(const TraceFile&) = delete;
+    ~TraceFile() override {
+        if (file_ != nullptr) std::fclose(file_);
+    }
+
+    /// Begins the log; false if the file cannot be written. Without it transitions are counted only.
+    [[nodiscard]] bool open(const std::string& path, const std::string& robot = "") {
+        file_ = std::fopen(path.c_str(), "w");
+        if (file_ == nullptr) return false;
+        std::fprintf(file_, "robochart-trace 1\n");
+        if (*header_.model != 0) std::fprintf(file_, "model %s\n", header_.model);
+        std::fprintf(file_, "component %s\ncycle %u\n", header_.component, static_cast<unsigned>(header_.cycle_length));
+        if (*header_.unobserved != 0) std::fprintf(file_, "unobserved %s\n", header_.unobserved);
+        if (!robot.empty()) std::fprintf(file_, "robot %s\n", robot.c_str());
+        begin();
+        return std::ferror(file_) == 0;
+    }
+    /// Everything so far has been written.
+    [[nodiscard]] bool good() const { return file_ == nullptr || std::ferror(file_) == 0; }
+
+    void begin() noexcept override {
+        if (file_ == nullptr || (runs_ > 0 && !moved_)) return;
+        std::fprintf(file_, "run %d\n", ++runs_);
+        moved_ = false;
+    }
+    void text(const char* piece) noexcept override {
+        moved_ = true;
+        if (file_ != nullptr) std::fputs(piece, file_);
+    }
+    void taken(std::uint32_t transition) noexcept override {
+        if (transition < counts_.size()) ++counts_[transition];
+    }
+    /// A log is good up to the last cycle, whatever happens to the program.
+    void end() noexcept override {
+        if (file_ != nullptr) std::fflush(file_);
+    }
+
+    /// How often each transition was taken.
+    [[nodiscard]] const std::vector<unsigned long>& counts() const { return counts_; }
+    /// "3 of 4 transitions taken", then a line each: how often, which one, where it is in the model.
+    [[nodiscard]] std::string coverage() const {
+        std::size_t taken = 0;
+        for (const unsigned long count : counts_) taken += count > 0 ? 1 : 0;
+        std::string text = std::to_string(taken) + " of " + std::to_string(counts_.size()) + " transitions taken\n";
+        for (std::size_t i = 0; i < counts_.size(); ++i) {
+            const TransitionName& name = header_.transitions[i];
+            text += "  " + std::to_string(counts_[i]) + "  " + name.element;
+            if (*name.place != 0) text += std::string(" (") + name.place + ")";
+            text += '\n';
+        }
+        return text;
+    }
+
+private:
+    RunHeader header_;
+    std::FILE* file_ = nullptr;
+    std::vector<unsigned long> counts_;
+    int runs_ = 0;
+    bool moved_ = false;
+};
+
+}  // namespace robochart
+
+#endif

@@ -1,0 +1,267 @@
+// NAME_trace.hpp: the transitions of a controller by number, and its cycles in the words of a log (docs/traces.md;
+// reference API: the metadata and the trace hook that etcd's raft has, compiled out unless asked for).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cpp_emit/files.hpp"
+#include "cpp_emit/ports.hpp"
+#include "cpp_emit/trace_names.hpp"
+#include "cpp_emit/transition_numbers.hpp"
+#include "cpp_emit/types.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+template <class Port>
+std::vector<std::string> words(const std::vector<Port>& ports) {
+    std::vector<std::string> names;
+    for (const Port& port : ports) names.push_back(port.name);
+    return trace_names(names);
+}
+
+class TraceHeaderWriter {
+public:
+    TraceHeaderWriter(const Generation& generation, const Core& core)
+        : generation_(generation),
+          core_(core),
+          registers_(registers(generation.component)),
+          outputs_(outputs(generation.component)),
+          inputs_(words(registers_)),
+          outputs_named_(words(outputs_)) {}
+
+    std::string write() {
+        file_comment(generation_, out_, "Trace hook");
+        out_.line("#pragma once");
+        out_.gap();
+        out_.line(fmt::format("#include \"{}\"", core_.header));
+        out_.line("#include \"robochart/trace.hpp\"");
+        out_.gap();
+        out_.line(fmt::format("namespace {} {{", core_.name_space));
+        out_.gap();
+        transition_table();
+        run_header();
+        enumerations();
+        platform_class();
+        traced_step();
+        outside_writes();
+        out_.gap();
+        out_.line(fmt::format("}}  // namespace {}", core_.name_space));
+        return out_.text();
+    }
+
+private:
+    void transition_table() {
+        const std::vector<TransitionName> names = transition_names(generation_);
+        transitions_ = names.size();
+        out_.doc("The transitions by number, which is what the platform's method `taken` is told.");
+        if (names.empty()) return out_.line("inline constexpr const robochart::TransitionName* transitions = nullptr;");
+        out_.open("inline constexpr robochart::TransitionName transitions[] = {");
+        for (const TransitionName& name : names)
+            out_.line(fmt::format("{{{}, {}}},", quoted(name.element), quoted(name.place)));
+        out_.close("};");
+    }
+
+    void run_header() {
+        const Component& component = generation_.component;
+        const std::string told = generation_.place("", component.origin.span);  // " (door.rct:3)"
+        const std::size_t line = told.rfind(':');
+        const std::string model = line == std::string::npos || line < 3 ? "" : told.substr(2, line - 2);
+        std::string unobserved;
+        const auto unseen = [&](const std::string& word) { unobserved += (unobserved.empty() ? "" : " ") + word; };
+        for (std::size_t i = 0; i < registers_.size(); ++i)
+            if (registers_[i].type && !logged(*registers_[i].type)) unseen(inputs_[i] + "?");
+        for (std::size_t o = 0; o < outputs_.size(); ++o)
+            if (!logged(outputs_[o])) unseen(outputs_named_[o] + "!");
+        const std::string& package = component.package;
+        out_.gap();
+        out_.doc("What its logs begin with; values with parts have no words in them.");
+        out_.line(fmt::format(
+            "inline constexpr robochart::RunHeader run_header = {{{}, {}, cycle_length, {}, transitions, {}}};",
+            quoted(package.empty() ? component.ref.path : package + "::" + component.ref.path), quoted(model),
+            quoted(unobserved), transitions_));
+    }
+
+    [[nodiscard]] bool logged(ir::TypeId id) const { return !composed(generation_.system.type(id)); }
+    [[nodiscard]] bool logged(const Output& output) const {
+        bool all = true;
+        for (const ir::TypeId type : output.types) all = all && logged(type);
+        return all;
+    }
+
+    void enumerations() {
+        for (const ir::TypeId id : generation_.component.enumerations) {
+            const ir::Type& type = generation_.system.type(id);
+            if (is_struct(type)) continue;
+            const std::string name = cpp_type(generation_.system, id);
+            out_.gap();
+            out_.open(fmt::format(
+                "[[maybe_unused]] inline void log_value(robochart::Tracer& tracer, {} value) noexcept {{", name));
+            if (type.kind == ir::TypeKind::given) {
+                out_.line("robochart::log_value(tracer, static_cast<std::int64_t>(value));");
+            } else {
+                out_.open("switch (value) {");
+                for (std::size_t i = 0; i < type.labels.size(); ++i)
+                    out_.line(fmt::format("case {}::{}: return tracer.text({});", name, literal_name(type, i),
+                                          quoted(type.labels[i])));
+                out_.close();
+            }
+            out_.close();
+        }
+    }
+
+    void say_value(const std::string& tracer, ir::TypeId id, const std::string& value) {
+        const ir::TypeKind kind = generation_.system.type(id).kind;
+        const bool own = kind == ir::TypeKind::enumeration || kind == ir::TypeKind::given;
+        out_.line(fmt::format("{}log_value({}, {});", own ? "" : "robochart::", tracer, value));
+    }
+
+    void say_output(const Output& output, const std::string& word) {
+        if (!logged(output)) return;
+        if (output.types.empty()) return out_.line(fmt::format("tracer_.text({});", quoted(word + "! ")));
+        for (std::size_t i = 0; i < output.types.size(); ++i) {
+            out_.line(fmt::format("tracer_.text({});", quoted(i == 0 ? word + "!" : "!")));
+            say_value("tracer_", output.types[i], fmt::format("a{}", i));
+        }
+        out_.line("tracer_.text(\" \");");
+    }
+
+    static std::string listed(const std::vector<std::string>& parts) {
+        return fmt::format("{}", fmt::join(parts, ", "));
+    }
+
+    [[nodiscard]] std::string parameters(const std::vector<ir::TypeId>& types) const {
+        std::vector<std::string> parts;
+        for (std::size_t i = 0; i < types.size(); ++i)
+            parts.push_back(fmt::format("{} a{}", cpp_type(generation_.system, types[i]), i));
+        return listed(parts);
+    }
+    static std::string arguments(std::size_t count) {
+        std::vector<std::string> parts;
+        for (std::size_t i = 0; i < count; ++i) parts.push_back(fmt::format("a{}", i));
+        return listed(parts);
+    }
+
+    /// A method that hands on what it is asked.
+    void forward(const std::string& result, const std::string& method, const std::vector<ir::TypeId>& types) {
+        out_.line(fmt::format("{} {}({}) noexcept {{ return platform_.{}({}); }}", result, method, parameters(types),
+                              method, arguments(types.size())));
+    }
+
+    void platform_class() {
+        out_.gap();
+        out_.doc("A platform that tells a tracer what the controller does, and has another do it.");
+        out_.line("template <class Types, class Platform>");
+        out_.open("class Traced {");
+        out_.label("public:");
+        for (const char* name : {"Real", "Nat", "Int"})
+            out_.line(fmt::format("using {0} = typename Types::{0};", name));
+        out_.gap();
+        out_.line(
+            "Traced(Platform& platform, robochart::Tracer& tracer) noexcept "
+            ": platform_(platform), tracer_(tracer) {}");
+        out_.gap();
+        for (std::size_t o = 0; o < outputs_.size(); ++o) {
+            const Output& output = outputs_[o];
+            out_.open(fmt::format("void {}({}) noexcept {{", output.method, parameters(output.types)));
+            say_output(output, outputs_named_[o]);
+            out_.line(fmt::format("platform_.{}({});", output.method, arguments(output.types.size())));
+            out_.close();
+        }
+        const Component& component = generation_.component;
+        for (const ModelledCall& call : component.modelled) forward("bool", call.method, call.signature->parameters);
+        for (const FunctionHook& hook : component.functions) {
+            const ir::Function& function = generation_.system.functions[hook.id.index];
+            forward(cpp_type(generation_.system, function.result), hook.method, function.parameters);
+        }
+        if (component.probabilistic) {
+            out_.open("std::size_t choose(const double* chances, std::size_t count) noexcept {");
+            out_.line("return robochart::passed_choice(platform_, chances, count);");
+            out_.close();
+        }
+        out_.open("void taken(std::uint32_t transition) noexcept {");
+        out_.line("tracer_.taken(transition);");
+        out_.line("if constexpr (robochart::Listens<Platform>::value) platform_.taken(transition);");
+        out_.close();
+        out_.gap();
+        out_.label("private:");
+        out_.line("[[maybe_unused]] Platform& platform_;");
+        out_.line("robochart::Tracer& tracer_;");
+        out_.close("};");
+    }
+
+    void traced_step() {
+        out_.gap();
+        out_.doc("One control cycle that a tracer is told of: what is read, what is done, how it ends.");
+        out_.line("template <class Types, class Platform>");
+        out_.line(
+            "robochart::StepResult traced_step(State<Types>& state, const Inputs<Types>& inputs, "
+            "Platform& platform,");
+        out_.open("                                  robochart::Tracer& tracer) noexcept {");
+        for (std::size_t i = 0; i < registers_.size(); ++i) {
+            const Register& input = registers_[i];
+            if (input.type && !logged(*input.type)) continue;
+            if (!input.type) {
+                out_.line(
+                    fmt::format("if (inputs.{}.present) tracer.text({});", input.member, quoted(inputs_[i] + "? ")));
+                continue;
+            }
+            out_.open(fmt::format("if (inputs.{}.present) {{", input.member));
+            out_.line(fmt::format("tracer.text({});", quoted(inputs_[i] + "?")));
+            say_value("tracer", *input.type, fmt::format("inputs.{}.value", input.member));
+            out_.line("tracer.text(\" \");");
+            out_.close();
+        }
+        out_.line("Traced<Types, Platform> traced(platform, tracer);");
+        out_.line("const robochart::StepResult result = step<Types>(state, inputs, traced);");
+        out_.line("robochart::log_end(tracer, result, cycle_length);");
+        out_.line("return result;");
+        out_.close();
+    }
+
+    /// The classes have variables that others write as members, and no inputs for them.
+    void outside_writes() {
+        for (const StoredVariable& variable : generation_.component.variables) {
+            if (variable.input.empty() || variable.copy) continue;
+            out_.gap();
+            out_.doc(fmt::format("Others have written {} since the last cycle, if it is not what the controller knows.",
+                                 variable.variable->name));
+            out_.line("template <class Types, class Value>");
+            out_.open(
+                fmt::format("void log_write_of_{}([[maybe_unused]] robochart::Tracer& tracer, "
+                            "[[maybe_unused]] const State<Types>& state,",
+                            variable.input));
+            out_.line("    [[maybe_unused]] const Value& value) noexcept {");
+            if (logged(variable.variable->type)) outside_write(variable);
+            out_.close();
+        }
+    }
+
+    void outside_write(const StoredVariable& variable) {
+        std::vector<std::string> known;
+        for (const StoredVariable& each : generation_.component.variables)
+            if (each.input == variable.input && each.stored()) known.push_back("state." + each.path + " == value");
+        out_.line(fmt::format("if ({}) return;", fmt::join(known, " && ")));
+        for (std::size_t i = 0; i < registers_.size(); ++i)
+            if (registers_[i].member == variable.input)
+                out_.line(fmt::format("tracer.text({});", quoted(inputs_[i] + "?")));
+        say_value("tracer", variable.variable->type, "value");
+        out_.line("tracer.text(\" \");");
+    }
+
+    const Generation& generation_;
+    const Core& core_;
+    std::vector<Register> registers_;
+    std::vector<Output> outputs_;
+    std::vector<std::string> inputs_, outputs_named_;
+    std::size_t transitions_ = 0;
+    CodeWriter out_;
+};
+
+}  // namespace
+
+std::string trace_header(const Generation& generation, const Core& core) {
+    return TraceHeaderWriter(generation, core).write();
+}
+
+}  // namespace robochart::cpp_emit

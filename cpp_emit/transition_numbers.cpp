@@ -1,0 +1,29 @@
+// See transition_numbers.hpp.
+#include "cpp_emit/transition_numbers.hpp"
+
+namespace robochart::cpp_emit {
+
+std::uint32_t transition_number(const Component& component, const Unit& unit, ir::TransitionId id) {
+    std::size_t before = 0;
+    for (const Unit& each : component.units) {
+        if (&each == &unit) break;
+        before += each.machine->transitions.size();
+    }
+    return static_cast<std::uint32_t>(before + id.index);
+}
+
+std::vector<TransitionName> transition_names(const Generation& generation) {
+    std::vector<TransitionName> names;
+    for (const Unit& unit : generation.component.units) {
+        const std::string& part = generation.component.part(unit).name;
+        for (const ir::Transition& transition : unit.machine->transitions) {
+            const ir::Origin& origin = transition.origin;
+            const std::string told = generation.place("", origin.span);  // " (door.rct:18)"
+            names.push_back({(part.empty() ? "" : part + ": ") + origin.element,
+                             told.size() > 3 ? told.substr(2, told.size() - 3) : ""});
+        }
+    }
+    return names;
+}
+
+}  // namespace robochart::cpp_emit

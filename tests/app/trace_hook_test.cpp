@@ -1,0 +1,134 @@
+// Logs that generated controllers write themselves (`emit cpp --target main`, then `--log FILE`): the model has the runs
+// that were made, and not those that were changed afterwards.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "command.hpp"
+
+namespace robochart::app {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::repository;
+using testing::run;
+using testing::TemporaryFile;
+
+std::string contents(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A console program of a model, built in a folder of its own.
+class Console {
+public:
+    Console(const std::string& model, const std::string& component, std::vector<std::string> more = {}) : model_(model), marker_("marker", "") {
+        folder_ = fs::path(marker_.path()).parent_path().string();
+        std::vector<std::string> words{"emit", "cpp", model, "--component", component, "--target", "main", "--out", folder_ + "/out"};
+        words.insert(words.end(), more.begin(), more.end());
+        const auto ran = run(words);
+        EXPECT_EQ(ran.exit, 0) << ran.err;
+        for (const auto& entry : fs::directory_iterator(folder_ + "/out/main")) project_ = entry.path().string();
+        // What cmake does (tests/cpp_emit builds projects with it): the sources, with the hook.
+        shell("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -DROBOCHART_TRACE=1 -I controller "
+              "main.cpp controller/*.cpp -o console");
+    }
+
+    /// The program with these lines of input and a log; what it prints.
+    std::string drive(const std::string& lines, const std::string& options = "") {
+        std::ofstream(project_ + "/lines") << lines;
+        shell("./console --log run.trace " + options + " < lines > printed");
+        return contents(project_ + "/printed");
+    }
+    [[nodiscard]] std::string log() const { return contents(project_ + "/run.trace"); }
+    [[nodiscard]] testing::Ran check(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> words{"conform", model_, "--traces", project_ + "/run.trace"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    }
+    void corrupt(const std::string& what, const std::string& with) const {
+        std::string text = log();
+        const std::size_t at = text.find(what);
+        ASSERT_NE(at, std::string::npos) << text;
+        std::ofstream(project_ + "/run.trace") << text.replace(at, what.size(), with);
+    }
+
+private:
+    void shell(const std::string& command) const {
+        EXPECT_EQ(std::system(("cd '" + project_ + "' && " + command).c_str()), 0) << command;
+    }
+
+    std::string model_, folder_, project_;
+    TemporaryFile marker_;
+};
+
+/// The worked example of docs/traces.md.
+TEST(TraceHook, ALogOfTheConsoleIsARunOfTheModel) {
+    Console console(repository("corpus/aggregation"), "Aggregation");
+    const std::string printed = console.drive("\nseeRobot\nseeRobot\nseeWall\n\n", "--coverage");
+    EXPECT_THAT(console.log(), HasSubstr("robochart-trace 1\nmodel aggregation.rct\ncomponent aggregation::Aggregation\ncycle 1\nrun 1\n"
+                                         "angularSpeed!-0.75 linearSpeed!-10.88 tock\nseeRobot? angularSpeed!-5.02 linearSpeed!0 tock\n"));
+    EXPECT_THAT(printed, HasSubstr(" transitions taken\n"));
+    EXPECT_THAT(printed, HasSubstr("(aggregation.rct:"));
+    const auto good = console.check();
+    EXPECT_EQ(good.exit, 0) << good.out << good.err;
+    EXPECT_THAT(good.out, HasSubstr("1 accepted, 0 rejected"));
+    console.corrupt("angularSpeed!-5.02", "angularSpeed!-0.75");
+    const auto bad = console.check();
+    EXPECT_EQ(bad.exit, 1) << bad.out << bad.err;
+    EXPECT_THAT(bad.out, HasSubstr("run 1, cycle 2"));
+}
+
+const char* const typed = R"(package p
+enumeration Light { Red Green }
+interface I { go(a : real, b : nat) lamp(l : Light) var level : int }
+interface E { event see : Light event count : nat event quick : real event done : boolean }
+stm M { requires I uses E var l : Light var n : nat var r : real initial i
+    state A { entry go(0.5, 3) }
+    final F
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger see?l action lamp(l) ; level = level + 1 }
+    transition t2 { from A to A trigger quick?r action go(r, 1) }
+    transition t3 { from A to F trigger count?n action done!(level > 1) } }
+)";
+
+/// Every kind of word; a variable that is written from outside; termination. A typed event, an operation of several
+/// arguments, a boolean.
+TEST(TraceHook, EveryKindOfWord) {
+    const TemporaryFile model("m.rct", typed);
+    Console console(model.path(), "M");
+    // Two cycles with Green make level 2; then it ends.
+    const std::string printed = console.drive("\nsee=1\nsee=1\n\ncount=1\n", "--coverage");
+    EXPECT_THAT(console.log(), HasSubstr("component p::M\ncycle 1\nrun 1\n"
+                                         "go!0.5!3 tock\n"
+                                         "see?Green lamp!Green level!1 go!0.5!3 tock\n"
+                                         "see?Green lamp!Green level!2 go!0.5!3 tock\n"
+                                         "tock\n"
+                                         "count?1 done!true terminate\n"));
+    EXPECT_THAT(printed, HasSubstr("3 of 4 transitions taken\n  1  M::t0 (m.rct:8)\n  2  M::t1 (m.rct:9)\n  0  M::t2 (m.rct:10)\n  1  M::t3 (m.rct:11)\n"));
+    const std::vector<std::string> reading{"--range", "nat=0..3", "--range", "int=0..3"};
+    const auto good = console.check(reading);
+    EXPECT_EQ(good.exit, 0) << good.out << good.err;
+    console.corrupt("done!true", "done!false");
+    EXPECT_EQ(console.check(reading).exit, 1);
+}
+
+/// A log is asked for where the hook is left out: said, not silently nothing.
+TEST(TraceHook, WithoutTheHookALogIsRefused) {
+    const TemporaryFile model("m.rct", typed);
+    const auto ran = run({"emit", "cpp", model.path(), "--component", "M", "--target", "main", "--out", model.path() + ".out"});
+    ASSERT_EQ(ran.exit, 0) << ran.err;
+    const std::string folder = model.path() + ".out/main/M";
+    EXPECT_EQ(std::system(("cd '" + folder + "' && c++ -std=c++17 -O0 -I controller main.cpp controller/*.cpp -o console").c_str()), 0);
+    EXPECT_NE(std::system(("cd '" + folder + "' && ./console --log run.trace < /dev/null 2> told").c_str()), 0);
+    EXPECT_THAT(contents(folder + "/told"), HasSubstr("-DROBOCHART_TRACE=ON"));
+    EXPECT_FALSE(fs::exists(folder + "/run.trace"));
+}
+
+}  // namespace
+}  // namespace robochart::app
