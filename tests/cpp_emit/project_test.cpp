@@ -332,11 +332,13 @@ TEST_F(Project, APluginOfArgos) {
     if (prefix.empty()) GTEST_SKIP() << "ARGoS is not installed (-DARGoS_ROOT=PREFIX)";
     emit("swarm_taxis", "SwarmTaxis", Target::argos);
     build("-DCMAKE_PREFIX_PATH=" + prefix);
+    folder_.run("sed -i 's|<params />|<params logs=\".\"/>|' SwarmTaxisFSM.argos");
     const std::string output =
         folder_.run("LD_LIBRARY_PATH=" + prefix + "/lib/argos3 " + prefix + "/bin/argos3 -n -z -c SwarmTaxisFSM.argos");
     EXPECT_NE(output.find("robot puck0: MoveForward"), std::string::npos) << output;
     // Nobody answers: the state of Coherence waits for its heading.
     EXPECT_NE(output.find("robot puck9: CalcCoherenceHeading"), std::string::npos) << output;
+    folder_.run("grep -q '^MoveForward! CheckIlluminationStatus! tock$' puck9.trace");
 }
 
 }  // namespace
