@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "cpp_emit/seeded.hpp"
 #include "cpp_emit/types.hpp"
 
 namespace robochart::cpp_emit {
@@ -124,7 +125,8 @@ std::vector<Field> common_fields(const Generation& generation) {
         if (!stored.stored() || stored.home != no_part) continue;
         const Extent extent = cpp_extent(generation.system, generation.inst, stored.variable->type);
         fields.push_back({cpp_type(generation.system, stored.variable->type), stored.field,
-                          cpp_value(generation.system, generation.inst, stored.variable->type, stored.initial),
+                          cpp_value(generation.system, generation.inst, stored.variable->type,
+                                    begins_with(generation, *stored.variable, stored.initial)),
                           generation.place(stored.variable->origin), extent.size, extent.alignment});
     }
     return fields;
@@ -148,8 +150,9 @@ void write_composition(const Generation& generation, const Core& core, CodeWrite
     if (generation.mutation.hits(Fault::single_transition_step)) {
         for (const std::string& round : each_part(generation, "round({});")) out.line(round);
     } else {
-        const std::vector<std::string> rounds = each_part(generation, "round({})");
-        out.open(fmt::format("while (!exhausted() && ({})) {{", fmt::join(rounds, " || ")));
+        std::vector<std::string> rounds = each_part(generation, "round({})");
+        if (generation.mutation.hits(Fault::machines_reversed)) std::reverse(rounds.begin(), rounds.end());
+        out.open(fmt::format("while ({}({})) {{", bound_test(generation), fmt::join(rounds, " || ")));
         out.close();
     }
     out.close();

@@ -141,7 +141,7 @@ void write_declared_types(const Generation& generation, CodeWriter& out) {
     }
 }
 
-void write_struct(CodeWriter& out, const std::string& name, const FrameLayout& layout) {
+void write_struct(const Generation& generation, CodeWriter& out, const std::string& name, const FrameLayout& layout) {
     out.line("template <class Types>");
     out.open(fmt::format("struct {} {{", name));
     numeric_aliases(out);
@@ -151,6 +151,7 @@ void write_struct(CodeWriter& out, const std::string& name, const FrameLayout& l
                                     : field.initial.empty() ? "{}"
                                                             : " = " + field.initial;
         const std::string comment = field.comment.empty() ? "" : "  ///< " + field.comment;
+        if (generation.mutation.hits(Fault::undeclared_member)) continue;
         out.line(fmt::format("{} {}{};{}", field.type, field.name, initial, comment));
     }
     out.gap();
@@ -168,7 +169,7 @@ void write_frame(const Generation& generation, CodeWriter& out, const Unit& unit
                                       unit.machine->name)
             : unit.root ? fmt::format("Machine {}.", generation.component.part(unit).name)
                         : fmt::format("Operation {} in progress; as constructed when it is not.", unit.machine->name));
-    write_struct(out, unit.frame, layout);
+    write_struct(generation, out, unit.frame, layout);
 }
 
 /// State around the frames of several machines.
@@ -176,7 +177,7 @@ void write_state(const Generation& generation, CodeWriter& out, const FrameLayou
     out.gap();
     out.doc(fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
                         generation.component.name));
-    write_struct(out, "State", layout);
+    write_struct(generation, out, "State", layout);
 }
 
 void write_inputs(const Generation& generation, CodeWriter& out) {
@@ -272,17 +273,29 @@ void keep(CodeWriter& out, const EventPort& event) {
     out.line(fmt::format("if (inputs_.{0}.present) state_.kept_value_{0} = inputs_.{0}.value;", event.input));
 }
 
+/// What is written from outside is seen at once; Fault::outside_write_late: `late`, after the cycle.
+void write_outside(const Generation& generation, const StoredVariable& variable, CodeWriter& out,
+                   std::vector<std::string>& late) {
+    if (generation.mutation.hits(Fault::outside_write_lost)) return;
+    const std::string line =
+        fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input, variable.path);
+    if (generation.mutation.hits(Fault::outside_write_late))
+        late.push_back(line);
+    else
+        out.line(line);
+}
+
 void write_cycle(const Generation& generation, const Core& core, CodeWriter& out) {
     out.doc("One control cycle: inputs, everything that they and time make possible, then time passes.");
     out.open("robochart::StepResult cycle() noexcept {");
+    std::vector<std::string> late;
     for (const StoredVariable& variable : generation.component.variables)
-        if (!variable.input.empty() && variable.stored())
-            out.line(
-                fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input, variable.path));
+        if (!variable.input.empty() && variable.stored()) write_outside(generation, variable, out, late);
     for (const EventPort* event : core.kept) take_kept(out, *event);
     const char* const state = generation.component.composed() ? "" : "state_";
     out.line(fmt::format("run({});", state));
     for (const EventPort* event : core.kept) keep(out, *event);
+    for (const std::string& line : late) out.line(line);
     out.line(fmt::format("const robochart::StepResult result = this->result(finished({}));", state));
     if (core.layout.timed) out.line(fmt::format("if (result == robochart::StepResult::quiescent) advance({});", state));
     out.line("return late() ? robochart::StepResult::deadline : result;");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cpp_emit/fault.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "semantics/instantiation.hpp"
 #include "semantics/ir.hpp"
@@ -16,37 +17,6 @@ struct OutputFile {
     std::string path;
     std::string text;
     bool keep = false;  ///< its reader's to change: not written where it is there
-};
-
-/// Seeded faults of the generator, for testing the conformance checker (conformance/mutants). `none` in production.
-enum class Fault {
-    none,
-    guard_after_consume,     ///< event eaten under a false guard
-    children_not_exited,     ///< leaving a composite does not exit its children
-    composite_resumed,       ///< re-entered composite continues where it was
-    input_not_awaited,       ///< input in an action read without waiting for the event
-    single_transition_step,  ///< one transition per cycle instead of running to quiescence
-    guard_negated,
-    guard_dropped,
-    clock_not_reset,
-    clock_off_by_one,  ///< clock counts from 1 after a reset
-    wrong_target,
-    action_dropped,
-    entry_dropped,
-    exit_dropped,
-    argument_swapped,  ///< first two arguments of calls exchanged
-    assignment_dropped,
-    event_kept,  ///< inputs survive the end of the cycle
-    wait_dropped,
-    trigger_value_old,  ///< guard reads the variable's old value, not the incoming one
-    output_repeated,    ///< an output is made twice in one cycle
-    send_not_awaited,   ///< the sender goes on without the receiver
-    offer_kept,         ///< what was received is offered again
-    buffer_kept,        ///< reading does not empty the buffer
-    buffer_first,       ///< the buffer keeps its first value
-    ended_by_one,       ///< one machine's end ends the component
-    write_not_relayed,  ///< other machines do not see a write
-    deadline_kept,      ///< a deadline that was met goes on
 };
 
 /// What is emitted: the classes with everything that the conformance check needs, or a project that builds as it

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cpp_emit/expression_faults.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/walk.hpp"
 
@@ -160,8 +161,11 @@ std::string ExpressionWriter::enum_literal(const ir::Expr& expr) const {
 
 std::string ExpressionWriter::list(const ir::Expr& expr, const std::vector<ir::TypeId>& types) const {
     std::string text;
-    for (std::size_t i = 0; i < expr.args.size(); ++i)
-        text += (i == 0 ? "" : ", ") + write_as(*expr.args[i], types.at(types.size() > 1 ? i : 0));
+    for (std::size_t i = 0; i < expr.args.size(); ++i) {
+        const ir::TypeId type = types.at(types.size() > 1 ? i : 0);
+        const bool lost = generation_.mutation.hits(Fault::field_dropped, &unit_, expr.args[i].get());
+        text += (i == 0 ? "" : ", ") + (lost ? type_text(type) + "{}" : write_as(*expr.args[i], type));
+    }
     return text;
 }
 
@@ -200,10 +204,15 @@ std::string ExpressionWriter::platform_call(ir::FunctionId id, const std::string
     return fmt::format("platform_.{}({})", hook->method, arguments);
 }
 
+std::string ExpressionWriter::place(const ir::Expr& index) const {
+    const bool off = generation_.mutation.hits(Fault::index_off_by_one, &unit_, &index);
+    return fmt::format("place_of({}){}", write(index), off ? " + 1" : "");
+}
+
 /// Places of sequences and vectors; of a matrix, row by row and then within the row.
 std::string ExpressionWriter::index(const ir::Expr& expr) const {
     std::string text = operand(*expr.args[0]);
-    for (std::size_t i = 1; i < expr.args.size(); ++i) text += fmt::format(".at(place_of({}))", write(*expr.args[i]));
+    for (std::size_t i = 1; i < expr.args.size(); ++i) text += fmt::format(".at({})", place(*expr.args[i]));
     return text;
 }
 
@@ -235,6 +244,11 @@ std::string ExpressionWriter::let(const ir::Expr& expr) const {
 }
 
 std::string ExpressionWriter::write(const ir::Expr& expr) const {
+    const std::optional<ir::Expr> wrong = faulty(generation_, unit_, expr);
+    return right(wrong ? *wrong : expr);
+}
+
+std::string ExpressionWriter::right(const ir::Expr& expr) const {
     switch (expr.kind) {
         case ExprKind::boolean:
             return expr.number != 0 ? "true" : "false";
@@ -310,7 +324,7 @@ std::string ExpressionWriter::write(const ir::Expr& expr) const {
             return fmt::format("concat({}, {})", write_as(*expr.args[0], expr.type),
                                write_as(*expr.args[1], expr.type));
         case ExprKind::is_in:
-            return membership(expr);
+            return (generation_.mutation.hits(Fault::set_operation_wrong, &unit_, &expr) ? "!" : "") + membership(expr);
         case ExprKind::string:
             return fmt::format("{}::of({})", type_text(expr.type), quoted(expr.text));
         case ExprKind::set_range:

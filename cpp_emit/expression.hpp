@@ -29,8 +29,11 @@ public:
     /// Where a variable is stored; "" for shared variables that nothing reads.
     [[nodiscard]] std::string variable(ir::VariableId) const;
     [[nodiscard]] std::string clock(ir::ClockId) const;
+    /// An item's place, counted from 1.
+    [[nodiscard]] std::string place(const ir::Expr& index) const;
 
 private:
+    [[nodiscard]] std::string right(const ir::Expr&) const;  ///< without a seeded fault
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
     [[nodiscard]] std::string arithmetic(const ir::Expr&, const char* symbol) const;
     [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;

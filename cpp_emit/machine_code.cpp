@@ -8,6 +8,7 @@
 
 #include "cpp_emit/expression.hpp"
 #include "cpp_emit/machine_writer.hpp"
+#include "cpp_emit/seeded.hpp"
 #include "cpp_emit/types.hpp"
 
 namespace robochart::cpp_emit {
@@ -119,7 +120,7 @@ void MachineWriter::thread_function(const Thread& thread, const std::string& nam
     }
     out_.close();
     out_.line("moved = true;");
-    out_.line("if (!spend()) return true;");
+    if (!bound_test(generation_).empty()) out_.line("if (!spend()) return true;");
     out_.close();
     out_.close();
     if (!thread.helpers.empty()) {
@@ -201,11 +202,19 @@ void MachineWriter::advance_function() {
         const std::int64_t saturation =
             std::min(generation_.inst.clock_bound,
                      ir::clock_saturation(generation_.system, generation_.inst, *unit_.machine, ir::ClockId{index}));
-        out_.line(fmt::format("advance_clock(f.{}, cycle_length, {});", unit_.clock_fields[index], saturation));
+        advance_clock(unit_.clock_fields[index], saturation);
     }
     advance_thread(control_);
     for (const DuringThread& during : during_) advance_thread(during.thread);
     out_.close();
+}
+
+void MachineWriter::advance_clock(const std::string& clock, std::int64_t saturation) {
+    if (generation_.mutation.hits(Fault::clock_stopped)) return;
+    if (generation_.mutation.hits(Fault::clock_saturated)) --saturation;
+    const std::string line = fmt::format("advance_clock(f.{}, cycle_length, {});", clock, saturation);
+    out_.line(line);
+    if (generation_.mutation.hits(Fault::clock_twice)) out_.line(line);
 }
 
 void MachineWriter::advance_thread(const Thread& thread) {
@@ -231,21 +240,25 @@ void MachineWriter::advance_watch(const Watch& watch) {
     if (stores) expressions.set_incoming(expressions.variable(transition.trigger->variable));
     out_.open(fmt::format("if ({}) {{", expressions.write(*transition.guard)));
     out_.line(advance);
-    out_.reopen(fmt::format("}} else if (f.{} > 0) {{", watch.field));
-    out_.line(fmt::format("f.{} = {};", watch.field, bound_of(watch)));
+    const std::string anew = start_of(watch);
+    if (!anew.empty() && !generation_.mutation.hits(Fault::deadline_not_restarted)) {
+        out_.reopen(fmt::format("}} else if (f.{} > 0) {{", watch.field));
+        out_.line(anew);
+    }
     out_.close();
 }
 
-std::string MachineWriter::bound_of(const Watch& watch) const {
-    const ir::ExprPtr& bound = plan_.machine().transitions[watch.transition.index].deadline;
-    return fmt::format("duration({}) + 1", ExpressionWriter(generation_, unit_, "f").write(*bound));
+std::string MachineWriter::start_of(const Watch& watch) const {
+    const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
+    return watch_from(generation_, unit_, watch.field, *transition.deadline, &transition);
 }
 
 std::string MachineWriter::finished(const std::string& frame) const {
     std::vector<std::string> places;
     for (const NodeId id : plan_.finals())
         places.push_back(fmt::format("{}.at == {}", frame, control_.at(plan_.label(id))));
-    return places.empty() ? "false" : fmt::format("{}", fmt::join(places, " || "));
+    const bool unnoticed = !places.empty() && generation_.mutation.hits(Fault::end_unnoticed);
+    return places.empty() || unnoticed ? "false" : fmt::format("{}", fmt::join(places, " || "));
 }
 
 void MachineWriter::run_function() {
@@ -264,7 +277,7 @@ void MachineWriter::run_function() {
                 if (!during_.empty()) out_.line("during(f);");
                 out_.line("if (transition(f)) control(f);");
             } else {
-                out_.open(fmt::format("while (!exhausted() && ({})) {{", parts));
+                out_.open(fmt::format("while ({}({})) {{", bound_test(generation_), parts));
                 out_.close();
             }
         }
@@ -277,14 +290,15 @@ void MachineWriter::run_function() {
     }
     out_.doc(fmt::format("Runs operation {}; true when it has finished.", unit_.machine->name));
     out_.open(fmt::format("bool run({}& f, bool& moved) noexcept {{", frame_type()));
-    out_.line(fmt::format("while (!exhausted() && ({})) moved = true;", parts));
+    out_.line(fmt::format("while ({}({})) moved = true;", bound_test(generation_), parts));
     out_.line(fmt::format("return {};", finished("f")));
     out_.close();
 }
 
 std::vector<Field> MachineWriter::variable_fields() const {
     std::vector<Field> fields;
-    const auto add = [&](const std::string& name, const ir::Variable& variable, const ir::Value& initial) {
+    const auto add = [&](const std::string& name, const ir::Variable& variable, const ir::Value& wanted) {
+        const ir::Value initial = begins_with(generation_, variable, wanted);
         const Extent extent = cpp_extent(generation_.system, generation_.inst, variable.type);
         fields.push_back({cpp_type(generation_.system, variable.type), name,
                           cpp_value(generation_.system, generation_.inst, variable.type, initial),

@@ -1,9 +1,11 @@
 // Control and during threads: entry, exit and transition actions in the order of semantics 3.4:
 // exits innermost first, transition action, target's entry, initial transition and first child, `entered`.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cpp_emit/expression.hpp"
 #include "cpp_emit/machine_writer.hpp"
+#include "cpp_emit/seeded.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/walk.hpp"
 
@@ -31,13 +33,14 @@ void MachineWriter::choose_place(NodeId id) {
     ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
     program.begin(plan_.label(id), generation_.place(plan_.node(id).origin));
     bool stays = true;
-    for (const ir::TransitionId transition_id : plan_.node(id).outgoing) {
-        const ir::Transition& transition = plan_.machine().transitions[transition_id.index];
+    const auto& ways = plan_.node(id).outgoing;
+    for (const std::size_t way : order(generation_, ways.size(), Fault::junction_reversed)) {
+        const ir::Transition& transition = plan_.machine().transitions[ways[way].index];
         program.code().comment(generation_.place(transition.origin));
         const std::string condition = guard(transition, "");
         if (!condition.empty()) program.code().open(fmt::format("if ({}) {{", condition));
         for (const ir::ClockId clock : transition.resets) program.line(clock_reset(generation_, unit_, clock));
-        program.line(tell_taken(transition_id));
+        program.line(tell_taken(ways[way]));
         program.jump(after_exit(transition));
         if (condition.empty()) {
             stays = false;
@@ -68,7 +71,8 @@ void MachineWriter::draw_place(NodeId id) {
     program.code().line(fmt::format("const double chances[] = {{{}}};", chances));
     program.code().open("switch (robochart::choose(platform_, chances)) {");
     for (std::size_t way = 0; way < ways.size(); ++way) {
-        const ir::Transition& transition = plan_.machine().transitions[ways[way].index];
+        const std::size_t taken = generation_.mutation.hits(Fault::way_exchanged) ? (way + 1) % ways.size() : way;
+        const ir::Transition& transition = plan_.machine().transitions[ways[taken].index];
         program.code().comment(generation_.place(transition.origin));
         program.code().line(way + 1 == ways.size() ? "default:" : fmt::format("case {}:", way));
         for (const ir::ClockId clock : transition.resets) program.line(clock_reset(generation_, unit_, clock));
@@ -86,6 +90,7 @@ void MachineWriter::enter_place(NodeId id) {
     const ir::Node& node = plan_.node(id);
     const std::string label = plan_.enter_label(id);
     program.begin(label, "enters " + generation_.place(node.origin));
+    if (enters_child_first(id)) return enter_child_first(program, id);
     if (node.entry && !generation_.mutation.hits(Fault::entry_dropped)) program.statement(node.entry, label);
     if (!node.composite()) {
         note_entry(id);
@@ -101,6 +106,34 @@ void MachineWriter::enter_place(NodeId id) {
         program.code().close();
     }
     program.jump(plan_.label(node.initial));
+}
+
+/// Fault::entry_inner_first at a composite whose initial node leads to a child without more ado.
+bool MachineWriter::enters_child_first(NodeId id) {
+    return plan_.node(id).entry != nullptr && sole_first_child(id).valid() &&
+           generation_.mutation.hits(Fault::entry_inner_first);
+}
+
+NodeId MachineWriter::sole_first_child(NodeId id) const {
+    const ir::Node& node = plan_.node(id);
+    if (!node.composite()) return {};
+    const auto& ways = plan_.node(node.initial).outgoing;
+    if (ways.size() != 1) return {};
+    const ir::Transition& way = plan_.machine().transitions[ways.front().index];
+    const bool plain = way.guard == nullptr && way.action == nullptr && way.resets.empty();
+    const ir::Node& child = plan_.node(way.target);
+    return plain && child.kind == NodeKind::state && !child.composite() && child.entry != nullptr ? way.target
+                                                                                                  : NodeId{};
+}
+
+void MachineWriter::enter_child_first(ProgramWriter& program, NodeId id) {
+    const NodeId child = sole_first_child(id);
+    const std::string label = plan_.enter_label(id);
+    if (plan_.notes_entry(id)) program.code().line(fmt::format("f.entering_{} = true;", plan_.label(id)));
+    program.statement(plan_.node(child).entry, label);
+    program.statement(plan_.node(id).entry, label);
+    note_entry(child);
+    program.jump(plan_.label(child));
 }
 
 /// The state itself is entered, and with its first child each composite around it (semantics 3.3 a).
@@ -124,9 +157,12 @@ void MachineWriter::mark_entered(NodeId id) {
         if (!line.empty()) code.line(line);
     }
     for (const DuringThread& during : during_)
-        if (during.state == id) code.line(during.thread.go("start"));
-    for (const Watch& watch : watches_)
-        if (watch.state == id) code.line(fmt::format("f.{} = {};", watch.field, bound_of(watch)));
+        if (during.state == id && !generation_.mutation.hits(Fault::during_never)) code.line(during.thread.go("start"));
+    for (const Watch& watch : watches_) {
+        if (watch.state != id) continue;
+        const std::string line = start_of(watch);
+        if (!line.empty()) code.line(line);
+    }
 }
 
 /// A shared exit place: the state's exit action, then the transition that leaves it or the exit around it.
@@ -135,7 +171,10 @@ void MachineWriter::exit_place(NodeId id) {
     const ir::Node& node = plan_.node(id);
     const std::string label = plan_.exit_label(id);
     program.begin(label, "leaves " + generation_.place(node.origin));
-    if (node.exit && !generation_.mutation.hits(Fault::exit_dropped)) program.statement(node.exit, label);
+    exit_outer_before(program, id);
+    act_before(program, id);
+    if (node.exit && !exits_first(id) && !generation_.mutation.hits(Fault::exit_dropped))
+        program.statement(node.exit, label);
     for (const ir::TransitionId transition : node.outgoing) {
         program.code().open(fmt::format("if (f.leaving == {}::{}) {{", leaving_, plan_.take_label(transition)));
         program.code().line(fmt::format("f.leaving = {}::nothing;", leaving_));
@@ -144,6 +183,51 @@ void MachineWriter::exit_place(NodeId id) {
     }
     if (node.parent.valid() && plan_.shared_exit(node.parent)) return program.jump(plan_.exit_label(node.parent));
     program.code().line("return moved;");
+}
+
+/// Fault::exit_outer_first: the composite's exit action has run before those below it.
+bool MachineWriter::exits_first(NodeId id) {
+    const ir::Node& node = plan_.node(id);
+    return node.composite() && node.exit != nullptr && !node.outgoing.empty() &&
+           !suspends(generation_, unit_, node.exit) &&
+           generation_.mutation.hits(Fault::exit_outer_first, &unit_, &node);
+}
+
+void MachineWriter::exit_outer_before(ProgramWriter& program, NodeId id) {
+    if (plan_.node(id).composite()) return;
+    for (const NodeId outer : plan_.ancestors(id)) {
+        if (!exits_first(outer)) continue;
+        std::vector<std::string> left;
+        for (const ir::TransitionId way : plan_.node(outer).outgoing)
+            left.push_back(fmt::format("f.leaving == {}::{}", leaving_, plan_.take_label(way)));
+        program.code().open(fmt::format("if ({}) {{", fmt::join(left, " || ")));
+        program.statement(plan_.node(outer).exit, plan_.exit_label(id));
+        program.code().close();
+    }
+}
+
+/// Fault::action_before_exit where the exit has a place of its own.
+bool MachineWriter::acts_first(const ir::Transition& transition) {
+    const ir::Node& source = plan_.node(transition.source);
+    return transition.action != nullptr && source.exit != nullptr && !suspends(generation_, unit_, transition.action) &&
+           generation_.mutation.hits(Fault::action_before_exit, &unit_, &transition);
+}
+
+void MachineWriter::act_before(ProgramWriter& program, NodeId id) {
+    for (const ir::TransitionId way : plan_.node(id).outgoing) {
+        const ir::Transition& transition = plan_.machine().transitions[way.index];
+        if (!acts_first(transition)) continue;
+        program.code().open(fmt::format("if (f.leaving == {}::{}) {{", leaving_, plan_.take_label(way)));
+        program.statement(transition.action, plan_.exit_label(id));
+        program.code().close();
+    }
+}
+
+/// Fault::action_after_entry.
+bool MachineWriter::acts_late(const ir::Transition& transition) {
+    const ir::Node& target = plan_.node(transition.target);
+    return transition.action != nullptr && target.kind == NodeKind::state && !target.composite() &&
+           target.entry != nullptr && generation_.mutation.hits(Fault::action_after_entry, &unit_, &transition);
 }
 
 /// During a transition's action the machine shows its source, or the state around an initial node or junction.
@@ -160,15 +244,37 @@ void MachineWriter::take_place(ir::TransitionId id) {
     program.begin(label, "takes " + generation_.place(transition.origin));
     const ir::Node& source = plan_.node(transition.source);
     const bool exits = source.exit && !plan_.shared_exit(transition.source);
+    const bool first = acts_first(transition);
+    if (first && exits) program.statement(transition.action, label);
     if (exits && !generation_.mutation.hits(Fault::exit_dropped)) program.statement(source.exit, label);
-    if (transition.action && !generation_.mutation.hits(Fault::action_dropped))
+    if (acts_late(transition)) return act_late(program, transition, label);
+    if (transition.action && !first && !generation_.mutation.hits(Fault::action_dropped))
         program.statement(transition.action, label);
     program.jump(plan_.target(target_of(transition)));
+}
+
+void MachineWriter::act_late(ProgramWriter& program, const ir::Transition& transition, const std::string& label) {
+    program.statement(plan_.node(transition.target).entry, label);
+    program.statement(transition.action, label);
+    note_entry(transition.target);
+    program.jump(plan_.label(transition.target));
 }
 
 std::string MachineWriter::after_exit(const ir::Transition& transition) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     return plan_.acts(transition) ? plan_.take_label(id) : plan_.target(target_of(transition));
+}
+
+/// Fault::during_again: in the next cycle from the start.
+void MachineWriter::run_again(ProgramWriter& program, Thread& thread) {
+    const std::string label = thread.labels->numbered("again");
+    thread.waits = true;
+    program.code().line(thread.wait + " = 1;");
+    program.jump(label);
+    program.begin(label, "again");
+    program.code().line(fmt::format("if ({} > 0) return moved;", thread.wait));
+    program.jump("start");
+    program.begin(thread.labels->numbered("never"), "never");
 }
 
 void MachineWriter::during_places() {
@@ -177,6 +283,7 @@ void MachineWriter::during_places() {
         ProgramWriter program(generation_, unit_, during.thread, during.state);
         program.begin("start", "during action of " + generation_.place(state.origin));
         program.statement(state.during, "step");
+        if (generation_.mutation.hits(Fault::during_again)) run_again(program, during.thread);
         program.jump("idle");
     }
 }

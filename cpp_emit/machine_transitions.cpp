@@ -8,6 +8,7 @@
 #include "cpp_emit/expression.hpp"
 #include "cpp_emit/machine_writer.hpp"
 #include "cpp_emit/reception.hpp"
+#include "cpp_emit/seeded.hpp"
 #include "cpp_emit/transition_numbers.hpp"
 
 namespace robochart::cpp_emit {
@@ -37,8 +38,12 @@ void MachineWriter::transition_functions() {
 
 std::vector<std::string> MachineWriter::attempts(NodeId leaf) const {
     std::vector<std::string> calls;
-    for (const NodeId state : plan_.chain(leaf))
-        if (!plan_.node(state).outgoing.empty()) calls.push_back(fmt::format("from_{}(f)", plan_.label(state)));
+    const std::vector<NodeId> chain = plan_.chain(leaf);
+    std::vector<NodeId> states;
+    for (const NodeId state : chain)
+        if (!plan_.node(state).outgoing.empty()) states.push_back(state);
+    for (const std::size_t place : order(generation_, states.size(), Fault::outer_first))
+        calls.push_back(fmt::format("from_{}(f)", plan_.label(states[place])));
     return calls;
 }
 
@@ -47,9 +52,10 @@ void MachineWriter::from_function(NodeId id) {
     out_.doc("Transitions of " + generation_.place(plan_.node(id).origin));
     out_.open(signature("bool from_" + plan_.label(id)));
     bool certain = false;
-    for (const ir::TransitionId transition : plan_.node(id).outgoing) {
+    const auto& ways = plan_.node(id).outgoing;
+    for (const std::size_t way : order(generation_, ways.size(), Fault::transitions_reversed)) {
         if (certain) break;
-        certain = try_transition(plan_.machine().transitions[transition.index]);
+        certain = try_transition(plan_.machine().transitions[ways[way].index]);
     }
     if (!certain) out_.line("return false;");
     out_.close();
@@ -58,12 +64,22 @@ void MachineWriter::from_function(NodeId id) {
 bool MachineWriter::try_transition(const ir::Transition& transition) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     out_.comment(generation_.place(transition.origin));
+    reset_too_soon(transition);
     if (transition.trigger) return try_trigger(transition, id);
     const std::string text = guard(transition, "");
     if (!text.empty()) out_.open(fmt::format("if ({}) {{", text));
     begin_transition(transition, id);
     if (!text.empty()) out_.close();
     return text.empty();
+}
+
+/// Fault::reset_before_guard.
+void MachineWriter::reset_too_soon(const ir::Transition& transition) {
+    for (const ir::ClockId clock : transition.resets) {
+        if (!generation_.mutation.hits(Fault::reset_before_guard)) continue;
+        const std::string line = clock_reset(generation_, unit_, clock);
+        if (!line.empty()) out_.line(line);
+    }
 }
 
 bool MachineWriter::try_trigger(const ir::Transition& transition, ir::TransitionId id) {
@@ -112,7 +128,8 @@ std::string MachineWriter::guard(const ir::Transition& transition, const std::st
 void MachineWriter::depart(NodeId source, ir::TransitionId id) {
     for (const DuringThread& during : during_) {
         const std::vector<NodeId> around = plan_.chain(during.state);
-        if (std::find(around.begin(), around.end(), source) != around.end())
+        const bool left = std::find(around.begin(), around.end(), source) != around.end();
+        if (left && !generation_.mutation.hits(Fault::during_not_cut))
             out_.line(fmt::format("cut_{}(f);", during.suffix));
     }
     for (const Watch& watch : watches_) {

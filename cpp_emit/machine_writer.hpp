@@ -41,6 +41,19 @@ private:
     [[nodiscard]] ir::NodeId shown_while_taking(ir::TransitionId) const;
     void during_places();
     void note_entry(ir::NodeId);
+
+    // machine_control.cpp: seeded faults of order
+    [[nodiscard]] bool enters_child_first(ir::NodeId);
+    [[nodiscard]] ir::NodeId sole_first_child(ir::NodeId) const;
+    void enter_child_first(ProgramWriter&, ir::NodeId);
+    [[nodiscard]] bool exits_first(ir::NodeId);
+    void exit_outer_before(ProgramWriter&, ir::NodeId);
+    [[nodiscard]] bool acts_first(const ir::Transition&);
+    void act_before(ProgramWriter&, ir::NodeId);
+    [[nodiscard]] bool acts_late(const ir::Transition&);
+    void act_late(ProgramWriter&, const ir::Transition&, const std::string& label);
+    void run_again(ProgramWriter&, Thread&);
+
     void mark_entered(ir::NodeId);
     /// Where control goes after the exits of a transition.
     [[nodiscard]] std::string after_exit(const ir::Transition&);
@@ -50,6 +63,7 @@ private:
     void from_function(ir::NodeId);
     /// True if nothing behind the transition can be reached.
     bool try_transition(const ir::Transition&);
+    void reset_too_soon(const ir::Transition&);
     bool try_trigger(const ir::Transition&, ir::TransitionId);
     void begin_transition(const ir::Transition&, ir::TransitionId);
     [[nodiscard]] std::string guard(const ir::Transition&, const std::string& incoming);
@@ -66,8 +80,9 @@ private:
     void leave_function();
     void advance_function();
     void advance_thread(const Thread&);
+    void advance_clock(const std::string& clock, std::int64_t saturation);
     void advance_watch(const Watch&);
-    [[nodiscard]] std::string bound_of(const Watch&) const;
+    [[nodiscard]] std::string start_of(const Watch&) const;
     [[nodiscard]] FrameLayout layout(const std::vector<Field>& more);
     [[nodiscard]] std::vector<Field> variable_fields() const;
     [[nodiscard]] std::vector<Field> thread_fields() const;

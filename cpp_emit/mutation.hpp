@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <utility>
 
 #include "cpp_emit/emit.hpp"
 
@@ -13,10 +15,17 @@ public:
     Mutation(Fault fault, std::uint32_t site) : fault_(fault), site_(site) {}
 
     /// Called once at each place that `fault` applies to, in textual order.
-    [[nodiscard]] bool hits(Fault fault) {
-        if (fault != fault_ || fault == Fault::none) return false;
-        return sites_++ == site_;
+    [[nodiscard]] bool hits(Fault fault) { return seeded(fault) && sites_++ == site_; }
+    /// The same for a part of the model whose code is written more than once: the answer is the same each time. A
+    /// part has several uses where machines run in several places.
+    [[nodiscard]] bool hits(Fault fault, const void* use, const void* part) {
+        if (!seeded(fault)) return false;
+        const auto [place, fresh] = known_.emplace(std::pair(use, part), sites_);
+        if (fresh) ++sites_;
+        return place->second == site_;
     }
+    /// Whether this run has the fault, wherever.
+    [[nodiscard]] bool seeded(Fault fault) const { return fault == fault_ && fault != Fault::none; }
     /// Places met so far that the requested fault applies to.
     [[nodiscard]] std::uint32_t sites() const { return sites_; }
 
@@ -24,6 +33,7 @@ private:
     Fault fault_;
     std::uint32_t site_;
     std::uint32_t sites_ = 0;
+    std::map<std::pair<const void*, const void*>, std::uint32_t> known_;  ///< never iterated
 };
 
 }  // namespace robochart::cpp_emit

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cpp_emit/expression.hpp"
+#include "cpp_emit/seeded.hpp"
 #include "cpp_emit/thread_code.hpp"
 #include "cpp_emit/types.hpp"
 
@@ -45,17 +46,16 @@ private:
 
     void take(const std::string& consume, const std::string& incoming) {
         if (!consume.empty()) out_.line(consume);
-        if (communication_.variable.valid()) {
-            const std::string line = store(generation_, unit_, communication_.variable, incoming);
-            if (!line.empty()) out_.line(line);
-        }
+        const std::string line = received(generation_, unit_, communication_, incoming);
+        if (!line.empty()) out_.line(line);
         then_();
     }
 
-    void from_port(const EventPort& port) {
+    void from_port(const EventPort& own) {
+        const EventPort& port = received_port(generation_, own);
         const std::string input = "inputs_." + port.input;
         out_.open(fmt::format("if ({}) {{", conjunction(input + ".present", condition(input + ".value"))));
-        take(input + ".present = false;", input + ".value");
+        take(consume(generation_, port), input + ".value");
         out_.close();
     }
 
@@ -71,7 +71,7 @@ private:
 
     /// Rendezvous: the sender waits at one of its sites, the receiver moves it on.
     void from_peer(const EventUse& sender) {
-        const std::string& channel = sender.channel;
+        const std::string& channel = heard(generation_, sender).channel;
         out_.open(fmt::format("for (std::uint32_t site = 0; site != sites_{}; ++site) {{", channel));
         if (use_.type) out_.line(fmt::format("{} incoming{{}};", cpp_type(generation_.system, *use_.type)));
         const std::string guard = condition("incoming");
@@ -112,7 +112,7 @@ bool receive(const Generation& generation, const Unit& unit, const ir::Communica
 
 std::string predicate(const Generation& generation, const Unit& unit, const ir::Communication& communication,
                       const std::string& incoming) {
-    if (!communication.predicate) return {};
+    if (!communication.predicate || generation.mutation.hits(Fault::predicate_dropped)) return {};
     ExpressionWriter expressions(generation, unit, "f");
     expressions.set_incoming(incoming);
     return "(" + expressions.write(*communication.predicate) + ")";

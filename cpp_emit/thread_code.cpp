@@ -9,6 +9,7 @@
 #include "cpp_emit/interruption.hpp"
 #include "cpp_emit/machine_plan.hpp"
 #include "cpp_emit/reception.hpp"
+#include "cpp_emit/seeded.hpp"
 #include "cpp_emit/types.hpp"
 
 namespace robochart::cpp_emit {
@@ -89,6 +90,7 @@ std::string ProgramWriter::resume_here(const std::string& stem, const std::strin
 }
 
 std::string ProgramWriter::fresh(const std::string& stem) {
+    if (generation_.mutation.hits(Fault::name_collision)) return thread_.places.back().label;
     return thread_.labels->numbered(stem);
 }
 
@@ -96,8 +98,7 @@ void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) 
     if (!stmt) return;
     switch (stmt->kind) {
         case StmtKind::sequence:
-            for (const auto& part : stmt->body) statement(part, stem);
-            return;
+            return sequence(stmt->body, stem);
         case StmtKind::if_then_else:
             return if_statement(*stmt, stem);
         case StmtKind::assign:
@@ -118,16 +119,32 @@ void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) 
     }
 }
 
+void ProgramWriter::sequence(std::vector<ir::StmtPtr> parts, const std::string& stem) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const bool exchanged = i + 1 < parts.size() && generation_.mutation.hits(Fault::statements_exchanged);
+        if (exchanged) std::swap(parts[i], parts[i + 1]);
+        statement(parts[i], stem);
+    }
+}
+
+/// What runs where the condition holds, and where not.
+ProgramWriter::Branches ProgramWriter::branches(const ir::Stmt& stmt) {
+    Branches result{stmt.body[0], stmt.body.size() > 1 ? stmt.body[1] : nullptr};
+    if (generation_.mutation.hits(Fault::branches_exchanged)) std::swap(result.then, result.otherwise);
+    return result;
+}
+
 void ProgramWriter::if_statement(const ir::Stmt& stmt, const std::string& stem) {
     if (suspends(generation_, unit_, stmt.body[0]) ||
         (stmt.body.size() > 1 && suspends(generation_, unit_, stmt.body[1])))
         return suspending_if(stmt, stem);
     const ExpressionWriter expressions(generation_, unit_, "f");
+    const Branches parts = branches(stmt);
     code().open(fmt::format("if ({}) {{", expressions.write(*stmt.condition)));
-    statement(stmt.body[0], stem);
-    if (stmt.body.size() > 1 && stmt.body[1] && stmt.body[1]->kind != StmtKind::skip) {
+    statement(parts.then, stem);
+    if (parts.otherwise && parts.otherwise->kind != StmtKind::skip) {
         code().reopen("} else {");
-        statement(stmt.body[1], stem);
+        statement(parts.otherwise, stem);
     }
     code().close();
 }
@@ -140,11 +157,12 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
     code().line(fmt::format("{} = {} ? {} : {};", thread_.variable, expressions.operand(*stmt.condition),
                             thread_.at(then_label), thread_.at(else_label)));
     code().line("break;");
+    const Branches parts = branches(stmt);
     begin(then_label, "then");
-    statement(stmt.body[0], stem);
+    statement(parts.then, stem);
     jump(end_label);
     begin(else_label, "else");
-    if (stmt.body.size() > 1) statement(stmt.body[1], stem);
+    statement(parts.otherwise, stem);
     resume_at(end_label, "end if");
 }
 
@@ -188,13 +206,14 @@ void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
             continue;
         }
         const std::string index = fmt::format("place_{}", step);
-        code().line(fmt::format("const std::int64_t {} = place_of({});", index, expressions.write(*stmt.path[step])));
+        code().line(fmt::format("const std::int64_t {} = {};", index, expressions.place(*stmt.path[step])));
         code().line(fmt::format("auto item_{} = {}.at({});", step, part, index));
         back.push_back(fmt::format("{}.put({}, item_{});", part, index, step));
         part = fmt::format("item_{}", step);
         type = outer.args.at(0);
     }
-    code().line(fmt::format("{} = {};", part, expressions.write_as(*stmt.value, type)));
+    if (!generation_.mutation.hits(Fault::part_not_assigned))
+        code().line(fmt::format("{} = {};", part, expressions.write_as(*stmt.value, type)));
     for (auto change = back.rbegin(); change != back.rend(); ++change) code().line(*change);
     line(store(generation_, unit_, stmt.variable, "changed"));
     code().close();
@@ -221,17 +240,19 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     if (!from_register(use)) {
         return await_any(stmt, use, stem);
     }
-    const EventPort& port = generation_.component.events[use.ports.front()];
+    const EventPort& port = received_port(generation_, generation_.component.events[use.ports.front()]);
     const std::string value = "inputs_." + port.input + ".value";
-    if (!generation_.mutation.hits(Fault::input_not_awaited)) {
+    const bool unawaited =
+        generation_.mutation.hits(Fault::input_not_awaited) || generation_.mutation.hits(Fault::loop_never_ends);
+    if (!unawaited) {
         resume_at(fresh(stem), fmt::format("waits for {}", use.name));
         const std::string more = predicate(generation_, unit_, communication, value);
         code().open(fmt::format("if (!(inputs_.{}.present{})) {{", port.input, more.empty() ? "" : " && " + more));
         code().line("return moved;");
         code().close();
     }
-    code().line(fmt::format("inputs_.{}.present = false;", port.input));
-    if (communication.variable.valid()) line(store(generation_, unit_, communication.variable, value));
+    line(consume(generation_, port));
+    line(received(generation_, unit_, communication, value));
 }
 
 /// Several sources, or another machine: a function of its own tries them.
@@ -260,6 +281,7 @@ void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const s
 }
 
 void ProgramWriter::send(const ir::Stmt& stmt, const std::string& stem) {
+    if (generation_.mutation.hits(Fault::send_dropped)) return;
     const EventUse& use = generation_.component.event(unit_, stmt.communication.event);
     const ExpressionWriter expressions(generation_, unit_, "f");
     const ir::ExprPtr& expr = stmt.communication.value;
@@ -283,7 +305,7 @@ void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) 
 
 /// An output happens at most once a cycle (docs/conformance.md, A2): a second one waits for the next.
 void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
-    const EventPort& port = generation_.component.events[use.ports.front()];
+    const EventPort& port = sent_port(generation_, generation_.component.events[use.ports.front()]);
     if (!generation_.mutation.hits(Fault::output_repeated)) {
         code().open(fmt::format("if ({}) {{", sent_flag(port)));
         code().line("return moved;");
@@ -325,6 +347,7 @@ std::vector<std::string> ProgramWriter::arguments(const ir::Stmt& stmt) {
 }
 
 void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
+    if (generation_.mutation.hits(Fault::call_dropped)) return;
     const std::vector<std::string> texts = arguments(stmt);
     if (unit_.definitions[stmt.operation.index].valid()) {
         call_operation(stmt, texts, stem);
@@ -335,7 +358,7 @@ void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
 
 void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts,
                                   const std::string& stem) {
-    const PlatformCall& call = generation_.component.call(unit_, stmt.operation);
+    const PlatformCall& call = called(generation_, generation_.component.call(unit_, stmt.operation));
     if (call.interruptible) await_turn(done_flag(call), stem, "calls " + call.signature->name);
     code().line(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
 }
@@ -355,7 +378,8 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     CallFrame& frame = call_frame(id);
     const std::string place = "f." + frame.field;
     for (std::size_t i = 0; i < texts.size(); ++i)
-        code().line(fmt::format("{}.{} = {};", place, operation.variable_fields[i], texts[i]));
+        if (!generation_.mutation.hits(Fault::argument_dropped))
+            code().line(fmt::format("{}.{} = {};", place, operation.variable_fields[i], texts[i]));
     require_preconditions(operation, place);
     offer_to_platform(operation, place);
     if (!operation.machine->initial.valid()) {
@@ -365,16 +389,23 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     const std::string label = fresh(stem);
     frame.live.push_back(label);
     resume_at(label, fmt::format("operation {}", operation.machine->name));
-    code().open(fmt::format("if (!run({}, moved)) {{", place));
-    code().line("return moved;");
-    code().close();
-    code().line(place + " = {};");
+    if (generation_.mutation.hits(Fault::operation_not_awaited)) {
+        code().line(fmt::format("static_cast<void>(run({}, moved));", place));
+    } else {
+        code().open(fmt::format("if (!run({}, moved)) {{", place));
+        code().line("return moved;");
+        code().close();
+    }
+    if (!generation_.mutation.hits(Fault::operation_kept)) code().line(place + " = {};");
 }
 
 void ProgramWriter::require_preconditions(const Unit& operation, const std::string& frame) {
     const ExpressionWriter expressions(generation_, operation, frame);
-    for (const auto& condition : operation.machine->preconditions)
-        code().line(fmt::format("ROBOCHART_PRECONDITION({});", expressions.write(*condition)));
+    for (const auto& condition : operation.machine->preconditions) {
+        const std::string text = expressions.write(*condition);
+        const bool negated = generation_.mutation.hits(Fault::precondition_negated);
+        code().line(fmt::format("ROBOCHART_PRECONDITION({});", negated ? fmt::format("!({})", text) : text));
+    }
 }
 
 /// The platform may do an operation itself; then the model's definition counts as finished.
@@ -400,16 +431,17 @@ void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
     if (!suspends(generation_, unit_, stmt.body[0])) return statement(stmt.body[0], stem);
     const std::string field = thread_.fields->unique(fmt::format("deadline_{}{}", thread_.prefix, stmt.point));
     thread_.deadlines.push_back(field);
-    const ExpressionWriter expressions(generation_, unit_, "f");
-    code().line(fmt::format("f.{} = duration({}) + 1;", field, expressions.write(*stmt.value)));
+    line(watch_from(generation_, unit_, field, *stmt.value, stmt.value.get()));
     statement(stmt.body[0], stem);
     if (!generation_.mutation.hits(Fault::deadline_kept)) code().line(fmt::format("f.{} = 0;", field));
 }
 
 void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {
-    if (generation_.mutation.hits(Fault::wait_dropped)) return;
+    if (generation_.mutation.hits(Fault::wait_dropped) || generation_.mutation.hits(Fault::loop_never_ends)) return;
     const ExpressionWriter expressions(generation_, unit_, "f");
-    code().line(fmt::format("{} = duration({});", thread_.wait, expressions.write(*stmt.value)));
+    const bool late = generation_.mutation.hits(Fault::wait_late);
+    code().line(fmt::format("{} = duration({}){};", thread_.wait, expressions.write(*stmt.value), late ? " + 1" : ""));
+    if (generation_.mutation.hits(Fault::wait_early)) code().line(fmt::format("advance_wait({}, 1);", thread_.wait));
     thread_.waits = true;
     resume_at(fresh(stem), "waits");
     code().open(fmt::format("if ({} > 0) {{", thread_.wait));

@@ -78,6 +78,11 @@ private:
     void resume_at(const std::string& label, const std::string& comment);
     [[nodiscard]] std::string resume_here(const std::string& stem, const std::string& comment);
     [[nodiscard]] std::string fresh(const std::string& stem);
+    void sequence(std::vector<ir::StmtPtr> parts, const std::string& stem);
+    struct Branches {
+        ir::StmtPtr then, otherwise;
+    };
+    [[nodiscard]] Branches branches(const ir::Stmt&);
     void if_statement(const ir::Stmt&, const std::string& stem);
     void suspending_if(const ir::Stmt&, const std::string& stem);
     void await_turn(const std::string& flag, const std::string& stem, const std::string& what);

@@ -1,0 +1,116 @@
+// Seeded faults of the generator: what a generator of robot code can do wrong, one kind a name. For testing the
+// conformance checker (mutation analysis; docs/conformance.md, "Keeping the checker honest").
+#pragma once
+
+#include <span>
+
+namespace robochart::cpp_emit {
+
+/// A kind of fault; `none` in production. What each does is in all_faults().
+enum class Fault {
+    none,
+    // what is taken, and when
+    guard_after_consume,
+    guard_negated,
+    guard_dropped,
+    predicate_dropped,
+    trigger_value_old,
+    transitions_reversed,
+    outer_first,
+    junction_reversed,
+    way_exchanged,
+    wrong_target,
+    single_transition_step,
+    // states
+    children_not_exited,
+    composite_resumed,
+    entry_dropped,
+    exit_dropped,
+    action_dropped,
+    entry_inner_first,
+    exit_outer_first,
+    action_before_exit,
+    action_after_entry,
+    during_not_cut,
+    during_again,
+    during_never,
+    // programs
+    assignment_dropped,
+    part_not_assigned,
+    call_dropped,
+    send_dropped,
+    statements_exchanged,
+    branches_exchanged,
+    input_not_awaited,
+    loop_never_ends,
+    output_repeated,
+    wrong_output,
+    // events
+    event_kept,
+    event_not_consumed,
+    wrong_input,
+    value_not_stored,
+    fields_lost,
+    send_not_awaited,
+    offer_kept,
+    wrong_sender,
+    buffer_kept,
+    buffer_first,
+    // operations
+    argument_swapped,
+    argument_dropped,
+    operation_not_awaited,
+    operation_kept,
+    precondition_negated,
+    // machines together
+    ended_by_one,
+    end_unnoticed,
+    machines_reversed,
+    write_not_relayed,
+    outside_write_late,
+    outside_write_lost,
+    initial_lost,
+    // time
+    clock_not_reset,
+    clock_off_by_one,
+    clock_twice,
+    clock_stopped,
+    clock_saturated,
+    reset_before_guard,
+    wait_dropped,
+    wait_late,
+    wait_early,
+    deadline_kept,
+    deadline_ignored,
+    deadline_late,
+    deadline_early,
+    deadline_not_restarted,
+    // expressions
+    arithmetic_wrong,
+    comparison_wrong,
+    logic_wrong,
+    negation_dropped,
+    operands_exchanged,
+    conditional_exchanged,
+    literal_wrong,
+    index_off_by_one,
+    member_wrong,
+    field_dropped,
+    quantifier_wrong,
+    set_operation_wrong,
+    // code that does not compile
+    name_collision,
+    undeclared_member,
+};
+
+/// A kind of fault for people.
+struct FaultKind {
+    Fault fault;
+    const char* name;
+    const char* what;  ///< what generated code with the fault does
+};
+
+/// All kinds but `none`, in the order of the enumeration.
+[[nodiscard]] std::span<const FaultKind> all_faults();
+
+}  // namespace robochart::cpp_emit
