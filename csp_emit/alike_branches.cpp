@@ -44,9 +44,7 @@ public:
         if (!expr) return expr;
         if (expr->kind == ExprKind::external_choice) return choice(expr);
         if (expr->kind == ExprKind::apply || expr->args.empty()) return expr;
-        auto result = std::make_shared<Expr>(*expr);
-        for (ExprPtr& part : result->args) part = rewritten(part);
-        return result;
+        return with_parts(expr, [&](const ExprPtr& part) { return rewritten(part); });
     }
 
 private:

@@ -134,7 +134,8 @@ void emit_components(const Project& project, const NameManager& names, Emitted& 
         const ModuleContext context{&project, &module, qualified(module.package, module.name), names};
         packages.add(module.package, emit_module(context, emitted).module);
     }
-    const auto modules = project.options.share_modules ? share_modules(packages.decls(), names) : packages.decls();
+    const bool share = project.options.share_modules && project.diagnostics.ok();
+    const auto modules = share ? share_modules(packages.decls(), names) : packages.decls();
     decls.insert(decls.end(), modules.begin(), modules.end());
 }
 

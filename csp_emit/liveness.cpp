@@ -210,9 +210,7 @@ ExprPtr Family::dense_call(const Expr& expr) const {
 ExprPtr Family::dense(const ExprPtr& expr) const {
     if (!expr) return expr;
     if (is_sparse(*expr)) return dense_call(*expr);
-    auto result = std::make_shared<Expr>(*expr);
-    for (auto& part : result->args) part = dense(part);
-    return result;
+    return with_parts(expr, [&](const ExprPtr& part) { return dense(part); });
 }
 
 }  // namespace
@@ -237,6 +235,17 @@ void for_each_part(const Expr& expr, const std::function<void(const Expr&)>& vis
         if (field.value) visit(*field.value);
     for (const auto& clause : expr.clauses)
         if (clause.value) visit(*clause.value);
+}
+
+ExprPtr with_parts(const ExprPtr& expr, const std::function<ExprPtr(const ExprPtr&)>& change) {
+    std::shared_ptr<Expr> result;
+    for (std::size_t i = 0; i < expr->args.size(); ++i) {
+        ExprPtr part = change(expr->args[i]);
+        if (part == expr->args[i]) continue;
+        if (!result) result = std::make_shared<Expr>(*expr);
+        result->args[i] = std::move(part);
+    }
+    return result ? result : expr;
 }
 
 ExprPtr call_with(const std::string& function, const Arguments& changed, bool after_tock) {
@@ -281,18 +290,26 @@ std::vector<std::string> find_parameters(std::vector<Function>& functions, ExprP
 
 namespace {
 
+/// The arguments of a call of a function with these parameters.
+ExprPtr filled_call(const Expr& call, const std::vector<std::string>& parameters, const ExprPtr& itself,
+                    const std::function<ExprPtr(const ExprPtr&)>& fill, const std::map<std::string, ExprPtr>& values) {
+    auto result = std::make_shared<Expr>(call);
+    bool changed = false;
+    for (std::size_t i = 0; i < call.args.size(); ++i) {
+        const ExprPtr& part = call.args[i];
+        result->args[i] = part && i > 0 && is_unneeded(*part) ? values.at(parameters.at(i - 1)) : fill(part);
+        changed = changed || result->args[i] != part;
+    }
+    return changed ? result : itself;
+}
+
 ExprPtr filled(const ExprPtr& expr, const std::vector<Function>& functions, const FamilyIndex& index,
                const std::map<std::string, ExprPtr>& values) {
     if (!expr) return expr;
-    auto result = std::make_shared<Expr>(*expr);
-    const std::size_t* target = called(index, *expr);
-    for (std::size_t i = 0; i < result->args.size(); ++i) {
-        ExprPtr& part = result->args[i];
-        part = part && target != nullptr && i > 0 && is_unneeded(*part)
-                   ? values.at(functions[*target].parameters.at(i - 1))
-                   : filled(part, functions, index, values);
-    }
-    return result;
+    const auto fill = [&](const ExprPtr& part) { return filled(part, functions, index, values); };
+    if (const std::size_t* target = called(index, *expr))
+        return filled_call(*expr, functions[*target].parameters, expr, fill, values);
+    return with_parts(expr, fill);
 }
 
 }  // namespace

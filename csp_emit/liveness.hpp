@@ -29,6 +29,10 @@ using FamilyIndex = std::map<std::string, std::size_t>;
 /// Calls `visit` on the direct parts of an expression.
 void for_each_part(const cspm::Expr& expr, const std::function<void(const cspm::Expr&)>& visit);
 
+/// The expression with `change` done to its arguments; itself where they stay what they are.
+[[nodiscard]] cspm::ExprPtr with_parts(const cspm::ExprPtr& expr,
+                                       const std::function<cspm::ExprPtr(const cspm::ExprPtr&)>& change);
+
 /// Arguments by the name of the parameter.
 using Arguments = std::vector<std::pair<std::string, cspm::ExprPtr>>;
 /// A call whose other parameters keep the caller's values; `after_tock`: those that count time count on.

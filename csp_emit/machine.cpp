@@ -81,7 +81,8 @@ std::vector<Function> MachineEmitter::explore() {
     while (functions.size() < points_.size() || behind.size() < continuations_.size()) {
         if (functions.size() < points_.size()) {
             const Point point = points_[functions.size()];
-            functions.push_back({point.name, {}, point.returns ? nullptr : body(point)});
+            const bool wanted = !point.returns && !overflow_;  // what has too many points is not written
+            functions.push_back({point.name, {}, wanted ? body(point) : point.returns ? nullptr : b::stop()});
         } else {
             const Continuation continuation = continuations_[behind.size()];
             behind.push_back({continuation.name, {}, continued(continuation)});

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "checker/cspm/build.hpp"
+#include "checker/cspm/fingerprint.hpp"
 #include "checker/cspm/lookup.hpp"
-#include "checker/cspm/reader.hpp"
 #include "csp_emit/liveness.hpp"
 
 namespace robochart::csp_emit {
@@ -30,7 +30,7 @@ using Path = std::vector<std::size_t>;
 
 struct Place {
     Path path;
-    const Decl* module = nullptr;
+    DeclPtr module;
     std::vector<const Decl*> around;  ///< enclosing modules, outermost first
 };
 
@@ -78,40 +78,53 @@ public:
     }
 
 private:
+    /// Places of modules that say the same.
+    struct Group {
+        std::size_t size = 0;
+        std::vector<Place> places;
+    };
+
     bool share_largest() {
-        std::map<std::string, std::vector<Place>> groups;
-        collect(decls_, {}, {}, groups);
-        const std::vector<Place>* best = nullptr;
-        std::size_t most = worth_sharing;
-        for (const auto& [text, places] : groups)
-            if (places.size() > 1 && text.size() > most && movable(places)) {
-                best = &places;
-                most = text.size();
-            }
-        if (best == nullptr) return false;
-        share(*best);
+        std::vector<Group> groups;
+        std::map<std::uint64_t, std::vector<std::size_t>> by_hash;
+        collect(decls_, {}, {}, groups, by_hash);
+        std::erase_if(groups,
+                      [](const Group& group) { return group.places.size() < 2 || group.size <= worth_sharing; });
+        std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.size > b.size; });
+        const auto best =
+            std::find_if(groups.begin(), groups.end(), [](const Group& group) { return movable(group.places); });
+        if (best == groups.end()) return false;
+        share(best->places);
         return true;
     }
 
     void collect(const std::vector<DeclPtr>& decls, const Path& path, const std::vector<const Decl*>& around,
-                 std::map<std::string, std::vector<Place>>& groups) {
+                 std::vector<Group>& groups, std::map<std::uint64_t, std::vector<std::size_t>>& by_hash) {
         for (std::size_t i = 0; i < decls.size(); ++i) {
             const Decl& decl = *decls[i];
             if (decl.kind != DeclKind::module || !decl.decls.empty()) continue;
             Path here = path;
             here.push_back(i);
-            if (decl.parameters.empty()) groups[text_of(decls[i])].push_back({here, &decl, around});
+            if (decl.parameters.empty()) group_of(decls[i], groups, by_hash).places.push_back({here, decls[i], around});
             std::vector<const Decl*> inside = around;
             inside.push_back(&decl);
-            collect(decl.exports, here, inside, groups);
+            collect(decl.exports, here, inside, groups, by_hash);
         }
     }
 
-    /// Printed once: declarations do not change, only lists of them do.
-    const std::string& text_of(const DeclPtr& module) {
-        const auto [entry, fresh] = texts_.try_emplace(module);
-        if (fresh) entry->second = cspm::print(cspm::Script{module->exports});
-        return entry->second;
+    Group& group_of(const DeclPtr& module, std::vector<Group>& groups,
+                    std::map<std::uint64_t, std::vector<std::size_t>>& by_hash) {
+        const cspm::Fingerprint fingerprint = fingerprints_.of_exports(module);
+        std::vector<std::size_t>& candidates = by_hash[fingerprint.hash];
+        for (const std::size_t candidate : candidates)
+            if (same_exports(*groups[candidate].places.front().module, *module)) return groups[candidate];
+        candidates.push_back(groups.size());
+        return groups.emplace_back(Group{fingerprint.size, {}});
+    }
+
+    static bool same_exports(const Decl& a, const Decl& b) {
+        return std::ranges::equal(a.exports, b.exports,
+                                  [](const DeclPtr& x, const DeclPtr& y) { return cspm::equal(*x, *y); });
     }
 
     static std::size_t common_depth(const std::vector<Place>& places) {
@@ -137,7 +150,7 @@ private:
         return true;
     }
 
-    void share(std::vector<Place> places) {
+    void share(const std::vector<Place>& places) {
         const std::string name = names_.unique(places.front().module->names.front() + "__");
         const DeclPtr shared =
             b::module_(name, {parameter_}, {}, places.front().module->exports, places.front().module->comment);
@@ -178,7 +191,7 @@ private:
     std::vector<DeclPtr> decls_;
     NameManager names_;
     std::string parameter_;
-    std::map<DeclPtr, std::string> texts_;  ///< looked up only
+    cspm::Fingerprints fingerprints_;
 };
 
 }  // namespace

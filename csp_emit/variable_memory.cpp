@@ -62,9 +62,7 @@ ExprPtr Memories::rewritten(const ExprPtr& expr, const Place& place) const {
     if (!expr) return expr;
     if (const std::size_t* target = called(index_, *expr)) return rewritten_call(*expr, *target, place);
     if (expr->kind == ExprKind::name && expr->text == "SKIP") return b::prefix(b::name(end_event), expr);
-    auto result = std::make_shared<Expr>(*expr);
-    for (auto& part : result->args) part = rewritten(part, place);
-    return result;
+    return with_parts(expr, [&](const ExprPtr& part) { return rewritten(part, place); });
 }
 
 /// First what was written, then what is read, then the call.
