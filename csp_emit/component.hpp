@@ -3,6 +3,8 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <vector>
 
 #include "csp_emit/project.hpp"
 
@@ -61,10 +63,19 @@ private:
     std::vector<cspm::DeclPtr>& decls_;
 };
 
+/// A machine as it was emitted in one place, and what its names mean there.
+struct EmittedMachine {
+    std::string path;  ///< qualified CSPM name of that place
+    ComponentEmission emission;
+    Provenance provenance;
+};
+
 /// All that has been emitted so far: every component by its qualified CSPM name, nested ones included.
 struct Emitted {
     Provenance provenance;
     std::map<std::string, ComponentEmission> components;
+    /// Machines by their path in the model and the operations defined where they run: what they are in all places.
+    std::map<std::string, EmittedMachine> machines = {};
 };
 
 }  // namespace robochart::csp_emit

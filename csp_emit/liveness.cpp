@@ -61,8 +61,8 @@ private:
 
     const Candidates& candidates_;
     FamilyIndex index_;
-    std::map<std::string, std::size_t> number_;  ///< of each candidate
-    std::vector<Names> used_;                    ///< by function; last: the initial process
+    std::unordered_map<std::string, std::size_t> number_;  ///< of each candidate; looked up only
+    std::vector<Names> used_;                              ///< by function; last: the initial process
     std::vector<Call> calls_;
     std::map<const Expr*, std::size_t> call_of_;
     std::vector<std::vector<std::size_t>> calls_to_;    ///< by function
@@ -228,26 +228,6 @@ const std::size_t* called(const FamilyIndex& index, const Expr& expr) {
     return found == index.end() ? nullptr : &found->second;
 }
 
-void for_each_part(const Expr& expr, const std::function<void(const Expr&)>& visit) {
-    for (const auto& part : expr.args)
-        if (part) visit(*part);
-    for (const auto& field : expr.fields)
-        if (field.value) visit(*field.value);
-    for (const auto& clause : expr.clauses)
-        if (clause.value) visit(*clause.value);
-}
-
-ExprPtr with_parts(const ExprPtr& expr, const std::function<ExprPtr(const ExprPtr&)>& change) {
-    std::shared_ptr<Expr> result;
-    for (std::size_t i = 0; i < expr->args.size(); ++i) {
-        ExprPtr part = change(expr->args[i]);
-        if (part == expr->args[i]) continue;
-        if (!result) result = std::make_shared<Expr>(*expr);
-        result->args[i] = std::move(part);
-    }
-    return result ? result : expr;
-}
-
 ExprPtr call_with(const std::string& function, const Arguments& changed, bool after_tock) {
     Expr result;
     result.kind = ExprKind::apply;
@@ -290,26 +270,17 @@ std::vector<std::string> find_parameters(std::vector<Function>& functions, ExprP
 
 namespace {
 
-/// The arguments of a call of a function with these parameters.
-ExprPtr filled_call(const Expr& call, const std::vector<std::string>& parameters, const ExprPtr& itself,
-                    const std::function<ExprPtr(const ExprPtr&)>& fill, const std::map<std::string, ExprPtr>& values) {
-    auto result = std::make_shared<Expr>(call);
-    bool changed = false;
-    for (std::size_t i = 0; i < call.args.size(); ++i) {
-        const ExprPtr& part = call.args[i];
-        result->args[i] = part && i > 0 && is_unneeded(*part) ? values.at(parameters.at(i - 1)) : fill(part);
-        changed = changed || result->args[i] != part;
-    }
-    return changed ? result : itself;
-}
-
 ExprPtr filled(const ExprPtr& expr, const std::vector<Function>& functions, const FamilyIndex& index,
                const std::map<std::string, ExprPtr>& values) {
     if (!expr) return expr;
-    const auto fill = [&](const ExprPtr& part) { return filled(part, functions, index, values); };
-    if (const std::size_t* target = called(index, *expr))
-        return filled_call(*expr, functions[*target].parameters, expr, fill, values);
-    return with_parts(expr, fill);
+    const std::size_t* target = called(index, *expr);
+    std::size_t place = 0;
+    return with_parts(expr, [&](const ExprPtr& part) {
+        const std::size_t i = place++;
+        return part && target != nullptr && i > 0 && is_unneeded(*part)
+                   ? values.at(functions[*target].parameters.at(i - 1))
+                   : filled(part, functions, index, values);
+    });
 }
 
 }  // namespace

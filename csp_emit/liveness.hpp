@@ -4,9 +4,10 @@
 // become fewer.
 #pragma once
 
-#include <functional>
 #include <map>
+#include <memory>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -22,16 +23,33 @@ struct Function {
 };
 
 /// Where each function of a family stands, by its name.
-using FamilyIndex = std::map<std::string, std::size_t>;
+using FamilyIndex = std::unordered_map<std::string, std::size_t>;  // looked up only
 [[nodiscard]] FamilyIndex index_of(const std::vector<Function>& functions);
 /// The function that an expression calls, with arguments or without, if it is one of the family; else null.
 [[nodiscard]] const std::size_t* called(const FamilyIndex& index, const cspm::Expr& expr);
 /// Calls `visit` on the direct parts of an expression.
-void for_each_part(const cspm::Expr& expr, const std::function<void(const cspm::Expr&)>& visit);
+template <class Visit>
+void for_each_part(const cspm::Expr& expr, const Visit& visit) {
+    for (const auto& part : expr.args)
+        if (part) visit(*part);
+    for (const auto& field : expr.fields)
+        if (field.value) visit(*field.value);
+    for (const auto& clause : expr.clauses)
+        if (clause.value) visit(*clause.value);
+}
 
 /// The expression with `change` done to its arguments; itself where they stay what they are.
-[[nodiscard]] cspm::ExprPtr with_parts(const cspm::ExprPtr& expr,
-                                       const std::function<cspm::ExprPtr(const cspm::ExprPtr&)>& change);
+template <class Change>
+[[nodiscard]] cspm::ExprPtr with_parts(const cspm::ExprPtr& expr, const Change& change) {
+    std::shared_ptr<cspm::Expr> result;
+    for (std::size_t i = 0; i < expr->args.size(); ++i) {
+        cspm::ExprPtr part = change(expr->args[i]);
+        if (part == expr->args[i]) continue;
+        if (!result) result = std::make_shared<cspm::Expr>(*expr);
+        result->args[i] = std::move(part);
+    }
+    return result ? result : expr;
+}
 
 /// Arguments by the name of the parameter.
 using Arguments = std::vector<std::pair<std::string, cspm::ExprPtr>>;

@@ -39,10 +39,6 @@ const Activation& innermost(const Activation& activation) {
 
 }  // namespace
 
-ComponentEmission emit_machine(MachineContext context, Emitted& emitted) {
-    return MachineEmitter(std::move(context), emitted).emit();
-}
-
 MachineEmitter::MachineEmitter(MachineContext context, Emitted& emitted)
     : context_(std::move(context)), emitted_(emitted) {}
 

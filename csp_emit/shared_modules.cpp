@@ -22,8 +22,8 @@ using cspm::ExprKind;
 
 namespace {
 
-/// Below this an instance saves nothing worth the indirection.
-constexpr std::size_t worth_sharing = 500;
+/// Below this size (cspm::Fingerprint) an instance saves nothing worth the indirection.
+constexpr std::size_t worth_sharing = 250;
 
 /// Positions in nested lists of exported declarations.
 using Path = std::vector<std::size_t>;

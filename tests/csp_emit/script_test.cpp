@@ -225,6 +225,39 @@ TEST(Provenance, TellsEventsAndPlacesInTheModelsWords) {
     EXPECT_THAT(provenance.definitions.at("S::A__").parameters, ElementsAre("x"));
 }
 
+// A machine is made once; the module named like it, one that ends like it, and its places keep their names apart.
+TEST(Provenance, IsThereForEveryPlaceOfAMachine) {
+    const auto m = model(R"(
+        module M {
+            robotic platform R { event b }
+            cref SS = C
+            connection R on b to SS on b (_async)
+        }
+        controller C {
+            event b
+            sref S1 = S
+            connection C on b to S1 on a
+        }
+        stm S {
+            event a
+            initial i
+            state A { }
+            transition t0 { from i to A }
+            transition t1 { from A to A trigger a }
+        })");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    const Emission emission = m->emit(Time::timed);
+    const Provenance& provenance = emission.provenance;
+    for (const std::string path : {"S", "C::S1", "M::SS::S1"}) {
+        EXPECT_EQ(provenance.events.at(path + "::a.in").text, "input a");
+        EXPECT_EQ(provenance.events.at(path + "::internal__." + path + "::TID_t0").text, "t0: i -> A");
+        EXPECT_EQ(provenance.events.at(path + "::A::entered").kind, MeaningKind::entered);
+        EXPECT_EQ(provenance.definitions.at(path + "::A__").text, "in A");
+    }
+    EXPECT_EQ(testing::verdicts(*m, Time::timed, "assert M::D__(0) [T= M::b.in -> M::b.in -> STOP"),
+              std::vector<std::string>{"holds"});
+}
+
 TEST(Rules, ConstantsWithoutAValueAreRefused) {
     const auto m = model("stm S { const c:real = 1 / 0 initial i state A { } transition t0 { from i to A } }");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
