@@ -46,7 +46,8 @@ MachineWriter::MachineWriter(const Generation& generation, const Unit& unit, con
     control_.wait = "f.wait";
     control_.labels = &plan_.place_labels();
     control_.fields = &fields_;
-    leaving_ = plan_.has_shared_exits() ? type_names.unique(prefix + "Leaving") : "";
+    proceeds_.resize(unit.machine->transitions.size());
+    leaving_ = plan_.has_noted_leaving() ? type_names.unique(prefix + "Leaving") : "";
     for (std::uint32_t index = 0; index < unit.machine->transitions.size(); ++index) {
         const ir::Transition& transition = unit.machine->transitions[index];
         const bool state = plan_.node(transition.source).kind == ir::NodeKind::state;
@@ -85,7 +86,7 @@ MachineCode MachineWriter::write(const std::vector<Field>& more) {
                     "Actions and junctions of " + unit_.machine->name + ", until it settles or has to wait.", true);
     during_functions();
     transition_functions();
-    leave_function();
+    begin_exits_function();
     advance_function();
     run_function();
     MachineCode code;
@@ -154,7 +155,7 @@ void MachineWriter::during_functions() {
 }
 
 /// Where the exits begin: at the innermost active state.
-void MachineWriter::leave_function() {
+void MachineWriter::begin_exits_function() {
     const auto composite_exit = [&](NodeId id) { return plan_.shared_exit(id) && plan_.node(id).composite(); };
     std::vector<NodeId> leaves;
     for (const NodeId top : plan_.machine().top) {
@@ -327,7 +328,7 @@ void MachineWriter::thread_field(std::vector<Field>& fields, const Thread& threa
 
 std::vector<Field> MachineWriter::thread_fields() const {
     std::vector<Field> fields;
-    const std::size_t size = enumeration_size(plan_.machine().nodes.size() + control_.places.size());
+    const std::size_t size = enumeration_size(points().values.size());
     const ir::NodeId initial = plan_.machine().initial;
     const std::string first = control_.at(initial.valid() ? plan_.label(initial) : "idle");
     fields.push_back({unit_.points, "at", first, "", size, size});
@@ -363,30 +364,42 @@ FrameLayout MachineWriter::layout(const std::vector<Field>& more) {
     return arrange(std::move(fields), timed());
 }
 
-std::vector<Enumeration> MachineWriter::enumerations() const {
+/// The values of Frame::at: nodes in which control rests, places of programs that may wait.
+Enumeration MachineWriter::points() const {
     Enumeration at{
         unit_.points, fmt::format("Where {} is: in a node, or in the middle of a program.", unit_.machine->name), {}};
+    const NodeId initial = plan_.machine().initial;
+    if (!initial.valid()) {
+        at.values.push_back({"idle", "no body", {}});
+        return at;
+    }
+    const auto is_place = [&](const std::string& label) {
+        return std::any_of(control_.places.begin(), control_.places.end(),
+                           [&](const Place& place) { return place.label == label; });
+    };
     const auto node_value = [&](NodeId id) {
         const bool state = plan_.node(id).kind == ir::NodeKind::state;
         at.values.push_back(
             {plan_.label(id), generation_.place(plan_.node(id).origin), state ? id : plan_.node(id).parent});
     };
-    if (!plan_.machine().initial.valid()) {
-        at.values.push_back({"idle", "no body", {}});
-        return {at};
-    }
-    node_value(plan_.machine().initial);  // zero: where a fresh state struct stands
+    node_value(initial);  // zero: where a fresh state struct stands
     for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index) {
         const NodeId id{index};
-        const bool rests = plan_.settles(id) || plan_.node(id).kind != ir::NodeKind::state;
-        if (rests && id != plan_.machine().initial) node_value(id);
+        if (id != initial && (plan_.settles(id) || is_place(plan_.label(id)))) node_value(id);
     }
-    const auto known = [&](const std::string& label) {
-        return std::any_of(at.values.begin(), at.values.end(),
+    const std::size_t nodes = at.values.size();
+    const auto is_node = [&](const std::string& label) {
+        return std::any_of(at.values.begin(), at.values.begin() + static_cast<std::ptrdiff_t>(nodes),
                            [&](const Enumerator& value) { return value.name == label; });
     };
     for (const Place& place : control_.places)
-        if (!known(place.label)) at.values.push_back({place.label, place.comment, place.state});
+        if (!is_node(place.label)) at.values.push_back({place.label, place.comment, place.state});
+    return at;
+}
+
+std::vector<Enumeration> MachineWriter::enumerations() const {
+    const Enumeration at = points();
+    if (!plan_.machine().initial.valid()) return {at};
     std::vector<Enumeration> result = {at};
     for (const DuringThread& during : during_) {
         Enumeration each{
@@ -399,7 +412,7 @@ std::vector<Enumeration> MachineWriter::enumerations() const {
     Enumeration leaving{leaving_, "The transition whose exits are running.", {{"nothing", "", {}}}};
     for (std::uint32_t index = 0; index < plan_.machine().transitions.size(); ++index) {
         const ir::Transition& transition = plan_.machine().transitions[index];
-        if (plan_.shared_exit(transition.source))
+        if (plan_.notes_leaving(transition.source))
             leaving.values.push_back(
                 {plan_.take_label(ir::TransitionId{index}), generation_.place(transition.origin), {}});
     }

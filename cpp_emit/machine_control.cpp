@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "cpp_emit/expression.hpp"
 #include "cpp_emit/machine_writer.hpp"
 #include "cpp_emit/seeded.hpp"
@@ -19,36 +21,55 @@ void MachineWriter::control_places() {
     for (std::uint32_t index = 0; index < machine.nodes.size(); ++index) {
         const NodeId id{index};
         const ir::Node& node = machine.nodes[index];
-        if (node.kind == NodeKind::initial || node.kind == NodeKind::junction) choose_place(id);
+        if (node.kind == NodeKind::initial || node.kind == NodeKind::junction) choice(id);
         if (node.kind == NodeKind::probabilistic) draw_place(id);
-        if (plan_.target(id) != plan_.label(id)) enter_place(id);
-        if (plan_.shared_exit(id)) exit_place(id);
-        for (const ir::TransitionId transition : node.outgoing)
-            if (plan_.acts(machine.transitions[transition.index])) take_place(transition);
+        if (plan_.needs_entry(id)) {
+            if (straight(id)) {
+                enter_function(id);
+            } else {
+                enter_place(id);
+            }
+        }
+        exits(id);
+        for (const ir::TransitionId transition : node.outgoing) take(transition);
     }
 }
 
-/// Initial nodes and junctions: the first transition whose guard holds; none: control stays (semantics 3.3, 3.4).
-void MachineWriter::choose_place(NodeId id) {
+/// Initial nodes and junctions.
+void MachineWriter::choice(NodeId id) {
+    const bool first = id == plan_.machine().initial;
+    const bool stays = plan_.straight(id) && !plan_.passes(id) && pass_function(id);
+    if (plan_.straight(id) && !first && !stays) return;
     ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
     program.begin(plan_.label(id), generation_.place(plan_.node(id).origin));
-    bool stays = true;
-    const auto& ways = plan_.node(id).outgoing;
-    for (const std::size_t way : order(generation_, ways.size(), Fault::junction_reversed)) {
-        const ir::Transition& transition = plan_.machine().transitions[ways[way].index];
-        program.code().comment(generation_.place(transition.origin));
-        const std::string condition = guard(transition, "");
-        if (!condition.empty()) program.code().open(fmt::format("if ({}) {{", condition));
-        for (const ir::ClockId clock : transition.resets) program.line(clock_reset(generation_, unit_, clock));
-        program.line(tell_taken(ways[way]));
-        program.jump(after_exit(transition));
-        if (condition.empty()) {
-            stays = false;
-            break;
-        }
-        program.code().close();
+    if (!plan_.straight(id)) {
+        if (ways(id, program.code(), "break;")) program.code().line("return moved;");
+        return;
     }
-    if (stays) program.code().line("return moved;");
+    begin(id, program.code());
+    if (stays) program.line(fmt::format("if (f.at == {}) return moved;", control_.at(plan_.label(id))));
+    program.line("break;");
+}
+
+/// The first transition whose guard holds is taken. True if there may be none: control stays (semantics 3.3, 3.4).
+bool MachineWriter::ways(NodeId id, CodeWriter& out, const char* end) {
+    const auto& outgoing = plan_.node(id).outgoing;
+    for (const std::size_t way : order(generation_, outgoing.size(), Fault::junction_reversed)) {
+        const ir::Transition& transition = plan_.machine().transitions[outgoing[way].index];
+        out.comment(generation_.place(transition.origin));
+        const std::string condition = guard(transition, "");
+        if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition));
+        for (const ir::ClockId clock : transition.resets) {
+            const std::string reset = clock_reset(generation_, unit_, clock);
+            if (!reset.empty()) out.line(reset);
+        }
+        out.line(tell_taken(outgoing[way]));
+        out.line(proceed(transition));
+        if (!condition.empty() || *end == 'b') out.line(end);
+        if (condition.empty()) return false;
+        out.close();
+    }
+    return true;
 }
 
 /// Probabilistic junctions: a free choice in the semantics, drawn by the platform.
@@ -77,13 +98,15 @@ void MachineWriter::draw_place(NodeId id) {
         program.code().line(way + 1 == ways.size() ? "default:" : fmt::format("case {}:", way));
         for (const ir::ClockId clock : transition.resets) program.line(clock_reset(generation_, unit_, clock));
         program.line(tell_taken(ways[way]));
-        program.jump(after_exit(transition));
+        program.line(proceed(transition));
+        program.line("break;");
     }
     program.code().close();
     program.code().close();
     program.code().line("break;");
 }
 
+/// The entry of a node whose entry action may wait.
 void MachineWriter::enter_place(NodeId id) {
     const bool state = plan_.node(id).kind == NodeKind::state;
     ProgramWriter program(generation_, unit_, control_, state ? id : plan_.node(id).parent);
@@ -92,26 +115,41 @@ void MachineWriter::enter_place(NodeId id) {
     program.begin(label, "enters " + generation_.place(node.origin));
     if (enters_child_first(id)) return enter_child_first(program, id);
     if (node.entry && !generation_.mutation.hits(Fault::entry_dropped)) program.statement(node.entry, label);
-    if (!node.composite()) {
-        note_entry(id);
-        return program.jump(plan_.label(id));
+    settle(id, program.code(), "break;");
+    program.line("break;");
+}
+
+/// What follows a node's entry action.
+void MachineWriter::settle(NodeId id, CodeWriter& out, const char* end) {
+    if (!plan_.node(id).composite()) {
+        note_entry(id, out);
+        return out.line(control_.go(plan_.label(id)));
     }
-    if (plan_.notes_entry(id)) program.code().line(fmt::format("f.entering_{} = true;", plan_.label(id)));
+    if (plan_.notes_entry(id)) out.line(fmt::format("f.entering_{} = true;", plan_.label(id)));
     if (generation_.mutation.hits(Fault::composite_resumed)) {
         histories_.push_back(id);
         const std::string history = fmt::format("f.history_{}", plan_.label(id));
-        program.code().open(fmt::format("if ({} != {}{{}}) {{", history, unit_.points));
-        program.code().line(fmt::format("f.at = {};", history));
-        program.code().line("break;");
-        program.code().close();
+        out.open(fmt::format("if ({} != {}{{}}) {{", history, unit_.points));
+        out.line(fmt::format("f.at = {};", history));
+        out.line(end);
+        out.close();
     }
-    program.jump(plan_.label(node.initial));
+    begin(plan_.node(id).initial, out);
+}
+
+/// Control comes to an initial node, and if it asks for nothing on to where it leads.
+void MachineWriter::begin(NodeId initial, CodeWriter& out) {
+    if (!plan_.passes(initial)) return out.line(arrive(initial));
+    const ir::TransitionId only = plan_.node(initial).outgoing.front();
+    out.comment(generation_.place(plan_.machine().transitions[only.index].origin));
+    out.line(tell_taken(only));
+    out.line(proceed(plan_.machine().transitions[only.index]));
 }
 
 /// Fault::entry_inner_first at a composite whose initial node leads to a child without more ado.
 bool MachineWriter::enters_child_first(NodeId id) {
     return plan_.node(id).entry != nullptr && sole_first_child(id).valid() &&
-           generation_.mutation.hits(Fault::entry_inner_first);
+           generation_.mutation.hits(Fault::entry_inner_first, &unit_, &plan_.node(id));
 }
 
 NodeId MachineWriter::sole_first_child(NodeId id) const {
@@ -132,37 +170,44 @@ void MachineWriter::enter_child_first(ProgramWriter& program, NodeId id) {
     if (plan_.notes_entry(id)) program.code().line(fmt::format("f.entering_{} = true;", plan_.label(id)));
     program.statement(plan_.node(child).entry, label);
     program.statement(plan_.node(id).entry, label);
-    note_entry(child);
+    note_entry(child, program.code());
     program.jump(plan_.label(child));
 }
 
 /// The state itself is entered, and with its first child each composite around it (semantics 3.3 a).
-void MachineWriter::note_entry(NodeId id) {
-    CodeWriter& code = control_.places.back().code;
-    if (plan_.notes_entry(id)) mark_entered(id);
+void MachineWriter::note_entry(NodeId id, CodeWriter& out) {
+    if (plan_.notes_entry(id)) mark_entered(id, out);
     for (const NodeId outer : plan_.ancestors(id)) {
         if (!plan_.notes_entry(outer)) continue;
-        code.open(fmt::format("if (f.entering_{}) {{", plan_.label(outer)));
-        code.line(fmt::format("f.entering_{} = false;", plan_.label(outer)));
-        mark_entered(outer);
-        code.close();
+        out.open(fmt::format("if (f.entering_{}) {{", plan_.label(outer)));
+        out.line(fmt::format("f.entering_{} = false;", plan_.label(outer)));
+        mark_entered(outer, out);
+        out.close();
     }
 }
 
-void MachineWriter::mark_entered(NodeId id) {
-    CodeWriter& code = control_.places.back().code;
+void MachineWriter::mark_entered(NodeId id, CodeWriter& out) {
     const ir::ClockId clock = entry_clock(plan_.machine(), id);
     if (clock.valid()) {
         const std::string line = clock_reset(generation_, unit_, clock);
-        if (!line.empty()) code.line(line);
+        if (!line.empty()) out.line(line);
     }
     for (const DuringThread& during : during_)
-        if (during.state == id && !generation_.mutation.hits(Fault::during_never)) code.line(during.thread.go("start"));
+        if (during.state == id && !generation_.mutation.hits(Fault::during_never)) out.line(during.thread.go("start"));
     for (const Watch& watch : watches_) {
         if (watch.state != id) continue;
         const std::string line = start_of(watch);
-        if (!line.empty()) code.line(line);
+        if (!line.empty()) out.line(line);
     }
+}
+
+void MachineWriter::exits(NodeId id) {
+    const auto left = [&](NodeId state) { return !plan_.node(state).outgoing.empty(); };
+    const std::vector<NodeId> around = plan_.chain(id);
+    if (plan_.node(id).kind != NodeKind::state || std::none_of(around.begin(), around.end(), left)) return;
+    if (plan_.node(id).exit && !suspends(generation_, unit_, plan_.node(id).exit)) exit_function(id);
+    if (plan_.straight_exits(id) && plan_.exits_below(id)) leave_function(id);
+    if (plan_.shared_exit(id)) exit_place(id);
 }
 
 /// A shared exit place: the state's exit action, then the transition that leaves it or the exit around it.
@@ -173,12 +218,15 @@ void MachineWriter::exit_place(NodeId id) {
     program.begin(label, "leaves " + generation_.place(node.origin));
     exit_outer_before(program, id);
     act_before(program, id);
-    if (node.exit && !exits_first(id) && !generation_.mutation.hits(Fault::exit_dropped))
-        program.statement(node.exit, label);
+    const bool waits = suspends(generation_, unit_, node.exit);
+    if (node.exit && !waits && !(plan_.notes_leaving(id) && exits_first(id))) program.line(label + "(f);");
+    if (waits && !generation_.mutation.hits(Fault::exit_dropped)) program.statement(node.exit, label);
     for (const ir::TransitionId transition : node.outgoing) {
+        if (!plan_.notes_leaving(id)) break;
         program.code().open(fmt::format("if (f.leaving == {}::{}) {{", leaving_, plan_.take_label(transition)));
         program.code().line(fmt::format("f.leaving = {}::nothing;", leaving_));
-        program.jump(after_exit(plan_.machine().transitions[transition.index]));
+        program.line(proceed(plan_.machine().transitions[transition.index]));
+        program.line("break;");
         program.code().close();
     }
     if (node.parent.valid() && plan_.shared_exit(node.parent)) return program.jump(plan_.exit_label(node.parent));
@@ -196,7 +244,7 @@ bool MachineWriter::exits_first(NodeId id) {
 void MachineWriter::exit_outer_before(ProgramWriter& program, NodeId id) {
     if (plan_.node(id).composite()) return;
     for (const NodeId outer : plan_.ancestors(id)) {
-        if (!exits_first(outer)) continue;
+        if (!plan_.notes_leaving(outer) || !exits_first(outer)) continue;
         std::vector<std::string> left;
         for (const ir::TransitionId way : plan_.node(outer).outgoing)
             left.push_back(fmt::format("f.leaving == {}::{}", leaving_, plan_.take_label(way)));
@@ -216,7 +264,7 @@ bool MachineWriter::acts_first(const ir::Transition& transition) {
 void MachineWriter::act_before(ProgramWriter& program, NodeId id) {
     for (const ir::TransitionId way : plan_.node(id).outgoing) {
         const ir::Transition& transition = plan_.machine().transitions[way.index];
-        if (!acts_first(transition)) continue;
+        if (!plan_.notes_leaving(id) || !acts_first(transition)) continue;
         program.code().open(fmt::format("if (f.leaving == {}::{}) {{", leaving_, plan_.take_label(way)));
         program.statement(transition.action, plan_.exit_label(id));
         program.code().close();
@@ -236,33 +284,35 @@ ir::NodeId MachineWriter::shown_while_taking(ir::TransitionId id) const {
     return plan_.node(source).kind == NodeKind::state ? source : plan_.node(source).parent;
 }
 
-/// Exit action of the source, unless it has a place of its own, and the transition's action.
+void MachineWriter::take(ir::TransitionId id) {
+    const ir::Transition& transition = plan_.machine().transitions[id.index];
+    if (has_place(transition)) return take_place(id);
+    if (transition.action) take_function(id);
+}
+
+/// Exit action of the source, unless it has a place of its own, and the transition's action, one of which may wait.
 void MachineWriter::take_place(ir::TransitionId id) {
     ProgramWriter program(generation_, unit_, control_, shown_while_taking(id));
     const ir::Transition& transition = plan_.machine().transitions[id.index];
     const std::string label = plan_.take_label(id);
     program.begin(label, "takes " + generation_.place(transition.origin));
     const ir::Node& source = plan_.node(transition.source);
-    const bool exits = source.exit && !plan_.shared_exit(transition.source);
+    const bool exits = suspends(generation_, unit_, source.exit) && !plan_.shared_exit(transition.source);
     const bool first = acts_first(transition);
     if (first && exits) program.statement(transition.action, label);
     if (exits && !generation_.mutation.hits(Fault::exit_dropped)) program.statement(source.exit, label);
     if (acts_late(transition)) return act_late(program, transition, label);
     if (transition.action && !first && !generation_.mutation.hits(Fault::action_dropped))
         program.statement(transition.action, label);
-    program.jump(plan_.target(target_of(transition)));
+    program.line(arrive(target_of(transition)));
+    program.line("break;");
 }
 
 void MachineWriter::act_late(ProgramWriter& program, const ir::Transition& transition, const std::string& label) {
     program.statement(plan_.node(transition.target).entry, label);
     program.statement(transition.action, label);
-    note_entry(transition.target);
+    note_entry(transition.target, program.code());
     program.jump(plan_.label(transition.target));
-}
-
-std::string MachineWriter::after_exit(const ir::Transition& transition) {
-    const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
-    return plan_.acts(transition) ? plan_.take_label(id) : plan_.target(target_of(transition));
 }
 
 /// Fault::during_again: in the next cycle from the start.

@@ -138,13 +138,21 @@ void MachineWriter::depart(NodeId source, ir::TransitionId id) {
         if (left && !generation_.mutation.hits(Fault::deadline_kept)) out_.line(fmt::format("f.{} = 0;", watch.field));
     }
     const ir::Transition& transition = plan_.machine().transitions[id.index];
-    if (!plan_.shared_exit(source)) return out_.line(control_.go(after_exit(transition)));
-    const bool skips = plan_.node(source).composite() && generation_.mutation.hits(Fault::children_not_exited);
-    out_.line(fmt::format("f.leaving = {}::{};", leaving_, plan_.take_label(id)));
-    const bool direct = skips || !plan_.node(source).composite();
+    const bool composite = plan_.node(source).composite();
+    const bool skips = composite && generation_.mutation.hits(Fault::children_not_exited);
     for (const NodeId history : histories_)
         if (history == source) out_.line(fmt::format("f.history_{} = f.at;", plan_.label(source)));
-    out_.line(direct ? control_.go(plan_.exit_label(source)) : "leave(f);");
+    if (!plan_.notes_leaving(source)) {
+        const std::string own = plan_.node(source).exit ? plan_.exit_label(source) + "(f);" : "";
+        const std::string exits = plan_.acts(transition) && !plan_.straight_exits(source) ? ""
+                                  : skips                                                 ? own
+                                                                                          : leave(source);
+        if (acts_first(transition) && !plan_.acts(transition)) straight_program(transition.action);
+        if (!exits.empty()) out_.line(exits);
+        return out_.line(proceed(transition));
+    }
+    out_.line(fmt::format("f.leaving = {}::{};", leaving_, plan_.take_label(id)));
+    out_.line(skips || !composite ? control_.go(plan_.exit_label(source)) : "leave(f);");
 }
 
 /// The transition's target; Fault::wrong_target takes the next state beside it.

@@ -33,14 +33,34 @@ public:
 private:
     // machine_control.cpp: the programs of the control thread and of the during actions
     void control_places();
-    void choose_place(ir::NodeId);
+    void choice(ir::NodeId);
+    bool ways(ir::NodeId, CodeWriter&, const char* end);
     void draw_place(ir::NodeId);
     void enter_place(ir::NodeId);
+    void settle(ir::NodeId, CodeWriter&, const char* end);
+    void begin(ir::NodeId initial, CodeWriter&);
+    void exits(ir::NodeId);
     void exit_place(ir::NodeId);
+    void take(ir::TransitionId);
     void take_place(ir::TransitionId);
     [[nodiscard]] ir::NodeId shown_while_taking(ir::TransitionId) const;
     void during_places();
-    void note_entry(ir::NodeId);
+    void note_entry(ir::NodeId, CodeWriter&);
+    void mark_entered(ir::NodeId, CodeWriter&);
+
+    // machine_straight.cpp: the programs that never wait
+    [[nodiscard]] bool straight(ir::NodeId);
+    [[nodiscard]] bool has_place(const ir::Transition&);
+    void straight_program(const ir::StmtPtr&);
+    void straight_function(const std::string& name, const std::string& comment);
+    void enter_function(ir::NodeId);
+    void exit_function(ir::NodeId);
+    void leave_function(ir::NodeId);
+    void take_function(ir::TransitionId);
+    bool pass_function(ir::NodeId);
+    [[nodiscard]] std::string leave(ir::NodeId) const;
+    [[nodiscard]] std::string arrive(ir::NodeId);
+    [[nodiscard]] const std::string& proceed(const ir::Transition&);
 
     // machine_control.cpp: seeded faults of order
     [[nodiscard]] bool enters_child_first(ir::NodeId);
@@ -53,10 +73,6 @@ private:
     [[nodiscard]] bool acts_late(const ir::Transition&);
     void act_late(ProgramWriter&, const ir::Transition&, const std::string& label);
     void run_again(ProgramWriter&, Thread&);
-
-    void mark_entered(ir::NodeId);
-    /// Where control goes after the exits of a transition.
-    [[nodiscard]] std::string after_exit(const ir::Transition&);
 
     // machine_transitions.cpp: which transition is taken
     void transition_functions();
@@ -77,7 +93,7 @@ private:
     void thread_function(const Thread&, const std::string& name, const std::string& comment, bool control);
     void during_functions();
     void run_function();
-    void leave_function();
+    void begin_exits_function();
     void advance_function();
     void advance_thread(const Thread&);
     void advance_clock(const std::string& clock, std::int64_t saturation);
@@ -87,6 +103,7 @@ private:
     [[nodiscard]] std::vector<Field> variable_fields() const;
     [[nodiscard]] std::vector<Field> thread_fields() const;
     void thread_field(std::vector<Field>&, const Thread&, const std::string& wait) const;
+    [[nodiscard]] Enumeration points() const;
     [[nodiscard]] std::vector<Enumeration> enumerations() const;
     [[nodiscard]] std::string frame_type() const { return unit_.frame + "<Types>"; }
     [[nodiscard]] std::string signature(const std::string& name) const;
@@ -103,6 +120,7 @@ private:
     std::vector<Watch> watches_;
     std::string leaving_;                ///< enumeration of transitions in progress
     std::vector<ir::NodeId> histories_;  ///< Fault::composite_resumed
+    std::vector<std::string> proceeds_;  ///< by transition: what follows its exits, once asked for
     CodeWriter out_{1};
 };
 

@@ -120,7 +120,7 @@ TEST(Mutants, Nested) {
     ASSERT_EQ(bench.check().outcome, Outcome::conforms);
     const std::vector<Equivalent> equivalents{
         {Fault::guard_after_consume, 1, "t2 is the last to want `level`: eaten or lost at the end of the cycle."},
-        {Fault::wrong_target, 1, "u2 goes to Idle, which Pause is left for at once and without an action."},
+        {Fault::wrong_target, 3, "u2 goes to Idle, which Pause is left for at once and without an action."},
     };
     EXPECT_THAT(kill_all(bench, equivalents),
                 UnorderedElementsAre("guard_after_consume", "children_not_exited", "composite_resumed",

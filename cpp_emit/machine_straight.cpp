@@ -1,0 +1,114 @@
+// Programs that never wait, as functions: a transition whose exits, action and entries are of this kind is one straight
+// effect, in the order of semantics 3.4 (exits from the innermost out, action, entries). What follows a program is one
+// statement: the next function, or the place where control goes on later.
+#include <fmt/format.h>
+
+#include "cpp_emit/machine_writer.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+
+bool MachineWriter::straight(NodeId id) {
+    return plan_.straight(id) && !enters_child_first(id);
+}
+
+bool MachineWriter::has_place(const ir::Transition& transition) {
+    return plan_.acts(transition) || acts_late(transition);
+}
+
+/// The lines of a program that never waits.
+void MachineWriter::straight_program(const ir::StmtPtr& program) {
+    Thread lines;
+    ProgramWriter writer(generation_, unit_, lines, {});
+    writer.begin("", "");
+    writer.code() = CodeWriter(2);
+    writer.statement(program, "");
+    out_.raw(writer.code().text());
+}
+
+void MachineWriter::straight_function(const std::string& name, const std::string& comment) {
+    out_.gap();
+    out_.doc(comment);
+    out_.open(signature("void " + name));
+}
+
+void MachineWriter::enter_function(NodeId id) {
+    const ir::Node& node = plan_.node(id);
+    straight_function(plan_.enter_label(id), "Enters " + generation_.place(node.origin));
+    if (node.entry && !generation_.mutation.hits(Fault::entry_dropped)) straight_program(node.entry);
+    settle(id, out_, "return;");
+    out_.close();
+}
+
+void MachineWriter::exit_function(NodeId id) {
+    straight_function(plan_.exit_label(id), "Exit action of " + generation_.place(plan_.node(id).origin));
+    if (!generation_.mutation.hits(Fault::exit_dropped)) straight_program(plan_.node(id).exit);
+    out_.close();
+}
+
+/// The exits of a composite state begin at the innermost active state.
+void MachineWriter::leave_function(NodeId id) {
+    straight_function("leave_" + plan_.label(id), fmt::format("Leaves {}, from the innermost active state out.",
+                                                              generation_.place(plan_.node(id).origin)));
+    const std::string own = plan_.node(id).exit ? plan_.exit_label(id) + "(f);" : "";
+    const bool outer_first = exits_first(id);
+    if (outer_first) out_.line(own);
+    out_.open("switch (f.at) {");
+    for (const NodeId child : plan_.node(id).children) {
+        const std::string exits = leave(child);
+        if (exits.empty()) continue;
+        for (const NodeId leaf : plan_.leaves(child))
+            out_.line(fmt::format("case {}:", control_.at(plan_.label(leaf))));
+        out_.line("    " + exits);
+        out_.line("    break;");
+    }
+    out_.line("default: break;");
+    out_.close();
+    if (!own.empty() && !outer_first) out_.line(own);
+    out_.close();
+}
+
+/// The statement that runs the exits of a state and of what is active in it; "" if there are none.
+std::string MachineWriter::leave(NodeId id) const {
+    if (plan_.exits_below(id)) return fmt::format("leave_{}(f);", plan_.label(id));
+    return plan_.node(id).exit ? plan_.exit_label(id) + "(f);" : "";
+}
+
+void MachineWriter::take_function(ir::TransitionId id) {
+    const ir::Transition& transition = plan_.machine().transitions[id.index];
+    straight_function(plan_.take_label(id), "Action of " + generation_.place(transition.origin));
+    if (!acts_first(transition) && !generation_.mutation.hits(Fault::action_dropped))
+        straight_program(transition.action);
+    out_.line(arrive(target_of(transition)));
+    out_.close();
+}
+
+/// Initial nodes and junctions; true if control may have to stay there.
+bool MachineWriter::pass_function(NodeId id) {
+    straight_function("pass_" + plan_.label(id), "Chooses at " + generation_.place(plan_.node(id).origin));
+    const bool stays = ways(id, out_, "return;");
+    if (stays) out_.line(control_.go(plan_.label(id)));
+    out_.close();
+    return stays;
+}
+
+/// The statement that brings control into a node.
+std::string MachineWriter::arrive(NodeId id) {
+    if (plan_.needs_entry(id))
+        return straight(id) ? plan_.enter_label(id) + "(f);" : control_.go(plan_.enter_label(id));
+    const bool rests = plan_.settles(id) || !plan_.straight(id);
+    return rests ? control_.go(plan_.label(id)) : fmt::format("pass_{}(f);", plan_.label(id));
+}
+
+/// The statement that goes on with a transition after the exits.
+const std::string& MachineWriter::proceed(const ir::Transition& transition) {
+    const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
+    std::string& text = proceeds_[id.index];
+    if (!text.empty()) return text;
+    const std::string& label = plan_.take_label(id);
+    if (has_place(transition)) return text = control_.go(label);
+    return text = transition.action ? label + "(f);" : arrive(target_of(transition));
+}
+
+}  // namespace robochart::cpp_emit
