@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "app/interrupt.hpp"
 #include "app/rules.hpp"
@@ -51,14 +52,10 @@ std::string identifier(const std::string& path) {
 /// The monitors of one trial.
 class Monitors::Watch final : public simulation::Trace {
 public:
-    Watch(Monitors& all, std::unique_ptr<simulation::Trace> other) : all_(all), other_(std::move(other)) {
-        for (const cpp_emit::Port& port : all.emission_.inputs)
-            inputs_.push_back(port.arguments.empty() ? Kind::none : kind(port.arguments.front()));
-        for (const cpp_emit::Port& port : all.emission_.outputs)
-            for (std::size_t k = 0; k < ROBOCHART_DRIVE_MAX_ARGUMENTS; ++k)
-                outputs_.push_back(k < port.arguments.size() ? kind(port.arguments[k]) : Kind::none);
-    }
+    Watch(Monitors& all, std::unique_ptr<simulation::Trace> other)
+        : all_(all), other_(std::move(other)), cycles_(all.borrow()) {}
     ~Watch() override {
+        all_.give_back(std::move(cycles_));
         all_.robots_ += monitors_.size();
         for (const Monitor& monitor : monitors_)
             if (monitor.verdict() == MonitorVerdict::unknown) ++all_.lost_;
@@ -68,39 +65,19 @@ public:
 
     void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result result) override {
         if (other_ != nullptr) other_->cycle(robot, step, inputs, outputs, result);
-        while (monitors_.size() <= robot) {
-            monitors_.emplace_back(all_.build_->tables());
-            ended_.push_back(0);
-        }
-        if (ended_[robot] != 0) return;
-        Monitor& monitor = monitors_[robot];
-        read(monitor, inputs);
-        for (std::uint32_t a = 0; a < outputs.count; ++a) wrote(monitor, outputs.action[a]);
-        if (result == RC_DRIVE_QUIESCENT) monitor.end_of_cycle();
-        if (result == RC_DRIVE_TERMINATED) monitor.terminated();
-        ended_[robot] = result != RC_DRIVE_QUIESCENT ? 1 : 0;
-        if (monitor.verdict() == MonitorVerdict::violated) object(monitor);
+        if (robot >= monitors_.size()) monitors_.resize(robot + 1, Monitor(all_.build_->tables()));
+        if (result != RC_DRIVE_QUIESCENT && ended_before(robot)) return;
+        cycles_->tell(monitors_[robot], inputs, outputs, result);
+        if (monitors_[robot].verdict() == MonitorVerdict::violated) object(monitors_[robot]);
     }
 
     [[nodiscard]] const simulation::Objection* objection() const override { return objection_.cause.empty() ? nullptr : &objection_; }
 
 private:
-    void read(Monitor& monitor, const rc_signal* inputs) const {
-        for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
-            if (inputs[i].present == 0) monitor.absent(i);
-            else if (inputs_[i] == Kind::none) monitor.read(i);
-            else if (inputs_[i] == Kind::real) monitor.read(i, inputs[i].value.real);
-            else monitor.read(i, inputs[i].value.whole);
-        }
-    }
-
-    void wrote(Monitor& monitor, const rc_action& action) const {
-        std::uint32_t place = Monitor::start();
-        const Kind* const kinds = outputs_.data() + std::size_t{action.output} * ROBOCHART_DRIVE_MAX_ARGUMENTS;
-        for (std::uint32_t k = 0; k < action.count; ++k)
-            place = kinds[k] == Kind::real ? monitor.argument(place, action.output, k, action.argument[k].real)
-                                           : monitor.argument(place, action.output, k, action.argument[k].whole);
-        monitor.wrote_at(action.output, place);
+    /// What terminated says so in every cycle from then on.
+    bool ended_before(std::size_t robot) {
+        ended_.resize(monitors_.size());
+        return std::exchange(ended_[robot], std::uint8_t{1}) != 0;
     }
 
     void object(const Monitor& monitor) {
@@ -110,17 +87,26 @@ private:
         objection_.place = element.empty() ? where : where.empty() ? element : fmt::format("{}; {}", where, element);
     }
 
-    enum class Kind : std::uint8_t { none, real, whole };
-    static Kind kind(cpp_emit::Carried carried) { return carried == cpp_emit::Carried::real ? Kind::real : Kind::whole; }
-
     Monitors& all_;
     std::unique_ptr<simulation::Trace> other_;
-    std::vector<Kind> inputs_;   ///< what each carries
-    std::vector<Kind> outputs_;  ///< of each output, of each argument it may have
+    std::unique_ptr<conformance::WholeCycles> cycles_;
     std::vector<Monitor> monitors_;
-    std::vector<std::uint8_t> ended_;
+    std::vector<std::uint8_t> ended_;  ///< of each robot; as long as that once one did
     simulation::Objection objection_;
 };
+
+std::unique_ptr<conformance::WholeCycles> Monitors::borrow() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return std::make_unique<conformance::WholeCycles>(build_->tables(), emission_.inputs, emission_.outputs);
+    auto cycles = std::move(idle_.back());
+    idle_.pop_back();
+    return cycles;
+}
+
+void Monitors::give_back(std::unique_ptr<conformance::WholeCycles> cycles) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(cycles));
+}
 
 Monitors::Maker Monitors::beside(Maker other) {
     return [this, other = std::move(other)](std::uint32_t trial) { return std::make_unique<Watch>(*this, other ? other(trial) : nullptr); };

@@ -4,10 +4,13 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 #include "app/simulate.hpp"
 #include "conformance/monitor.hpp"
+#include "conformance/whole_cycles.hpp"
 
 namespace robochart::app {
 
@@ -25,8 +28,13 @@ public:
 private:
     class Watch;
 
+    [[nodiscard]] std::unique_ptr<conformance::WholeCycles> borrow();
+    void give_back(std::unique_ptr<conformance::WholeCycles>);
+
     std::unique_ptr<conformance::MonitorBuild> build_;
     const cpp_emit::DriveEmission& emission_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<conformance::WholeCycles>> idle_;  ///< of trials that are over: later ones need not learn again
     std::atomic<std::uint64_t> robots_ = 0;
     std::atomic<std::uint64_t> lost_ = 0;  ///< left the finite reading where that matters
 };

@@ -2,6 +2,7 @@
 #include "simulation/trial.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace robochart::simulation {
@@ -27,9 +28,11 @@ const char* cause_of(rc_drive_result result) {
     }
 }
 
-class Trial {
+}  // namespace
+
+class Trial::Cycles {
 public:
-    Trial(const Plan& plan, const rc_drive& drive, Stage& stage, const TrialOptions& options)
+    Cycles(const Plan& plan, const rc_drive& drive, Stage& stage, const TrialOptions& options)
         : plan_(plan),
           scenario_(*plan.scenario),
           drive_(drive),
@@ -45,19 +48,15 @@ public:
         for (std::size_t i = 0; i < variables_.size(); ++i) variables_[i] = plan.variables[i % plan.variables.size()];
     }
 
-    TrialResult run() {
-        const std::uint64_t steps = scenario_.steps();
-        observe();
-        while (result_.steps < steps && !result_.stop && !interrupted()) {
-            stage_.sense();
-            for (std::size_t robot = 0; robot < stage_.size() && !result_.stop; ++robot) cycle(robot);
-            if (result_.stop) break;
-            stage_.advance();
-            ++result_.steps;
-            if (options_.steps_done != nullptr) options_.steps_done->fetch_add(1, std::memory_order_relaxed);
-            observe();
-        }
-        result_.complete = result_.steps == steps && !result_.stop;
+    bool run(std::uint64_t steps) {
+        const std::uint64_t end = scenario_.steps();
+        if (result_.steps == 0) observe();
+        for (; steps > 0 && result_.steps < end && !result_.stop && !interrupted(); --steps) step();
+        return result_.steps < end && !result_.stop && !interrupted();
+    }
+
+    TrialResult result() {
+        result_.complete = result_.steps == scenario_.steps() && !result_.stop;
         result_.statistics = statistics_.values();
         return std::move(result_);
     }
@@ -66,6 +65,16 @@ private:
     [[nodiscard]] double time() const { return static_cast<double>(result_.steps) * scenario_.world.control_step; }
     [[nodiscard]] bool interrupted() const {
         return options_.interrupted != nullptr && options_.interrupted->load(std::memory_order_relaxed);
+    }
+
+    void step() {
+        stage_.sense();
+        for (std::size_t robot = 0; robot < stage_.size() && !result_.stop; ++robot) cycle(robot);
+        if (result_.stop) return;
+        stage_.advance();
+        ++result_.steps;
+        if (options_.steps_done != nullptr) options_.steps_done->fetch_add(1, std::memory_order_relaxed);
+        observe();
     }
 
     /// What robots perceive, what their controllers make of it, what they do.
@@ -273,10 +282,23 @@ private:
     TrialResult result_;
 };
 
-}  // namespace
+Trial::Trial(const Plan& plan, const rc_drive& drive, Stage& stage, const TrialOptions& options)
+    : cycles_(std::make_unique<Cycles>(plan, drive, stage, options)) {}
+
+Trial::~Trial() = default;
+
+bool Trial::run(std::uint64_t steps) {
+    return cycles_->run(steps);
+}
+
+TrialResult Trial::result() && {
+    return cycles_->result();
+}
 
 TrialResult run_trial(const Plan& plan, const rc_drive& drive, Stage& stage, const TrialOptions& options) {
-    return Trial(plan, drive, stage, options).run();
+    Trial trial(plan, drive, stage, options);
+    trial.run(std::numeric_limits<std::uint64_t>::max());
+    return std::move(trial).result();
 }
 
 }  // namespace robochart::simulation

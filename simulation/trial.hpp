@@ -61,6 +61,25 @@ struct TrialOptions {
     const std::atomic<bool>* interrupted = nullptr;
 };
 
+/// A trial that runs some steps at a time. Refers to all it is given.
+class Trial {
+public:
+    Trial(const Plan&, const rc_drive&, Stage&, const TrialOptions&);
+    ~Trial();
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+
+    /// At most so many steps further; false at the trial's end.
+    bool run(std::uint64_t steps);
+    /// What came of it so far; once.
+    [[nodiscard]] TrialResult result() &&;
+
+private:
+    class Cycles;
+    std::unique_ptr<Cycles> cycles_;
+};
+
+/// The whole of it.
 [[nodiscard]] TrialResult run_trial(const Plan&, const rc_drive&, Stage&, const TrialOptions&);
 
 }  // namespace robochart::simulation

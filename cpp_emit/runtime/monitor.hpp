@@ -62,8 +62,9 @@ public:
     constexpr void read(std::uint32_t input) noexcept { take(tables_->input[input].column[1], input, 'r'); }
     template <class Value>
     constexpr void read(std::uint32_t input, Value value) noexcept {
-        const std::uint32_t place = find(tables_->input[input].values[0], value);
-        if (place != no_place) take(tables_->input[input].column[1 + place], input, 'r');
+        const std::uint32_t place = place_of(tables_->input[input].values[0], value);
+        if (place == no_place) return lose();
+        take(tables_->input[input].column[1 + place], input, 'r');
     }
     template <class... Values>
     constexpr void wrote(std::uint32_t output, Values... values) noexcept {
@@ -71,7 +72,8 @@ public:
         std::uint32_t argument = 0;
         const MonitorChannel& channel = tables_->output[output];
         ((place = add(place, channel.values[argument++], values)), ...);
-        if (place != no_place) take(channel.column[place], output, 'w');
+        if (place == no_place) return lose();
+        take(channel.column[place], output, 'w');
     }
     /// The same, argument by argument: `start`, then `argument` for each, then `wrote_at`.
     static constexpr std::uint32_t start() noexcept { return 0; }
@@ -81,12 +83,19 @@ public:
         return add(place, tables_->output[output].values[number], value);
     }
     constexpr void wrote_at(std::uint32_t output, std::uint32_t place) noexcept {
-        if (place != no_place) take(tables_->output[output].column[place], output, 'w');
+        if (place == no_place) return lose();
+        take(tables_->output[output].column[place], output, 'w');
     }
     /// The end of the cycle: its time units pass.
     constexpr void end_of_cycle() noexcept {
         for (std::uint32_t t = 0; t < tables_->cycle_length; ++t) take(tables_->tock, 0, 't');
         if (verdict_ == MonitorVerdict::allowed) begun_ = state_;
+    }
+    /// In place of all that is told of a cycle: it is allowed, and the next begins in `state` (as it did when the same
+    /// was told from the same state).
+    constexpr void continue_at(std::uint16_t state) noexcept {
+        state_ = state;
+        begun_ = state;
     }
     constexpr void terminated() noexcept { take(tables_->tick, 0, 'e'); }
     constexpr void reset() noexcept { *this = Monitor(*tables_); }
@@ -109,9 +118,31 @@ public:
     }
     [[nodiscard]] constexpr std::uint16_t state() const noexcept { return state_; }
 
-private:
+    /// Where a value is among those of an argument, or the one that stands for it; `no_place`: outside of the finite
+    /// reading.
     static constexpr std::uint32_t no_place = 0xffffffffU;
+    static constexpr std::uint32_t place_of(const MonitorValues& values, bool value) noexcept {
+        return among(values, value ? 1 : 0, value ? 1U : 0U);
+    }
+    static constexpr std::uint32_t place_of(const MonitorValues& values, std::int64_t value) noexcept {
+        const auto bits = static_cast<std::uint64_t>(value);
+        if (values.scale == 1) return among(values, value, bits);
+        const std::int64_t most = 4000000000000000 / values.scale;
+        return value < -most || value > most ? outside(values, bits) : among(values, value * values.scale, bits);
+    }
+    /// A decimal of the model in binary floating point is off by less than 1e-9 of itself.
+    static constexpr std::uint32_t place_of(const MonitorValues& values, double value) noexcept {
+        const double scaled = value * static_cast<double>(values.scale);
+        if (!(scaled > -9e15 && scaled < 9e15)) return outside(values, 1);
+        const auto near = static_cast<std::int64_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
+        const double rest = scaled - static_cast<double>(near);
+        const double size = scaled < 0 ? -scaled : scaled;
+        const bool whole = (rest < 0 ? -rest : rest) <= 1e-9 * (size < 1 ? 1 : size);
+        const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(value * 1e3));
+        return whole ? among(values, near, bits) : outside(values, bits);
+    }
 
+private:
     constexpr void take(std::uint16_t column, std::uint32_t channel, char kind) noexcept {
         if (verdict_ != MonitorVerdict::allowed) return;
         const std::uint16_t next =
@@ -125,35 +156,21 @@ private:
         kind_ = kind;
     }
 
+    constexpr void lose() noexcept {
+        if (verdict_ == MonitorVerdict::allowed) verdict_ = MonitorVerdict::unknown;
+    }
+
     template <class Value>
-    constexpr std::uint32_t add(std::uint32_t place, const MonitorValues& values, Value value) noexcept {
-        const std::uint32_t here = place == no_place ? no_place : find(values, value);
+    static constexpr std::uint32_t add(std::uint32_t place, const MonitorValues& values, Value value) noexcept {
+        const std::uint32_t here = place == no_place ? no_place : place_of(values, value);
         return here == no_place ? no_place : place * values.count + here;
     }
 
-    constexpr std::uint32_t find(const MonitorValues& values, bool value) noexcept {
-        return among(values, value ? 1 : 0, value ? 1U : 0U);
-    }
-    constexpr std::uint32_t find(const MonitorValues& values, std::int64_t value) noexcept {
-        return among(values, value * values.scale, static_cast<std::uint64_t>(value));
-    }
-    /// A decimal of the model in binary floating point is off by less than 1e-9 of itself.
-    constexpr std::uint32_t find(const MonitorValues& values, double value) noexcept {
-        const double scaled = value * static_cast<double>(values.scale);
-        if (!(scaled > -9e15 && scaled < 9e15)) return outside(values, 1);
-        const auto near = static_cast<std::int64_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
-        const double rest = scaled - static_cast<double>(near);
-        const double size = scaled < 0 ? -scaled : scaled;
-        const bool whole = (rest < 0 ? -rest : rest) <= 1e-9 * (size < 1 ? 1 : size);
-        const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(value * 1e3));
-        return whole ? among(values, near, bits) : outside(values, bits);
-    }
-
-    constexpr std::uint32_t among(const MonitorValues& values, std::int64_t value, std::uint64_t bits) noexcept {
+    static constexpr std::uint32_t among(const MonitorValues& values, std::int64_t value, std::uint64_t bits) noexcept {
         if (values.consecutive) {
-            const std::int64_t place = value - values.value[0];
-            return place >= 0 && place < std::int64_t{values.count} ? static_cast<std::uint32_t>(place)
-                                                                    : outside(values, bits);
+            // Unsigned, so that values before the first are far behind the last.
+            const std::uint64_t place = static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(values.value[0]);
+            return place < values.count ? static_cast<std::uint32_t>(place) : outside(values, bits);
         }
         std::uint32_t low = 0;
         std::uint32_t high = values.count;
@@ -167,10 +184,9 @@ private:
         return low < values.count && values.value[low] == value ? low : outside(values, bits);
     }
 
-    constexpr std::uint32_t outside(const MonitorValues& values, std::uint64_t bits) noexcept {
+    static constexpr std::uint32_t outside(const MonitorValues& values, std::uint64_t bits) noexcept {
         if (values.passed_on && values.count > 0)
             return static_cast<std::uint32_t>((bits * 0x9E3779B97F4A7C15ULL >> 32U) % values.count);
-        if (verdict_ == MonitorVerdict::allowed) verdict_ = MonitorVerdict::unknown;
         return no_place;
     }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 
 #include "app/simulate.hpp"
+#include "benchmarks/scaled.hpp"
 #include "simulation/adapters/enki/enki_stage.hpp"
 
 namespace {
@@ -17,20 +17,6 @@ double cpu_now() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-simulation::Scenario resized(const simulation::Scenario& scenario, std::uint32_t robots, double duration) {
-    simulation::Scenario other = scenario;
-    const double scale = std::sqrt(static_cast<double>(robots) / scenario.robots);
-    other.robots = robots;
-    other.duration = duration;
-    other.world.arena.width *= scale;
-    other.world.arena.height *= scale;
-    const simulation::Vector corner{other.world.arena.width / 2, other.world.arena.height / 2};
-    other.placements = {{simulation::Region{simulation::Vector{} - corner, corner}, {}, scenario.name.span}};
-    other.bands.clear();
-    other.pictures.clear();
-    return other;
 }
 
 /// The best of three runs; 0 where it cannot run.
@@ -71,7 +57,7 @@ int main(int argc, char** argv) {
     }
     fmt::print("| robots | embedded world, robot-steps/CPU s | Enki | ratio |\n| ---: | ---: | ---: | ---: |\n");
     for (const auto& [robots, seconds] : {std::pair(20U, 600.0), std::pair(100U, 120.0), std::pair(1000U, 6.0)}) {
-        const auto scenario = resized(loaded->scenario, robots, seconds);
+        const auto scenario = scaled(loaded->scenario, robots, seconds);
         const double own = robot_steps_a_second(*loaded, scenario, controller->drive(), simulation::embedded_stage);
         const double enki = robot_steps_a_second(*loaded, scenario, controller->drive(), simulation::enki_stage);
         fmt::print("| {} | {:.0f} | {:.0f} | {:.1f} |\n", robots, own, enki, own / enki);

@@ -1,0 +1,148 @@
+// What monitors beside every controller add to a step: benchmark_monitor ROUNDS SCENARIO... The same trial runs twice
+// in one thread, with and without, a block of steps each in turn, on the thread's own clock; the tables are made
+// before, once. Median: of the ratios of all pairs of blocks. Minimum: the least of all rounds of every block, summed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <ctime>
+#include <numeric>
+#include <vector>
+
+#include "app/monitor.hpp"
+#include "benchmarks/scaled.hpp"
+
+namespace {
+
+using namespace robochart;
+
+double cpu_now() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Study {
+    std::unique_ptr<app::Simulation> loaded;
+    std::unique_ptr<simulation::Controller> controller;
+    std::unique_ptr<app::Monitors> monitors;
+};
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// One trial, with monitors or without, a block of steps at a time.
+class Side {
+public:
+    Side(const Study& study, const simulation::Scenario& scenario, bool watched)
+        : plan_(simulation::bind(scenario, study.loaded->emission, diagnostics_)),
+          stage_(simulation::embedded_stage(scenario, 0, diagnostics_)),
+          trace_(watched ? study.monitors->beside({})(0) : nullptr) {
+        if (stage_ == nullptr) return;
+        options_.record = false;
+        options_.trace = trace_.get();
+        trial_ = std::make_unique<simulation::Trial>(plan_, study.controller->drive(), *stage_, options_);
+    }
+
+    [[nodiscard]] bool ready() const { return trial_ != nullptr; }
+    /// CPU seconds.
+    double run(std::uint64_t steps) {
+        const double begin = cpu_now();
+        trial_->run(steps);
+        return cpu_now() - begin;
+    }
+    [[nodiscard]] bool complete() { return std::move(*trial_).result().complete; }
+
+private:
+    diagnostics::Diagnostics diagnostics_;
+    simulation::Plan plan_;
+    std::unique_ptr<simulation::Stage> stage_;
+    std::unique_ptr<simulation::Trace> trace_;
+    simulation::TrialOptions options_;
+    std::unique_ptr<simulation::Trial> trial_;
+};
+
+/// Seconds of each block of steps, the least of all rounds, and the ratios of all pairs of blocks.
+struct Measured {
+    std::vector<double> plain, watched, ratios;
+};
+
+bool run_round(const Study& study, const simulation::Scenario& scenario, std::uint64_t block, bool first,
+               Measured& measured) {
+    Side plain(study, scenario, false);
+    Side watched(study, scenario, true);
+    if (!plain.ready() || !watched.ready()) return false;
+    const std::size_t blocks = (scenario.steps() + block - 1) / block;
+    measured.plain.resize(blocks, 1e300);
+    measured.watched.resize(blocks, 1e300);
+    for (std::size_t b = 0; b < blocks; ++b) {
+        // The same work twice; who comes first changes from block to block and from round to round.
+        const bool order = first == (b % 2 == 0);
+        const double once = (order ? plain : watched).run(block);
+        const double again = (order ? watched : plain).run(block);
+        const double without = order ? once : again;
+        const double with = order ? again : once;
+        measured.plain[b] = std::min(measured.plain[b], without);
+        measured.watched[b] = std::min(measured.watched[b], with);
+        measured.ratios.push_back(with / without);
+    }
+    return plain.complete() && watched.complete();
+}
+
+bool compare(const Study& study, std::uint32_t robots, int rounds) {
+    const simulation::Scenario& own = study.loaded->scenario;
+    const auto scenario = scaled(own, robots, own.duration * own.robots / robots);
+    const std::uint64_t block = 2000 / robots;  // a millisecond or two
+    Measured measured;
+    for (int round = 0; round < rounds; ++round)
+        if (!run_round(study, scenario, block, round % 2 == 0, measured)) return false;
+    const double steps = static_cast<double>(scenario.steps()) * robots;
+    const double plain = std::accumulate(measured.plain.begin(), measured.plain.end(), 0.0);
+    const double watched = std::accumulate(measured.watched.begin(), measured.watched.end(), 0.0);
+    fmt::print(
+        "{}, {} robots: monitor: {:.1f} % (median of {}), {:.1f} % (minimum: {:.0f} on {:.0f} ns a robot-step)\n",
+        own.name.text, robots, (median(measured.ratios) - 1) * 100, measured.ratios.size(), (watched / plain - 1) * 100,
+        (watched - plain) / steps * 1e9, plain / steps * 1e9);
+    return true;
+}
+
+bool load(const char* path, Study& study) {
+    app::Options options;
+    options.verb = app::Verb::simulate;
+    options.inputs = {path};
+    options.quiet = true;
+    study.loaded = app::load_simulation(options);
+    std::string error;
+    if (study.loaded->project->diagnostics.ok())
+        study.controller = simulation::Controller::build(study.loaded->emission, "", error);
+    const double begin = cpu_now();
+    if (study.controller != nullptr) study.monitors = app::make_monitors(*study.loaded, options);
+    if (study.monitors == nullptr) {
+        app::show_diagnostics(*study.loaded->project, options);
+        fmt::print(stderr, "{}: {}\n", path, error);
+        return false;
+    }
+    fmt::print("{}: tables made once in {:.0f} ms\n", study.loaded->scenario.name.text, (cpu_now() - begin) * 1e3);
+    return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    int rounds = 0;
+    if (argc > 2) std::from_chars(argv[1], argv[1] + std::strlen(argv[1]), rounds);
+    if (rounds < 1) {
+        fmt::print(stderr, "usage: benchmark_monitor ROUNDS SCENARIO...\n");
+        return 4;
+    }
+    for (int i = 2; i < argc; ++i) {
+        Study study;
+        if (!load(argv[i], study)) return 2;
+        if (!compare(study, 20, rounds) || !compare(study, 100, rounds)) return 2;
+    }
+    return 0;
+}
