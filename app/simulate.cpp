@@ -88,6 +88,11 @@ Exit exit_of(const simulation::RunResult& result) {
     return result.holds() ? Exit::success : Exit::failed;
 }
 
+Exit before_trials(const Options& options) {
+    fmt::print(options.format == Format::json ? stderr : stdout, "interrupted before the first trial\n");
+    return Exit::inconclusive;
+}
+
 void print_text(const Simulation& simulation, const simulation::RunResult& result, const Options& options, const OtherStage& stage,
                 const std::vector<std::string>& files, const std::string& notes) {
     const simulation::Scenario& scenario = simulation.scenario;
@@ -159,7 +164,10 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     const auto simulation = load_simulation(options);
     Project& project = *simulation->project;
     if (!acceptable(project, options)) return show_diagnostics(project, options), Exit::bad_input;
+    // From here on there is something to tidy up: the folder in which the controller is built.
+    const InterruptScope scope;
     const auto controller = build(*simulation);
+    if (interrupted()) return before_trials(options);
     if (controller == nullptr) return show_diagnostics(project, options), Exit::bad_input;
     simulation::RunOptions wanted;
     wanted.threads = stage.parallel ? options.threads : 1;
@@ -168,11 +176,11 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     LogFailure failure;
     if (!options.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
     const auto monitors = options.monitor ? make_monitors(*simulation, options) : nullptr;
+    if (interrupted()) return before_trials(options);
     if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
     if (monitors != nullptr) wanted.trace = monitors->beside(wanted.trace);
     wanted.interrupted = interrupted;
     wanted.progress = progress_of(options, simulation->scenario.name.text);
-    const InterruptScope scope;
     const simulation::RunResult result = simulation::run(simulation->plan, controller->drive(), wanted, project.diagnostics);
     if (!failure.text.empty()) project.diagnostics.report(rules::unwritable, {}, {failure.text});
     if (!project.diagnostics.ok() && !result.stopped()) return show_diagnostics(project, options), Exit::bad_input;
@@ -180,8 +188,11 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     std::vector<std::string> files;
     if (options.pictures && !result.interrupted)
         files = write_simulation_files(*simulation, result, controller->drive(), options, notes);
-    const Exit exit = exit_of(result);
+    // Errors by now are trials that stopped and files that could not be written.
+    const bool unwritable = !project.diagnostics.ok() && !result.stopped();
+    const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
     if (options.format == Format::json) {
+        if (unwritable) return show_diagnostics(project, options), exit;
         fmt::print("{}", simulation::result_json(simulation->scenario, result, files, static_cast<int>(exit)));
         return exit;
     }

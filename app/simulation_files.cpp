@@ -39,17 +39,18 @@ public:
     }
 
     std::vector<std::string> write(std::string& notes) {
-        tables();
+        if (!tables()) return std::move(written_);
         const auto& frames = result_.trials.front().frames;
         if (frames.empty()) {
             notes += "  no tables and pictures: too many positions to keep (`record` less often)\n";
             return std::move(written_);
         }
-        add("snapshots.svg", simulation::snapshots_svg(scenario_, frames));
-        add("trajectories.svg", simulation::trajectories_svg(scenario_, frames));
-        add("animation.svg", simulation::animation_svg(scenario_, frames, states_, animation_speed(frames.back().time)));
-        images(notes);
-        video(frames, notes);
+        if (add("snapshots.svg", simulation::snapshots_svg(scenario_, frames)) &&
+            add("trajectories.svg", simulation::trajectories_svg(scenario_, frames)) &&
+            add("animation.svg", simulation::animation_svg(scenario_, frames, states_, animation_speed(frames.back().time)))) {
+            images(notes);
+            video(frames, notes);
+        }
         return std::move(written_);
     }
 
@@ -62,9 +63,10 @@ private:
         return error.empty();
     }
 
-    void tables() {
+    bool tables() {
         for (std::size_t trial = 0; trial < result_.trials.size() && !result_.trials[trial].frames.empty(); ++trial)
-            if (!add(fmt::format("trial-{:02}.csv", trial + 1), simulation::positions_csv(result_.trials[trial].frames, states_))) return;
+            if (!add(fmt::format("trial-{:02}.csv", trial + 1), simulation::positions_csv(result_.trials[trial].frames, states_))) return false;
+        return true;
     }
 
     bool run(std::vector<std::string> command, const std::string& made, std::string& notes) {
@@ -108,7 +110,11 @@ private:
             dots.append(raster.dots.begin(), raster.dots.end());
         }
         const std::string raw = folder_ + "/frames.raw";
-        if (!write_file(raw, dots).empty()) return;
+        const std::string error = write_file(raw, dots);
+        if (!error.empty()) {
+            notes += fmt::format("  no MP4 and GIF: {}\n", error);
+            return;
+        }
         const double rate = static_cast<double>(count) * animation_speed(frames.back().time) / std::max(frames.back().time, 1.0);
         const std::vector<std::string> input = {"ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgb24",
                                                 "-video_size", fmt::format("{}x{}", raster.width, raster.height),

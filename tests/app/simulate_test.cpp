@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -90,6 +91,30 @@ TEST(Simulate, WrongScenariosAreExitTwoWithTheirPlace) {
     expect("robots 20", "robots 2000", "RC-M09");
     expect("step 0.1 s", "step 0 s", "RC-M03");
     expect("for aggregation::Aggregation", "for aggregation::Segregation", "RC-M10");
+}
+
+TEST(Simulate, WhatCannotBeWrittenIsAnErrorToldOnce) {
+    const testing::TemporaryFile file("file", "no folder");
+    const std::vector<std::string> words{"simulate", repository("corpus/aggregation/aggregation.scenario"), "--out", file.path()};
+    const auto text = run(words);
+    EXPECT_EQ(text.exit, 2) << "though all bands hold";
+    EXPECT_THAT(text.err, HasSubstr("error[RC-A03]"));
+    EXPECT_THAT(text.err, HasSubstr("1 error,"));
+    EXPECT_THAT(text.out, ::testing::Not(HasSubstr("rsvg-convert did not make"))) << "there is nothing to convert";
+    auto more = words;
+    more.insert(more.end(), {"--format", "json", "--trials", "1"});
+    const auto json = run(more);
+    EXPECT_EQ(json.exit, 2);
+    EXPECT_THAT(json.out, HasSubstr("RC-A03"));
+    EXPECT_TRUE(nlohmann::json::accept(json.out)) << json.out;
+}
+
+/// Whatever it is at: building the controller (after which its folder goes away) or the trials.
+TEST(Simulate, AnInterruptIsInconclusive) {
+    const Changed changed("trials 10", "trials 100000");
+    const auto ran = testing::run_and_signal({"simulate", changed.path(), "--no-pictures"}, SIGTERM);
+    EXPECT_EQ(ran.exit, 3) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("interrupted"));
 }
 
 TEST(Simulate, SeedsDecide) {
