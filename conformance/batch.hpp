@@ -1,5 +1,5 @@
-// Many small components at once: their generated code is compiled as one translation unit (a compiler's start and the
-// headers cost more than a small machine), then each is judged by itself. For random models and surveys.
+// Many small components at once: their generated code is compiled as one translation unit, then each is judged by
+// itself. For random models and surveys.
 #pragma once
 
 #include <chrono>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "conformance/code_batch.hpp"
 #include "conformance/conform.hpp"
-#include "cpp_emit/shared_library.hpp"
 #include "csp_emit/emit.hpp"
 
 namespace robochart::conformance {
@@ -28,12 +28,6 @@ struct Candidate {
                                                    const Options&, diagnostics::SourceManager&,
                                                    diagnostics::Diagnostics&);
 
-/// The cores and exploration interfaces of all candidates as one source, each in a namespace of its own; the entry of
-/// candidate i is `robochart_explore_i`.
-[[nodiscard]] std::vector<cpp_emit::OutputFile> batch_files(const std::vector<std::unique_ptr<Candidate>>&);
-/// The source among these files.
-inline constexpr const char* batch_source = "batch.cpp";
-
 /// Candidates compiled together.
 class Batch {
 public:
@@ -51,7 +45,7 @@ private:
 
     std::vector<std::unique_ptr<Candidate>> candidates_;
     Options options_;
-    std::unique_ptr<cpp_emit::SharedLibrary> library_;
+    std::unique_ptr<CodeBatch> code_;
 };
 
 }  // namespace robochart::conformance

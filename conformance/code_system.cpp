@@ -10,6 +10,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "conformance/watchdog.hpp"
+
 namespace robochart::conformance {
 
 namespace {
@@ -246,10 +248,22 @@ std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_regis
     Bytes once = from;
     Bytes twice = from;
     rc_log again = log;
-    const rc_result outcome = code_->step(once.data(), registers.data(), &log);
+    const Patience patience = endless_ ? Patience::short_ : Patience::seconds;
+    const Stepped stepped = watched_step(*code_, once.data(), registers.data(), &log, patience);
+    if (stepped.endless) return endless(from);
+    const rc_result outcome = stepped.result;
     if (outcome != code_->step(twice.data(), registers.data(), &again) || once != twice || !same(log, again))
         unsound_ = "`step` gives two results for one state and one set of inputs";
     return intern_result(result_of(outcome, log, once));
+}
+
+/// A call that does not return is a divergence like that of a step bound; what it left behind counts for nothing.
+std::uint32_t CodeSystem::endless(const Bytes& from) {
+    endless_ = true;
+    CycleResult result;
+    result.outcome = RC_STEP_BOUND;
+    result.next = intern(from);
+    return intern_result(std::move(result));
 }
 
 CycleResult CodeSystem::result_of(rc_result outcome, const rc_log& log, const Bytes& after) {

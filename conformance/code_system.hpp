@@ -51,6 +51,8 @@ public:
     [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
     /// Faults of the code that are no refinement questions: `step` or `initial` not a function of its arguments.
     [[nodiscard]] const std::string& unsound() const { return unsound_; }
+    /// Some call of `step` did not return and was stopped (watchdog.hpp).
+    [[nodiscard]] bool endless() const { return endless_; }
     /// Two images print alike and differ in bytes: the state is not canonical, the numbers are larger than need be.
     [[nodiscard]] bool alias_found() const { return alias_found_; }
 
@@ -65,6 +67,7 @@ private:
     std::uint32_t tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read);
     std::uint32_t intern_node(std::size_t level, Node);
     [[nodiscard]] std::uint32_t run(const Bytes& from, const std::vector<rc_register>& registers);
+    std::uint32_t endless(const Bytes& from);
     std::uint32_t run_once(const Bytes& from, const std::vector<rc_register>& registers, rc_log& log);
     [[nodiscard]] CycleResult result_of(rc_result, const rc_log&, const Bytes&);
     std::uint32_t intern_result(CycleResult);
@@ -89,6 +92,7 @@ private:
     std::uint64_t cycles_ = 0;
     std::function<void()> poll_;  ///< while the inputs of one state are tried, which may take long
     std::string unsound_;
+    bool endless_ = false;
     bool alias_found_ = false;
 };
 

@@ -86,7 +86,9 @@ std::optional<process::Event> offence(const refine::Counterexample& found) {
     return std::nullopt;
 }
 
-std::string difference(const refine::Counterexample& found, const Alphabet& alphabet) {
+std::string difference(const refine::Counterexample& found, const Alphabet& alphabet, const CodeSystem& code) {
+    if (found.kind == refine::ViolationKind::divergence && code.endless())
+        return "the code's cycle does not end: `step` does not return";
     if (found.kind == refine::ViolationKind::divergence)
         return "the code's cycle does not end: its step bound is reached";
     const auto event = offence(found);
@@ -126,7 +128,7 @@ void differs(Result& result, const refine::Counterexample& found, const Alphabet
     Run run = tell_run(steps, alphabet, cycle_length);
     replay(run, code);
     result.outcome = Outcome::differs;
-    result.reason = difference(found, alphabet);
+    result.reason = difference(found, alphabet, code);
     result.expected = expected_text(found, alphabet);
     result.cycles = std::move(run.cycles);
     result.raw = std::move(run.raw);

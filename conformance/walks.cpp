@@ -12,6 +12,7 @@
 #include "checker/refine/budget.hpp"
 #include "checker/refine/normal_form.hpp"
 #include "conformance/normal_form_system.hpp"
+#include "conformance/watchdog.hpp"
 
 namespace robochart::conformance {
 
@@ -64,7 +65,7 @@ public:
             if (auto parting = follow(at.node, read, true)) return parting;
         }
         rc_log log{};
-        const rc_result outcome = code_.step(at.image.data(), registers.data(), &log);
+        const rc_result outcome = watched_step(code_, at.image.data(), registers.data(), &log).result;
         if (told != nullptr) told->state = print(at.image);
         for (std::uint32_t r = 0; r < std::min<std::uint32_t>(log.count, ROBOCHART_MAX_RECORDS); ++r) {
             const rc_record& record = log.record[r];

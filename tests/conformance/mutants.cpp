@@ -1,0 +1,243 @@
+#include "tests/conformance/mutants.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "checker/process/operational_semantics.hpp"
+#include "conformance/normal_form_system.hpp"
+
+namespace robochart::conformance::test {
+
+namespace {
+
+constexpr std::size_t at_once = 40;  ///< mutants compiled together
+
+cpp_emit::BuildOptions build_options(const std::string& more = "") {
+    return {"c++", "-std=c++17 -O0 -w -fno-exceptions -fno-rtti" + more, ""};
+}
+
+refine::Limits limits() {
+    refine::Limits limits;
+    limits.max_states = 400'000;
+    limits.threads = 1;
+    return limits;
+}
+
+/// Only what a batch is made of.
+void strip(cpp_emit::Emission& code) {
+    std::erase_if(code.files, [&](const cpp_emit::OutputFile& file) {
+        return !file.path.ends_with("_core.hpp") && file.path != code.shim;
+    });
+}
+
+bool alike(const cpp_emit::Emission& a, const cpp_emit::Emission& b) {
+    return std::equal(a.files.begin(), a.files.end(), b.files.begin(), b.files.end(),
+                      [](const auto& one, const auto& other) { return one.text == other.text; });
+}
+
+/// L(G) where a missed deadline ends everything, as time does in the model.
+class StopsAtDeadlines final : public lts::TransitionSystem {
+public:
+    explicit StopsAtDeadlines(CodeSystem& code) : code_(code) {}
+    [[nodiscard]] std::size_t width() const override { return code_.width(); }
+    void initial(std::span<lts::Word> state) override { code_.initial(state); }
+    void successors(lts::StateView state, lts::SuccessorSink& sink) override {
+        Filter filter(sink, code_.events());
+        code_.successors(state, filter);
+    }
+    [[nodiscard]] const process::EventTable& events() const override { return code_.events(); }
+    [[nodiscard]] std::string describe(lts::StateView state) const override { return code_.describe(state); }
+
+private:
+    class Filter final : public lts::SuccessorSink {
+    public:
+        Filter(lts::SuccessorSink& to, const process::EventTable& events) : to_(to), events_(events) {}
+        void add(process::Event event, lts::StateView target, process::Event revealed) override {
+            if (event == process::tau || events_.name(event) != "code.deadline") to_.add(event, target, revealed);
+        }
+
+    private:
+        lts::SuccessorSink& to_;
+        const process::EventTable& events_;
+    };
+
+    CodeSystem& code_;
+};
+
+/// What told a mutant from the model.
+std::string means(const Result& result) {
+    constexpr std::pair<const char*, const char*> words[] = {
+        {"does not return", "watchdog"},
+        {"step bound", "step bound"},
+        {"misses a deadline", "deadline"},
+        {"precondition", "precondition"},
+        {"two results", "not a function"},
+        {"time stops", "schedulability"},
+        {"ends its cycle", "refinement: something is missing"},
+        {"writes", "refinement: something else is written"},
+    };
+    for (const auto& [said, word] : words)
+        if (result.reason.find(said) != std::string::npos) return word;
+    return "refinement: " + result.reason;
+}
+
+}  // namespace
+
+Study::Study(Model& model, ir::ComponentRef component, Time time)
+    : model_(model), component_(component), time_(time), bench_(model, std::move(component)) {
+    code_ = emit(cpp_emit::Fault::none, 0);
+    std::string error;
+    original_ = CodeBatch::build({&code_}, build_options(), error);
+    EXPECT_TRUE(original_) << error;
+    if (!original_) return;
+    original_code_ = original_->code(0, error);
+    EXPECT_NE(original_code_, nullptr) << error;
+    if (original_code_ == nullptr) return;
+    Interface interface = interface_of(*original_code_);
+    complete(interface, model_.system, model_.instantiation, component_, bench_.script().provenance);
+    alphabet_.emplace(interface, bench_.session().event_table());
+    graph_.emplace(bench_.system(), *alphabet_);
+}
+
+cpp_emit::Emission Study::emit(cpp_emit::Fault fault, std::uint32_t site) {
+    cpp_emit::Options options;
+    options.fault = fault;
+    options.fault_site = site;
+    cpp_emit::Emission code =
+        cpp_emit::emit(model_.system, model_.instantiation, component_, options, model_.diagnostics);
+    strip(code);
+    return code;
+}
+
+Result Study::original() {
+    if (original_code_ == nullptr) return {};
+    if (time_ == Time::may_stop) return refined(*original_code_);
+    const Result result = schedulable(*graph_, *alphabet_, 1, limits());
+    return result.outcome == Outcome::conforms ? refined(*original_code_) : result;
+}
+
+Result Study::refined(const rc_interface& code) {
+    return time_ == Time::may_stop ? refined_until_time_stops(code)
+                                   : refined_by(*graph_, *alphabet_, code, 1, limits());
+}
+
+/// Where the model's time stops, NF_c(M) stops; so must the code, and nowhere else.
+Result Study::refined_until_time_stops(const rc_interface& code) {
+    NormalFormSystem specification(*graph_, *alphabet_, 1, AfterTermination::stop);
+    CodeSystem system(code, *alphabet_, 1);
+    StopsAtDeadlines implementation(system);
+    const refine::Verdict verdict =
+        refine::refines(specification, implementation, refine::Model::failures_divergences, limits());
+    Result result;
+    result.reason = verdict.reason;
+    if (verdict.outcome == refine::Outcome::holds) result.outcome = Outcome::conforms;
+    if (!verdict.counterexample) return result;
+    result.outcome = Outcome::differs;
+    const refine::Counterexample& found = *verdict.counterexample;
+    const auto tocks = std::count_if(found.steps.begin(), found.steps.end(),
+                                     [&](const refine::Step& step) { return step.event == alphabet_->tock(); });
+    const bool last_tock = !found.steps.empty() && found.steps.back().event == alphabet_->tock();
+    const bool stops = found.kind == refine::ViolationKind::refusal && found.offered.empty();
+    result.cycles.resize(static_cast<std::size_t>(tocks) + (last_tock ? 0 : 1));
+    result.reason = stops || last_tock ? "the code and the model do not agree on where time stops"
+                                       : "the code writes what the model does not allow, or not what it must";
+    return result;
+}
+
+std::vector<Study::Seeded> Study::seed(std::size_t sites) {
+    std::vector<Seeded> all;
+    for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
+        const std::uint32_t there = emit(kind.fault, 0).fault_sites;
+        const auto wanted = static_cast<std::uint32_t>(std::min<std::size_t>(there, sites));
+        for (std::uint32_t n = 0; n < wanted; ++n) {
+            const std::uint32_t site = n * there / wanted;
+            Seeded each{{kind, site, Fate::undecided, "", 0, ""}, emit(kind.fault, site)};
+            if (!alike(each.code, code_)) all.push_back(std::move(each));
+        }
+    }
+    return all;
+}
+
+std::vector<Mutant> Study::mutants(std::size_t sites) {
+    if (original_code_ == nullptr) return {};
+    std::vector<Seeded> all = seed(sites);
+    for (std::size_t first = 0; first < all.size(); first += at_once) {
+        std::vector<Seeded*> together;
+        for (std::size_t i = first; i < std::min(first + at_once, all.size()); ++i) together.push_back(&all[i]);
+        judge_together(std::move(together));
+    }
+    std::vector<Mutant> mutants;
+    for (Seeded& each : all) mutants.push_back(std::move(each.mutant));
+    return mutants;
+}
+
+/// Those that do not compile are killed by that.
+void Study::drop_uncompilable(std::vector<Seeded*>& together) {
+    std::vector<const cpp_emit::Emission*> codes;
+    for (const Seeded* each : together) codes.push_back(&each->code);
+    std::string error;
+    (void)CodeBatch::build(codes, build_options(" -fsyntax-only -fmax-errors=0"), error);
+    const std::vector<std::string> errors = errors_by_candidate(error, together.size());
+    std::vector<Seeded*> rest;
+    for (std::size_t i = 0; i < together.size(); ++i) {
+        if (errors[i].empty()) {
+            rest.push_back(together[i]);
+            continue;
+        }
+        together[i]->mutant.fate = Fate::killed;
+        together[i]->mutant.by = "compiler";
+        together[i]->mutant.told = errors[i];
+    }
+    together = std::move(rest);
+}
+
+void Study::judge_together(std::vector<Seeded*> together) {
+    const auto uncompilable = [](const Seeded* each) {
+        return each->mutant.kind.fault == cpp_emit::Fault::undeclared_member ||
+               each->mutant.kind.fault == cpp_emit::Fault::name_collision;
+    };
+    if (std::any_of(together.begin(), together.end(), uncompilable)) drop_uncompilable(together);
+    if (together.empty()) return;
+    std::vector<const cpp_emit::Emission*> codes;
+    for (const Seeded* each : together) codes.push_back(&each->code);
+    std::string error;
+    const auto batch = CodeBatch::build(codes, build_options(), error);
+    ASSERT_TRUE(batch) << error.substr(0, 4000);
+    for (std::size_t i = 0; i < together.size(); ++i) {
+        std::string fault;
+        const rc_interface* const code = batch->code(i, fault);
+        ASSERT_NE(code, nullptr) << fault;
+        judge(together[i]->mutant, *code);
+    }
+}
+
+void Study::judge(Mutant& mutant, const rc_interface& code) {
+    try {
+        const Result result = refined(code);
+        mutant.told = result.reason;
+        if (result.outcome == Outcome::conforms) return compare(mutant, code);
+        if (result.outcome != Outcome::differs) return;
+        mutant.fate = Fate::killed;
+        mutant.by = means(result);
+        mutant.cycles = std::max<std::size_t>(1, result.cycles.size());
+    } catch (const AlphabetError& mismatch) {
+        mutant.fate = Fate::killed;
+        mutant.by = "interface";
+        mutant.told = mismatch.what();
+    }
+}
+
+void Study::compare(Mutant& mutant, const rc_interface& code) {
+    try {
+        const CodeEquality equality = compare_code(*original_code_, code, *alphabet_, 1, limits());
+        mutant.fate = equality.same ? Fate::equivalent : Fate::variant;
+        mutant.cycles = equality.cycles;
+        mutant.told = equality.difference;
+    } catch (const process::Interrupted& limit) {
+        mutant.told = limit.what();
+    }
+}
+
+}  // namespace robochart::conformance::test
