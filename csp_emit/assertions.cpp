@@ -145,7 +145,10 @@ void Asserter::report_unused(const ir::Property& property) const {
 
 /// `P::X::D__(0, constants...)`; for a process of a CSP block its name.
 ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const {
-    if (ref.kind == ir::ComponentKind::process) return b::name(ref.path);
+    if (ref.kind == ir::ComponentKind::process) {
+        const auto changed = emitted_.names_of_blocks.find(ref.path);
+        return b::name(changed == emitted_.names_of_blocks.end() ? ref.path : changed->second);
+    }
     return b::call(path(ref) + "::" + variant, arguments(ref, property));
 }
 

@@ -6,6 +6,7 @@
 
 #include "checker/cspm/build.hpp"
 #include "checker/cspm/reader.hpp"
+#include "csp_emit/apart.hpp"
 #include "csp_emit/assertions.hpp"
 #include "csp_emit/controller.hpp"
 #include "csp_emit/expressions.hpp"
@@ -73,15 +74,8 @@ private:
     NameManager& names_;
 };
 
-/// What the blocks declare that would be a pattern in the place of a parameter (checkers.md 3).
-void reserve_patterns(const std::vector<DeclPtr>& blocks, NameManager& names) {
-    for (const DeclPtr& decl : blocks) {
-        if (decl->kind == cspm::DeclKind::channel)
-            for (const std::string& name : decl->names) names.reserve(name);
-        if (decl->kind == cspm::DeclKind::datatype)
-            for (const cspm::Constructor& each : decl->constructors) names.reserve(each.name);
-        if (decl->kind == cspm::DeclKind::timed) reserve_patterns(decl->decls, names);
-    }
+void append(std::vector<DeclPtr>& decls, const std::vector<DeclPtr>& more) {
+    decls.insert(decls.end(), more.begin(), more.end());
 }
 
 /// Components of a package, in the order machines, controllers, modules.
@@ -172,19 +166,26 @@ std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std
     return result;
 }
 
-/// The user's instantiations with the generated ones of all names that they leave out; of these the functions whose
-/// values are the finite reading's choice.
-void add_instantiations(const Project& project, std::vector<DeclPtr>& decls, std::set<std::string>& bounded) {
-    std::set<std::string> given;
+/// The declarations of the user's instantiations, but `transparent` lines that the library has too.
+std::vector<DeclPtr> user_instantiations(const Project& project, const std::vector<DeclPtr>& library) {
+    std::vector<DeclPtr> result;
     for (const ir::CspBlock& block : project.system.csp_blocks) {
         if (!project.replaces_instantiations(block)) continue;
         project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
-        for (const DeclPtr& decl : declared_once(read_block(project, block), decls)) {
-            given.insert(decl->names.begin(), decl->names.end());
-            if (decl->kind == cspm::DeclKind::value && !decl->patterns.empty())
-                for (const auto& pattern : decl->patterns.front()) given.insert(pattern->text);
-            decls.push_back(decl);
-        }
+        append(result, declared_once(read_block(project, block), library));
+    }
+    return result;
+}
+
+/// The generated instantiations of all names that the user's leave out; of these the functions whose values are the
+/// finite reading's choice.
+void add_instantiations(const Project& project, const std::vector<DeclPtr>& theirs, std::vector<DeclPtr>& decls,
+                        std::set<std::string>& bounded) {
+    std::set<std::string> given;
+    for (const DeclPtr& decl : theirs) {
+        given.insert(decl->names.begin(), decl->names.end());
+        if (decl->kind == cspm::DeclKind::value && !decl->patterns.empty())
+            for (const auto& pattern : decl->patterns.front()) given.insert(pattern->text);
     }
     for (const DeclPtr& decl : instantiations(project)) {
         const std::string name = !decl->names.empty() ? decl->names.front() : decl->patterns.front().front()->text;
@@ -196,10 +197,6 @@ void add_instantiations(const Project& project, std::vector<DeclPtr>& decls, std
         if (!function.postconditions.empty()) bounded.erase(function_name(function));
 }
 
-void append(std::vector<DeclPtr>& decls, const std::vector<DeclPtr>& more) {
-    decls.insert(decls.end(), more.begin(), more.end());
-}
-
 /// The blocks of this time but the instantiations, in order.
 std::vector<DeclPtr> user_blocks(const Project& project) {
     std::vector<DeclPtr> result;
@@ -209,31 +206,14 @@ std::vector<DeclPtr> user_blocks(const Project& project) {
     return result;
 }
 
-/// Names that the declarations define at the top; those of timed sections stand there too.
-void defined_names(const std::vector<DeclPtr>& decls, std::set<std::string>& names) {
-    for (const DeclPtr& decl : decls) {
-        if (decl->kind == cspm::DeclKind::function) names.insert(decl->names.begin(), decl->names.end());
-        if (decl->kind == cspm::DeclKind::value && decl->patterns.front().front()->kind == cspm::PatternKind::name)
-            names.insert(decl->patterns.front().front()->text);
-        if (decl->kind == cspm::DeclKind::timed) defined_names(decl->decls, names);
-    }
+void reserve(const UserNames& theirs, NameManager& names) {
+    for (const std::string& name : theirs.all) names.reserve(name);
+    for (const std::string& name : theirs.constructors) names.reserve(name);
 }
 
-/// The declarations without those of these names.
-std::vector<DeclPtr> without(const std::vector<DeclPtr>& decls, const std::set<std::string>& names) {
-    std::vector<DeclPtr> result;
-    for (const DeclPtr& decl : decls) {
-        std::set<std::string> own;
-        if (decl->kind != cspm::DeclKind::timed) defined_names({decl}, own);
-        if (std::any_of(own.begin(), own.end(), [&](const std::string& name) { return names.contains(name); }))
-            continue;
-        result.push_back(decl);
-        if (decl->kind != cspm::DeclKind::timed) continue;
-        cspm::Decl section = *decl;
-        section.decls = without(decl->decls, names);
-        result.back() = std::make_shared<const cspm::Decl>(std::move(section));
-    }
-    return result;
+std::string in(const cspm::NewNames& names, const std::string& name) {
+    const auto found = names.find(name);
+    return found == names.end() ? name : found->second;
 }
 
 void point_out_probabilities(const Project& project) {
@@ -259,23 +239,34 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     NameSurvey(project, names).all();
     point_out_probabilities(project);
     Emission result;
-    std::vector<DeclPtr>& definitions = result.definitions.decls;
     const std::vector<DeclPtr> blocks = user_blocks(project);
-    reserve_patterns(blocks, names);
-    std::set<std::string> given;
-    defined_names(blocks, given);
-    append(definitions, without(library(project), given));  // a user's definition takes the library's place
-    append(definitions, data_definitions(project));
-    add_instantiations(project, definitions, result.bounded);
+    const std::vector<DeclPtr> core = library(project);
+    const std::vector<DeclPtr> carriers = user_instantiations(project, core);
+    UserNames theirs = user_names(blocks);
+    theirs.constructors.merge(user_names(carriers).constructors);
+    reserve(theirs, names);
+    std::vector<DeclPtr> generated = data_definitions(project);
+    add_instantiations(project, carriers, generated, result.bounded);
     Emitted emitted;
-    emit_components(project, names, emitted, definitions);
+    emit_components(project, names, emitted, generated);
+    std::vector<DeclPtr> ours = core;
+    append(ours, generated);
+    const cspm::NewNames new_names = new_names_of_ours(theirs, core, ours, names);
+    emitted.names_of_blocks = new_names_of_theirs(theirs, ours, names);
+    const std::string terminated = in(new_names, "r__");
     EventMeaning tock{MeaningKind::tock, "one time unit passes", {}, {}};
     if (project.timed()) emitted.provenance.events["tock"] = tock;
-    emitted.provenance.events["r__"] = {MeaningKind::terminate, "it has terminated", {}, {}};
+    emitted.provenance.events[terminated] = {MeaningKind::terminate, "it has terminated", {}, {}};
+    std::vector<DeclPtr>& definitions = result.definitions.decls;
+    definitions = cspm::renamed(core, new_names);
+    append(definitions, carriers);
+    append(definitions, cspm::renamed(generated, new_names));
     result.script = result.definitions;
-    append(result.script.decls, declared_once(blocks, definitions));
+    append(result.script.decls, cspm::renamed(declared_once(blocks, definitions), emitted.names_of_blocks));
     result.obligations = obligations(project, names, emitted);
-    for (const Obligation& obligation : result.obligations) {
+    for (Obligation& obligation : result.obligations) {
+        obligation.preparation = cspm::renamed(obligation.preparation, new_names);
+        if (terminated != "r__") obligation.assertions = cspm::renamed(obligation.assertions, {{"r__", terminated}});
         append(result.script.decls, obligation.preparation);
         append(result.script.decls, obligation.assertions);
     }

@@ -262,7 +262,8 @@ bool Translator::is_open(ir::TypeId id) const {
 ExprPtr Translator::toolkit(const ir::Expr& expr) const {
     b::Exprs arguments = args(expr);
     for (const std::size_t place : ir::toolkit_carriers(expr.text)) {
-        if (is_open(expr.bound_types.at(place))) return refused("function " + expr.text + " of elements whose type nothing tells", expr);
+        if (is_open(expr.bound_types.at(place)))
+            return refused("function " + expr.text + " of elements whose type nothing tells", expr);
         arguments.push_back(type_set(project_, expr.bound_types[place]));
     }
     return b::apply(b::name(expr.text), arguments);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "checker/cspm/build.hpp"
+#include "checker/cspm/lookup.hpp"
 #include "csp_emit/alike_branches.hpp"
 #include "csp_emit/rules.hpp"
 #include "csp_emit/types.hpp"
@@ -20,8 +21,21 @@ using ir::NodeKind;
 namespace {
 
 constexpr std::size_t max_points = 20'000;
+/// Arguments of all calls between them: each is a small tree of its own, so these are about two gigabytes.
+constexpr std::size_t max_written = 4'000'000;
 /// Statements done at once before a function of their own follows: bounds recursion and the size of expressions.
 constexpr std::size_t max_run = 100;
+
+/// Nodes of a value that is written where it is used.
+constexpr std::size_t largest_inline = 40;
+
+/// Whether the expression has more nodes than that; the number counts down.
+bool larger_than(const cspm::Expr& expr, std::size_t& nodes) {
+    if (nodes == 0) return true;
+    --nodes;
+    return std::any_of(expr.args.begin(), expr.args.end(),
+                       [&](const ExprPtr& part) { return part && larger_than(*part, nodes); });
+}
 
 /// The innermost thing that goes on: what names and describes the configuration.
 const Item* running_item(const Activation& activation) {
@@ -52,6 +66,7 @@ ComponentEmission MachineEmitter::emit() {
     std::vector<cspm::DeclPtr> definitions = point_definitions(initial);
     ComponentEmission result;
     definitions.insert(definitions.begin(), clock_limits_.begin(), clock_limits_.end());
+    definitions.insert(definitions.begin(), large_defaults_.begin(), large_defaults_.end());
     result.module = module(std::move(definitions), initial);
     result.constants = constants_;
     for (const ir::Variable& variable : machine().variables) {
@@ -144,7 +159,18 @@ Activation MachineEmitter::start() const {
 ExprPtr MachineEmitter::initial_value(std::uint32_t frame, const ir::Variable& variable) const {
     const bool own = variable.scope == ir::VariableScope::local && variable.initial;
     return own ? expression_as(project(), scope(frame, {}), *variable.initial, variable.type)
-               : default_literal(project(), variable.type);
+               : default_of(variable.type);
+}
+
+/// A large matrix is written once and not wherever it is given.
+ExprPtr MachineEmitter::default_of(ir::TypeId type) const {
+    const auto [found, added] = defaults_.try_emplace(type.index);
+    if (!added) return found->second;
+    ExprPtr& value = found->second = default_literal(project(), type);
+    std::size_t nodes = largest_inline;
+    if (!larger_than(*value, nodes)) return value;
+    large_defaults_.push_back(b::value("default_" + std::to_string(large_defaults_.size()) + "__", value));
+    return value = b::name(cspm::declared_names(*large_defaults_.back()).front());
 }
 
 /// Parameters of a standalone operation keep the value that the caller gives.
@@ -162,6 +188,7 @@ Values MachineEmitter::initial_values() const {
 
 /// The process in this configuration with these values: does what needs no event, then names the rest.
 ExprPtr MachineEmitter::go(const Activation& config, const Values& values) {
+    if (overflow_) return b::stop();  // reported
     if (run_ >= max_run) return call_point(config, values);
     ++run_;
     auto moved = silent(config, values);
@@ -178,6 +205,8 @@ ExprPtr MachineEmitter::call_point(const Activation& config, const Values& value
         if (guard->kind != cspm::ExprKind::boolean)
             changed[cell] = b::if_(guard, value_of(cell, values), monitor_bound(cell, values));
     }
+    written_ += 1 + changed.size();
+    if (written_ > max_written) too_large(std::to_string(max_written) + " values to pass between program points");
     return call_with(points_[index].name, arguments(changed), after_tock_);
 }
 
@@ -191,15 +220,18 @@ std::size_t MachineEmitter::point(const Activation& config) {
     const auto [found, added] = point_of_.try_emplace(key(config), points_.size());
     if (!added) return found->second;
     if (points_.size() == max_points) {
-        if (!overflow_)
-            project().diagnostics.report(rules::too_many_points, machine().origin.span,
-                                         {machine().name, std::to_string(max_points)});
-        overflow_ = true;
+        too_large(std::to_string(max_points) + " program points");
         point_of_.erase(found);
         return points_.size();
     }
     points_.push_back({config, point_name(config)});
     return points_.size() - 1;
+}
+
+/// Reported once; what is written from then on is short.
+void MachineEmitter::too_large(const std::string& what) {
+    if (!overflow_) project().diagnostics.report(rules::too_many_points, machine().origin.span, {machine().name, what});
+    overflow_ = true;
 }
 
 ExprPtr MachineEmitter::body(const Point& point) {

@@ -93,6 +93,7 @@ private:
     ExprPtr go(const Activation& config, const Values& values);
     ExprPtr call_point(const Activation& config, const Values& values);
     std::size_t point(const Activation& config);
+    void too_large(const std::string& what);
     ExprPtr body(const Point& point);
     std::vector<Function> explore();
     void check_initial(const std::vector<std::string>& needed) const;
@@ -106,6 +107,7 @@ private:
     Activation start() const;
     Values initial_values() const;
     ExprPtr initial_value(std::uint32_t frame, const ir::Variable& variable) const;
+    ExprPtr default_of(ir::TypeId type) const;
     std::string describe(const Activation& config) const;
     std::string point_name(const Activation& config);
 
@@ -276,8 +278,11 @@ private:
     bool after_tock_ = false;  ///< the branch of a tock is being made
     std::map<std::string, std::size_t> point_of_;
     std::vector<Point> points_;
-    std::size_t run_ = 0;        ///< statements done at once so far
-    std::size_t branching_ = 0;  ///< conditionals around the present one
+    std::size_t run_ = 0;                                ///< statements done at once so far
+    std::size_t branching_ = 0;                          ///< conditionals around the present one
+    mutable std::map<std::uint32_t, ExprPtr> defaults_;  ///< by TypeId: made once, large ones named
+    mutable std::vector<cspm::DeclPtr> large_defaults_;
+    std::size_t written_ = 0;  ///< arguments of all calls of points
     bool overflow_ = false;
     std::map<std::string, std::size_t> step_of_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> transition_of_;

@@ -1,6 +1,6 @@
 // Calls (semantics 3.8). Not defined in the context: one event `opCall.args`. Defined: the operation's machine runs
-// and then goes on where it was called: written once for all calls (shared_calls.cpp), or in the place of the call where
-// something else goes on beside, its parameters and variables joining the parameters of those points.
+// and then goes on where it was called: written once for all calls (shared_calls.cpp), or in the place of the call
+// where something else goes on beside, its parameters and variables joining the parameters of those points.
 #include <algorithm>
 
 #include "checker/cspm/build.hpp"

@@ -31,7 +31,7 @@ const Rule name_of_another{
     "The state, the type or function, or the event that looks like such a channel gets a number behind its name."};
 // RC-C05 is retired: exits that race with the store of a trigger's value run beside it.
 const Rule too_many_points{
-    "RC-C06", Severity::error, "{} has more than {} program points",
+    "RC-C06", Severity::error, "{} has more than {}",
     "During actions of nested states run concurrently, and each combination of their positions is a point of the "
     "script. The model multiplies too many of them."};
 const Rule instantiations_replaced{

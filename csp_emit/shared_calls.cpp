@@ -211,7 +211,7 @@ std::map<std::string, ExprPtr> MachineEmitter::values_of_no_interest() const {
         if (cell.kind == CellKind::clock)  // at its limit a clock stands still; one of constants may not be known there
             result[cell.name] = cell.limit->kind == cspm::ExprKind::integer ? cell.limit : b::number(0);
         else if (cell.kind == CellKind::variable && cell.type.valid())
-            result[cell.name] = default_literal(project(), cell.type);
+            result[cell.name] = default_of(cell.type);
         else
             result[cell.name] = watch_ && cell.name == cells_[*watch_].name ? b::boolean(false) : b::number(0);
     }

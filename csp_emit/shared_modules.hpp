@@ -1,6 +1,6 @@
-// Components that are used in several places, a machine on its own and in a controller, a controller in a module, become
-// modules of equal text. Such a module is written once, with a parameter that nothing reads, and each place has an
-// `instance` of it: the same channels and processes under the same names (FDR manual, modules), in less text.
+// Components that are used in several places, a machine on its own and in a controller, a controller in a module,
+// become modules of equal text. Such a module is written once, with a parameter that nothing reads, and each place has
+// an `instance` of it: the same channels and processes under the same names (FDR manual, modules), in less text.
 #pragma once
 
 #include <vector>

@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <map>
 #include <set>
 
+#include "checker/cspm/builtins.hpp"
+#include "checker/cspm/reader.hpp"
+#include "checker/cspm/types.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {
@@ -244,6 +248,153 @@ TEST(Constants, CountWhereAnAssertionSetsThem) {
             EXPECT_EQ(m->codes(), counted ? std::vector<std::string>{} : std::vector<std::string>{"RC-C08"})
                 << path << " " << place;
         }
+}
+
+// A machine with something of everything that brings parameters and bound names of ours into the script.
+const char* const variety = R"(
+    interface Ops { walk(n : nat) look() }
+    function twice(n : nat) : nat { precondition n < 2 postcondition result == n }
+    operation walk(n : nat) {
+        var k : nat
+        clock T
+        initial i
+        final f
+        state W { entry k = n }
+        transition t0 { from i to W }
+        transition t1 { from W to f condition since(T) >= 1 }
+    }
+    controller K {
+        event a : nat
+        event b
+        event o : nat
+        event p
+        requires Ops
+        opref w = walk
+        stm S {
+            event a : nat
+            event b
+            event o : nat
+            event p
+            requires Ops
+            var v : nat
+            var q : Seq(nat)
+            clock C
+            initial i
+            state A { entry o ! twice(v) ; q = <v, 1> ; walk(v) during wait([0, 1]) ; p <{2} exit #C }
+            state B { entry q[1] = v ; look() }
+            junction k0
+            transition t0 { from i to A }
+            transition t1 { from A to B trigger a ? v condition since(C) < 3 }
+            transition t2 { from B to k0 condition forall z : nat | z > 1 @ z > v }
+            transition t3 { from k0 to A condition v > 0 }
+            transition t4 { from k0 to B condition not (v > 0) action walk(1) }
+            transition t5 { from B to A trigger b <{3} }
+        }
+        connection K on a to S on a
+        connection K on b to S on b
+        connection S on o to K on o
+        connection S on p to K on p
+    })";
+
+/// Names that stand in the script otherwise than behind `::`.
+std::set<std::string> plain_names(const std::string& text) {
+    std::set<std::string> result;
+    const auto part = [&](std::size_t at) {
+        return std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_' || text[at] == '\'';
+    };
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at;
+        while (end < text.size() && part(end)) ++end;
+        const bool word = end > at && std::isdigit(static_cast<unsigned char>(text[at])) == 0;
+        const bool inner = at > 0 && (text[at - 1] == ':' || text.compare(end, 2, "::") == 0);
+        if (word && !inner) result.insert(text.substr(at, end - at));
+        at = std::max(end, at + 1);
+    }
+    return result;
+}
+
+// Names of events that mean something in CSPM or are parameters of ours.
+TEST(Names, OfEventsMayBeThoseOfParameters) {
+    for (const std::string name : {"out", "x", "x__", "in__", "e__", "id__", "v_v", "tock", "tock_", "step__", "r__"}) {
+        const auto m = testing::model("stm S { event " + name + " : nat var v : nat initial i state A { } " +
+                                      "transition t0 { from i to A } transition t1 { from A to A trigger " + name +
+                                      " ? v condition v > 0 action v = 1 } }");
+        ASSERT_TRUE(m->diagnostics.ok()) << name << m->messages();
+        for (const Time time : {Time::untimed, Time::timed}) {
+            Emission emission = m->emit(time, true);
+            cspm::check_types(emission.script, m->diagnostics);
+            ASSERT_TRUE(m->diagnostics.ok()) << name << m->messages();
+        }
+        // One of t0 and t1's events after another: two received, and never the same as nothing.
+        const std::string question =
+            "RECEIVED = (|~| e : diff(S::sem__events, {S::terminate}) @ e -> RECEIVED)\n"
+            "assert RECEIVED [F= S::D__(0) \\ {S::terminate}\nassert STOP [T= S::D__(0)";
+        const auto told = testing::verdicts(*m, Time::untimed, question);
+        ASSERT_EQ(told.size(), 2U) << name;
+        EXPECT_EQ(told[0], "holds") << name;
+        EXPECT_NE(told[1], "holds") << name;
+    }
+}
+
+// What a block calls a channel, a constructor or a function of its own is nothing in the generated part. What is
+// declared twice, at the top under a name of RoboTool's, is an error at the block's place; everything else type checks
+// and has the same meaning.
+TEST(Names, OfBlocksAreApartFromGeneratedOnes) {
+    const auto plain = testing::model(variety);
+    ASSERT_TRUE(plain->diagnostics.ok()) << plain->messages();
+    const std::string text = cspm::print(plain->emit(Time::timed).script);
+    ASSERT_TRUE(plain->diagnostics.ok()) << plain->messages();
+    const std::string question = "assert K::D__(0) :[deadlock free]\nassert STOP [T= K::D__(0) \\ {| K::a, K::o |}";
+    const auto expected = testing::verdicts(*plain, Time::timed, question);
+    std::set<std::string> twice;
+    std::size_t apart = 0;
+    for (const std::string& name : plain_names(text)) {
+        for (const std::string& declared : {"channel " + name, name + "(one) = one"}) {
+            const auto m = testing::model(variety, "csp Block csp-begin\n" + declared + "\ncsp-end\n");
+            ASSERT_TRUE(m->diagnostics.ok()) << declared << m->messages();
+            const Emission emission = m->emit(Time::timed);
+            if (!m->diagnostics.ok()) continue;  // a keyword
+            const cspm::Script script = emission.script;
+            cspm::check_types(script, m->diagnostics);
+            if (!m->diagnostics.ok()) {
+                EXPECT_THAT(m->messages(), ::testing::HasSubstr("model.assertions:2")) << declared;
+                twice.insert(name);
+                continue;
+            }
+            ++apart;
+            if (apart % 25 == 0) {
+                EXPECT_EQ(testing::verdicts(*m, Time::timed, question), expected) << declared;
+            }
+        }
+    }
+    const std::set<std::string> known{"InOut",
+                                      "in",
+                                      "out",
+                                      "tock",
+                                      "tock'",
+                                      "core_boolean",
+                                      "core_int",
+                                      "core_nat",
+                                      "core_real",
+                                      "core_string",
+                                      "core_clock_type",
+                                      "real_scale",
+                                      "Plus",
+                                      "Minus",
+                                      "Mult",
+                                      "Div",
+                                      "Modulus",
+                                      "Neg",
+                                      "sbisim",
+                                      "dbisim",
+                                      "diamond",
+                                      "prioritise",
+                                      "K",
+                                      "OP_walk",
+                                      "twice",
+                                      "pre_twice"};
+    for (const std::string& name : twice) EXPECT_TRUE(known.contains(name)) << name;
+    EXPECT_GT(apart, 5 * twice.size());
 }
 
 }  // namespace

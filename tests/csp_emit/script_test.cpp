@@ -129,6 +129,43 @@ TEST(Script, ValuesThatDoNotMatterAnyMoreAreDropped) {
     EXPECT_THAT(text, HasSubstr("B__ ="));
 }
 
+// Wherever an operation with a large variable is called, its value is a name; the table of 49 zeros is there once.
+TEST(Script, LargeDefaultsAreWrittenOnce) {
+    const auto m = model(R"(
+        interface Ops { walk() }
+        operation walk() {
+            var m : matrix(nat, 7, 7)
+            event a : nat
+            initial i
+            final f
+            state W { entry a ! (m[1, 1]) }
+            transition t0 { from i to W }
+            transition t1 { from W to f condition m[1, 1] == 0 }
+        }
+        controller C {
+            opref w = walk
+            event a : nat
+            stm S {
+                event a : nat
+                requires Ops
+                initial i
+                state A { during walk() ; walk() }
+                transition t0 { from i to A }
+            }
+            connection S on a to C on a
+        })");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    const std::string text = printed(*m, Time::untimed);
+    std::size_t rows = 0;
+    for (auto at = text.find("(0,0,0,0,0,0,0)"); at != std::string::npos; at = text.find("(0,0,0,0,0,0,0)", at + 1))
+        ++rows;
+    EXPECT_EQ(rows % 7, 0U);
+    EXPECT_THAT(text, HasSubstr("default_0__ ="));
+    EXPECT_LE(rows, 2U * 7U);
+    EXPECT_EQ(testing::verdicts(*m, Time::untimed, "assert C::a.out.0 -> C::a.out.0 -> STOP [T= C::D__(0)"),
+              std::vector<std::string>{"holds"});
+}
+
 TEST(Liveness, GoesBackwardsAlongCalls) {
     namespace b = cspm::build;
     // P passes x to Q as y, which Q passes on to R, which outputs it; z goes nowhere.
