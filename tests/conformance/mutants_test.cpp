@@ -23,27 +23,33 @@ using test::Time;
 /// Conforms and does otherwise than the original: what the model leaves open, decided the other way.
 struct Open {
     Fault fault;
+    const char* model;  ///< the only one where it may; null: all
     const char* why;
 };
 
 constexpr Open open_choices[] = {
-    {Fault::transitions_reversed, "transitions of a state that are enabled together: the model takes any"},
-    {Fault::outer_first, "an inner and an outer transition enabled together: the model takes any"},
-    {Fault::junction_reversed, "ways out of a junction that are open together: the model takes any"},
-    {Fault::way_exchanged, "a probabilistic junction is a free choice of its ways"},
-    {Fault::machines_reversed, "machines act in any order within a cycle"},
-    {Fault::statements_exchanged, "a write reaches the other machines before or after what the writer does next"},
+    {Fault::transitions_reversed, nullptr, "transitions of a state that are enabled together: the model takes any"},
+    {Fault::outer_first, nullptr, "an inner and an outer transition enabled together: the model takes any"},
+    {Fault::junction_reversed, nullptr, "ways out of a junction that are open together: the model takes any"},
+    {Fault::way_exchanged, nullptr, "a probabilistic junction is a free choice of its ways"},
+    {Fault::machines_reversed, nullptr, "machines act in any order within a cycle"},
+    {Fault::statements_exchanged, "team",
+     "a write reaches the other machines before or after what the writer does next"},
+    {Fault::statements_exchanged, "wires",
+     "a write reaches the other machines before or after what the writer does next"},
+    {Fault::wrong_target, "choices", "one way of the probabilistic junction leads where the other does"},
+    {Fault::wrong_output, "choices", "behind one way of the probabilistic junction is what is behind the other"},
 };
 
 /// These only ever decide what the model leaves open, so nothing can kill them.
 bool decides_only(Fault fault) {
-    return fault != Fault::statements_exchanged && std::any_of(std::begin(open_choices), std::end(open_choices),
-                                                               [&](const Open& open) { return open.fault == fault; });
+    return std::any_of(std::begin(open_choices), std::end(open_choices),
+                       [&](const Open& open) { return open.fault == fault && open.model == nullptr; });
 }
 
-const char* reason(const Mutant& mutant) {
+const char* reason(const std::string& model, const Mutant& mutant) {
     for (const Open& open : open_choices)
-        if (open.fault == mutant.kind.fault) return open.why;
+        if (open.fault == mutant.kind.fault && (open.model == nullptr || model.ends_with(open.model))) return open.why;
     return nullptr;
 }
 
@@ -93,7 +99,7 @@ protected:
         EXPECT_NE(mutant.fate, Fate::undecided)
             << name << ": " << mutant.kind.name << " at " << mutant.site << ": " << mutant.told;
         if (mutant.fate != Fate::variant) return;
-        const char* const why = reason(mutant);
+        const char* const why = reason(name, mutant);
         EXPECT_NE(why, nullptr) << name << ": " << mutant.kind.name << " at " << mutant.site
                                 << " conforms and does otherwise: " << mutant.told;
         if (all() && why != nullptr)
