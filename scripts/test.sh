@@ -1,17 +1,32 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, runs the aggregation case study and all tests: with g++ in release
-# form, then with clang, AddressSanitizer and UndefinedBehaviorSanitizer.
-# Arguments: the presets to test (default: release asan).
+# Installs what is missing, builds, runs the aggregation case study and the tests. Without arguments: all tests with g++ in
+# release form, then, with clang, AddressSanitizer and UndefinedBehaviorSanitizer, those of the rooms that read anybody's
+# text and that decide. Arguments: presets to pass whole (`scripts/test.sh asan`).
 set -euo pipefail
 cd "$(dirname "$0")/.."
+sanitized=(diagnostics frontend process lts machine refine cspm)
+
+configure() { # preset
+  cmake --preset "$1" -DROBOCHART_TESTS=ON
+}
+whole() { # preset
+  configure "$1"
+  cmake --build --preset "$1"
+  "build/$1/app/robochart-verify" corpus/aggregation --out out
+  ctest --preset "$1" -j "$(nproc)"
+}
+rooms() { # preset, rooms
+  configure "$1"
+  cmake --build --preset "$1" --target "${@:2}"
+  local names
+  names=$(IFS='|'; echo "${*:2}")
+  ctest --preset "$1" -j "$(nproc)" -R "^(${names//tests_/})\\."
+}
+
 scripts/setup.sh
-presets=("$@")
-[ "${#presets[@]}" -gt 0 ] || presets=(release asan)
-for preset in "${presets[@]}"; do
-  cmake --preset "$preset" -DROBOCHART_TESTS=ON
-  cmake --build --preset "$preset"
-done
-"build/${presets[0]}/app/robochart-verify" corpus/aggregation --out out
-for preset in "${presets[@]}"; do
-  ctest --preset "$preset" -j "$(nproc)"
-done
+if [ "$#" -gt 0 ]; then
+  for preset in "$@"; do whole "$preset"; done
+else
+  whole release
+  rooms asan "${sanitized[@]/#/tests_}"
+fi
