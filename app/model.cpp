@@ -114,6 +114,10 @@ cpp_emit::Target target_of(const std::string& name) {
     return targets.at(name);
 }
 
+cpp_emit::Strategy strategy_of(const std::string& name) {
+    return name == "switch" ? cpp_emit::Strategy::nested_switch : name == "table" ? cpp_emit::Strategy::table : cpp_emit::Strategy::automatic;
+}
+
 Report begin(const Project& project, const Options& options) {
     Report report;
     report.model = fmt::format("{}", fmt::join(options.inputs, " "));
@@ -156,6 +160,7 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     generator.cycle_length = options.cycle;
     generator.sources = &project.sources;
     generator.target = target_of(options.target);
+    generator.strategy = strategy_of(options.strategy);
     for (const ir::ComponentRef& component : components) {
         const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
         if (!project.diagnostics.ok()) return false;

@@ -162,6 +162,12 @@ void add_code(CLI::App& app, Options& o) {
        }, "time units of one control cycle")->check(CLI::Range(1U, 1000U))->option_text("N [1]");
 }
 
+void add_strategy(CLI::App& app, Options& o) {
+    app.add_option("--strategy", o.strategy, "how generated code finds what an event does: by a switch over states and events, or in a table; auto: a table from five states on")
+        ->check(CLI::IsMember({"auto", "switch", "table"}))
+        ->option_text("STRATEGY {auto,switch,table} [auto]");
+}
+
 void add_target(CLI::App& app, Options& o) {
     app.add_option("--target", o.target, "a project that builds as it stands, below DIR/TARGET/COMPONENT")
         ->check(CLI::IsMember({"library", "main", "ros2", "enki", "argos"}))
@@ -231,6 +237,7 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
             ->check(CLI::Range(0U, 8U))->option_text("M [0]");
     if (row.verb == Verb::conform) add_conform(app, o);
     if (row.verb == Verb::emit_cpp) add_target(app, o);
+    if (row.verb == Verb::emit_cpp) add_strategy(app, o);
     add_out(app, o);
 }
 

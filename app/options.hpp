@@ -57,6 +57,7 @@ struct Options {
     std::string component;                ///< emit cpp, conform: only this one
     std::uint32_t cycle = 1;
     std::string target;                   ///< emit cpp: a project of this kind; "": the classes alone
+    std::string strategy = "auto";        ///< emit cpp: how the code finds what an event does
     std::string print;                    ///< phase to print, "" for none
     std::vector<std::string> constants;   ///< NAME=VALUE
     std::vector<std::string> ranges;      ///< TYPE=LOW..HIGH

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "cpp_emit/channels.hpp"
+#include "cpp_emit/dispatch.hpp"
 #include "cpp_emit/files.hpp"
 #include "cpp_emit/interruption.hpp"
 #include "cpp_emit/types.hpp"
@@ -324,6 +325,7 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.line("    : Cycle(step_bound), state_(state), inputs_(inputs), platform_(platform) {}");
     out.gap();
     write_cycle(generation, core, out);
+    write_dispatch(generation, generation.component.composed() ? "" : core.machines.back().dispatch, out);
     out.gap();
     out.label("private:");
     write_variables(generation, out);
@@ -393,10 +395,10 @@ Core make_core(const Generation& generation) {
     core.name_space = package_namespace(component.package) + "::" + core.relative;
     core.header = component.cpp_name + "_core.hpp";
     NameScope type_names(std::set<std::string>{
-        "State",    "Inputs",       "Step",          "Real",          "Nat",        "Int",      "Types",
-        "Platform", "step",         "advance_clock", "advance_wait",  "duration",   "divide",   "modulus",
-        "place_of", "rounded_down", "PlatformOf",    "PlatformCheck", "layout",     "name",     "element",
-        "init",     "Traced",       "traced_step",   "transitions",   "run_header", "log_value"});
+        "State",    "Inputs",       "dispatch",    "pass",          "Step",         "Real",     "Nat",     "Int",
+        "Types",    "Platform",     "step",        "advance_clock", "advance_wait", "duration", "divide",  "modulus",
+        "place_of", "rounded_down", "PlatformOf",  "PlatformCheck", "layout",       "name",     "element", "init",
+        "Traced",   "traced_step",  "transitions", "run_header",    "log_value"});
     for (const ir::TypeId id : component.enumerations)
         (void)type_names.unique(declared_name(generation.system.type(id)));
     for (const Unit& unit : component.units) {
@@ -405,6 +407,7 @@ Core make_core(const Generation& generation) {
     }
     for (const EventPort& event : component.events)
         if (event.received && generation.mutation.hits(Fault::event_kept)) core.kept.push_back(&event);
+    if (!input_events(component).empty()) (void)type_names.unique(event_type(generation));
     std::vector<Field> more = kept_fields(generation, core);
     const std::vector<Field> common = common_fields(generation);
     more.insert(more.end(), common.begin(), common.end());
@@ -450,6 +453,7 @@ std::string core_header(const Generation& generation, const Core& core) {
     }
     if (generation.component.composed()) write_state(generation, out, core.layout);
     write_inputs(generation, out);
+    write_event_type(generation, out);
     write_platform_comment(generation, out);
     write_step_class(generation, core, out);
     out.gap();
@@ -468,6 +472,7 @@ std::string core_header(const Generation& generation, const Core& core) {
     out.line("#endif");
     out.line("return Step<Types, Platform>(state, inputs, platform).cycle();");
     out.close();
+    write_dispatch_functions(generation, out);
     out.gap();
     out.line(fmt::format("}}  // namespace {}", core.name_space));
     return out.text();

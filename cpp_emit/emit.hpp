@@ -30,8 +30,16 @@ enum class Target {
     argos,    ///< a controller of ARGoS
 };
 
+/// How a machine whose programs never wait finds what an event does (dispatch).
+enum class Strategy {
+    automatic,      ///< by the number of states in which it rests
+    nested_switch,  ///< by state, then by event
+    table,          ///< a dense table of cases, one switch over them
+};
+
 struct Options {
     Target target = Target::sources;
+    Strategy strategy = Strategy::automatic;
     Fault fault = Fault::none;
     std::uint32_t fault_site = 0;  ///< which applicable place (transition, call, … in textual order) carries the fault
     std::uint32_t cycle_length = 1;  ///< time units that pass between two control cycles

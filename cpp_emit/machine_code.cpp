@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "cpp_emit/dispatch.hpp"
 #include "cpp_emit/expression.hpp"
 #include "cpp_emit/machine_writer.hpp"
 #include "cpp_emit/seeded.hpp"
@@ -60,7 +61,7 @@ MachineWriter::MachineWriter(const Generation& generation, const Unit& unit, con
     during_.reserve(durings);  // threads point at their own labels
     for (std::uint32_t index = 0; index < unit.machine->nodes.size(); ++index) {
         const NodeId id{index};
-        if (!plan_.node(id).during) continue;
+        if (!plan_.node(id).during || runs_on_entry(id)) continue;
         DuringThread& during = during_.emplace_back();
         during.state = id;
         during.suffix = plan_.label(id);
@@ -79,7 +80,7 @@ std::string MachineWriter::signature(const std::string& name) const {
 }
 
 MachineCode MachineWriter::write(const std::vector<Field>& more) {
-    if (!plan_.machine().initial.valid()) return {enumerations(), layout(more), {}, {}, {}};
+    if (!plan_.machine().initial.valid()) return {enumerations(), layout(more), {}, {}, {}, {}};
     during_places();
     control_places();
     thread_function(control_, "control",
@@ -91,6 +92,11 @@ MachineCode MachineWriter::write(const std::vector<Field>& more) {
     run_function();
     MachineCode code;
     code.methods = out_.text();
+    if (direct() && !input_events(generation_.component).empty()) {
+        out_ = CodeWriter(1);
+        dispatch_function();
+        code.dispatch = out_.text();
+    }
     code.enumerations = enumerations();
     code.layout = layout(more);
     const auto collect = [&](const Thread& thread) {

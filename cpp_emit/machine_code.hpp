@@ -44,6 +44,7 @@ struct MachineCode {
     std::vector<Enumeration> enumerations;
     FrameLayout layout;
     std::string methods;           ///< members of Step
+    std::string dispatch;          ///< Step::dispatch of a machine whose programs never wait; "" for others
     std::vector<SendSite> sites;   ///< where its threads wait to send
     std::vector<CallFrame> calls;  ///< operations its threads run
 };

@@ -123,7 +123,9 @@ void MachineWriter::enter_place(NodeId id) {
 void MachineWriter::settle(NodeId id, CodeWriter& out, const char* end) {
     if (!plan_.node(id).composite()) {
         note_entry(id, out);
-        return out.line(control_.go(plan_.label(id)));
+        out.line(control_.go(plan_.label(id)));
+        if (runs_on_entry(id)) out.raw(straight_program(plan_.node(id).during, *end == 'b' ? 5 : 2));
+        return;
     }
     if (plan_.notes_entry(id)) out.line(fmt::format("f.entering_{} = true;", plan_.label(id)));
     if (generation_.mutation.hits(Fault::composite_resumed)) {

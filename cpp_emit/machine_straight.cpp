@@ -3,6 +3,8 @@
 // statement: the next function, or the place where control goes on later.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cpp_emit/machine_writer.hpp"
 
 namespace robochart::cpp_emit {
@@ -17,14 +19,25 @@ bool MachineWriter::has_place(const ir::Transition& transition) {
     return plan_.acts(transition) || acts_late(transition);
 }
 
+/// The during action of a state without children never waits, and no other runs beside it: it is run once the state is
+/// entered, which is what a thread of its own would do.
+bool MachineWriter::runs_on_entry(NodeId id) const {
+    const ir::Node& node = plan_.node(id);
+    const std::vector<NodeId> around = plan_.ancestors(id);
+    return node.during && !node.composite() && generation_.options.fault == Fault::none &&
+           !suspends(generation_, unit_, node.during) && std::none_of(around.begin(), around.end(), [&](NodeId outer) {
+               return plan_.node(outer).during != nullptr;
+           });
+}
+
 /// The lines of a program that never waits.
-void MachineWriter::straight_program(const ir::StmtPtr& program) {
+std::string MachineWriter::straight_program(const ir::StmtPtr& program, std::size_t depth) {
     Thread lines;
     ProgramWriter writer(generation_, unit_, lines, {});
     writer.begin("", "");
-    writer.code() = CodeWriter(2);
+    writer.code() = CodeWriter(depth);
     writer.statement(program, "");
-    out_.raw(writer.code().text());
+    return writer.code().text();
 }
 
 void MachineWriter::straight_function(const std::string& name, const std::string& comment) {
@@ -36,14 +49,14 @@ void MachineWriter::straight_function(const std::string& name, const std::string
 void MachineWriter::enter_function(NodeId id) {
     const ir::Node& node = plan_.node(id);
     straight_function(plan_.enter_label(id), "Enters " + generation_.place(node.origin));
-    if (node.entry && !generation_.mutation.hits(Fault::entry_dropped)) straight_program(node.entry);
+    if (node.entry && !generation_.mutation.hits(Fault::entry_dropped)) out_.raw(straight_program(node.entry, 2));
     settle(id, out_, "return;");
     out_.close();
 }
 
 void MachineWriter::exit_function(NodeId id) {
     straight_function(plan_.exit_label(id), "Exit action of " + generation_.place(plan_.node(id).origin));
-    if (!generation_.mutation.hits(Fault::exit_dropped)) straight_program(plan_.node(id).exit);
+    if (!generation_.mutation.hits(Fault::exit_dropped)) out_.raw(straight_program(plan_.node(id).exit, 2));
     out_.close();
 }
 
@@ -79,7 +92,7 @@ void MachineWriter::take_function(ir::TransitionId id) {
     const ir::Transition& transition = plan_.machine().transitions[id.index];
     straight_function(plan_.take_label(id), "Action of " + generation_.place(transition.origin));
     if (!acts_first(transition) && !generation_.mutation.hits(Fault::action_dropped))
-        straight_program(transition.action);
+        out_.raw(straight_program(transition.action, 2));
     out_.line(arrive(target_of(transition)));
     out_.close();
 }

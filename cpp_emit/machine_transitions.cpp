@@ -102,8 +102,8 @@ void MachineWriter::begin_transition(const ir::Transition& transition, ir::Trans
         const std::string line = clock_reset(generation_, unit_, clock);
         if (!line.empty()) out_.line(line);
     }
-    depart(transition.source, id);
     out_.line(tell_taken(id));
+    depart(transition.source, id);
     out_.line(bound_test(generation_).empty() ? "return true;" : "return spend();");
 }
 
@@ -147,7 +147,7 @@ void MachineWriter::depart(NodeId source, ir::TransitionId id) {
         const std::string exits = plan_.acts(transition) && !plan_.straight_exits(source) ? ""
                                   : skips                                                 ? own
                                                                                           : leave(source);
-        if (acts_first(transition) && !plan_.acts(transition)) straight_program(transition.action);
+        if (acts_first(transition) && !plan_.acts(transition)) out_.raw(straight_program(transition.action, 3));
         if (!exits.empty()) out_.line(exits);
         return out_.line(proceed(transition));
     }

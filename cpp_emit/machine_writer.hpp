@@ -51,7 +51,8 @@ private:
     // machine_straight.cpp: the programs that never wait
     [[nodiscard]] bool straight(ir::NodeId);
     [[nodiscard]] bool has_place(const ir::Transition&);
-    void straight_program(const ir::StmtPtr&);
+    [[nodiscard]] bool runs_on_entry(ir::NodeId) const;
+    [[nodiscard]] std::string straight_program(const ir::StmtPtr&, std::size_t depth);
     void straight_function(const std::string& name, const std::string& comment);
     void enter_function(ir::NodeId);
     void exit_function(ir::NodeId);
@@ -73,6 +74,21 @@ private:
     [[nodiscard]] bool acts_late(const ir::Transition&);
     void act_late(ProgramWriter&, const ir::Transition&, const std::string& label);
     void run_again(ProgramWriter&, Thread&);
+
+    // machine_dispatch.cpp: one event at a time
+    [[nodiscard]] bool direct() const;
+    [[nodiscard]] bool urgent(const ir::Transition&) const;
+    [[nodiscard]] bool asks_for(const ir::Transition&, const EventPort&) const;
+    [[nodiscard]] bool goes_on(ir::NodeId rest) const;
+    [[nodiscard]] bool look_after(ir::NodeId target) const;
+    [[nodiscard]] std::string rest_result() const;
+    [[nodiscard]] std::string incoming(const ir::Transition&) const;
+    void case_effect(const ir::Transition&, ir::NodeId leaf, const EventPort*, CodeWriter&);
+    [[nodiscard]] std::string case_body(ir::NodeId leaf, const EventPort*, std::size_t depth);
+    void dispatch_function();
+    void pass_function_of_time(const std::vector<const EventPort*>& columns);
+    void dispatch_switch(const std::vector<ir::NodeId>& rows, const std::vector<const EventPort*>& columns);
+    void dispatch_table(const std::vector<ir::NodeId>& rows, const std::vector<const EventPort*>& columns);
 
     // machine_transitions.cpp: which transition is taken
     void transition_functions();

@@ -11,12 +11,6 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-std::string conjunction(const std::string& first, const std::string& second) {
-    if (first.empty() || second.empty()) return first + second;
-    const bool weaker = second.find("||") != std::string::npos || second.find(" ? ") != std::string::npos;
-    return first + " && " + (weaker ? "(" + second + ")" : second);
-}
-
 class Reception {
 public:
     Reception(const Generation& generation, const Unit& unit, const ir::Communication& communication, CodeWriter& out,
@@ -85,10 +79,7 @@ private:
     bool by_itself() {
         const std::string guard = condition("");
         if (!guard.empty()) out_.open(fmt::format("if ({}) {{", guard));
-        const std::string value = use_.type
-                                      ? cpp_value(generation_.system, generation_.inst, *use_.type,
-                                                  ir::default_value(generation_.system, generation_.inst, *use_.type))
-                                      : "";
+        const std::string value = use_.type ? default_text(generation_, *use_.type) : "";
         take("", value);
         if (!guard.empty()) out_.close();
         return guard.empty();
@@ -104,6 +95,17 @@ private:
 };
 
 }  // namespace
+
+std::string conjunction(const std::string& first, const std::string& second) {
+    if (first.empty() || second.empty()) return first + second;
+    const bool weaker = second.find("||") != std::string::npos || second.find(" ? ") != std::string::npos;
+    return first + " && " + (weaker ? "(" + second + ")" : second);
+}
+
+std::string default_text(const Generation& generation, ir::TypeId type) {
+    return cpp_value(generation.system, generation.inst, type,
+                     ir::default_value(generation.system, generation.inst, type));
+}
 
 bool receive(const Generation& generation, const Unit& unit, const ir::Communication& communication, CodeWriter& out,
              const Condition& condition, const std::function<void()>& then) {

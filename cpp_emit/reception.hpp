@@ -21,6 +21,10 @@ bool receive(const Generation&, const Unit&, const ir::Communication&, CodeWrite
 /// The communication's own predicate on the value; "" if it has none.
 [[nodiscard]] std::string predicate(const Generation&, const Unit&, const ir::Communication&,
                                     const std::string& incoming);
+/// Both conditions; either may be "".
+[[nodiscard]] std::string conjunction(const std::string& first, const std::string& second);
+/// Some value of the type, as C++ text: what an event connected to nothing carries.
+[[nodiscard]] std::string default_text(const Generation&, ir::TypeId);
 /// The event's only source is a register of the platform.
 [[nodiscard]] bool from_register(const EventUse&);
 

@@ -298,10 +298,7 @@ private:
         out_.line("std::memcpy(state, &initial, sizeof initial);");
         out_.close();
         out_.gap();
-        out_.open(
-            "rc_result step_once(void* state, [[maybe_unused]] const rc_register* registers, rc_log* log) noexcept {");
-        out_.line("State current;");
-        out_.line("std::memcpy(&current, state, sizeof current);");
+        out_.open("Inputs read_inputs([[maybe_unused]] const rc_register* registers) noexcept {");
         out_.line("Inputs read;");
         for (std::size_t index = 0; index < registers_.size(); ++index) {
             const Register& input = registers_[index];
@@ -313,11 +310,17 @@ private:
                 out_.line(fmt::format("read.{0}.value = robochart::from_raw<{1}>({0}_values[registers[{2}].value]);",
                                       input.member, type(*input.type), index));
         }
+        out_.line("return read;");
+        out_.close();
+        out_.gap();
+        out_.open("rc_result step_once(void* state, const rc_register* registers, rc_log* log) noexcept {");
+        out_.line("State current;");
+        out_.line("std::memcpy(&current, state, sizeof current);");
         out_.line("log->count = 0;");
         out_.line("log->overflow = 0;");
         out_.line("log->asked = 0;");
         out_.line("Log platform(*log);");
-        out_.line("const robochart::StepResult result = core::step(current, read, platform);");
+        out_.line("const robochart::StepResult result = core::step(current, read_inputs(registers), platform);");
         out_.line("std::memcpy(state, &current, sizeof current);");
         out_.line("return robochart::to_abi(result);");
         out_.close();

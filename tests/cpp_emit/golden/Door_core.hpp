@@ -55,6 +55,12 @@ struct Inputs {
     robochart::Signal close;
 };
 
+/// The events received, for dispatch().
+enum class Event : std::uint8_t {
+    open,
+    close,
+};
+
 // The platform that Step drives has these methods, all noexcept; replaces_X answers true when it has done X itself:
 //     void send_bell(Nat value);
 #if defined(__cpp_concepts) && __cpp_concepts >= 201907L
@@ -90,6 +96,28 @@ public:
         const robochart::StepResult result = this->result(finished(state_));
         if (result == robochart::StepResult::quiescent) advance(state_);
         return late() ? robochart::StepResult::deadline : result;
+    }
+
+    /// What a cycle with this event and no other input does before time passes.
+    robochart::StepResult dispatch(Event event) noexcept {
+        [[maybe_unused]] const Inputs<Types> values = inputs_;
+        inputs_ = {};
+        switch (event) {
+            case Event::open:
+                inputs_.open.present = true;
+                break;
+            case Event::close:
+                inputs_.close.present = true;
+                break;
+        }
+        run(state_);
+        return this->result(finished(state_));
+    }
+
+    /// A cycle without inputs.
+    robochart::StepResult pass() noexcept {
+        inputs_ = {};
+        return cycle();
     }
 
 private:
@@ -141,8 +169,8 @@ private:
         if (inputs_.open.present) {
             inputs_.open.present = false;
             f.T = 0;
-            f.at = At::enter_Open;
             taken(1);
+            f.at = At::enter_Open;
             return spend();
         }
         return false;
@@ -153,8 +181,8 @@ private:
         // Door::t2 (door.rct:23)
         if (inputs_.close.present && Nat(f.T) >= Nat(2)) {
             inputs_.close.present = false;
-            f.at = At::take_t2;
             taken(2);
+            f.at = At::take_t2;
             return spend();
         }
         return false;
@@ -203,6 +231,25 @@ robochart::StepResult step(State<Types>& state, const Inputs<Types>& inputs, Pla
     static_assert(PlatformOf<Platform, Types>, "the platform lacks a method, or one may throw");
     #endif
     return Step<Types, Platform>(state, inputs, platform).cycle();
+}
+
+/// One event that carries a value: that in `values`, where nothing else is read.
+template <class Types, class Platform>
+robochart::StepResult dispatch(State<Types>& state, Event event, const Inputs<Types>& values,
+                               Platform& platform) noexcept {
+    return Step<Types, Platform>(state, values, platform).dispatch(event);
+}
+
+/// One event, without time passing.
+template <class Types, class Platform>
+robochart::StepResult dispatch(State<Types>& state, Event event, Platform& platform) noexcept {
+    return Step<Types, Platform>(state, Inputs<Types>{}, platform).dispatch(event);
+}
+
+/// A cycle without inputs: what needs no event, then time passes.
+template <class Types, class Platform>
+robochart::StepResult pass(State<Types>& state, Platform& platform) noexcept {
+    return Step<Types, Platform>(state, Inputs<Types>{}, platform).pass();
 }
 
 }  // namespace house::Door_core

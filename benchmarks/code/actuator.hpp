@@ -1,0 +1,16 @@
+// What every back end of the code benchmark drives: one register. With CHECK all stores are hashed in their order.
+#pragma once
+
+#include <cstdint>
+
+#ifdef CHECK
+extern std::uint64_t told;
+inline void act(std::uint32_t value) {
+    told = (told ^ value) * 1099511628211ULL;
+}
+#else
+extern volatile std::uint32_t actuator;
+inline void act(std::uint32_t value) {
+    actuator = value;
+}
+#endif

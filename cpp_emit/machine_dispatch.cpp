@@ -1,0 +1,288 @@
+// The event-driven face of a machine whose programs never wait: what a state does on an event is one case, chosen by a
+// nested switch or, from five states on, by a dense table. Each case tries the transitions as step() does: inner states
+// first, then textual order (semantics 3.4); then what needs no event, until nothing is enabled.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_emit/dispatch.hpp"
+#include "cpp_emit/machine_writer.hpp"
+#include "cpp_emit/reception.hpp"
+#include "cpp_emit/seeded.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+using ir::NodeKind;
+
+namespace {
+
+constexpr std::size_t leaves_for_table = 5;
+
+}  // namespace
+
+/// Every transition is one straight effect, so control rests in states only (or where a junction has no way).
+bool MachineWriter::direct() const {
+    const auto& nodes = plan_.machine().nodes;
+    for (std::uint32_t index = 0; index < nodes.size(); ++index)
+        if (!plan_.straight(NodeId{index})) return false;
+    const auto waits = [&](const ir::Transition& transition) {
+        if (plan_.acts(transition) || !plan_.straight_exits(transition.source)) return true;
+        if (!transition.trigger) return false;
+        const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
+        return !from_register(use) && !use.spontaneous();
+    };
+    const auto& transitions = plan_.machine().transitions;
+    return unit_.root && !generation_.component.composed() && during_.empty() &&
+           generation_.options.fault == Fault::none && plan_.machine().initial.valid() &&
+           std::none_of(transitions.begin(), transitions.end(), waits);
+}
+
+/// The transition waits for no event of the platform.
+bool MachineWriter::urgent(const ir::Transition& transition) const {
+    return !transition.trigger || generation_.component.event(unit_, transition.trigger->event).spontaneous();
+}
+
+bool MachineWriter::asks_for(const ir::Transition& transition, const EventPort& port) const {
+    if (urgent(transition)) return false;
+    const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
+    return &generation_.component.events[use.ports.front()] == &port;
+}
+
+/// Something in the node or around it needs no event, or control may go on from a junction.
+bool MachineWriter::goes_on(NodeId rest) const {
+    if (!plan_.settles(rest)) return true;
+    const std::vector<NodeId> chain = plan_.chain(rest);
+    return std::any_of(chain.begin(), chain.end(), [&](NodeId state) {
+        const auto& ways = plan_.node(state).outgoing;
+        return std::any_of(ways.begin(), ways.end(),
+                           [&](ir::TransitionId way) { return urgent(plan_.machine().transitions[way.index]); });
+    });
+}
+
+/// Whether a look at what needs no event is due after entering a node.
+bool MachineWriter::look_after(NodeId target) const {
+    std::vector<bool> seen(plan_.machine().nodes.size(), false);
+    std::vector<NodeId> open = {target};
+    while (!open.empty()) {
+        const NodeId at = open.back();
+        open.pop_back();
+        if (seen[at.index]) continue;
+        seen[at.index] = true;
+        const ir::Node& node = plan_.node(at);
+        const bool chooses = !plan_.settles(at) && node.kind != NodeKind::state;
+        if (chooses) {
+            const bool rests = std::any_of(control_.places.begin(), control_.places.end(),
+                                           [&](const Place& place) { return place.label == plan_.label(at); });
+            if (rests) return true;
+            for (const ir::TransitionId way : node.outgoing)
+                open.push_back(plan_.machine().transitions[way.index].target);
+        } else if (node.composite()) {
+            open.push_back(node.initial);
+        } else if (goes_on(at)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::string MachineWriter::rest_result() const {
+    return plan_.finals().empty() ? "return robochart::StepResult::quiescent;"
+                                  : "return finished(f) ? robochart::StepResult::terminated : "
+                                    "robochart::StepResult::quiescent;";
+}
+
+/// A transition out of a leaf, taken on `port`'s event or, null, on none.
+void MachineWriter::case_effect(const ir::Transition& transition, NodeId leaf, const EventPort* port, CodeWriter& out) {
+    const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
+    const bool consumes = !urgent(transition);
+    if (transition.trigger) {
+        const std::string line = received(generation_, unit_, *transition.trigger, incoming(transition));
+        if (!line.empty()) out.line(line);
+    }
+    for (const ir::ClockId clock : transition.resets) {
+        const std::string line = clock_reset(generation_, unit_, clock);
+        if (!line.empty()) out.line(line);
+    }
+    out.line(tell_taken(id));
+    for (const Watch& watch : watches_) {
+        const std::vector<NodeId> around = plan_.chain(watch.state);
+        if (std::find(around.begin(), around.end(), transition.source) != around.end())
+            out.line(fmt::format("f.{} = 0;", watch.field));
+    }
+    for (const NodeId state : plan_.chain(leaf)) {
+        if (plan_.node(state).exit) out.line(plan_.exit_label(state) + "(f);");
+        if (state == transition.source) break;
+    }
+    out.line(proceed(transition));
+    const bool again = port != nullptr && !consumes ? true : look_after(transition.target);
+    if (!again) return out.line(rest_result());
+    if (consumes) out.line("event = nothing;");
+    out.line("break;");
+}
+
+std::string MachineWriter::incoming(const ir::Transition& transition) const {
+    const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
+    if (use.spontaneous()) return use.type ? default_text(generation_, *use.type) : "";
+    return "inputs_." + generation_.component.events[use.ports.front()].input + ".value";
+}
+
+/// What a leaf does on an event; "" if nothing.
+std::string MachineWriter::case_body(NodeId leaf, const EventPort* port, std::size_t depth) {
+    CodeWriter out(depth);
+    if (!plan_.settles(leaf)) {
+        out.comment("from " + generation_.place(plan_.node(leaf).origin));
+        begin(leaf, out);
+        if (!plan_.passes(leaf))
+            out.line(fmt::format("if (f.at == {}) {}", control_.at(plan_.label(leaf)), rest_result()));
+        out.line("break;");
+        return out.text();
+    }
+    for (const NodeId state : plan_.chain(leaf)) {
+        for (const ir::TransitionId way : plan_.node(state).outgoing) {
+            const ir::Transition& transition = plan_.machine().transitions[way.index];
+            if (!urgent(transition) && (port == nullptr || !asks_for(transition, *port))) continue;
+            out.comment(generation_.place(transition.origin));
+            const std::string value = transition.trigger ? incoming(transition) : "";
+            const std::string wanted =
+                transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : "";
+            const std::string condition = conjunction(wanted, guard(transition, value));
+            if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition));
+            case_effect(transition, leaf, port, out);
+            if (condition.empty()) return out.text();
+            out.close();
+        }
+    }
+    if (!out.empty()) out.line(rest_result());
+    return out.text();
+}
+
+void MachineWriter::dispatch_function() {
+    std::vector<NodeId> rows;
+    for (const Enumerator& value : points().values)
+        for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index)
+            if (plan_.label(NodeId{index}) == value.name) rows.push_back(NodeId{index});
+    std::vector<const EventPort*> columns = input_events(generation_.component);
+    std::size_t leaves = 0;
+    bool quiet = false;
+    for (const NodeId row : rows) {
+        leaves += plan_.settles(row) ? 1U : 0U;
+        quiet = quiet || (plan_.settles(row) && goes_on(row));
+    }
+    // The row where the machine begins keeps its event.
+    const bool places = std::any_of(rows.begin(), rows.end(),
+                                    [&](NodeId row) { return !plan_.settles(row) && row != plan_.machine().initial; });
+    if (quiet || places) columns.push_back(nullptr);
+    const Strategy wanted = generation_.options.strategy;
+    const bool table = wanted == Strategy::table || (wanted == Strategy::automatic && leaves >= leaves_for_table);
+    const std::string type = event_type(generation_);
+    out_.open(fmt::format("robochart::StepResult dispatch({} event) noexcept {{", type));
+    out_.line(fmt::format("{}& f = state_;", frame_type()));
+    if (columns.back() == nullptr)
+        out_.line(fmt::format("constexpr auto nothing = static_cast<{}>({});", type, columns.size() - 1));
+    if (table) {
+        dispatch_table(rows, columns);
+    } else {
+        dispatch_switch(rows, columns);
+    }
+    out_.close();
+    pass_function_of_time(columns);
+}
+
+/// A cycle without inputs: what needs no event, then time passes.
+void MachineWriter::pass_function_of_time(const std::vector<const EventPort*>& columns) {
+    out_.gap();
+    out_.doc("A cycle without inputs.");
+    out_.open("robochart::StepResult pass() noexcept {");
+    out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
+    if (columns.back() == nullptr) {
+        out_.line(fmt::format("const robochart::StepResult result = dispatch(static_cast<{}>({}));",
+                              event_type(generation_), columns.size() - 1));
+    } else {
+        out_.open(fmt::format("if (f.at == {}) {{", control_.at(plan_.label(plan_.machine().initial))));
+        begin(plan_.machine().initial, out_);
+        out_.close();
+        out_.line(fmt::format("const robochart::StepResult result = {};", plan_.finals().empty()
+                                                                              ? "robochart::StepResult::quiescent"
+                                                                              : "this->result(finished(f))"));
+    }
+    if (timed()) {
+        out_.line("if (result == robochart::StepResult::quiescent) advance(f);");
+        if (!watches_.empty()) out_.line("if (late()) return robochart::StepResult::deadline;");
+    }
+    out_.line("return result;");
+    out_.close();
+}
+
+void MachineWriter::dispatch_switch(const std::vector<NodeId>& rows, const std::vector<const EventPort*>& columns) {
+    const std::string type = event_type(generation_);
+    out_.open("for (;;) {");
+    out_.open("switch (f.at) {");
+    for (const NodeId row : rows) {
+        out_.line(fmt::format("case {}:", control_.at(plan_.label(row))));
+        if (!plan_.settles(row)) {
+            out_.raw(case_body(row, nullptr, 5));
+            continue;
+        }
+        const bool alone = goes_on(row);
+        out_.line("    switch (event) {");
+        for (const EventPort* port : columns) {
+            const std::string body = case_body(row, port, 7);
+            if (body.empty() || port == nullptr) continue;
+            const bool asked = body != case_body(row, nullptr, 7);
+            if (!asked) continue;
+            out_.line(fmt::format("        case {}::{}:", type, port->input));
+            out_.raw(body);
+        }
+        out_.line("        default:");
+        if (alone) {
+            out_.raw(case_body(row, nullptr, 7));
+        } else {
+            out_.line("            " + rest_result());
+        }
+        out_.line("    }");
+        out_.line("    break;");
+    }
+    out_.close();
+    out_.line("if (!spend()) return robochart::StepResult::step_bound;");
+    out_.close();
+}
+
+void MachineWriter::dispatch_table(const std::vector<NodeId>& rows, const std::vector<const EventPort*>& columns) {
+    std::vector<std::string> bodies;
+    std::vector<std::string> lines;
+    for (const NodeId row : rows) {
+        std::vector<std::string> numbers;
+        for (const EventPort* port : columns) {
+            const std::string body = case_body(row, port, 5);
+            const auto known = std::find(bodies.begin(), bodies.end(), body);
+            const auto number = static_cast<std::size_t>(known - bodies.begin()) + 1;
+            if (!body.empty() && known == bodies.end()) bodies.push_back(body);
+            numbers.push_back(body.empty() ? "0" : fmt::format("{}", number));
+        }
+        lines.push_back(fmt::format("{{{}}},  // {}", fmt::join(numbers, ", "), plan_.label(row)));
+    }
+    std::vector<std::string> names;
+    for (const EventPort* port : columns) names.push_back(port == nullptr ? "nothing" : port->input);
+    out_.comment("What a place does on an event, by the number of the case below; 0: nothing.");
+    out_.comment(fmt::format("{}", fmt::join(names, ", ")));
+    out_.open(fmt::format("static constexpr {} cases[{}][{}] = {{",
+                          bodies.size() < 256 ? "std::uint8_t" : "std::uint16_t", rows.size(), columns.size()));
+    for (const std::string& line : lines) out_.line(line);
+    out_.close("};");
+    out_.open("for (;;) {");
+    out_.line("const auto chosen = cases[static_cast<std::size_t>(f.at)][static_cast<std::size_t>(event)];");
+    out_.line("if (chosen == 0) " + rest_result());
+    out_.open("switch (chosen) {");
+    for (std::size_t number = 0; number < bodies.size(); ++number) {
+        out_.line(fmt::format("case {}:", number + 1));
+        out_.raw(bodies[number]);
+    }
+    out_.line("default: " + rest_result());
+    out_.close();
+    out_.line("if (!spend()) return robochart::StepResult::step_bound;");
+    out_.close();
+}
+
+}  // namespace robochart::cpp_emit
