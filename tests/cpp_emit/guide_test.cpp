@@ -53,6 +53,10 @@ TEST(Guide, TheLeanFace) {
     run("lean", "aggregation", "Aggregation", "");
 }
 
+TEST(Guide, OneEventAtATime) {
+    run("events", "aggregation", "AggregationFSM", "");
+}
+
 TEST(Guide, TheTraceHook) {
     run("traced", "aggregation", "Aggregation", "AggregationFSM.cpp -DROBOCHART_TRACE=1");
 }
