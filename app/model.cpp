@@ -161,6 +161,7 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     generator.sources = &project.sources;
     generator.target = target_of(options.target);
     generator.strategy = strategy_of(options.strategy);
+    generator.choices = options.choices;
     for (const ir::ComponentRef& component : components) {
         const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
         if (!project.diagnostics.ok()) return false;
@@ -178,6 +179,8 @@ void check_conformance(Project& project, const Options& options, Report& report)
         conformance::Options wanted;
         wanted.cycle_length = options.cycle;
         wanted.limits = limits(options);
+        wanted.generator.choices = options.choices;
+        if (options.relation == "tick-tock") wanted.relation = conformance::Relation::tick_tock;
         wanted.walks.cycles = options.walks;
         wanted.exported = export_format(options.exported_code);
         ConformanceReport one;

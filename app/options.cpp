@@ -169,6 +169,7 @@ void add_strategy(CLI::App& app, Options& o) {
 }
 
 void add_target(CLI::App& app, Options& o) {
+    app.add_flag("--choices", o.choices, "code that asks its platform where the model leaves a choice (`pick`), instead of taking the first");
     app.add_option("--target", o.target, "a project that builds as it stands, below DIR/TARGET/COMPONENT")
         ->check(CLI::IsMember({"library", "main", "ros2", "enki", "argos"}))
         ->option_text("TARGET {library,main,ros2,enki,argos}");
@@ -185,6 +186,10 @@ void add_conform(CLI::App& app, Options& o) {
     app.add_option("--traces", o.traces, "compare logs of runs with the model (docs/traces.md), and no generated code; files, or folders with .trace files")
         ->allow_extra_args(false)
         ->option_text("FILE ...");
+    app.add_option("--model", o.relation, "what is decided: refinement in failures-divergences, or in tick-tock, which looks at refusals before each tock")
+        ->check(CLI::IsMember({"failures-divergences", "tick-tock"}))
+        ->option_text("MODEL {failures-divergences,tick-tock}");
+    app.add_flag("--all-choices", o.choices, "where the model leaves a choice, explore every one that the code could take, not only the first");
     app.add_option("--walks", o.walks, "cycles of guided random walks where the whole is too large; 0 for none")->option_text("N [200000]");
     app.add_option("--export", o.exported_code, "write all states of the code to this file, for other tools (.aut, .dot) or with the model for FDR (.csp)")
         ->option_text("FILE");

@@ -68,6 +68,8 @@ struct Options {
     bool monitor = false;                 ///< simulate: a monitor beside every controller
     std::string log;                      ///< simulate: folder for logs of every robot, "" for none
     std::uint64_t walks = 200'000;        ///< conform: cycles of random walks where the whole is too large; 0: none
+    std::string relation = "failures-divergences";  ///< conform --model
+    bool choices = false;                 ///< emit cpp --choices, conform --all-choices
     std::uint32_t extra_states = 0;       ///< emit tests: that an implementation may have more than the model
     std::string exported_code;            ///< conform: file for L(G), .aut, .dot or .csp; "" for none
     std::vector<std::string> traces;      ///< conform: logs (files, folders) to compare with the model instead of code

@@ -27,8 +27,9 @@ enum Phase : lts::Word {
 /// Bytes handed to `initial` before it writes: two patterns, so that what it leaves unwritten shows.
 constexpr std::array<unsigned char, 2> fills{0x00, 0xA5};
 
-/// Results of one cycle.
+/// Results of one cycle, and calls of `step` to find them.
 constexpr std::size_t max_ways = 4096;
+constexpr std::size_t max_trials = 1U << 16U;
 
 bool same(const rc_log& a, const rc_log& b) {
     if (a.count != b.count || a.overflow != b.overflow) return false;
@@ -230,10 +231,12 @@ std::uint32_t CodeSystem::intern_node(std::size_t level, Node node) {
 std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>& registers) {
     rc_log log{};
     std::vector<std::uint32_t> ways;
+    std::size_t trials = 0;
     do {
+        if (++trials > max_trials) throw std::length_error("a cycle has too many choices");
         const std::uint32_t result = run_once(from, registers, log);
         if (std::find(ways.begin(), ways.end(), result) == ways.end()) ways.push_back(result);
-        if (ways.size() > max_ways) throw std::length_error("a cycle has too many ways through its junctions");
+        if (ways.size() > max_ways) throw std::length_error("a cycle has too many ways to go");
     } while (next_choices(log));
     if (ways.size() == 1) return ways.front();
     CycleResult choice;
@@ -267,6 +270,8 @@ std::uint32_t CodeSystem::endless(const Bytes& from) {
 }
 
 CycleResult CodeSystem::result_of(rc_result outcome, const rc_log& log, const Bytes& after) {
+    if (log.overflow != 0 && log.asked == ROBOCHART_MAX_CHOICES && log.count < ROBOCHART_MAX_RECORDS)
+        throw std::length_error(fmt::format("a cycle makes more than {} choices", ROBOCHART_MAX_CHOICES));
     CycleResult result;
     result.outcome = outcome;
     result.overflow = log.overflow != 0 || log.count > ROBOCHART_MAX_RECORDS;
@@ -289,12 +294,19 @@ std::uint32_t CodeSystem::intern_result(CycleResult result) {
     return place->second;
 }
 
-const CycleResult& CodeSystem::step(std::uint32_t image, const std::vector<std::uint32_t>& readings) {
+const CycleResult& CodeSystem::step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
+                                    const std::vector<process::Event>& writes) {
     std::uint32_t at = root(image);
     for (std::size_t i = 0; i < alphabet_->interface().inputs.size(); ++i)
         at = nodes_[at][i < readings.size() ? readings[i] : 0];
-    while (!results_[at].ways.empty()) at = results_[at].ways.front();
-    return results_[at];
+    const std::vector<std::uint32_t>& ways = results_[at].ways;
+    if (ways.empty()) return results_[at];
+    const auto begins = [&](std::uint32_t way) {
+        const std::vector<process::Event>& made = results_[way].writes;
+        return made.size() >= writes.size() && std::equal(writes.begin(), writes.end(), made.begin());
+    };
+    const auto found = std::find_if(ways.begin(), ways.end(), begins);
+    return results_[found == ways.end() ? ways.front() : *found];
 }
 
 }  // namespace robochart::conformance

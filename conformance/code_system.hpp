@@ -42,9 +42,11 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { poll_ = poll; }
 
-    /// For telling runs: the reset image, one step (`readings` one per register), an image as text.
+    /// For telling runs: the reset image, one step (`readings` one per register), an image as text. Of several ways
+    /// one that begins with these writes.
     [[nodiscard]] std::uint32_t reset() const { return reset_; }
-    [[nodiscard]] const CycleResult& step(std::uint32_t image, const std::vector<std::uint32_t>& readings);
+    [[nodiscard]] const CycleResult& step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
+                                          const std::vector<process::Event>& writes);
     [[nodiscard]] std::string print(std::uint32_t image) const;
 
     [[nodiscard]] std::uint64_t images() const { return image_count_; }

@@ -67,7 +67,8 @@ Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Inter
     Result result;
     try {
         model = session.system(process, options.limits);
-        result = judge(*model, session.event_table(), interface, code, options.cycle_length, options.limits);
+        result = judge(*model, session.event_table(), interface, code, options.cycle_length, options.limits,
+                       options.relation);
     } catch (const process::Interrupted& limit) {
         result.reason = fmt::format("the model was not compiled: {}", limit.what());
     }

@@ -47,6 +47,12 @@ struct Result {
     std::string export_failure;         ///< why there is none, where one was asked for
 };
 
+/// What is decided of NF_c(M) and L(G).
+enum class Relation {
+    failures_divergences,  ///< [FD=
+    tick_tock,             ///< [TT=, with what is refused before each tock, and no divergence of the code
+};
+
 /// L(G) for other tools: Aldebaran's format, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
 enum class Export { none, aut, dot, csp };
 
@@ -59,6 +65,7 @@ struct WalkOptions {
 
 struct Options {
     std::uint32_t cycle_length = 1;  ///< c: tocks per cycle
+    Relation relation = Relation::failures_divergences;
     WalkOptions walks;
     Export exported = Export::none;
     cpp_emit::Options generator;   ///< seeded faults, for tests

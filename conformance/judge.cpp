@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "conformance/normal_form_system.hpp"
+#include "conformance/tick_tock.hpp"
 
 namespace robochart::conformance {
 
@@ -16,6 +17,7 @@ namespace {
 struct Run {
     std::vector<Cycle> cycles;
     std::vector<std::vector<std::uint32_t>> readings;  ///< per cycle, one per register read
+    std::vector<std::vector<process::Event>> writes;   ///< per cycle
     std::vector<std::string> raw;
 };
 
@@ -30,11 +32,13 @@ void add_step(Run& run, const Alphabet& alphabet, const refine::Step& step, std:
         if (role.reading != 0) cycle.inputs.push_back(alphabet.tell(step.event));
     } else if (role.kind == CycleRole::Kind::write) {
         cycle.outputs.push_back(alphabet.tell(step.event));
+        run.writes.back().push_back(step.event);
     } else if (role.kind == CycleRole::Kind::tock && ++tocks == cycle_length) {
         cycle.state = step.state;
         tocks = 0;
         run.cycles.emplace_back();
         run.readings.emplace_back();
+        run.writes.emplace_back();
     }
 }
 
@@ -42,6 +46,7 @@ Run tell_run(const std::vector<refine::Step>& steps, const Alphabet& alphabet, s
     Run run;
     run.cycles.emplace_back();
     run.readings.emplace_back();
+    run.writes.emplace_back();
     std::uint32_t tocks = 0;
     for (const refine::Step& step : steps) add_step(run, alphabet, step, tocks, cycle_length);
     const bool ended = run.readings.back().empty() && run.cycles.back().outputs.empty();
@@ -56,7 +61,7 @@ Run tell_run(const std::vector<refine::Step>& steps, const Alphabet& alphabet, s
 void replay(Run& run, CodeSystem& code) {
     std::uint32_t image = code.reset();
     for (std::size_t c = 0; c < run.cycles.size(); ++c) {
-        image = code.step(image, run.readings[c]).next;
+        image = code.step(image, run.readings[c], run.writes[c]).next;
         run.cycles[c].state = code.print(image);
     }
 }
@@ -134,6 +139,19 @@ void differs(Result& result, const refine::Counterexample& found, const Alphabet
     result.raw = std::move(run.raw);
 }
 
+/// The model of the relation has no divergences of its own to compare: the code's are looked for apart.
+refine::Verdict related(lts::TransitionSystem& specification, CodeSystem& code, const Alphabet& alphabet,
+                        const refine::Limits& limits, Relation relation) {
+    if (relation == Relation::failures_divergences)
+        return refine::refines(specification, code, refine::Model::failures_divergences, limits);
+    refine::Verdict verdict = tick_tock_refines(specification, code, alphabet.tock(), limits);
+    if (verdict.outcome != refine::Outcome::holds) return verdict;
+    const refine::Statistics statistics = verdict.statistics;
+    verdict = refine::divergence_free(code, limits);
+    verdict.statistics = statistics;
+    return verdict;
+}
+
 void count(Result& result, const ModelGraph& model, const CodeSystem& code) {
     result.model_states = model.size();
     result.code_states = code.images();
@@ -159,11 +177,11 @@ Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cy
 }
 
 Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled, std::uint32_t cycle_length,
-                  const refine::Limits& limits) {
+                  const refine::Limits& limits, Relation relation) {
     Result result;
     NormalFormSystem specification(model, alphabet, cycle_length, AfterTermination::stop);
     CodeSystem code(compiled, alphabet, cycle_length);
-    const refine::Verdict verdict = refine::refines(specification, code, refine::Model::failures_divergences, limits);
+    const refine::Verdict verdict = related(specification, code, alphabet, limits, relation);
     result.product = verdict.statistics;
     if (!code.unsound().empty()) {
         result.outcome = Outcome::differs;
@@ -179,7 +197,7 @@ Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interfac
 }
 
 Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
-             const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits) {
+             const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits, Relation relation) {
     Result result;
     try {
         const Alphabet alphabet(interface, events);
@@ -187,7 +205,7 @@ Result judge(lts::TransitionSystem& model, process::EventTable& events, const In
         result = schedulable(graph, alphabet, cycle_length, limits);
         if (result.outcome != Outcome::conforms) return result;
         const refine::Statistics schedulability = result.schedulability;
-        result = refined_by(graph, alphabet, code, cycle_length, limits);
+        result = refined_by(graph, alphabet, code, cycle_length, limits, relation);
         result.schedulability = schedulability;
     } catch (const AlphabetError& mismatch) {
         result.outcome = Outcome::differs;

@@ -15,11 +15,12 @@ namespace robochart::conformance {
 /// NF_c(M) [FD= L(code) for a schedulable M. Throws AlphabetError when model and code do not fit together, and
 /// std::length_error when there are too many valuations.
 [[nodiscard]] Result refined_by(ModelGraph&, const Alphabet&, const rc_interface& code, std::uint32_t cycle_length,
-                                const refine::Limits&);
+                                const refine::Limits&, Relation = Relation::failures_divergences);
 
 /// Schedulability first, then NF_c(M) [FD= L(code). `interface` is the code's with carriers filled in and
 /// `component` set to the CSP prefix of M's events; `events` is the model's table.
 [[nodiscard]] Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
-                           const rc_interface& code, std::uint32_t cycle_length, const refine::Limits&);
+                           const rc_interface& code, std::uint32_t cycle_length, const refine::Limits&,
+                           Relation = Relation::failures_divergences);
 
 }  // namespace robochart::conformance

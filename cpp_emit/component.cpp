@@ -396,8 +396,8 @@ private:
     }
 
     void name_everything() {
-        NameScope platform(
-            std::set<std::string>{"Log", "log_", "Platform", "machine", "choose", "taken", "Traced", "tracer_"});
+        NameScope platform(std::set<std::string>{"Log", "log_", "Platform", "machine", "choose", "taken", "pick",
+                                                 "Traced", "tracer_"});
         for (auto& call : component_.calls) call.method = platform.unique(call.signature->name);
         for (auto& call : component_.modelled) call.method = platform.unique("replaces_" + call.signature->name);
         for (auto& function : component_.functions)

@@ -311,6 +311,16 @@ void write_hook(const Generation& generation, CodeWriter& out) {
     out.open("void taken([[maybe_unused]] std::uint32_t transition) noexcept {");
     out.line("if constexpr (robochart::Listens<Platform>::value) platform_.taken(transition);");
     out.close();
+    if (!generation.options.choices) return;
+    out.gap();
+    out.doc("Whether an enabled transition is the one to take, while a platform that has a method `pick` is asked.");
+    out.open("bool in_turn() noexcept {");
+    out.open("if constexpr (robochart::Picks<Platform>::value) {");
+    out.line("return turn_.come();");
+    out.reopen("} else {");
+    out.line("return true;");
+    out.close();
+    out.close();
 }
 
 void write_step_class(const Generation& generation, const Core& core, CodeWriter& out) {
@@ -341,6 +351,7 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.line("State<Types>& state_;");
     out.line("Inputs<Types> inputs_;");
     out.line("Platform& platform_;");
+    if (generation.options.choices) out.line("[[maybe_unused]] robochart::Turn turn_;");
     for (const EventPort& port : generation.component.events)
         if (port.sent) out.line(fmt::format("bool {} = false;  ///< made in this cycle", sent_flag(port)));
     for (const PlatformCall& call : generation.component.calls)

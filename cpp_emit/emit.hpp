@@ -43,6 +43,9 @@ struct Options {
     Fault fault = Fault::none;
     std::uint32_t fault_site = 0;  ///< which applicable place (transition, call, … in textual order) carries the fault
     std::uint32_t cycle_length = 1;  ///< time units that pass between two control cycles
+    /// Where the model leaves a choice between transitions or of a wait, the code asks its platform (`pick`); else it
+    /// takes the first, without a place to ask at.
+    bool choices = false;
     /// For comments with file and line; null: comments name the model's elements only.
     const diagnostics::SourceManager* sources = nullptr;
 };

@@ -145,6 +145,10 @@ void write_platform(const Generation& generation, const Core& core, const Face& 
         out.line("return machine.choose(chances, count);");
         out.close();
     }
+    if (generation.options.choices) {
+        out.gap();
+        out.line("std::size_t pick(std::size_t count) const noexcept { return machine.pick(count); }");
+    }
     each_class(face, [&](const FaceClass& part) {
         for (const FaceOperation& operation : part.operations) {
             const auto& signature = *operation.signature;
@@ -371,6 +375,11 @@ std::string machine_header(const Generation& generation, const Core& core, const
         out.line("virtual std::size_t choose(const double* chances, std::size_t count) noexcept {");
         out.line("    return robochart::first_way(chances, count);");
         out.line("}");
+    }
+    if (generation.options.choices) {
+        out.gap();
+        out.doc("Which of several choices of the model is taken, from 0; override it to take others than the first.");
+        out.line("virtual std::size_t pick([[maybe_unused]] std::size_t count) noexcept { return 0; }");
     }
     out.gap();
     out.label("private:");

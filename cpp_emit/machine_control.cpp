@@ -54,6 +54,7 @@ void MachineWriter::choice(NodeId id) {
 /// The first transition whose guard holds is taken. True if there may be none: control stays (semantics 3.3, 3.4).
 bool MachineWriter::ways(NodeId id, CodeWriter& out, const char* end) {
     const auto& outgoing = plan_.node(id).outgoing;
+    if (generation_.options.choices && outgoing.size() > 1) return pick_way(id, out, end);
     for (const std::size_t way : order(generation_, outgoing.size(), Fault::junction_reversed)) {
         const ir::Transition& transition = plan_.machine().transitions[outgoing[way].index];
         out.comment(generation_.place(transition.origin));
@@ -70,6 +71,37 @@ bool MachineWriter::ways(NodeId id, CodeWriter& out, const char* end) {
         out.close();
     }
     return true;
+}
+
+/// The same where the platform picks one of those whose guards hold.
+bool MachineWriter::pick_way(NodeId id, CodeWriter& out, const char* end) {
+    const bool function = *end == 'r';
+    const auto& outgoing = plan_.node(id).outgoing;
+    std::string open;
+    for (const ir::TransitionId transition : outgoing) {
+        const std::string condition = guard(plan_.machine().transitions[transition.index], "");
+        open += (open.empty() ? "" : ", ") + (condition.empty() ? "true" : condition);
+    }
+    out.open("{");
+    out.line(fmt::format("const bool open[] = {{{}}};", open));
+    out.open("switch (robochart::pick_open(platform_, open)) {");
+    for (std::size_t way = 0; way < outgoing.size(); ++way) {
+        const ir::Transition& transition = plan_.machine().transitions[outgoing[way].index];
+        out.comment(generation_.place(transition.origin));
+        out.line(fmt::format("case {}:", way));
+        for (const ir::ClockId clock : transition.resets) {
+            const std::string reset = clock_reset(generation_, unit_, clock);
+            if (!reset.empty()) out.line(reset);
+        }
+        out.line(tell_taken(outgoing[way]));
+        out.line(proceed(transition));
+        out.line(end);
+    }
+    out.line(function ? "default: break;" : "default: return moved;");
+    out.close();
+    out.close();
+    if (!function) out.line("break;");
+    return function;
 }
 
 /// Probabilistic junctions: a free choice in the semantics, drawn by the platform.

@@ -22,8 +22,11 @@ void MachineWriter::transition_functions() {
         if (machine.nodes[index].kind == NodeKind::state && !machine.nodes[index].outgoing.empty())
             from_function(NodeId{index});
     out_.gap();
-    out_.doc("Starts the first enabled transition: inner states first, then textual order.");
-    out_.open(signature("bool transition"));
+    const bool choices = generation_.options.choices;
+    if (choices) pick_function();
+    out_.doc(choices ? "Starts the transition whose turn it is: inner states first, then textual order."
+                     : "Starts the first enabled transition: inner states first, then textual order.");
+    out_.open(signature(choices ? "bool attempt" : "bool transition"));
     out_.open("switch (f.at) {");
     for (std::uint32_t index = 0; index < machine.nodes.size(); ++index) {
         const NodeId id{index};
@@ -34,6 +37,27 @@ void MachineWriter::transition_functions() {
     out_.line("default: return false;");
     out_.close();
     out_.close();
+}
+
+/// Reference API A6: the choices are counted by going through them once without taking any.
+void MachineWriter::pick_function() {
+    out_.doc("Starts one of the enabled transitions: the platform picks, or it is the first.");
+    out_.open(signature("bool transition"));
+    out_.open("if constexpr (robochart::Picks<Platform>::value) {");
+    out_.line("turn_.count();");
+    out_.line("attempt(f);");
+    out_.line("if (turn_.counted() == 0) return false;");
+    out_.line("turn_.take(robochart::pick(platform_, turn_.counted()));");
+    out_.close();
+    out_.line("return attempt(f);");
+    out_.close();
+    out_.gap();
+}
+
+/// With choices: the guard, and that it is the transition's turn.
+std::string MachineWriter::in_turn(const std::string& guard) const {
+    if (!generation_.options.choices) return guard;
+    return guard.empty() ? "in_turn()" : fmt::format("({}) && in_turn()", guard);
 }
 
 std::vector<std::string> MachineWriter::attempts(NodeId leaf) const {
@@ -66,7 +90,7 @@ bool MachineWriter::try_transition(const ir::Transition& transition) {
     out_.comment(generation_.place(transition.origin));
     reset_too_soon(transition);
     if (transition.trigger) return try_trigger(transition, id);
-    const std::string text = guard(transition, "");
+    const std::string text = in_turn(guard(transition, ""));
     if (!text.empty()) out_.open(fmt::format("if ({}) {{", text));
     begin_transition(transition, id);
     if (!text.empty()) out_.close();
@@ -87,9 +111,9 @@ bool MachineWriter::try_trigger(const ir::Transition& transition, ir::Transition
     const Condition condition = [&](const std::string& incoming) -> std::string {
         late_guard.clear();
         std::string text = guard(transition, incoming);
-        if (text.empty() || !generation_.mutation.hits(Fault::guard_after_consume)) return text;
+        if (text.empty() || !generation_.mutation.hits(Fault::guard_after_consume)) return in_turn(text);
         late_guard = std::move(text);
-        return {};
+        return in_turn("");
     };
     return receive(generation_, unit_, *transition.trigger, out_, condition, [&] {
         if (!late_guard.empty()) out_.line(fmt::format("if (!({})) return false;", late_guard));

@@ -35,6 +35,7 @@ private:
     void control_places();
     void choice(ir::NodeId);
     bool ways(ir::NodeId, CodeWriter&, const char* end);
+    bool pick_way(ir::NodeId, CodeWriter&, const char* end);
     void draw_place(ir::NodeId);
     void enter_place(ir::NodeId);
     void settle(ir::NodeId, CodeWriter&, const char* end);
@@ -102,6 +103,8 @@ private:
     /// The call of the trace hook.
     [[nodiscard]] std::string tell_taken(ir::TransitionId) const;
     void depart(ir::NodeId source, ir::TransitionId);
+    void pick_function();
+    [[nodiscard]] std::string in_turn(const std::string& guard) const;
     [[nodiscard]] std::vector<std::string> attempts(ir::NodeId leaf) const;
     [[nodiscard]] ir::NodeId target_of(const ir::Transition&);
 

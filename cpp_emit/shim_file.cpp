@@ -199,6 +199,8 @@ private:
             out_.line(
                 "std::size_t choose(const double*, std::size_t count) noexcept { return "
                 "robochart::recorded_way(log_, count); }");
+        if (generation_.options.choices)
+            out_.line("std::size_t pick(std::size_t count) noexcept { return robochart::recorded_way(log_, count); }");
         for (const ModelledCall& call : generation_.component.modelled) {
             std::string parameters;
             for (const ir::TypeId parameter : call.signature->parameters)

@@ -439,8 +439,12 @@ void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
 void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {
     if (generation_.mutation.hits(Fault::wait_dropped) || generation_.mutation.hits(Fault::loop_never_ends)) return;
     const ExpressionWriter expressions(generation_, unit_, "f");
+    std::string length = fmt::format("duration({})", expressions.write(*stmt.value));
+    if (generation_.options.choices && stmt.kind == StmtKind::wait_interval && stmt.upper)
+        length = fmt::format("robochart::pick_between(platform_, {}, duration({}))", length,
+                             expressions.write(*stmt.upper));
     const bool late = generation_.mutation.hits(Fault::wait_late);
-    code().line(fmt::format("{} = duration({}){};", thread_.wait, expressions.write(*stmt.value), late ? " + 1" : ""));
+    code().line(fmt::format("{} = {}{};", thread_.wait, length, late ? " + 1" : ""));
     if (generation_.mutation.hits(Fault::wait_early)) code().line(fmt::format("advance_wait({}, 1);", thread_.wait));
     thread_.waits = true;
     resume_at(fresh(stem), "waits");

@@ -179,6 +179,9 @@ private:
             out_.line("return robochart::passed_choice(platform_, chances, count);");
             out_.close();
         }
+        if (generation_.options.choices)
+            out_.line(
+                "std::size_t pick(std::size_t count) noexcept { return robochart::passed_pick(platform_, count); }");
         out_.open("void taken(std::uint32_t transition) noexcept {");
         out_.line("tracer_.taken(transition);");
         out_.line("if constexpr (robochart::Listens<Platform>::value) platform_.taken(transition);");

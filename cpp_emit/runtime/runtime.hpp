@@ -151,6 +151,74 @@ constexpr std::size_t choose([[maybe_unused]] Platform& platform, const double (
 }
 
 template <class Platform, class = void>
+struct Picks : std::false_type {};
+template <class Platform>
+struct Picks<Platform, std::void_t<decltype(std::declval<Platform&>().pick(std::size_t{}))>> : std::true_type {};
+
+/// Which of several choices of the model is taken, in code that asks (`emit cpp --choices`): `platform.pick(count)` if
+/// there is such a method, else the first. Any answer is one that the model allows.
+template <class Platform>
+constexpr std::size_t pick([[maybe_unused]] Platform& platform, std::size_t count) noexcept {
+    if constexpr (Picks<Platform>::value) {
+        if (count < 2) return 0;
+        const std::size_t picked = platform.pick(count);
+        return picked < count ? picked : count - 1;
+    } else {
+        return 0;
+    }
+}
+
+/// Of those that are open; `count` where none is.
+template <class Platform, std::size_t count>
+constexpr std::size_t pick_open(Platform& platform, const bool (&open)[count]) noexcept {
+    std::size_t all = 0;
+    for (const bool each : open) all += each ? 1U : 0U;
+    std::size_t left = all == 0 ? 0 : pick(platform, all);
+    for (std::size_t way = 0; way < count; ++way)
+        if (open[way] && left-- == 0) return way;
+    return count;
+}
+
+template <class Platform>
+constexpr std::uint32_t pick_between(Platform& platform, std::uint32_t least, std::uint32_t most) noexcept {
+    return most <= least ? least : least + static_cast<std::uint32_t>(pick(platform, std::size_t{most} - least + 1));
+}
+
+/// Goes through the enabled transitions of a moment twice: to count them, and to take the one that was picked.
+class Turn {
+public:
+    constexpr void count() noexcept { *this = Turn(); }
+    [[nodiscard]] constexpr std::size_t counted() const noexcept { return seen_; }
+    constexpr void take(std::size_t picked) noexcept {
+        wanted_ = picked;
+        seen_ = 0;
+        counting_ = false;
+    }
+    constexpr bool come() noexcept { return seen_++ == wanted_ && !counting_; }
+
+private:
+    std::size_t seen_ = 0;
+    std::size_t wanted_ = 0;
+    bool counting_ = true;
+};
+
+/// Answers that were given before, for platforms that repeat a run; the first choice beyond their end.
+class RecordedChoices {
+public:
+    constexpr RecordedChoices(const std::size_t* answers, std::size_t count) noexcept
+        : answers_(answers), left_(count) {}
+    constexpr std::size_t next() noexcept {
+        if (left_ == 0) return 0;
+        --left_;
+        return *answers_++;
+    }
+
+private:
+    const std::size_t* answers_;
+    std::size_t left_;
+};
+
+template <class Platform, class = void>
 struct Listens : std::false_type {};
 template <class Platform>
 struct Listens<Platform, std::void_t<decltype(std::declval<Platform&>().taken(std::uint32_t{}))>> : std::true_type {};

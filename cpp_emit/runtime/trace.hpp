@@ -93,6 +93,11 @@ std::size_t passed_choice(Platform& platform, const double* chances, std::size_t
     }
 }
 
+template <class Platform>
+std::size_t passed_pick([[maybe_unused]] Platform& platform, [[maybe_unused]] std::size_t count) noexcept {
+    return pick(platform, count);
+}
+
 }  // namespace robochart
 
 #endif

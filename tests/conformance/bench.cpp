@@ -63,6 +63,7 @@ cpp_emit::Emission Bench::emit(cpp_emit::Fault fault, std::uint32_t site) {
     cpp_emit::Options options;
     options.fault = fault;
     options.fault_site = site;
+    options.choices = choices_;
     return cpp_emit::emit(model_.system, model_.instantiation, component_, options, model_.diagnostics);
 }
 
@@ -86,16 +87,24 @@ Result Bench::schedulability() {
     return schedulable(graph, alphabet, 1, {});
 }
 
-Result Bench::check(cpp_emit::Fault fault, std::uint32_t site) {
+std::unique_ptr<SharedObject> Bench::compiled(cpp_emit::Fault fault, std::uint32_t site) {
     std::string error;
-    const auto object = build(emit(fault, site), error);
+    auto object = build(emit(fault, site), error);
     EXPECT_TRUE(object) << error;
-    if (!object) return {};
-    Interface interface = interface_of(object->interface());
+    return object;
+}
+
+Result Bench::check(cpp_emit::Fault fault, std::uint32_t site) {
+    const auto object = compiled(fault, site);
+    return object ? check(object->interface()) : Result{};
+}
+
+Result Bench::check(const rc_interface& code, Relation relation) {
+    Interface interface = interface_of(code);
     complete(interface, model_.system, model_.instantiation, component_, script_.provenance);
     const Alphabet alphabet(interface, session_->event_table());
     ModelGraph graph(*system_, alphabet);
-    return refined_by(graph, alphabet, object->interface(), 1, {});
+    return refined_by(graph, alphabet, code, 1, {}, relation);
 }
 
 }  // namespace robochart::conformance::test

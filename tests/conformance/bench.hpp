@@ -8,6 +8,7 @@
 #include "checker/cspm/session.hpp"
 #include "conformance/component.hpp"
 #include "conformance/judge.hpp"
+#include "conformance/shared_object.hpp"
 #include "csp_emit/emit.hpp"
 #include "frontend/project.hpp"
 #include "semantics/instantiation.hpp"
@@ -38,9 +39,14 @@ public:
 
     /// Generates, compiles and checks one controller; schedulability is not asked again.
     [[nodiscard]] Result check(cpp_emit::Fault fault = cpp_emit::Fault::none, std::uint32_t site = 0);
+    [[nodiscard]] std::unique_ptr<SharedObject> compiled(cpp_emit::Fault fault, std::uint32_t site);
+    /// The same for a controller that was compiled elsewhere.
+    [[nodiscard]] Result check(const rc_interface& code, Relation relation = Relation::failures_divergences);
     /// Schedulability for the interface of the generated code.
     [[nodiscard]] Result schedulability();
     [[nodiscard]] std::uint32_t sites(cpp_emit::Fault fault);
+    /// From now on the code asks where the model leaves a choice, and every answer is explored.
+    void explore_choices() { choices_ = true; }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
     [[nodiscard]] cspm::ExprPtr process() const { return component_process(script_.definitions, component_); }
     /// The alphabet of the generated code over the session's events.
@@ -56,6 +62,7 @@ private:
     csp_emit::Emission script_;
     std::unique_ptr<cspm::Session> session_;
     std::unique_ptr<lts::TransitionSystem> system_;
+    bool choices_ = false;
 };
 
 }  // namespace robochart::conformance::test

@@ -133,8 +133,9 @@ protected:
     }
 
     static constexpr std::size_t at_once = 50;
-    static Options options() {
+    [[nodiscard]] Options options() const {
         Options options;
+        options.generator.choices = all_choices_;
         options.flags = "-std=c++17 -O0 -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wconversion -Werror";
         if (const char* compiler = std::getenv("ROBOCHART_COMPILER")) options.compiler = compiler;
         options.limits.max_states = 30'000;
@@ -144,6 +145,7 @@ protected:
 
     std::vector<std::unique_ptr<Candidate>> candidates_;
     std::vector<std::uint64_t> seeds_;
+    bool all_choices_ = false;
     Tally tally_;
 };
 
@@ -161,6 +163,17 @@ TEST_F(RandomModels, Conform) {
     fmt::print("models that conform and have: {}\n", used);
     EXPECT_GE(tally_.conforming * 2, tally_.models) << "too few can be explored";
     expect_everything();
+}
+
+/// Whatever the code answers where the model leaves a choice, it does what the model allows.
+TEST_F(RandomModels, ConformInAllChoices) {
+    all_choices_ = true;
+    for (const std::uint64_t seed : random_models::seeds(tests::rounds(50))) {
+        add(seed);
+        if (HasFatalFailure()) return;
+    }
+    judge_all();
+    EXPECT_GE(tally_.conforming * 2, tally_.models) << "too few can be explored";
 }
 
 }  // namespace

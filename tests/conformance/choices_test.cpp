@@ -1,0 +1,109 @@
+// Choices that the model leaves (reference API A6): by default the code takes the first; with `--all-choices` every
+// answer that it could give is explored, and all of them are runs of the model.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::unique_ptr<test::Model> model_of(const std::string& text) {
+    std::string folder = (fs::path(testing::TempDir()) / "choices-XXXXXX").string();
+    EXPECT_NE(mkdtemp(folder.data()), nullptr);
+    std::ofstream(fs::path(folder) / "s.rct") << text;
+    auto model = std::make_unique<test::Model>(folder);
+    fs::remove_all(folder);
+    return model;
+}
+
+/// Two transitions with one trigger, and a junction two of whose guards hold: the first are t1 and j1.
+constexpr const char* text = R"(
+stm S {
+    event go
+    event left : nat
+    event right : nat
+    initial i
+    junction j
+    state Waiting { }
+    state Left { entry left!1 }
+    state Right { entry right!1 }
+    transition t0 { from i to Waiting }
+    transition t1 { from Waiting to Left trigger go }
+    transition t2 { from Waiting to j trigger go }
+    transition j1 { from j to Right condition 1 > 0 }
+    transition j2 { from j to Left condition 2 > 0 }
+    transition t4 { from Left to Waiting trigger go }
+    transition t5 { from Right to Waiting trigger go }
+}
+)";
+
+TEST(Choices, TheFirstIsOneOfAll) {
+    const auto model = model_of(text);
+    test::Bench bench(*model, model->machine("S"));
+    const Result first = bench.check();
+    EXPECT_EQ(first.outcome, Outcome::conforms) << first.reason;
+    EXPECT_EQ(first.code_states, 3U);  // before the first cycle, Waiting, Left: t2 is never taken
+    bench.explore_choices();
+    const Result all = bench.check();
+    EXPECT_EQ(all.outcome, Outcome::conforms) << all.reason;
+    EXPECT_EQ(all.code_states, 4U);  // and Right, by t2 and j1
+}
+
+/// Wrong targets: of t0, t4 they show at once; of t2, j1, t5 where the second choice is made; of t1 and j2 they lead
+/// where the other choice leads, which is allowed.
+TEST(Choices, FaultsBehindOtherChoicesAreFound) {
+    const auto model = model_of(text);
+    test::Bench bench(*model, model->machine("S"));
+    const auto found = [&] {
+        std::size_t differ = 0;
+        for (std::uint32_t site = 0; site < 7; ++site)
+            differ += bench.check(cpp_emit::Fault::wrong_target, site).outcome == Outcome::differs ? 1U : 0U;
+        return differ;
+    };
+    ASSERT_EQ(bench.sites(cpp_emit::Fault::wrong_target), 7U);
+    EXPECT_EQ(found(), 2U);
+    bench.explore_choices();
+    ASSERT_EQ(bench.sites(cpp_emit::Fault::wrong_target), 7U);
+    EXPECT_EQ(found(), 5U);
+}
+
+/// A wait of one or two units: the code waits one; all answers are allowed.
+TEST(Choices, TheLengthOfAWait) {
+    const auto model = model_of(R"(
+stm S {
+    event left
+    initial i
+    state A { entry wait([1, 2]) ; left }
+    transition t0 { from i to A }
+    transition t1 { from A to A }
+}
+)");
+    test::Bench bench(*model, model->machine("S"));
+    const Result first = bench.check();
+    EXPECT_EQ(first.outcome, Outcome::conforms) << first.reason;
+    bench.explore_choices();
+    const Result all = bench.check();
+    EXPECT_EQ(all.outcome, Outcome::conforms) << all.reason;
+    EXPECT_GT(all.code_states, first.code_states);
+}
+
+/// Inner and outer transitions, both enabled; several machines.
+TEST(Choices, CompositesAndTeams) {
+    for (const char* folder :
+         {"tests/conformance/models/nested", "tests/conformance/models/team", "corpus/aggregation"}) {
+        test::Model model(folder);
+        test::Bench bench(model, model.module());
+        bench.explore_choices();
+        const Result all = bench.check();
+        EXPECT_EQ(all.outcome, Outcome::conforms) << folder << ": " << all.reason << " " << all.expected;
+    }
+}
+
+}  // namespace
+}  // namespace robochart::conformance
