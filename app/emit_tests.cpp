@@ -21,7 +21,16 @@ std::string identifier(const std::string& path) {
 struct Made {
     std::vector<cpp_emit::OutputFile> files;
     std::size_t states = 0, tests = 0, cycles = 0;
+    bool adaptive = false;      ///< the model leaves a choice: tests that follow the implementation
 };
+
+std::string told(const Made& made, const Options& options, const ir::ComponentRef& component) {
+    if (made.adaptive)
+        return fmt::format("  {}: {} states over control cycles, with choices; the tests follow what the implementation does\n", component.path,
+                           made.states);
+    return fmt::format("  {}: {} states over control cycles, {} more allowed; {} runs, {} cycles\n", component.path, made.states,
+                       options.extra_states, with_commas(made.tests), with_commas(made.cycles));
+}
 
 /// Throws std::length_error where there is none.
 Made make(Project& project, const Options& options, const ir::ComponentRef& component, const refine::Limits& bounds) {
@@ -29,10 +38,16 @@ Made make(Project& project, const Options& options, const ir::ComponentRef& comp
     const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component, options.cycle, bounds,
                                                       project.sources, project.diagnostics, error);
     if (model == nullptr) throw std::length_error(error);
-    const auto machine = conformance::machine_of_cycles(*model, bounds);
-    const auto tests = conformance::complete_suite(machine, options.extra_states);
+    const auto choices = conformance::machine_of_choices(*model, bounds);
     const std::string name = identifier(component.path);
     const std::string qualified = component.package.empty() ? component.path : component.package + "::" + component.path;
+    if (!choices.deterministic()) {
+        Made made{conformance::adaptive_sources(name), choices.states(), 0, 0, true};
+        made.files.push_back({name + ".graph", conformance::choice_graph(choices, *model, qualified, options.extra_states)});
+        return made;
+    }
+    const auto machine = conformance::machine_of_cycles(*model, bounds);
+    const auto tests = conformance::complete_suite(machine, options.extra_states);
     Made made{conformance::suite_sources(name), machine.states(), tests.size(), 0};
     for (const auto& test : tests) made.cycles += test.size();
     made.files.push_back({name + ".trace", conformance::suite_log(machine, tests, *model, qualified, options.extra_states)});
@@ -57,8 +72,7 @@ Exit emit_tests(Project& project, const Options& options) {
                 if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
                 written += fmt::format("  {:<70} {:>9} bytes\n", path, with_commas(file.text.size()));
             }
-            written += fmt::format("  {}: {} states over control cycles, {} more allowed; {} runs, {} cycles\n", component.path, made.states,
-                                   options.extra_states, with_commas(made.tests), with_commas(made.cycles));
+            written += told(made, options, component);
         } catch (const std::length_error& large) {
             refused = large.what();
         } catch (const process::Interrupted& limit) {

@@ -39,15 +39,15 @@ public:
     Builder(CyclicModel& model, const refine::Limits& limits)
         : model_(model), budget_(limits), form_(model.normal_form(), budget_) {}
 
-    MachineOfCycles build() {
-        MachineOfCycles machine;
+    MachineOfChoices build() {
+        MachineOfChoices machine;
         machine.inputs = valuations(model_.interface());
         number(form_.initial());
         for (std::size_t at = 0; at < nodes_.size(); ++at) {
             if ((at + 1) * machine.inputs.size() > most_steps)
                 throw std::length_error(fmt::format("it has more than {} transitions", most_steps));
-            std::vector<CycleStep>& steps = machine.steps.emplace_back();
-            for (const auto& readings : machine.inputs) steps.push_back(cycle(nodes_[at], readings));
+            machine.branches.emplace_back();
+            for (const auto& readings : machine.inputs) machine.branches.back().push_back(cycle(nodes_[at], readings));
         }
         return minimal(machine);
     }
@@ -59,48 +59,58 @@ private:
         return place->second;
     }
 
-    CycleStep cycle(Node node, const std::vector<std::uint32_t>& readings) {
+    std::vector<CycleStep> cycle(Node node, const std::vector<std::uint32_t>& readings) {
         for (std::uint32_t i = 0; i < readings.size(); ++i) {
             const auto next = form_.after(node, model_.alphabet().read(i, readings[i]));
             if (!next) throw std::length_error("the model cannot be run in cycles: it is not schedulable");
             node = *next;
         }
-        CycleStep step;
-        for (std::uint32_t tocks = 0; tocks < model_.cycle_length();) {
-            const process::EventSet possible = form_.initials(node);
-            if (possible.empty()) throw std::length_error("the model cannot be run in cycles: it is not schedulable");
-            if (possible.size() > 1)
-                throw std::length_error(fmt::format("the model leaves a choice, between {} and {}",
-                                                    model_.alphabet().tell(possible[0]),
-                                                    model_.alphabet().tell(possible[1])));
-            const process::Event event = possible.front();
+        std::vector<CycleStep> branches;
+        std::vector<process::Event> writes;
+        act(node, 0, writes, branches);
+        return branches;
+    }
+
+    /// Every way to the end of the cycle. Not deep: each output is made once a cycle.
+    void act(Node node, std::uint32_t tocks, std::vector<process::Event>& writes, std::vector<CycleStep>& branches) {
+        budget_.charge();
+        if (tocks == model_.cycle_length()) return add({writes, number(node)}, branches);
+        const process::EventSet possible = form_.initials(node);
+        if (possible.empty()) throw std::length_error("the model cannot be run in cycles: it is not schedulable");
+        for (const process::Event event : possible) {
             if (event == process::tick) {
-                step.target = MachineOfCycles::over;
-                return step;
+                add({writes, MachineOfCycles::over}, branches);
+            } else if (event == model_.alphabet().tock()) {
+                act(*form_.after(node, event), tocks + 1, writes, branches);
+            } else {
+                writes.push_back(event);
+                act(*form_.after(node, event), tocks, writes, branches);
+                writes.pop_back();
             }
-            if (event == model_.alphabet().tock())
-                ++tocks;
-            else
-                step.writes.push_back(event);
-            node = *form_.after(node, event);
         }
-        step.target = number(node);
-        return step;
+    }
+
+    void add(CycleStep step, std::vector<CycleStep>& branches) {
+        if (++steps_ > most_steps) throw std::length_error(fmt::format("it has more than {} transitions", most_steps));
+        branches.push_back(std::move(step));
     }
 
     /// Moore 1956: states are told apart by longer and longer words. Numbered in the order of the search.
-    MachineOfCycles minimal(const MachineOfCycles& machine) {
+    MachineOfChoices minimal(const MachineOfChoices& machine) {
         std::vector<std::uint32_t> classes(machine.states(), 0);
         for (std::size_t count = 0;;) {
             std::map<std::vector<std::uint64_t>, std::uint32_t> known;
             std::vector<std::uint32_t> next;
-            for (const auto& steps : machine.steps) {
-                budget_.charge();
+            for (const auto& symbols : machine.branches) {
                 std::vector<std::uint64_t> signature;
-                for (const CycleStep& step : steps) {
-                    signature.push_back(step.target == MachineOfCycles::over ? step.target : classes[step.target]);
-                    signature.push_back(step.writes.size());
-                    signature.insert(signature.end(), step.writes.begin(), step.writes.end());
+                for (const std::vector<CycleStep>& branches : symbols) {
+                    budget_.charge();
+                    signature.push_back(branches.size());
+                    for (const CycleStep& step : branches) {
+                        signature.push_back(step.target == MachineOfCycles::over ? step.target : classes[step.target]);
+                        signature.push_back(step.writes.size());
+                        signature.insert(signature.end(), step.writes.begin(), step.writes.end());
+                    }
                 }
                 next.push_back(
                     known.emplace(std::move(signature), static_cast<std::uint32_t>(known.size())).first->second);
@@ -109,13 +119,14 @@ private:
             if (known.size() == count) break;
             count = known.size();
         }
-        MachineOfCycles result;
+        MachineOfChoices result;
         result.inputs = machine.inputs;
         for (std::size_t state = 0; state < machine.states(); ++state) {
             if (classes[state] != result.states()) continue;
-            result.steps.push_back(machine.steps[state]);
-            for (CycleStep& step : result.steps.back())
-                if (step.target != MachineOfCycles::over) step.target = classes[step.target];
+            result.branches.push_back(machine.branches[state]);
+            for (auto& branches : result.branches.back())
+                for (CycleStep& step : branches)
+                    if (step.target != MachineOfCycles::over) step.target = classes[step.target];
         }
         return result;
     }
@@ -125,12 +136,47 @@ private:
     refine::NormalForm form_;
     std::unordered_map<Node, std::uint32_t> numbers_;
     std::vector<Node> nodes_;
+    std::size_t steps_ = 0;
 };
+
+/// Where two ways through a cycle part, for people.
+std::string parting(const CyclicModel& model, const CycleStep& a, const CycleStep& b) {
+    const auto told = [&](const CycleStep& step, std::size_t at) -> std::string {
+        if (at < step.writes.size()) return model.alphabet().tell(step.writes[at]);
+        return step.target == MachineOfCycles::over ? "termination" : "end of cycle";
+    };
+    std::size_t at = 0;
+    while (at < a.writes.size() && at < b.writes.size() && a.writes[at] == b.writes[at]) ++at;
+    return fmt::format("{} and {}", told(a, at), told(b, at));
+}
 
 }  // namespace
 
-MachineOfCycles machine_of_cycles(CyclicModel& model, const refine::Limits& limits) {
+bool MachineOfChoices::deterministic() const {
+    for (const auto& symbols : branches)
+        for (const auto& each : symbols)
+            if (each.size() > 1) return false;
+    return true;
+}
+
+MachineOfChoices machine_of_choices(CyclicModel& model, const refine::Limits& limits) {
     return Builder(model, limits).build();
+}
+
+MachineOfCycles machine_of_cycles(CyclicModel& model, const refine::Limits& limits) {
+    MachineOfChoices choices = machine_of_choices(model, limits);
+    MachineOfCycles machine;
+    machine.inputs = std::move(choices.inputs);
+    for (auto& symbols : choices.branches) {
+        std::vector<CycleStep>& steps = machine.steps.emplace_back();
+        for (auto& each : symbols) {
+            if (each.size() > 1)
+                throw std::length_error(
+                    fmt::format("the model leaves a choice, between {}", parting(model, each[0], each[1])));
+            steps.push_back(std::move(each.front()));
+        }
+    }
+    return machine;
 }
 
 }  // namespace robochart::conformance

@@ -22,6 +22,11 @@ using TestWord = std::vector<std::uint32_t>;
 /// The suite as a log of runs (docs/traces.md): what the model does is what an implementation must do.
 [[nodiscard]] std::string suite_log(const MachineOfCycles&, const std::vector<TestWord>&, const CyclicModel&,
                                     const std::string& component, std::uint32_t extra_states);
+/// The machine of a model that leaves a choice, for tests that follow what an implementation does
+/// (cpp_emit/runtime/adaptive.hpp), and GoogleTest that does so.
+[[nodiscard]] std::string choice_graph(const MachineOfChoices&, const CyclicModel&, const std::string& component,
+                                       std::uint32_t extra_states);
+[[nodiscard]] std::vector<cpp_emit::OutputFile> adaptive_sources(const std::string& name);
 /// GoogleTest that reads such a log and replays it against an implementation of its reader's (docs/conformance.md).
 [[nodiscard]] std::vector<cpp_emit::OutputFile> suite_sources(const std::string& name);
 

@@ -50,6 +50,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string monitor_header();
 [[nodiscard]] std::string trace_helpers();
 [[nodiscard]] std::string trace_files();
+[[nodiscard]] std::string adaptive_header();
 
 /// "Generated from RoboChart ... edit the model" for the top of a file.
 void file_comment(const Generation&, CodeWriter&, const std::string& what);

@@ -109,9 +109,45 @@ TEST(TestSuites, AreEmittedAndAreRunsOfTheModel) {
     const auto checked = run({"conform", repository("corpus/aggregation"), "--traces", folder / "out/tests"});
     EXPECT_EQ(checked.exit, 0) << checked.out << checked.err;
     EXPECT_THAT(checked.out, HasSubstr(" 0 rejected, 0 inconclusive"));
-    const auto choice = run({"emit", "tests", repository("corpus/swarm_taxis"), "--out", folder / "out"});
-    EXPECT_EQ(choice.exit, 2);
-    EXPECT_THAT(choice.err, HasSubstr("leaves a choice"));
+}
+
+/// A model that leaves a choice: the GoogleTest that is written, linked with an implementation that makes the second
+/// choice, and with one that does what the model never does.
+TEST(TestSuites, FollowAnImplementationWhereTheModelLeavesAChoice) {
+    const testing::TemporaryFile model("m.rct", "stm M {\n event go event left event right initial i\n state A { } state B { entry left } "
+                                                "state C { entry right }\n transition t0 { from i to A }\n"
+                                                " transition t1 { from A to B trigger go } transition t2 { from A to C trigger go }\n"
+                                                " transition b { from B to A trigger go } transition c { from C to A trigger go } }\n");
+    const Folder folder;
+    const auto emitted = run({"emit", "tests", model.path(), "--component", "M", "--extra-states", "1", "--out", folder / "out"});
+    ASSERT_EQ(emitted.exit, 0) << emitted.err;
+    EXPECT_THAT(emitted.out, HasSubstr("with choices; the tests follow what the implementation does"));
+    const std::string tests = folder / "out/tests/M";
+    std::ofstream(tests + "/mine.cpp") << R"(#include "implementation.hpp"
+class Mine : public Implementation {
+public:
+    void reset() override { state = 'i'; }
+    std::vector<std::string> cycle(const std::vector<std::string>& inputs) override {
+        const bool first = state == 'i';
+        if (first) state = 'A';
+        if (inputs.empty()) return {};
+        state = state == 'A' ? 'C' : 'A';
+        if (state == 'A') return {};
+        return {ANSWER};
+    }
+    char state = 'i';
+};
+std::unique_ptr<Implementation> make_implementation() { return std::make_unique<Mine>(); }
+)";
+    const auto tested = [&](const std::string& answer) {
+        const std::string build = "cd '" + tests + "' && c++ -std=c++17 -O0 -Wall -Wextra -Werror -DANSWER='\"" + answer +
+                                  "\"' M_adaptive_test.cpp mine.cpp -lgtest -lgtest_main -pthread -o tested && ./tested > told 2>&1";
+        return std::system(build.c_str());
+    };
+    EXPECT_EQ(tested("right!"), 0) << contents(tests + "/told");
+    EXPECT_THAT(contents(tests + "/told"), HasSubstr("it does what the model allows unless it has more than"));
+    EXPECT_NE(tested("up!"), 0);
+    EXPECT_THAT(contents(tests + "/told"), HasSubstr("it did up!; the model allows one of\n    left!\n    right!"));
 }
 
 TEST(Monitors, AreEmittedAndRefused) {
