@@ -35,6 +35,12 @@ constexpr Exception exceptions[] = {
     {"AlphaAlgorithm/MovementC", Outcome::not_schedulable, "a second time in one cycle"},
     {"AlphaAlgorithm/Movement", Outcome::not_schedulable, "a second time in one cycle"},
     {"AlphaAlgorithm/AggregationSoftware", Outcome::not_schedulable, "a second time in one cycle"},
+    // The high-voltage controller takes inputs with a deadline of 0, and sends an event twice at once.
+    {"hvc/mod_sys", Outcome::not_schedulable, "nor let time pass"},
+    {"hvc/State_machine", Outcome::not_schedulable, "nor let time pass"},
+    {"hvc/ctrl0", Outcome::not_schedulable, "nor let time pass"},
+    {"hvc/ctrl1", Outcome::not_schedulable, "nor let time pass"},
+    {"hvc/ctrl3", Outcome::not_schedulable, "a second time in one cycle"},
 };
 
 /// Models that are not read or have no semantics at all.
@@ -93,7 +99,8 @@ protected:
     void component(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
                    const std::string& model, diagnostics::SourceManager& sources) {
         const bool large = model == "hvc";
-        if (large && std::getenv("ROBOCHART_SURVEY_SECONDS") == nullptr) return compile(system, instantiation, ref);
+        if (large && std::getenv("ROBOCHART_SURVEY_SECONDS") == nullptr)
+            return compile(system, instantiation, ref, model + "/" + ref.path);
         diagnostics::Diagnostics found;
         Options options;
         options.flags = flags();
@@ -103,21 +110,13 @@ protected:
         const Result result = conform(system, instantiation, ref, options, sources, found);
         std::string said = result.reason;
         for (const auto& finding : found.sorted()) said += fmt::format(" {} {}", finding.rule->code, finding.message());
-        if (large) return judge_large(model + "/" + ref.path, result, said);
         judge(model + "/" + ref.path, result, said);
     }
 
-    /// By the script: as far as the time goes, and nothing found until then.
-    void judge_large(const std::string& name, const Result& result, const std::string& said) {
-        ++compiled_;
-        fmt::print("{}: {}, {} states of the code\n", name,
-                   result.outcome == Outcome::conforms ? "conforms" : said.substr(0, 200), result.code_states);
-        EXPECT_NE(result.outcome, Outcome::differs) << name << ": " << said.substr(0, 2000);
-        EXPECT_NE(result.outcome, Outcome::not_generated) << name << ": " << said.substr(0, 2000);
-    }
-
-    /// The industrial controller's state space is not for every run: its code is generated and compiled.
-    void compile(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref) {
+    /// The industrial controller's script is not for every run: its code is generated and compiled. The script
+    /// scripts/survey.sh has all of its components judged.
+    void compile(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
+                 const std::string& name) {
         diagnostics::Diagnostics found;
         const cpp_emit::Emission code = cpp_emit::emit(system, instantiation, ref, {}, found);
         ASSERT_FALSE(code.shim.empty()) << ref.path;
@@ -125,6 +124,7 @@ protected:
         const auto object = SharedObject::build(code.files, {code.shim}, {compiler(), flags(), ""}, error);
         EXPECT_TRUE(object) << error;
         ++compiled_;
+        seen_.insert(name);
     }
 
     void judge(const std::string& name, const Result& result, const std::string& said) {
@@ -157,8 +157,7 @@ TEST_F(Survey, EveryComponentConformsButTheExceptions) {
     const char* const only = std::getenv("ROBOCHART_SURVEY");
     for (const std::string& path : projects)
         if (only == nullptr || fs::path(path).filename() == only) project(path);
-    fmt::print("{} components, {} conform, {} are excepted; {} more compile\n", components_, conforming_, seen_.size(),
-               compiled_);
+    fmt::print("{} components, {} conform; {} more compile\n", components_, conforming_, compiled_);
     if (only != nullptr) return;
     for (const Exception& exception : exceptions)
         EXPECT_TRUE(seen_.count(exception.component) != 0) << exception.component << " is not there";
