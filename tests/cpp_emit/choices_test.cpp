@@ -77,8 +77,11 @@ int main() {
 TEST(Choices, WithoutTheOptionNobodyIsAsked) {
     const ir::System system = testing::model(text);
     const Emission emission = testing::emit_ok(system, testing::component(system, "M"));
-    for (const OutputFile& file : emission.files)
-        if (file.path == "M_core.hpp") EXPECT_EQ(file.text.find("in_turn"), std::string::npos);
+    for (const OutputFile& file : emission.files) {
+        if (file.path == "M_core.hpp") {
+            EXPECT_EQ(file.text.find("in_turn"), std::string::npos);
+        }
+    }
     Folder folder;
     folder.write(emission);
     std::ofstream(folder.path() + "/main.cpp") << program << R"(
