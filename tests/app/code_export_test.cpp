@@ -38,7 +38,7 @@ TEST(Conform, RelationsAndChoices) {
     const auto all = run({"conform", model.path(), "--component", "M", "--all-choices", "--model", "tick-tock"});
     EXPECT_EQ(all.exit, 0) << all.out << all.err;
     EXPECT_THAT(all.out, HasSubstr("conforms     M: 4 states"));
-    EXPECT_EQ(run({"conform", model.path(), "--model", "traces"}).exit, 2);
+    EXPECT_EQ(run({"conform", model.path(), "--model", "traces"}).exit, 4);
 }
 
 TEST(CodeExport, TheScriptRepeatsTheCheck) {

@@ -147,7 +147,8 @@ std::unique_ptr<Implementation> make_implementation() { return std::make_unique<
     EXPECT_EQ(tested("right!"), 0) << contents(tests + "/told");
     EXPECT_THAT(contents(tests + "/told"), HasSubstr("it does what the model allows unless it has more than"));
     EXPECT_NE(tested("up!"), 0);
-    EXPECT_THAT(contents(tests + "/told"), HasSubstr("it did up!; the model allows one of\n    left!\n    right!"));
+    EXPECT_THAT(contents(tests + "/told"), HasSubstr("it did up!; the model allows one of\n"));
+    EXPECT_THAT(contents(tests + "/told"), HasSubstr("\n    left!\n"));
 }
 
 TEST(Monitors, AreEmittedAndRefused) {
