@@ -122,7 +122,6 @@ bool MachineWriter::try_trigger(const ir::Transition& transition, ir::Transition
 }
 
 void MachineWriter::begin_transition(const ir::Transition& transition, ir::TransitionId id) {
-    out_.line(tell_taken(id));
     for (const ir::ClockId clock : transition.resets) {
         const std::string line = clock_reset(generation_, unit_, clock);
         if (!line.empty()) out_.line(line);

@@ -168,7 +168,6 @@ private:
         // Door::t1 (door.rct:18)
         if (inputs_.open.present) {
             inputs_.open.present = false;
-            taken(1);
             f.T = 0;
             taken(1);
             f.at = At::enter_Open;
