@@ -41,6 +41,7 @@ constexpr Exception exceptions[] = {
     {"hvc/ctrl0", Outcome::not_schedulable, "nor let time pass"},
     {"hvc/ctrl1", Outcome::not_schedulable, "nor let time pass"},
     {"hvc/ctrl3", Outcome::not_schedulable, "a second time in one cycle"},
+    {"hvc/Watchdog", Outcome::not_schedulable, "a second time in one cycle"},
 };
 
 /// Models that are not read or have no semantics at all.
