@@ -248,6 +248,9 @@ void MachineEmitter::item_branches(const Place& place, bool alone, std::vector<E
         case ItemKind::entered:
             entered_branch(place, out);
             break;
+        case ItemKind::left:
+            left_branch(place, out);
+            break;
         default:
             break;  // a wait moves with time, a stuck thread never
     }
@@ -256,7 +259,7 @@ void MachineEmitter::item_branches(const Place& place, bool alone, std::vector<E
 void MachineEmitter::statement_branches(const Place& place, bool alone, std::vector<ExprPtr>& out) {
     const ir::Stmt& stmt = *place.head().stmt;
     const std::uint32_t frame = place.owner->frame;
-    const bool steady = stable(frame, stmt, alone);
+    const bool steady = stable(frame, stmt, alone) && !reads_in_turn(place, stmt);
     const bool input = stmt.kind == StmtKind::communicate && stmt.communication.kind == CommKind::input;
     if (!visible(place, stmt)) {
         out.push_back(step(frame, stmt, "", perform(place, {})));

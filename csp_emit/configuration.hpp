@@ -21,6 +21,7 @@ enum class ItemKind {
     store,         ///< write the received value in `cells[0]` to a variable
     waiting,       ///< a wait with `cells[0]` units to go
     deadline_end,  ///< leaves the scope of a deadline; `cells[0]` counts it
+    left,          ///< a node has been left: a hidden step, until which others may write shared variables
     enter,         ///< enter a node
     entered,       ///< a state has been entered
     join,          ///< waits until the store that runs beside the exits of `node`'s inner states is done

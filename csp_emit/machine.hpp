@@ -227,7 +227,13 @@ private:
     Remembered memory_of(CellId cell);
     void external_writes(const Activation& config, const View& view, std::vector<ExprPtr>& out);
     std::vector<ExprPtr> external_write_events() const;
-    bool refuses_writes(const Place& place) const;
+    bool refuses_writes(const Place& place, bool alone) const;
+    bool others_write() const;
+    bool reads_in_turn(const Place& place, const ir::Stmt& stmt) const;
+    bool may_refuse_writes(const ir::Stmt& stmt) const;
+    void left_before(const ir::StmtPtr& next, ir::NodeId node, const ir::Transition& transition,
+                     std::vector<Item>& items) const;
+    void left_branch(const Place& place, std::vector<ExprPtr>& out);
 
     // time.cpp (semantics 3.10)
     bool urgent(const View& view) const;

@@ -2,7 +2,9 @@
 // 3.6), and the machine's side of shared ones (semantics 3.7): it keeps its own copy of every required variable, and
 // others may write the copy at any moment by set_EXT_x, except while a platform operation is being called, a
 // single event stands under a deadline, or a precondition has failed: RoboTool's processes for these
-// (`opCall -> SKIP`, `EDeadline`, `false & ...`) do not offer share__.
+// (`opCall -> SKIP`, `EDeadline`, `false & ...`) do not offer share__. What comes before them does: reading their
+// variables, and leaving the nodes that a transition leaves (`share__choice(exit -> SKIP)`, `share__choice(exited ->
+// SKIP)`).
 #include <algorithm>
 #include <map>
 #include <set>
@@ -17,10 +19,59 @@ namespace robochart::csp_emit {
 namespace b = cspm::build;
 using cspm::ExprPtr;
 
-bool MachineEmitter::refuses_writes(const Place& place) const {
+bool MachineEmitter::others_write() const {
+    const auto& variables = frames_[0].variables;
+    return std::any_of(variables.begin(), variables.end(), [&](CellId cell) { return cells_[cell].shared; });
+}
+
+/// Whether the call reads variables in a step of its own, until which others may write (`share__choice(get_v?v ->
+/// ...)`) though not while the operation is being called.
+bool MachineEmitter::reads_in_turn(const Place& place, const ir::Stmt& stmt) const {
+    const auto variable = [](const ir::Expr& part) { return part.kind == ir::ExprKind::variable; };
+    return stmt.kind == ir::StmtKind::call && !defined(place, stmt) && others_write() &&
+           std::any_of(stmt.args.begin(), stmt.args.end(), [&](const auto& arg) { return mentions(*arg, variable); });
+}
+
+/// Whether a part of the statement may be one during which nobody writes.
+bool MachineEmitter::may_refuse_writes(const ir::Stmt& stmt) const {
+    const auto function = [](const ir::Expr& part) { return part.kind == ir::ExprKind::call; };
+    const auto expressions = reads(stmt);
+    return stmt.kind == ir::StmtKind::call || (timed() && stmt.kind == ir::StmtKind::deadline) ||
+           std::any_of(expressions.begin(), expressions.end(),
+                       [&](const ir::Expr* expr) { return mentions(*expr, function); }) ||
+           std::any_of(stmt.body.begin(), stmt.body.end(), [&](const auto& part) { return may_refuse_writes(*part); });
+}
+
+/// Adds the step that leaves `node`, where it can be told from none.
+void MachineEmitter::left_before(const ir::StmtPtr& next, ir::NodeId node, const ir::Transition& transition,
+                                 std::vector<Item>& items) const {
+    if (!next || !others_write() || !may_refuse_writes(*next)) return;
+    Item left;
+    left.kind = ItemKind::left;
+    left.node = node;
+    left.label = "transition " + transition.name;
+    items.push_back(left);
+}
+
+/// The steps `exit` and `exited` of a node that is left wait for nobody, but until they are taken others may write.
+void MachineEmitter::left_branch(const Place& place, std::vector<ExprPtr>& out) {
+    const Item& item = place.head();
+    const ir::Node& node = frames_[place.owner->frame].machine->nodes[item.node.index];
+    EventMeaning meaning;
+    meaning.kind = MeaningKind::step;
+    meaning.text = "leave " + node.path;
+    meaning.origin = node.origin;
+    const std::string step = "left " + std::to_string(place.owner->frame) + ":" + std::to_string(item.node.index);
+    out.push_back(b::prefix(step_event(step, meaning), go(place.put({place.thread->rest->tail, nullptr}), {})));
+}
+
+bool MachineEmitter::refuses_writes(const Place& place, bool alone) const {
     const Item& item = place.head();
     if (item.kind == ItemKind::stuck) return true;
     if (item.stmt == nullptr || (item.kind != ItemKind::statement && item.kind != ItemKind::frozen)) return false;
+    const bool to_read = item.kind == ItemKind::statement &&
+                         (!stable(place.owner->frame, *item.stmt, alone) || reads_in_turn(place, *item.stmt));
+    if (to_read) return false;
     if (item.stmt->kind == ir::StmtKind::call) return !defined(place, *item.stmt);
     if (item.stmt->kind != ir::StmtKind::communicate) return false;
     const Link* next = place.thread->rest->tail.get();
@@ -38,7 +89,7 @@ std::vector<ExprPtr> MachineEmitter::external_write_events() const {
 
 void MachineEmitter::external_writes(const Activation& config, const View& view, std::vector<ExprPtr>& out) {
     for (const Place& place : view.places)
-        if (refuses_writes(place)) return;
+        if (refuses_writes(place, view.places.size() == 1)) return;
     for (const CellId cell : frames_[0].variables) {
         if (!cells_[cell].shared) continue;
         const ExprPtr next = go(config, {{cell, b::name("in__")}});

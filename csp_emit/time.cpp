@@ -131,7 +131,7 @@ ExprPtr MachineEmitter::clock_bound(const ir::Machine& checked, const ir::Expr& 
 /// Whether the thread's next event is hidden or urgent, so that time cannot pass before it.
 bool MachineEmitter::stops_time(const Place& place, bool alone) const {
     const Item& item = place.head();
-    if (item.kind == ItemKind::entered) return true;
+    if (item.kind == ItemKind::entered || item.kind == ItemKind::left) return true;
     if (item.kind == ItemKind::store)
         return !cells_[frames_[place.owner->frame].variables.at(item.variable.index)].shared;
     if (item.kind == ItemKind::frozen) return item.stmt->kind == ir::StmtKind::call;

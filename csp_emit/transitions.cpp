@@ -120,6 +120,7 @@ Activation MachineEmitter::leave(const Activation& activation, ir::TransitionId 
             join.label = "transition " + transition.name;
             items.push_back(join);
         }
+        left_before(left.nodes[node.index].exit, node, transition, items);
         if (left.nodes[node.index].exit) {
             Item exit;
             exit.stmt = left.nodes[node.index].exit.get();
@@ -128,6 +129,8 @@ Activation MachineEmitter::leave(const Activation& activation, ir::TransitionId 
         }
         if (node == source) break;
     }
+    const ir::StmtPtr& next = transition.action ? transition.action : left.nodes[transition.target.index].entry;
+    left_before(next, source, transition, items);
     if (transition.action) {
         Item action;
         action.stmt = transition.action.get();

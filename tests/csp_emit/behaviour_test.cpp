@@ -322,6 +322,54 @@ TEST(Memory, GuardsSeeExternalWrites) {
               "holds");
 }
 
+TEST(Memory, OthersMayWriteUntilTheArgumentsOfACallAreRead) {
+    // RoboTool: share__choice(exited -> SKIP) ; share__choice(get_x?x -> goCall.x -> SKIP), where goCall.x stands
+    // alone.
+    EXPECT_EQ(untimed(R"(
+        interface I { var x:nat }
+        interface O { go(v:nat) }
+        stm S {
+            requires I requires O
+            event a
+            initial i
+            state A { }
+            state B { }
+            transition t0 { from i to A }
+            transition t1 { from A to B trigger a action go(1) ; go(x) }
+        })",
+                      R"(
+        A(x) = S::set_EXT_x?y -> A(y) [] S::a.in -> Left(x)
+        Left(x) = (S::set_EXT_x?y -> Left(y)) [> S::goCall.1 -> Read(x)
+        Read(x) = (S::set_EXT_x?y -> Read(y)) [> S::goCall.x -> B
+        B = S::set_EXT_x?y -> B
+        Spec = A(0))"),
+              "holds");
+}
+
+TEST(Memory, OthersMayWriteAtTheExitsOfATransitionAndNotBetweenItsCalls) {
+    // Active = ENTRY ; ... share__choice(exit -> SKIP) ; EXIT ; share__choice(exited -> SKIP), then the action and
+    // enter.
+    EXPECT_EQ(untimed(R"(
+        interface I { var x:nat }
+        interface O { go(v:nat) }
+        stm S {
+            requires I requires O
+            event a
+            initial i
+            state A { exit go(0) }
+            state B { entry go(2) }
+            transition t0 { from i to A }
+            transition t1 { from A to B trigger a action go(1) }
+        })",
+                      R"(
+        A = S::set_EXT_x?y -> A [] S::a.in -> Exit
+        Exit = (S::set_EXT_x?y -> Exit) [> S::goCall.0 -> Exited
+        Exited = (S::set_EXT_x?y -> Exited) [> S::goCall.1 -> S::goCall.2 -> B
+        B = S::set_EXT_x?y -> B
+        Spec = A)"),
+              "holds");
+}
+
 TEST(Operations, UndefinedOnesAreOneEvent) {
     EXPECT_EQ(untimed(R"(
         interface O { go(x:nat, y:boolean) stop() }
