@@ -137,7 +137,7 @@ std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const
 /// Builds the controller and runs; what goes wrong is among the project's diagnostics.
 std::unique_ptr<simulation::Controller> build(Simulation& simulation) {
     std::string error;
-    auto controller = simulation::Controller::build(simulation.emission, "", error);
+    auto controller = simulation::Controller::build(simulation.emission, "", error, interrupted);
     if (controller == nullptr) simulation.project->diagnostics.report(simulation::rules::not_compiled, simulation.scenario.component.span, {error});
     return controller;
 }

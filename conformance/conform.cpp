@@ -30,7 +30,8 @@ Result not_generated(std::string reason) {
 std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Options& options, std::string& error) {
     std::vector<std::string> sources = emission.sources;
     sources.push_back(emission.shim);
-    return SharedObject::build(emission.files, sources, {options.compiler, options.flags, options.work_dir}, error);
+    const BuildOptions wanted{options.compiler, options.flags, options.work_dir, options.limits.interrupted};
+    return SharedObject::build(emission.files, sources, wanted, error);
 }
 
 /// The definition as text, for FDR and for reading; the check does not depend on it.
@@ -123,6 +124,11 @@ Result conform(const ir::System& system, const ir::Instantiation& instantiation,
 
     std::string error;
     const auto object = build(code, options, error);
+    if (!object && options.limits.interrupted && options.limits.interrupted()) {
+        Result result;
+        result.reason = "interrupted while the generated code was compiled";
+        return result;
+    }
     if (!object) return not_generated(std::move(error));
     return judge_code(script, model.system, model.instantiation, model.component, object->interface(), options);
 }

@@ -6,15 +6,18 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 extern char** environ;
 
@@ -22,7 +25,11 @@ namespace robochart::cpp_emit {
 
 namespace fs = std::filesystem;
 
-int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error) {
+namespace {
+
+/// Starts the program, as the leader of a process group if it may have to be ended with all that it starts. Returns 0
+/// with `error` set where it cannot.
+pid_t start(const std::vector<std::string>& command, const std::string& log, bool leader, std::string& error) {
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
@@ -31,19 +38,47 @@ int run_program(const std::vector<std::string>& command, const std::string& log,
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    if (leader) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     pid_t child = 0;
-    const int spawned = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+    const int spawned = posix_spawnp(&child, arguments.front(), &actions, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
-    if (spawned != 0) {
-        error = fmt::format("cannot run {}: {}", command.front(), std::strerror(spawned));
-        return -1;
+    if (spawned == 0) return child;
+    error = fmt::format("cannot run {}: {}", command.front(), std::strerror(spawned));
+    return 0;
+}
+
+/// Ends the program's process group as soon as `interrupted` says so; true if it did.
+bool ended_early(pid_t child, const std::function<bool()>& interrupted) {
+    siginfo_t ended{};
+    const auto running = [&] {
+        return waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
+    };
+    for (; running(); std::this_thread::sleep_for(std::chrono::milliseconds(20))) {
+        if (!interrupted()) continue;
+        kill(-child, SIGTERM);
+        return true;
     }
+    return false;
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error,
+                const std::function<bool()>& interrupted) {
+    const pid_t child = start(command, log, interrupted != nullptr, error);
+    if (child == 0) return -1;
+    const bool early = interrupted && ended_early(child, interrupted);
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {
         if (errno == EINTR) continue;
         error = fmt::format("lost {}: {}", command.front(), std::strerror(errno));
         return -1;
     }
+    if (early) error = fmt::format("{} was interrupted", command.front());
+    if (early) return -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
@@ -108,11 +143,11 @@ bool compile(const BuildOptions& options, const fs::path& folder, const std::vec
     std::vector<std::string> command = command_line(options, folder, sources, target);
     command.insert(command.begin() + 1, "-fno-gnu-unique");
     const std::string log = target + ".log";
-    int status = run_program(command, log, error);
+    int status = run_program(command, log, error, options.interrupted);
     std::string said = read_file(log);
     if (status > 0 && said.find("no-gnu-unique") != std::string::npos) {
         command.erase(command.begin() + 1);  // clang knows no unique symbols and no such option
-        status = run_program(command, log, error);
+        status = run_program(command, log, error, options.interrupted);
         said = read_file(log);
     }
     std::error_code ignored;

@@ -1,6 +1,7 @@
 // Generated sources, compiled by the system's compiler and loaded into this process.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,14 +11,16 @@
 namespace robochart::cpp_emit {
 
 struct BuildOptions {
-    std::string compiler = "c++";  ///< found through PATH; must accept g++'s options
-    std::string flags;             ///< separated by blanks
-    std::string work_dir;          ///< "": a fresh temporary folder, removed with the object
+    std::string compiler = "c++";            ///< found through PATH; must accept g++'s options
+    std::string flags;                       ///< separated by blanks
+    std::string work_dir;                    ///< "": a fresh temporary folder, removed with the object
+    std::function<bool()> interrupted = {};  ///< asked while the compiler runs; true ends it
 };
 
 /// Runs a program found through PATH, its output and errors going to the file `log`. Returns its exit status; -1 with
-/// `error` set where it cannot be run.
-int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error);
+/// `error` set where it cannot be run, or was ended because `interrupted`, asked 50 times a second, said so.
+int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error,
+                const std::function<bool()>& interrupted = {});
 
 /// A loaded shared object. Its code runs in this process: load only what this toolkit generated or tests wrote.
 class SharedLibrary {

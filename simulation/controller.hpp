@@ -1,6 +1,7 @@
 // The generated controller, built and loaded: the simulation's controllers are values of its state side by side.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,9 +14,10 @@ namespace robochart::simulation {
 
 class Controller {
 public:
-    /// Compiles and loads what emit_drive made. On failure returns nothing and sets `error`.
+    /// Compiles and loads what emit_drive made. On failure, or where `interrupted` says so meanwhile, returns nothing
+    /// and sets `error`.
     static std::unique_ptr<Controller> build(const cpp_emit::DriveEmission&, const std::string& compiler,
-                                             std::string& error);
+                                             std::string& error, std::function<bool()> interrupted = {});
 
     [[nodiscard]] const rc_drive& drive() const { return *drive_; }
 
