@@ -6,22 +6,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
-#include <ctime>
 #include <numeric>
 #include <vector>
 
 #include "app/monitor.hpp"
+#include "benchmarks/cpu_time.hpp"
 #include "benchmarks/scaled.hpp"
 
 namespace {
 
 using namespace robochart;
-
-double cpu_now() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Study {
     std::unique_ptr<app::Simulation> loaded;
@@ -51,9 +45,9 @@ public:
     [[nodiscard]] bool ready() const { return trial_ != nullptr; }
     /// CPU seconds.
     double run(std::uint64_t steps) {
-        const double begin = cpu_now();
+        const double begin = thread_cpu_seconds();
         trial_->run(steps);
-        return cpu_now() - begin;
+        return thread_cpu_seconds() - begin;
     }
     [[nodiscard]] bool complete() { return std::move(*trial_).result().complete; }
 
@@ -119,14 +113,15 @@ bool load(const char* path, Study& study) {
     std::string error;
     if (study.loaded->project->diagnostics.ok())
         study.controller = simulation::Controller::build(study.loaded->emission, "", error);
-    const double begin = cpu_now();
+    const double begin = thread_cpu_seconds();
     if (study.controller != nullptr) study.monitors = app::make_monitors(*study.loaded, options);
     if (study.monitors == nullptr) {
         app::show_diagnostics(*study.loaded->project, options);
         fmt::print(stderr, "{}: {}\n", path, error);
         return false;
     }
-    fmt::print("{}: tables made once in {:.0f} ms\n", study.loaded->scenario.name.text, (cpu_now() - begin) * 1e3);
+    fmt::print("{}: tables made once in {:.0f} ms\n", study.loaded->scenario.name.text,
+               (thread_cpu_seconds() - begin) * 1e3);
     return true;
 }
 

@@ -3,24 +3,11 @@
 #include <algorithm>
 
 #include "checker/lts/bisimulation.hpp"
-#include "checker/lts/graph.hpp"
-#include "checker/refine/budget.hpp"
+#include "conformance/code_graph.hpp"
 
 namespace robochart::conformance {
 
 namespace {
-
-lts::Graph explored(const rc_interface& code, const Alphabet& alphabet, std::uint32_t cycle_length,
-                    const refine::Limits& limits) {
-    CodeSystem system(code, alphabet, cycle_length);
-    refine::Budget budget(limits);
-    return lts::explore(system,
-                        [&](std::size_t states) {
-                            budget.states(states);
-                            budget.charge();
-                        })
-        .graph;
-}
 
 void append(lts::Graph& whole, const lts::Graph& part) {
     const auto first = static_cast<lts::StateIndex>(whole.size());
@@ -70,8 +57,10 @@ void tell(CodeEquality& result, const refine::Counterexample& found, const Alpha
 
 CodeEquality compare_code(const rc_interface& one, const rc_interface& other, const Alphabet& alphabet,
                           std::uint32_t cycle_length, const refine::Limits& limits) {
-    const lts::Graph first = explored(one, alphabet, cycle_length, limits);
-    const lts::Graph second = explored(other, alphabet, cycle_length, limits);
+    CodeSystem one_system(one, alphabet, cycle_length);
+    CodeSystem other_system(other, alphabet, cycle_length);
+    const lts::Graph first = explored(one_system, limits);
+    const lts::Graph second = explored(other_system, limits);
     CodeEquality result;
     result.states = first.size() + second.size();
     result.same = bisimilar(first, second);

@@ -7,23 +7,13 @@
 #include <stdexcept>
 
 #include "checker/cspm/reader.hpp"
-#include "checker/lts/graph.hpp"
-#include "checker/refine/budget.hpp"
+#include "checker/process/operational_semantics.hpp"
+#include "conformance/code_graph.hpp"
 #include "conformance/normal_form.hpp"
 
 namespace robochart::conformance {
 
 namespace {
-
-lts::Graph explored(CodeSystem& system, const refine::Limits& limits) {
-    refine::Budget budget(limits);
-    return lts::explore(system,
-                        [&](std::size_t states) {
-                            budget.states(states);
-                            budget.charge();
-                        })
-        .graph;
-}
 
 /// What no normal form does has no channel there.
 std::string fault_channel(const lts::Graph& graph, const process::EventTable& events) {

@@ -6,8 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 
@@ -21,34 +19,6 @@ namespace {
 using cpp_emit::Fault;
 using ::testing::HasSubstr;
 using Verdict = AdaptiveVerdict::Kind;
-
-std::string written(const std::string& text) {
-    std::string folder = (std::filesystem::path(testing::TempDir()) / "adaptive-XXXXXX").string();
-    EXPECT_NE(mkdtemp(folder.data()), nullptr);
-    std::ofstream(std::filesystem::path(folder) / "m.rct") << text;
-    return folder;
-}
-
-/// Two transitions with one trigger, and a junction two of whose guards hold.
-constexpr const char* either = R"(
-stm M {
-    event go
-    event left : nat
-    event right : nat
-    initial i
-    junction j
-    state Waiting { }
-    state Left { entry left!1 }
-    state Right { entry right!1 }
-    transition t0 { from i to Waiting }
-    transition t1 { from Waiting to Left trigger go }
-    transition t2 { from Waiting to j trigger go }
-    transition j1 { from j to Right condition 1 > 0 }
-    transition j2 { from j to Left condition 2 > 0 }
-    transition t4 { from Left to Waiting trigger go }
-    transition t5 { from Right to Waiting trigger go }
-}
-)";
 
 /// Generated code as an implementation in words.
 class Generated {
@@ -132,9 +102,7 @@ void kill(const std::string& folder, const std::vector<Fault>& faults, bool choi
 }
 
 TEST(AdaptiveTests, KillTheMutantsOfAChoice) {
-    const std::string folder = written(either);
-    kill(folder, {Fault::none, Fault::wrong_target, Fault::entry_dropped}, true);
-    std::filesystem::remove_all(folder);
+    kill("tests/conformance/models/either", {Fault::none, Fault::wrong_target, Fault::entry_dropped}, true);
 }
 
 TEST(AdaptiveTests, KillTheMutantsOfNested) {

@@ -22,30 +22,12 @@ std::unique_ptr<test::Model> model_of(const std::string& text) {
     return model;
 }
 
-/// Two transitions with one trigger, and a junction two of whose guards hold: the first are t1 and j1.
-constexpr const char* text = R"(
-stm S {
-    event go
-    event left : nat
-    event right : nat
-    initial i
-    junction j
-    state Waiting { }
-    state Left { entry left!1 }
-    state Right { entry right!1 }
-    transition t0 { from i to Waiting }
-    transition t1 { from Waiting to Left trigger go }
-    transition t2 { from Waiting to j trigger go }
-    transition j1 { from j to Right condition 1 > 0 }
-    transition j2 { from j to Left condition 2 > 0 }
-    transition t4 { from Left to Waiting trigger go }
-    transition t5 { from Right to Waiting trigger go }
-}
-)";
+/// Its first choices are t1 and j1.
+const char* const either = "tests/conformance/models/either";
 
 TEST(Choices, TheFirstIsOneOfAll) {
-    const auto model = model_of(text);
-    test::Bench bench(*model, model->machine("S"));
+    test::Model model(either);
+    test::Bench bench(model, model.machine("M"));
     const Result first = bench.check();
     EXPECT_EQ(first.outcome, Outcome::conforms) << first.reason;
     EXPECT_EQ(first.code_states, 3U);  // before the first cycle, Waiting, Left: t2 is never taken
@@ -58,8 +40,8 @@ TEST(Choices, TheFirstIsOneOfAll) {
 /// Wrong targets: of t0, t4 they show at once; of t2, j1, t5 where the second choice is made; of t1 and j2 they lead
 /// where the other choice leads, which is allowed.
 TEST(Choices, FaultsBehindOtherChoicesAreFound) {
-    const auto model = model_of(text);
-    test::Bench bench(*model, model->machine("S"));
+    test::Model model(either);
+    test::Bench bench(model, model.machine("M"));
     const auto found = [&] {
         std::size_t differ = 0;
         for (std::uint32_t site = 0; site < 7; ++site)

@@ -3,21 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "app/simulate.hpp"
+#include "benchmarks/cpu_time.hpp"
 #include "benchmarks/scaled.hpp"
 #include "simulation/adapters/enki/enki_stage.hpp"
 
 namespace {
 
 using namespace robochart;
-
-double cpu_now() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The best of three runs; 0 where it cannot run.
 double robot_steps_a_second(const app::Simulation& loaded, const simulation::Scenario& scenario, const rc_drive& drive,
@@ -30,9 +24,9 @@ double robot_steps_a_second(const app::Simulation& loaded, const simulation::Sce
         if (stage == nullptr) return 0;
         simulation::TrialOptions options;
         options.record = false;
-        const double begin = cpu_now();
+        const double begin = thread_cpu_seconds();
         const auto result = simulation::run_trial(plan, drive, *stage, options);
-        best = std::max(best, static_cast<double>(result.steps) * scenario.robots / (cpu_now() - begin));
+        best = std::max(best, static_cast<double>(result.steps) * scenario.robots / (thread_cpu_seconds() - begin));
     }
     return best;
 }

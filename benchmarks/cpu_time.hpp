@@ -1,0 +1,9 @@
+// The clock of benchmarks that hold two things against one another in one thread.
+#pragma once
+
+namespace robochart {
+
+/// CPU time of the calling thread in seconds.
+[[nodiscard]] double thread_cpu_seconds();
+
+}  // namespace robochart
