@@ -195,6 +195,7 @@ void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
     std::string part = "changed";
     code().line(fmt::format("auto changed = {};", place));
     ir::TypeId type = whole;
+    bool in_row = false;  // the first place in a matrix leads to a row
     std::vector<std::string> back;
     for (std::size_t step = 0; step < stmt.path.size(); ++step) {
         const ir::Type& outer = generation_.system.type(type);
@@ -210,7 +211,8 @@ void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
         code().line(fmt::format("auto item_{} = {}.at({});", step, part, index));
         back.push_back(fmt::format("{}.put({}, item_{});", part, index, step));
         part = fmt::format("item_{}", step);
-        type = outer.args.at(0);
+        in_row = outer.kind == ir::TypeKind::matrix && !in_row;
+        if (!in_row) type = outer.args.at(0);
     }
     if (!generation_.mutation.hits(Fault::part_not_assigned))
         code().line(fmt::format("{} = {};", part, expressions.write_as(*stmt.value, type)));
@@ -441,8 +443,8 @@ void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {
     const ExpressionWriter expressions(generation_, unit_, "f");
     std::string length = fmt::format("duration({})", expressions.write(*stmt.value));
     if (generation_.options.choices && stmt.kind == StmtKind::wait_interval && stmt.upper)
-        length = fmt::format("robochart::pick_between(platform_, {}, duration({}))", length,
-                             expressions.write(*stmt.upper));
+        length =
+            fmt::format("robochart::pick_between(platform_, {}, duration({}))", length, expressions.write(*stmt.upper));
     const bool late = generation_.mutation.hits(Fault::wait_late);
     code().line(fmt::format("{} = {}{};", thread_.wait, length, late ? " + 1" : ""));
     if (generation_.mutation.hits(Fault::wait_early)) code().line(fmt::format("advance_wait({}, 1);", thread_.wait));

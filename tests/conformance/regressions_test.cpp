@@ -96,5 +96,13 @@ TEST(Regressions, ADuringActionWaitsToRepeatAWriteThatIsSeen) {
         "module M { robotic platform P { provides V } cref c = C }\n");
 }
 
+/// Both places lead to an entry; the second is of the row that the first leads to.
+TEST(Regressions, EntriesOfMatricesAreAssigned) {
+    expect_conforming(
+        "stm S { event e : matrix(boolean, 2, 2) event out : matrix(boolean, 2, 2) var m : matrix(boolean, 2, 2)\n"
+        "initial i state A { } transition t0 { from i to A }\n"
+        "transition t1 { from A to A trigger e?m action m[1, 2] = false; m[2, 1] = m[1, 1]; out!m } }\n");
+}
+
 }  // namespace
 }  // namespace robochart::conformance
