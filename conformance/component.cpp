@@ -6,6 +6,7 @@
 
 #include "checker/cspm/build.hpp"
 #include "checker/cspm/lookup.hpp"
+#include "conformance/logged_value.hpp"
 #include "cpp_emit/types.hpp"
 
 namespace robochart::conformance {
@@ -29,9 +30,10 @@ Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiat
     const ir::Type& type = system.type(id);
     if (cpp_emit::composed(type)) {
         Carrier carrier{Carrier::Kind::enumeration, {}, {}};
-        for (const ir::Value& value : ir::carrier(system, instantiation, id))
+        for (const ir::Value& value : ir::carrier(system, instantiation, id)) {
             carrier.names.push_back(cpp_emit::cspm_value(system, id, value));
-        carrier.literals = carrier.names;
+            carrier.literals.push_back(log_text(system, instantiation, id, value));
+        }
         return carrier;
     }
     if (type.kind == ir::TypeKind::boolean) return {Carrier::Kind::boolean, {}, {}};

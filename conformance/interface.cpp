@@ -42,13 +42,24 @@ std::string constructor_name(std::string_view name, std::set<std::string>& taken
     return unique;
 }
 
-std::vector<std::string> split_arguments(std::string_view text) {
+/// How much of `text` is a value of the carrier: literals with arguments have dots of their own.
+std::size_t length_of_value(const Carrier& carrier, std::string_view text) {
+    std::size_t length = 0;
+    for (const std::string& name : carrier.names)
+        if (name.size() > length && arguments_after(text, name)) length = name.size();
+    return length > 0 ? length : std::min(text.find('.'), text.size());
+}
+
+/// ".1.<2, 3>" as "1" and "<2, 3>".
+std::vector<std::string> split_arguments(std::string_view text, const std::vector<Carrier>& carriers) {
+    static const Carrier numbers;
     std::vector<std::string> parts;
     while (!text.empty()) {
         text.remove_prefix(1);
-        const std::size_t dot = text.find('.');
-        parts.emplace_back(text.substr(0, dot));
-        text.remove_prefix(dot == std::string_view::npos ? text.size() : dot);
+        const Carrier& carrier = parts.size() < carriers.size() ? carriers[parts.size()] : numbers;
+        const std::size_t length = length_of_value(carrier, text);
+        parts.emplace_back(text.substr(0, length));
+        text.remove_prefix(length);
     }
     return parts;
 }
@@ -180,8 +191,8 @@ CycleRole Alphabet::cycle_role(process::Event event) const {
 
 std::string Alphabet::tell_write(std::uint32_t output, std::string_view name) const {
     const std::size_t prefix = std::string_view("registerWrite.wrote__").size() + output_names_[output].size();
-    const std::vector<std::string> parts = split_arguments(name.substr(prefix));
     const Output& shown = interface_.outputs[output];
+    const std::vector<std::string> parts = split_arguments(name.substr(prefix), shown.arguments);
     std::string arguments;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Carrier carrier = i < shown.arguments.size() ? shown.arguments[i] : Carrier{};

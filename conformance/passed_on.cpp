@@ -55,9 +55,22 @@ private:
     void stored(const ir::ExprPtr& value, ir::TypeId place) {
         passed(value);
         if (!value || constant(*value) || !value->type.valid() || !place.valid()) return;
-        if (system_.type(value->type).kind == system_.type(place).kind) return;
+        if (same(value->type, place)) return;
         tested(value->type);
         tested(place);
+    }
+
+    /// Declared types by their names, others by what they are made of.
+    bool same(ir::TypeId a, ir::TypeId b) {
+        const ir::Type& x = system_.type(a);
+        const ir::Type& y = system_.type(b);
+        if (x.kind != y.kind || x.sizes != y.sizes) return false;
+        const bool by_name =
+            x.kind == ir::TypeKind::record || x.kind == ir::TypeKind::enumeration || x.kind == ir::TypeKind::given;
+        if (by_name) return x.name == y.name && x.package == y.package;
+        bool all = x.args.size() == y.args.size();
+        for (std::size_t i = 0; all && i < x.args.size(); ++i) all = same(x.args[i], y.args[i]);
+        return all;
     }
 
     static bool leaf(ir::ExprKind kind) {
@@ -104,7 +117,7 @@ private:
         if (communication.value && event.type) stored(communication.value, *event.type);
         if (!communication.variable.valid() || !event.type) return;
         const ir::TypeId variable = machine_->variables[communication.variable.index].type;
-        if (system_.type(variable).kind == system_.type(*event.type).kind) return;
+        if (same(variable, *event.type)) return;
         tested(variable);
         tested(*event.type);
     }

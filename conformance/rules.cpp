@@ -18,7 +18,8 @@ const Rule log_name{"RC-L02", Severity::error, "{} has no {} '{}'; it has {}",
 const Rule log_value{
     "RC-L03", Severity::error, "{} carries {}, found {}",
     "An event without value is `e?` or `e!`, one with a value `e?v` or `e!v`; an operation has a `!v` for each "
-    "parameter. Numbers are decimal, truth values `true` and `false`, literals of enumerations by their names."};
+    "parameter. Numbers are decimal, truth values `true` and `false`, literals of enumerations by their names, values "
+    "with parts `(1,true)`, `<1,2>`, `{Red,Green}`."};
 const Rule log_of_other{
     "RC-L04", Severity::error, "the log is of {}, the model is read as {}",
     "A log says which component it comes from and how many time units a control cycle has. It is compared with that "

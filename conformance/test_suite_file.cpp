@@ -16,12 +16,18 @@ std::vector<std::string> shown_names(const std::vector<Channel>& channels) {
     return cpp_emit::trace_names(names);
 }
 
-/// "a, b" outside of brackets as "a!b".
+/// "a, b" outside of brackets and quotes as "a!b".
 std::string arguments(const std::string& told) {
     std::string result;
     int depth = 0;
+    bool quoted = false;
     for (std::size_t i = 0; i < told.size(); ++i) {
         const char c = told[i];
+        if (c == '"') quoted = !quoted;
+        if (quoted) {
+            result += c;
+            continue;
+        }
         if (c == '(' || c == '{' || c == '<') ++depth;
         if (c == ')' || c == '}' || c == '>') --depth;
         const bool between = c == ',' && depth == 0;

@@ -2,7 +2,6 @@
 // reading does not have are told apart from those it has.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,16 +9,10 @@
 #include <vector>
 
 #include "conformance/cyclic_model.hpp"
+#include "conformance/logged_value.hpp"
 #include "conformance/trace_text.hpp"
 
 namespace robochart::conformance {
-
-/// A value in a log.
-struct LoggedValue {
-    std::optional<std::int64_t> number;  ///< as in the carrier; none: outside of it
-    std::string text;                    ///< outside: as logged, in one spelling for one value
-    bool passed_on = false;              ///< outside: the component only passes such values on
-};
 
 struct LoggedEvent {
     enum class Kind { read, write };
@@ -45,23 +38,15 @@ public:
     [[nodiscard]] const std::vector<std::string>& outputs() const { return outputs_; }
 
 private:
-    struct Domain {
-        Carrier carrier;
-        ir::TypeKind kind = ir::TypeKind::unit;
-        std::vector<std::int64_t> values;  ///< ascending
-        std::map<std::string, std::int64_t, std::less<>> texts;
-    };
-    [[nodiscard]] Domain domain(ir::TypeId, const Carrier&) const;
     [[nodiscard]] LoggedEvent parse(const TraceToken&) const;
-    [[nodiscard]] LoggedValue value(const Domain&, std::string_view text, const TraceToken& token,
-                                    std::string_view name) const;
-    [[nodiscard]] std::int64_t replace(const Domain&, const LoggedValue&, std::uint64_t salt) const;
+    [[nodiscard]] static LoggedValue value(const ValueReader&, std::string_view text, const TraceToken& token,
+                                           std::string_view name);
 
     const CyclicModel* model_;
     std::vector<std::string> inputs_, outputs_;
     std::unordered_map<std::string, std::uint32_t> input_ids_, output_ids_;  ///< never iterated
-    std::vector<std::optional<Domain>> input_domains_;
-    std::vector<std::vector<Domain>> output_domains_;
+    std::vector<std::optional<ValueReader>> input_values_;
+    std::vector<std::vector<ValueReader>> output_values_;
     std::unordered_map<std::string, LoggedEvent> known_;  ///< by token; never iterated
     LoggedEvent last_;
 };

@@ -314,7 +314,8 @@ private:
         run_->verdict = RunVerdict::rejected;
         run_->what = std::move(what);
         const Alphabet& alphabet = model_.alphabet();
-        const bool read_again = run_->what.find('?') != std::string::npos && !ended_;
+        const std::size_t mark = run_->what.find_first_of("?!");
+        const bool read_again = mark != std::string::npos && run_->what[mark] == '?' && !ended_;
         if (read_again) run_->allowed.emplace_back("every input is read once, before anything is written");
         for (const process::Event event : form_->normal_form.initials(node_)) {
             if (read_again) break;

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "cpp_emit/files.hpp"
 #include "cpp_emit/ports.hpp"
 #include "cpp_emit/trace_names.hpp"
@@ -41,7 +44,7 @@ public:
         out_.gap();
         transition_table();
         run_header();
-        enumerations();
+        declared_values();
         platform_class();
         traced_step();
         outside_writes();
@@ -67,57 +70,80 @@ private:
         const std::string told = generation_.place("", component.origin.span);  // " (door.rct:3)"
         const std::size_t line = told.rfind(':');
         const std::string model = line == std::string::npos || line < 3 ? "" : told.substr(2, line - 2);
-        std::string unobserved;
-        const auto unseen = [&](const std::string& word) { unobserved += (unobserved.empty() ? "" : " ") + word; };
-        for (std::size_t i = 0; i < registers_.size(); ++i)
-            if (registers_[i].type && !logged(*registers_[i].type)) unseen(inputs_[i] + "?");
-        for (std::size_t o = 0; o < outputs_.size(); ++o)
-            if (!logged(outputs_[o])) unseen(outputs_named_[o] + "!");
         const std::string& package = component.package;
         out_.gap();
-        out_.doc("What its logs begin with; values with parts have no words in them.");
-        out_.line(fmt::format(
-            "inline constexpr robochart::RunHeader run_header = {{{}, {}, cycle_length, {}, transitions, {}}};",
-            quoted(package.empty() ? component.ref.path : package + "::" + component.ref.path), quoted(model),
-            quoted(unobserved), transitions_));
+        out_.doc("What its logs begin with.");
+        out_.line(
+            fmt::format("inline constexpr robochart::RunHeader run_header = {{{}, {}, cycle_length, transitions, {}}};",
+                        quoted(package.empty() ? component.ref.path : package + "::" + component.ref.path),
+                        quoted(model), transitions_));
     }
 
-    [[nodiscard]] bool logged(ir::TypeId id) const { return !composed(generation_.system.type(id)); }
-    [[nodiscard]] bool logged(const Output& output) const {
-        bool all = true;
-        for (const ir::TypeId type : output.types) all = all && logged(type);
-        return all;
-    }
-
-    void enumerations() {
+    /// How values of the declared types are written: the core's types have their names from the model.
+    void declared_values() {
         for (const ir::TypeId id : generation_.component.enumerations) {
             const ir::Type& type = generation_.system.type(id);
-            if (is_struct(type)) continue;
-            const std::string name = cpp_type(generation_.system, id);
             out_.gap();
-            out_.open(fmt::format(
-                "[[maybe_unused]] inline void log_value(robochart::Tracer& tracer, {} value) noexcept {{", name));
+            if (is_struct(type)) out_.line("template <class Types>");
+            out_.open(fmt::format("[[maybe_unused]] {}void log_value(robochart::Tracer& tracer, {} value) noexcept {{",
+                                  is_struct(type) ? "" : "inline ", parameter_type(id)));
             if (type.kind == ir::TypeKind::given) {
                 out_.line("robochart::log_value(tracer, static_cast<std::int64_t>(value));");
+            } else if (type.kind == ir::TypeKind::enumeration) {
+                literals(id);
             } else {
-                out_.open("switch (value) {");
-                for (std::size_t i = 0; i < type.labels.size(); ++i)
-                    out_.line(fmt::format("case {}::{}: return tracer.text({});", name, literal_name(type, i),
-                                          quoted(type.labels[i])));
-                out_.close();
+                member_values(members(type));
             }
             out_.close();
         }
     }
 
+    [[nodiscard]] std::string parameter_type(ir::TypeId id) const {
+        const std::string name = cpp_type(generation_.system, id);
+        return is_struct(generation_.system.type(id)) ? fmt::format("const {}&", name) : name;
+    }
+
+    void literals(ir::TypeId id) {
+        const ir::Type& type = generation_.system.type(id);
+        const bool parts = is_struct(type);
+        const std::string scope = cpp_type(generation_.system, id) + (parts ? "::Kind" : "");
+        const std::vector<TypeMember> all = members(type);
+        out_.open(parts ? "switch (value.kind) {" : "switch (value) {");
+        for (std::size_t literal = 0; literal < type.labels.size(); ++literal) {
+            std::vector<TypeMember> given;
+            std::copy_if(all.begin(), all.end(), std::back_inserter(given),
+                         [&](const TypeMember& member) { return member.literal == literal; });
+            const std::string label = fmt::format("case {}::{}:", scope, literal_name(type, literal));
+            const std::string word = quoted(type.labels[literal]);
+            if (given.empty()) {
+                out_.line(fmt::format("{} return tracer.text({});", label, word));
+                continue;
+            }
+            out_.open(label + " {");
+            out_.line(fmt::format("tracer.text({});", word));
+            member_values(given, true);
+            out_.line("return;");
+            out_.close();
+        }
+        out_.close();
+    }
+
+    /// "(1,2)"; one value alone stands without brackets where it is no literal's.
+    void member_values(const std::vector<TypeMember>& parts, bool of_literal = false) {
+        const bool brackets = of_literal || parts.size() > 1;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (i > 0 || brackets) out_.line(fmt::format("tracer.text(\"{}\");", i == 0 ? "(" : ","));
+            say_value("tracer", parts[i].type, "value." + parts[i].name);
+        }
+        if (brackets) out_.line("tracer.text(\")\");");
+    }
+
     void say_value(const std::string& tracer, ir::TypeId id, const std::string& value) {
-        const ir::TypeKind kind = generation_.system.type(id).kind;
-        const bool own = kind == ir::TypeKind::enumeration || kind == ir::TypeKind::given;
+        const bool own = declared(generation_.system.type(id));
         out_.line(fmt::format("{}log_value({}, {});", own ? "" : "robochart::", tracer, value));
     }
 
     void say_output(const Output& output, const std::string& word) {
-        if (!logged(output)) return;
         if (output.types.empty()) return out_.line(fmt::format("tracer_.text({});", quoted(word + "! ")));
         for (std::size_t i = 0; i < output.types.size(); ++i) {
             out_.line(fmt::format("tracer_.text({});", quoted(i == 0 ? word + "!" : "!")));
@@ -203,7 +229,6 @@ private:
         out_.open("                                  robochart::Tracer& tracer) noexcept {");
         for (std::size_t i = 0; i < registers_.size(); ++i) {
             const Register& input = registers_[i];
-            if (input.type && !logged(*input.type)) continue;
             if (!input.type) {
                 out_.line(
                     fmt::format("if (inputs.{}.present) tracer.text({});", input.member, quoted(inputs_[i] + "? ")));
@@ -235,7 +260,7 @@ private:
                             "[[maybe_unused]] const State<Types>& state,",
                             variable.input));
             out_.line("    [[maybe_unused]] const Value& value) noexcept {");
-            if (logged(variable.variable->type)) outside_write(variable);
+            outside_write(variable);
             out_.close();
         }
     }

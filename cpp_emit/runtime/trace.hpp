@@ -24,7 +24,6 @@ struct RunHeader {
     const char* component;
     const char* model;           ///< file
     std::uint32_t cycle_length;  ///< time units of a control cycle
-    const char* unobserved;      ///< inputs and outputs whose values have no words, "pose? path!"
     const TransitionName* transitions;
     std::size_t transition_count;
 };
@@ -68,6 +67,77 @@ inline void log_value(Tracer& tracer, double value) noexcept {
 }
 inline void log_value(Tracer& tracer, float value) noexcept {
     log_value(tracer, static_cast<double>(value));
+}
+
+// Values with parts, as CSP writes them but for blanks, of which words of a log have none: <1,2>, {1,2}, (1,2). Their
+// types are declared in the headers that ship with models that have them.
+template <class T, std::size_t capacity>
+class Sequence;
+template <class T, std::size_t capacity>
+class Set;
+template <class T, std::size_t length>
+struct Vector;
+template <class T, std::size_t height, std::size_t width>
+struct Matrix;
+template <class A, class B, int shape>
+struct Pair;
+template <std::size_t longest>
+class String;
+
+/// Each by the function that is found for its type; around several of them stand `open` and `close`.
+template <class T>
+void log_parts(Tracer& tracer, const T* part, std::size_t count, const char* open, const char* close) noexcept {
+    tracer.text(open);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0) tracer.text(",");
+        log_value(tracer, part[i]);
+    }
+    tracer.text(close);
+}
+
+template <class T, std::size_t capacity>
+void log_value(Tracer& tracer, const Sequence<T, capacity>& value) noexcept {
+    log_parts(tracer, value.begin(), value.size(), "<", ">");
+}
+template <class T, std::size_t capacity>
+void log_value(Tracer& tracer, const Set<T, capacity>& value) noexcept {
+    log_parts(tracer, value.begin(), value.size(), "{", "}");
+}
+template <class T, std::size_t length>
+void log_value(Tracer& tracer, const Vector<T, length>& value) noexcept {
+    log_parts(tracer, value.data(), length, length > 1 ? "(" : "", length > 1 ? ")" : "");
+}
+template <class T, std::size_t height, std::size_t width>
+void log_value(Tracer& tracer, const Matrix<T, height, width>& value) noexcept {
+    if (height > 1) tracer.text("(");
+    for (std::size_t row = 0; row < height; ++row) {
+        if (row > 0) tracer.text(",");
+        log_parts(tracer, value.data() + row * width, width, width > 1 ? "(" : "", width > 1 ? ")" : "");
+    }
+    if (height > 1) tracer.text(")");
+}
+template <class A, class B, int shape>
+void log_value(Tracer& tracer, const Pair<A, B, shape>& value) noexcept {
+    tracer.text("(");
+    log_value(tracer, value.item_1);
+    tracer.text(",");
+    log_value(tracer, value.item_2);
+    tracer.text(")");
+}
+
+/// Characters that part words, and those that cannot be seen, by their octal numbers.
+template <std::size_t longest>
+void log_value(Tracer& tracer, const String<longest>& value) noexcept {
+    tracer.text("\"");
+    for (const char* at = value.c_str(); *at != '\0'; ++at) {
+        const auto code = static_cast<unsigned char>(*at);
+        bool plain = code > 0x20U && code != 0x7fU;
+        for (const char* special = "\"\\!?/"; *special != '\0'; ++special) plain = plain && *at != *special;
+        char piece[8] = {*at};
+        if (!plain) std::snprintf(piece, sizeof piece, "\\%03o", static_cast<unsigned>(code));
+        tracer.text(piece);
+    }
+    tracer.text("\"");
 }
 
 /// How the cycle ended, in the words of the log.

@@ -27,7 +27,6 @@ public:
         std::fprintf(file_, "robochart-trace 1\n");
         if (*header_.model != 0) std::fprintf(file_, "model %s\n", header_.model);
         std::fprintf(file_, "component %s\ncycle %u\n", header_.component, static_cast<unsigned>(header_.cycle_length));
-        if (*header_.unobserved != 0) std::fprintf(file_, "unobserved %s\n", header_.unobserved);
         if (!robot.empty()) std::fprintf(file_, "robot %s\n", robot.c_str());
         begin();
         return std::ferror(file_) == 0;

@@ -45,14 +45,20 @@ public:
         shell("./console --log run.trace " + options + " < lines > printed");
         return contents(project_ + "/printed");
     }
+    /// Another program with the controller, which writes run.trace.
+    void run_program(const std::string& source) {
+        std::ofstream(project_ + "/own.cpp") << source;
+        shell("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -DROBOCHART_TRACE=1 -I controller "
+              "own.cpp controller/*.cpp -o own && ./own");
+    }
     [[nodiscard]] std::string log() const { return contents(project_ + "/run.trace"); }
     [[nodiscard]] testing::Ran check(const std::vector<std::string>& more = {}) const {
         std::vector<std::string> words{"conform", model_, "--traces", project_ + "/run.trace"};
         words.insert(words.end(), more.begin(), more.end());
         return run(words);
     }
-    void corrupt(const std::string& what, const std::string& with) const {
-        std::string text = log();
+    void corrupt(const std::string& what, const std::string& with) const { corrupt(log(), what, with); }
+    void corrupt(std::string text, const std::string& what, const std::string& with) const {
         const std::size_t at = text.find(what);
         ASSERT_NE(at, std::string::npos) << text;
         std::ofstream(project_ + "/run.trace") << text.replace(at, what.size(), with);
@@ -116,6 +122,84 @@ TEST(TraceHook, EveryKindOfWord) {
     EXPECT_EQ(good.exit, 0) << good.out << good.err;
     console.corrupt("done!true", "done!false");
     EXPECT_EQ(console.check(reading).exit, 1);
+}
+
+const char* const with_parts = R"(package p
+enumeration Colour { Red Green }
+enumeration Job { Fetch(real, Colour) Drop }
+datatype Pose { x : real near : boolean }
+datatype Tag { number : nat }
+interface I { go(p : Pose, path : Seq(nat)) mix(s : Set(Colour)) push(v : vector(nat, 2)) turn(m : matrix(nat, 1, 2)) tell(t : Tag) say(text : string) label(pair : nat * boolean) note(job : Job) }
+interface E { event pose : Pose event path : Seq(nat) event seen : Set(Colour) event force : vector(nat, 2) event job : Job event echo : Pose event tag : Tag }
+stm M { requires I uses E
+    var p : Pose var q : Seq(nat) var s : Set(Colour) var v : vector(nat, 2) var m : matrix(nat, 1, 2) var j : Job var t : Tag
+    initial i
+    state A { entry say("left / right!") }
+    state B { }
+    transition t0 { from i to A }
+    transition t1 { from A to B trigger path?q }
+    transition t2 { from B to B trigger pose?p action go(p, q) ; echo!p }
+    transition t3 { from B to B trigger seen?s action mix(s) }
+    transition t4 { from B to B trigger force?v action v[1] = 2 ; push(v) ; m[1, 2] = v[2] ; turn(m) }
+    transition t5 { from B to B trigger job?j action note(j) ; label((| 1, j == Job::Fetch(0.5, Colour::Red) |)) }
+    transition t6 { from B to B trigger tag?t action tell(t) } }
+)";
+
+const char* const robot_with_parts = R"(#include "M.hpp"
+#include "robochart/trace_file.hpp"
+namespace core = p::M_core;
+using Types = robochart::Deployment;
+int main() {
+    p::M robot;
+    robochart::TraceFile log(p::M::RunHeader());
+    if (!log.open("run.trace")) return 1;
+    robot.SetTracer(&log);
+    robot.step();
+    robot.raise_path(robochart::Sequence<std::int64_t, 16>::of(2, 0));
+    robot.step();
+    robot.raise_pose(core::Pose<Types>::make(0.5, true));
+    robot.raise_seen(robochart::Set<core::Colour, 2>::of(core::Colour::Green, core::Colour::Red));
+    robot.step();
+    robot.raise_force(robochart::Vector<std::int64_t, 2>::of(0, 1));
+    robot.step();
+    robot.raise_job(core::Job<Types>::Fetch(0.5, core::Colour::Red));
+    robot.raise_tag(core::Tag<Types>::make(2));
+    return robot.step() == robochart::StepResult::quiescent ? 0 : 2;
+}
+)";
+
+/// Values with parts in the notation of CSP, as the code has them: fields in the model's order, sets in that of their
+/// members, numbers as decimals. One changed part is no run of the model.
+TEST(TraceHook, ValuesWithParts) {
+    const TemporaryFile model("m.rct", with_parts);
+    Console console(model.path(), "M");
+    console.run_program(robot_with_parts);
+    const std::string log = console.log();
+    EXPECT_EQ(log, "robochart-trace 1\nmodel m.rct\ncomponent p::M\ncycle 1\nrun 1\n"
+                   "say!\"left\\040\\057\\040right\\041\" tock\n"
+                   "path?<2,0> tock\n"
+                   "pose?(0.5,true) seen?{Red,Green} go!(0.5,true)!<2,0> echo!(0.5,true) mix!{Red,Green} tock\n"
+                   "force?(0,1) push!(2,1) turn!(0,1) tock\n"
+                   "job?Fetch(0.5,Red) tag?2 note!Fetch(0.5,Red) label!(1,true) tell!2 tock\n");
+    const auto good = console.check();
+    EXPECT_EQ(good.exit, 0) << good.out << good.err;
+    EXPECT_THAT(good.out, HasSubstr("1 accepted, 0 rejected"));
+    for (const auto& [from, to, place] : std::vector<std::tuple<const char*, const char*, const char*>>{
+             {"go!(0.5,true)!<2,0>", "go!(0.5,true)!<2,1>", "run.trace:8: run 1, cycle 3"},
+             {"echo!(0.5,true)", "echo!(0.5,false)", "run.trace:8: run 1, cycle 3"},
+             {"mix!{Red,Green}", "mix!{Green}", "run.trace:8: run 1, cycle 3"},
+             {"push!(2,1)", "push!(1,2)", "run.trace:9: run 1, cycle 4"},
+             {"note!Fetch(0.5,Red)", "note!Fetch(0.5,Green)", "run.trace:10: run 1, cycle 5"},
+             {"path?<2,0>", "path?<2,0,1>", "run.trace:7: run 1, cycle 2"}}) {  // longer than the model's sequences
+        console.corrupt(log, from, to);
+        const auto bad = console.check();
+        EXPECT_EQ(bad.exit, std::string(to) == "path?<2,0,1>" ? 3 : 1) << to << bad.out << bad.err;
+        EXPECT_THAT(bad.out, HasSubstr(place));
+    }
+    console.corrupt(log, "turn!(0,1)", "turn!(0,one)");
+    const auto wrong = console.check();
+    EXPECT_EQ(wrong.exit, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("turn carries a number, found `one`"));
 }
 
 /// A log is asked for where the hook is left out: said, not silently nothing.

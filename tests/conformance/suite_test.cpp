@@ -46,6 +46,28 @@ stm M {
     return folder.string();
 }
 
+/// Values with parts come in and go out; an operation has two of them.
+std::string store() {
+    const auto folder = std::filesystem::temp_directory_path() / ("robochart_store_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "m.rct") << R"(
+enumeration Job { Fetch(boolean) Drop }
+datatype Pose { x : real near : boolean }
+interface Ops { put(job : Job, poses : Seq(Pose)) }
+interface Events { event job : Job }
+stm M {
+	requires Ops
+	uses Events
+	var j : Job
+	initial i
+	state A { }
+	transition t0 { from i to A }
+	transition t1 { from A to A trigger job?j action put(j, <Pose (| x = 0.5, near = j == Job::Drop |)>) }
+}
+)";
+    return folder.string();
+}
+
 class Suites {
 public:
     explicit Suites(const std::string& folder)
@@ -121,7 +143,7 @@ TEST(TestSuites, TheMachineOfAggregationIsSmall) {
 
 /// The suite as a log: every run is a run of the model.
 TEST(TestSuites, AreRunsOfTheModel) {
-    for (const std::string& folder : {std::string("corpus/aggregation"), pump()}) {
+    for (const std::string& folder : {std::string("corpus/aggregation"), pump(), store()}) {
         const Suites suites(folder);
         const auto tests = complete_suite(suites.machine, 0);
         const std::string log = suite_log(suites.machine, tests, *suites.model, "M", 0);
@@ -131,6 +153,9 @@ TEST(TestSuites, AreRunsOfTheModel) {
         const LogReport report = checker.check(in, [&](const RunReport& run) { told += run.what + "\n"; });
         EXPECT_FALSE(report.fault.has_value()) << report.fault->text;
         EXPECT_EQ(report.accepted, tests.size()) << told;
+        if (folder == store()) {
+            EXPECT_THAT(log, HasSubstr("\njob?Fetch(true) put!Fetch(true)!<(0.5,false)> tock\n"));
+        }
     }
 }
 

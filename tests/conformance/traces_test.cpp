@@ -203,6 +203,79 @@ stm M {
     EXPECT_EQ(replay.told.at(0).cycle, 2U);
 }
 
+const char* const carrier = R"(
+enumeration Colour { Red Green }
+datatype Pose { x : real near : boolean }
+interface Ops { go(p : Pose) follow(path : Seq(real)) paint(s : Set(Colour)) label(f : boolean -> Colour) }
+interface Events { event pose : Pose event path : Seq(real) event seen : Set(Colour) event kinds : boolean -> Colour }
+stm M {
+	requires Ops
+	uses Events
+	var p : Pose
+	var q : Seq(real)
+	var s : Set(Colour)
+	var f : boolean -> Colour
+	initial i
+	state A { }
+	transition t0 { from i to A }
+	transition t1 { from A to A trigger pose?p action go(p) }
+	transition t2 { from A to A trigger path?q action follow(q) }
+	transition t3 { from A to A trigger seen?s action paint(s) }
+	transition t4 { from A to A trigger kinds?f action label(f) }
+}
+)";
+
+/// Blanks, order and doubles in sets, names as in CSP: one value, several spellings.
+TEST(Traces, ValuesWithPartsAreReadByTheirType) {
+    Replay replay(folder_with(carrier), "M");
+    for (const char* cycle :
+         {"pose?(1,true) go!(1,true)", "pose?( 1.0 , true ) go!(1,true)", "path?<> follow!<>",
+          "path?<2,0> follow!<2, 0>", "seen?{Red,Green} paint!{Green,Red,Green}", "seen?{Colour_Red} paint!{Red}",
+          "seen?{} paint!{ }", "kinds?{(true,Red),(false,Green)} label!{(false,Green),(true,Red)}"})
+        EXPECT_EQ(replay.check(std::string("run a\ntock\n") + cycle + " tock\n").accepted, 1U) << cycle;
+    for (const char* cycle :
+         {"pose?(1,true) go!(1,false)", "path?<2,0> follow!<0,2>", "path?<2,0> follow!<2>",
+          "seen?{Red,Green} paint!{Green}", "kinds?{(true,Red),(false,Green)} label!{(true,Red),(false,Red)}"})
+        EXPECT_EQ(replay.check(std::string("run a\ntock\n") + cycle + " tock\n").rejected, 1U) << cycle;
+}
+
+/// Reals are only passed on: other ones stand for some of the carrier, the same wherever they are part of. A sequence
+/// longer than the model's is outside whatever its numbers are, and so is a function that is not total.
+TEST(Traces, PartsOutsideTheFiniteReading) {
+    Replay replay(folder_with(carrier), "M");
+    const std::string first = "run a\ntock\n";
+    const LogReport good = replay.check(first + "pose?(0.31,true) path?<0.31,7> go!(0.31,true) follow!<0.31,7> tock\n");
+    EXPECT_EQ(good.accepted, 1U) << (replay.told.empty() ? "" : replay.told[0].what);
+    EXPECT_EQ(good.replaced, 4U);
+    std::string many;
+    for (int i = 0; i < 20; ++i) many += first + "path?<0.31,7> follow!<7,0.31> tock\n";
+    EXPECT_GE(replay.check(many).rejected, 10U);
+    EXPECT_EQ(replay.check(first + "pose?(0.31,true) go!(0.31,false) tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check(first + "path?<0,0,0> follow!<0,0,0> tock\n").inconclusive, 1U);
+    EXPECT_THAT(replay.told.at(0).reason, HasSubstr("<0,0,0> is outside the finite reading"));
+    EXPECT_EQ(replay.check(first + "kinds?{(true,Red)} label!{(true,Red)} tock\n").inconclusive, 1U);
+}
+
+/// A conversion of what a sequence has is an operation on its numbers.
+TEST(Traces, PartsThatAreConvertedAreNotOnlyPassedOn) {
+    Replay replay(folder_with(R"(
+interface Ops { follow(path : Seq(real)) }
+interface Events { event path : Seq(nat) }
+stm M {
+	requires Ops
+	uses Events
+	var q : Seq(nat)
+	initial i
+	state A { }
+	transition t0 { from i to A }
+	transition t1 { from A to A trigger path?q action follow(q) }
+}
+)"),
+                  "M");
+    EXPECT_EQ(replay.check("run a\ntock\npath?<2> follow!<2> tock\n").accepted, 1U);
+    EXPECT_EQ(replay.check("run a\ntock\npath?<7> follow!<7> tock\n").inconclusive, 1U);
+}
+
 TEST(Traces, TerminationEndsARun) {
     Replay replay(folder_with(R"(
 interface Events { event stop }
@@ -264,6 +337,30 @@ TEST(Traces, LogsThatCannotBeReadAreToldWithTheirPlace) {
     EXPECT_EQ(report.fault->line, 4U);
     EXPECT_EQ(report.fault->fault.column, 11U);
     EXPECT_EQ(report.fault->fault.length, 9U);
+}
+
+/// RC-L03 says what the type has and points at the part that is none.
+TEST(Traces, PartsThatAreNoneOfTheirTypeAreToldWithTheirPlace) {
+    Replay replay(folder_with(carrier), "M");
+    for (const auto& [word, wanted, column] :
+         std::vector<std::tuple<const char*, const char*, unsigned>>{{"pose?(1,yes)", "true or false", 8},
+                                                                     {"pose?(x,true)", "a number", 6},
+                                                                     {"pose?(inf,true)", "a number", 6},
+                                                                     {"pose?(1)", "2 values `(...,...)`", 5},
+                                                                     {"pose?1", "2 values `(...,...)`", 5},
+                                                                     {"pose?(1,true", "2 values `(...,...)`", 5},
+                                                                     {"pose?(1,true)2", "2 values `(...,...)`", 5},
+                                                                     {"path?<1,>", "a number", 8},
+                                                                     {"path?(1,2)", "a sequence `<...,...>`", 5},
+                                                                     {"path?<1 2>", "a sequence `<...,...>`", 5},
+                                                                     {"seen?<Red>", "a set `{...,...}`", 5},
+                                                                     {"seen?{Blue}", "a literal of Colour", 6},
+                                                                     {"kinds?{true,Red}", "pairs `{(...,...),...}`", 6}}) {
+        const LogReport report = replay.check(std::string("run a\ntock\n") + word + "\n");
+        ASSERT_EQ(code_of(report), "RC-L03") << word;
+        EXPECT_EQ(report.fault->fault.arguments.at(1), wanted) << word;
+        EXPECT_EQ(report.fault->fault.column, column) << word;
+    }
 }
 
 /// A fault further on does not hide behind an early verdict.
