@@ -1,8 +1,7 @@
 // A console driver and the build file of the generated library.
 #include <fmt/format.h>
 
-#include "cpp_emit/face.hpp"
-#include "cpp_emit/types.hpp"
+#include "cpp_emit/console_class.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -11,15 +10,11 @@ namespace {
 class ConsoleWriter {
 public:
     ConsoleWriter(const Generation& generation, const Core& core, const Face& face)
-        : generation_(generation), core_(core), face_(face) {}
+        : generation_(generation), core_(core), face_(face), asks_(console_asks(generation)) {}
 
     std::string write() {
         file_comment(generation_, out_, "Console driver");
-        out_.comment(
-            "Each line of input is one control cycle: the events raised in it, `seeRobot` or `heading=0.5`. With a "
-            "number of milliseconds as its argument a cycle comes that often, with what was typed until then. --log "
-            "FILE "
-            "writes a log for `robochart-verify conform --traces`, --coverage prints which transitions were taken.");
+        usage_comment();
         for (const char* header : {"<chrono>", "<cstdint>", "<cstdlib>", "<iostream>", "<sstream>", "<string>",
                                    "<string_view>", "<type_traits>"})
             out_.line(fmt::format("#include {}", header));
@@ -27,14 +22,14 @@ public:
         out_.line("#include <unistd.h>");
         out_.gap();
         out_.line(fmt::format("#include \"{}.hpp\"", face_.cpp_name));
+        if (asks_) out_.line("#include \"robochart/console_choices.hpp\"");
         out_.line("#if ROBOCHART_TRACE");
         out_.line("#include \"robochart/trace_file.hpp\"");
         out_.line("#endif");
         out_.gap();
         out_.line("namespace {");
         out_.gap();
-        show_functions();
-        console_class();
+        console_class(generation_, core_, face_, out_);
         out_.gap();
         cycle_functions();
         out_.gap();
@@ -47,109 +42,18 @@ public:
     }
 
 private:
-    template <class Visit>
-    void each(const Visit& visit) {
-        for (const FaceClass& base : face_.bases) visit(base);
-        visit(face_.own);
-    }
-
-    void show_functions() {
-        out_.doc("A value as text; declared types by number.");
-        out_.line("template <class T>");
-        out_.open("std::string show_value(T value) {");
-        out_.line("std::ostringstream text;");
-        out_.open("if constexpr (std::is_enum_v<T>) {");
-        out_.line("text << static_cast<int>(value);");
-        out_.reopen("} else if constexpr (std::is_arithmetic_v<T>) {");
-        out_.line("text << std::boolalpha << value;");
-        out_.reopen("} else {");
-        out_.line("static_cast<void>(value);");
-        out_.line("text << \"(...)\";");
-        out_.close();
-        out_.line("return text.str();");
-        out_.close();
-        out_.gap();
-        out_.doc("Reads a value; false if the text is none.");
-        out_.line("template <class T>");
-        out_.open("[[maybe_unused]] bool read_value(const std::string& text, T& value) {");
-        out_.line("std::istringstream input(text);");
-        out_.open("if constexpr (std::is_enum_v<T>) {");
-        out_.line("int number = 0;");
-        out_.line("if (!(input >> number)) return false;");
-        out_.line("value = static_cast<T>(number);");
-        out_.line("return true;");
-        out_.reopen("} else if constexpr (std::is_arithmetic_v<T>) {");
-        out_.line("return static_cast<bool>(input >> std::boolalpha >> value);");
-        out_.reopen("} else {");
-        out_.line("value = T{};");
-        out_.line("return false;");
-        out_.close();
-        out_.close();
-    }
-
-    void console_class() {
-        out_.gap();
-        out_.open(fmt::format("class Console final : public {}::{} {{", face_.name_space, face_.cpp_name));
-        out_.label("public:");
-        each([&](const FaceClass& part) {
-            for (const FaceOperation& operation : part.operations)
-                if (!operation.modelled) print_call(operation);
-        });
-        raise_function();
-        print_function();
-        out_.close("};");
-    }
-
-    void print_call(const FaceOperation& operation) {
-        std::string parameters, shown;
-        for (std::size_t i = 0; i < operation.signature->parameters.size(); ++i) {
-            parameters +=
-                fmt::format("{}{} a{}", i == 0 ? "" : ", ",
-                            deployed_type(generation_, core_.name_space, operation.signature->parameters[i]), i);
-            shown += fmt::format("{} << show_value(a{})", i == 0 ? "" : " << \", \"", i);
-        }
-        out_.open(fmt::format("void {}({}) override {{", operation.method, parameters));
-        out_.line(fmt::format("std::cout << \"  {}(\"{} << \")\\n\";", operation.signature->name, shown));
-        out_.close();
-        out_.gap();
-    }
-
-    void raise_function() {
-        out_.doc("Raises an event; false if there is none of that name, or the value is wrong.");
-        out_.open("bool raise([[maybe_unused]] const std::string& event, [[maybe_unused]] const std::string& value) {");
-        each([&](const FaceClass& part) {
-            for (const FaceEvent& event : part.events) {
-                if (event.sent) continue;
-                out_.open(fmt::format("if (event == \"{}\") {{", event.port->model_name));
-                out_.line(fmt::format("{} = true;", event.flag));
-                out_.line(event.port->type ? fmt::format("return read_value(value, {});", event.value)
-                                           : "return value.empty();");
-                out_.close();
-            }
-        });
-        out_.line("return false;");
-        out_.close();
-        out_.gap();
-    }
-
-    void print_function() {
-        out_.doc("What can be seen from outside after a cycle.");
-        out_.open("void print() const {");
-        for (const FaceMachine& machine : face_.machines)
-            out_.line(fmt::format("std::cout << \"  {} \" << name({}());", machine.method, machine.method));
-        each([&](const FaceClass& part) {
-            for (const FaceVariable& variable : part.variables)
-                out_.line(fmt::format("std::cout << \" {} = \" << show_value({});", variable.stored->variable->name,
-                                      variable.member));
-            for (const FaceEvent& event : part.events)
-                if (event.sent)
-                    out_.line(fmt::format("if ({}) std::cout << \" {}\"{};", event.flag, event.port->model_name,
-                                          event.port->type ? " << '!' << show_value(" + event.value + ")" : ""));
-        });
-        for (const FaceTimer& timer : face_.timers)
-            out_.line(fmt::format("std::cout << \" since({}) = \" << {}.counter;", timer.clock->name, timer.member));
-        out_.line("std::cout << '\\n';");
-        out_.close();
+    void usage_comment() {
+        out_.comment(
+            "Each line of input is one control cycle: the events raised in it, `seeRobot` or `heading=0.5`. With a "
+            "number of milliseconds as its argument a cycle comes that often, with what was typed until then. --log "
+            "FILE "
+            "writes a log for `robochart-verify conform --traces`, --coverage prints which transitions were taken.");
+        if (asks_)
+            out_.comment(fmt::format(
+                "Where the model leaves a choice, `{}=2` in the line of the cycle takes the third; on a terminal, or "
+                "with --ask, you are asked for the others, else it is the first. --record FILE writes what was raised "
+                "and picked, --replay FILE repeats it.",
+                pick_word(face_)));
     }
 
     void cycle_functions() {
@@ -158,10 +62,17 @@ private:
         out_.line("std::istringstream words(line);");
         out_.line("std::string word;");
         out_.open("while (words >> word) {");
+        if (asks_) out_.line("if (controller.console_choices.take(word)) continue;");
         out_.line("const std::size_t equals = word.find('=');");
         out_.line("const std::string value = equals == std::string::npos ? \"\" : word.substr(equals + 1);");
-        out_.line(
-            "if (!controller.raise(word.substr(0, equals), value)) std::cerr << \"not an input: \" << word << '\\n';");
+        if (asks_) {
+            out_.line("if (controller.raise(word.substr(0, equals), value)) controller.console_choices.raised(word);");
+            out_.line("else controller.console_choices.refuse(\"not an input: \" + word);");
+        } else {
+            out_.line(
+                "if (!controller.raise(word.substr(0, equals), value)) std::cerr << \"not an input: \" << word << "
+                "'\\n';");
+        }
         out_.close();
         out_.close();
         out_.gap();
@@ -169,6 +80,7 @@ private:
         out_.open("robochart::StepResult cycle(Console& controller, int number) {");
         out_.line("std::cout << \"cycle \" << number << '\\n';");
         out_.line("const robochart::StepResult result = controller.step();");
+        if (asks_) out_.line("controller.console_choices.end();");
         out_.line("controller.print();");
         out_.line("std::cout.flush();");
         out_.line("return result;");
@@ -206,6 +118,11 @@ private:
         out_.line("return result;");
         out_.close();
         out_.gap();
+        lines_function();
+        if (asks_) replay_function();
+    }
+
+    void lines_function() {
         out_.doc("A cycle for every line.");
         out_.open("robochart::StepResult run_by_lines(Console& controller) {");
         out_.line("std::string line;");
@@ -220,11 +137,30 @@ private:
         out_.close();
     }
 
+    void replay_function() {
+        out_.gap();
+        out_.doc("A cycle for every line of the record, until one is not what happened.");
+        out_.open("robochart::StepResult run_replayed(Console& controller) {");
+        out_.line("std::string line;");
+        out_.line("auto result = robochart::StepResult::quiescent;");
+        out_.open(
+            "for (int number = 1; result == robochart::StepResult::quiescent && "
+            "controller.console_choices.next(line); ++number) {");
+        out_.line("raise_all(controller, line);");
+        out_.line("if (controller.console_choices.fault().empty()) result = cycle(controller, number);");
+        out_.close();
+        out_.line("controller.console_choices.finish();");
+        out_.line("return result;");
+        out_.close();
+    }
+
     void options_function() {
         out_.doc("What was asked for; `wrong` if it was not understood.");
         out_.open("struct Asked {");
         out_.line("long period = 0;  ///< milliseconds; 0: a cycle a line");
         out_.line("std::string log;");
+        if (asks_) out_.line("std::string record, replay;");
+        if (asks_) out_.line("bool ask = false;");
         out_.line("bool coverage = false;");
         out_.line("bool wrong = false;");
         out_.close("};");
@@ -237,11 +173,28 @@ private:
         out_.line("result.coverage = true;");
         out_.reopen("} else if (word == \"--log\" && i + 1 < argc) {");
         out_.line("result.log = argv[++i];");
+        if (asks_) {
+            for (const char* option : {"record", "replay"}) {
+                out_.reopen(fmt::format("}} else if (word == \"--{}\" && i + 1 < argc) {{", option));
+                out_.line(fmt::format("result.{} = argv[++i];", option));
+            }
+            out_.reopen("} else if (word == \"--ask\") {");
+            out_.line("result.ask = true;");
+        }
         out_.reopen("} else {");
         out_.line("result.period = std::strtol(argv[i], nullptr, 10);");
         out_.line("result.wrong = result.wrong || result.period < 1;");
         out_.close();
         out_.close();
+        if (asks_) {
+            out_.comment("Nobody is asked while time passes, nor where a record answers.");
+            out_.line("const bool alone = result.period > 0 || !result.replay.empty();");
+            out_.line("result.wrong = result.wrong || (result.ask && alone);");
+            out_.line(
+                "if (!result.replay.empty()) result.wrong = result.wrong || result.period > 0 || result.record == "
+                "result.replay;");
+            out_.line("result.ask = result.ask || (!alone && isatty(STDIN_FILENO) != 0);");
+        }
         out_.line("return result;");
         out_.close();
         out_.gap();
@@ -273,25 +226,48 @@ private:
         out_.line("#endif");
     }
 
+    void open_choices() {
+        out_.open("if (!wanted.record.empty() && !controller.console_choices.record(wanted.record)) {");
+        out_.line("std::cerr << \"cannot write \" << wanted.record << '\\n';");
+        out_.line("return EXIT_FAILURE;");
+        out_.close();
+        out_.line("if (!wanted.replay.empty()) controller.console_choices.replay(wanted.replay);");
+        out_.line("if (wanted.ask) controller.console_choices.ask();");
+    }
+
+    void close_choices() {
+        out_.open("if (!controller.console_choices.fault().empty()) {");
+        out_.line("std::cerr << controller.console_choices.fault() << '\\n';");
+        out_.line("return EXIT_FAILURE;");
+        out_.close();
+        out_.open("if (!controller.console_choices.recorded()) {");
+        out_.line("std::cerr << \"cannot write \" << wanted.record << '\\n';");
+        out_.line("return EXIT_FAILURE;");
+        out_.close();
+    }
+
     void main_function() {
         out_.open("int main(int argc, char** argv) {");
         out_.line("const Asked wanted = asked(argc, argv);");
         out_.open("if (wanted.wrong) {");
-        out_.line(fmt::format("std::cerr << \"usage: {}_console [MILLISECONDS] [--log FILE] [--coverage]\\n\";",
-                              face_.cpp_name));
+        out_.line(fmt::format("std::cerr << \"usage: {}_console [MILLISECONDS] [--log FILE] [--coverage]{}\\n\";",
+                              face_.cpp_name, asks_ ? " [--ask] [--record FILE] [--replay FILE]" : ""));
         out_.line("return EXIT_FAILURE;");
         out_.close();
         out_.line("Console controller;");
         open_log();
-        out_.line(
-            "const robochart::StepResult result = wanted.period > 0 ? run_timed(controller, "
-            "std::chrono::milliseconds(wanted.period))");
+        if (asks_) open_choices();
+        const char* const timed = "run_timed(controller, std::chrono::milliseconds(wanted.period))";
+        out_.line(fmt::format("const robochart::StepResult result = wanted.period > 0 ? {}", timed));
+        if (asks_)
+            out_.line("                                        : !wanted.replay.empty() ? run_replayed(controller)");
         out_.line("                                                       : run_by_lines(controller);");
         out_.line("tell(result);");
         out_.line("#if ROBOCHART_TRACE");
         out_.line("if (wanted.coverage) std::cout << log.coverage();");
         out_.line("if (!log.good()) std::cerr << \"cannot write \" << wanted.log << '\\n';");
         out_.line("#endif");
+        if (asks_) close_choices();
         out_.line(
             "const bool good = result == robochart::StepResult::quiescent || result == "
             "robochart::StepResult::terminated;");
@@ -302,6 +278,7 @@ private:
     const Generation& generation_;
     const Core& core_;
     const Face& face_;
+    bool asks_;
     CodeWriter out_;
 };
 

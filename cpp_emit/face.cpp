@@ -131,10 +131,10 @@ private:
     const ir::System& system_;
     const Component& component_;
     Face face_;
-    NameScope members_{{"step",       "MakeTransition", "CheckInEvent", "reset",      "state",    "States",
-                        "name",       "isFinal",        "core",         "terminated", "Platform", "SetTracer",
-                        "RunHeader",  "tracer",         "choose",       "pick",       "raise",    "print",
-                        "show_value", "read_value",     "Console"}};
+    NameScope members_{{"step",       "MakeTransition", "CheckInEvent", "reset",          "state",    "States",
+                        "name",       "isFinal",        "core",         "terminated",     "Platform", "SetTracer",
+                        "RunHeader",  "tracer",         "choose",       "pick",           "raise",    "print",
+                        "show_value", "read_value",     "Console",      "console_choices"}};
 };
 
 }  // namespace

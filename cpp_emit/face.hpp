@@ -74,6 +74,13 @@ struct Face {
     std::vector<FaceFunction> functions;
 };
 
+/// Parts of the class that face its users, of all interfaces and its own.
+template <class Visit>
+void each_class(const Face& face, const Visit& visit) {
+    for (const FaceClass& base : face.bases) visit(base);
+    visit(face.own);
+}
+
 [[nodiscard]] Face make_face(const Generation&);
 [[nodiscard]] std::string interface_header(const Generation&, const Core&, const Face&, const FaceClass&);
 [[nodiscard]] std::string machine_header(const Generation&, const Core&, const Face&);

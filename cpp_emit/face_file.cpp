@@ -111,12 +111,6 @@ void write_members(const Generation& generation, const Core& core, CodeWriter& o
     for (const FaceOperation& operation : face.operations) write_operation(generation, core, out, operation);
 }
 
-template <class Visit>
-void each_class(const Face& face, const Visit& visit) {
-    for (const FaceClass& base : face.bases) visit(base);
-    visit(face.own);
-}
-
 std::string base_list(const Face& face) {
     std::vector<std::string> bases;
     for (const FaceClass& base : face.bases) bases.push_back("public " + base.cpp_name);

@@ -51,6 +51,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string trace_helpers();
 [[nodiscard]] std::string trace_files();
 [[nodiscard]] std::string adaptive_header();
+[[nodiscard]] std::string console_choices();
 
 /// "Generated from RoboChart ... edit the model" for the top of a file.
 void file_comment(const Generation&, CodeWriter&, const std::string& what);

@@ -16,13 +16,6 @@ namespace robochart::cpp_emit {
 /// The text with every @KEY@ replaced.
 [[nodiscard]] std::string filled(std::string text, const std::map<std::string, std::string>& keys);
 
-/// Parts of the class that face its users, of all interfaces and its own.
-template <class Visit>
-void each_class(const Face& face, const Visit& visit) {
-    for (const FaceClass& base : face.bases) visit(base);
-    visit(face.own);
-}
-
 /// The name, or a longer one that no member of the class has.
 [[nodiscard]] std::string free_member(const Face&, std::string name);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <sstream>
 
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
@@ -122,6 +123,132 @@ int main() {
     for (const char* trace : {"0", "1"})
         folder.run(std::string("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -DROBOCHART_TRACE=") +
                    trace + " -I . main.cpp M.cpp -o main && ./main");
+}
+
+/// The console program of a model, in a folder with the files that are written there.
+class ChoicesConsole : public ::testing::Test {
+protected:
+    void build(const char* model_text, bool choices = true) {
+        const ir::System system = testing::model(model_text);
+        Options options;
+        options.choices = choices;
+        folder_.write(testing::emit_ok(system, testing::component(system, "M"), options));
+        folder_.run("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -I . main.cpp M.cpp -o console");
+    }
+    /// What is printed with these lines of input, to both streams.
+    std::string drive(const std::string& lines, const std::string& options = "", bool good = true) {
+        std::ofstream(folder_.path() + "/lines") << lines;
+        std::string output;
+        const int status = folder_.status("./console " + options + " < lines", output);
+        EXPECT_EQ(status, good ? 0 : 1 << 8U) << lines << output;
+        return output;
+    }
+    [[nodiscard]] std::string file(const std::string& name) const {
+        std::ostringstream contents;
+        contents << std::ifstream(folder_.path() + "/" + name).rdbuf();
+        return contents.str();
+    }
+    void file(const std::string& name, const std::string& contents) const {
+        std::ofstream(folder_.path() + "/" + name) << contents;
+    }
+
+    Folder folder_;
+};
+
+constexpr const char* recorded = "robochart-record 1\ncontroller M\n\ngo pick=2/3\ngo\ngo pick=1/3\ngo\ngo pick=0/3\n";
+
+TEST_F(ChoicesConsole, TheWordsOfACycleAnswer) {
+    build(text);
+    const std::string output = drive("\ngo pick=2\ngo\npick=1 go\ngo\ngo\n", "--record run.record");
+    EXPECT_EQ(output,
+              "cycle 1\n  state A\n"
+              "cycle 2\n  picks 2 of 0..2\n  right()\n  state D\n"
+              "cycle 3\n  state A\n"
+              "cycle 4\n  picks 1 of 0..2\n  middle()\n  state C\n"
+              "cycle 5\n  state A\n"
+              "cycle 6\n  picks 0 of 0..2\n  left()\n  state B\n");  // not said: the first
+    EXPECT_EQ(file("run.record"), recorded);
+    EXPECT_EQ(drive("", "--replay run.record --record again.record"), output);
+    EXPECT_EQ(file("again.record"), recorded);
+}
+
+TEST_F(ChoicesConsole, APersonIsAsked) {
+    build(text);
+    const std::string output =
+        drive("\ngo\nthree\n3\n2\ngo\ngo pick=1\ngo\ngo\n\ngo\ngo\n", "--ask --record run.record");
+    EXPECT_NE(output.find("  which of 0..2? "), std::string::npos);
+    EXPECT_NE(output.find("not a choice: three of 0..2\n"), std::string::npos) << output;
+    EXPECT_NE(output.find("not a choice: 3 of 0..2\n"), std::string::npos) << output;
+    EXPECT_EQ(file("run.record"), std::string(recorded) + "go\ngo pick=0/3\n");  // the end of the input: the first
+}
+
+TEST_F(ChoicesConsole, WrongAnswersAreTold) {
+    build(text);
+    EXPECT_NE(drive("\ngo pick=3\n").find("not a choice: 3 of 0..2\n"), std::string::npos);
+    EXPECT_NE(drive("\ngo pick=many\n").find("not a choice: pick=many\n"), std::string::npos);
+    EXPECT_NE(drive("\ngo pick=1 pick=2\n").find("nothing to choose: pick=2\n"), std::string::npos);
+    EXPECT_NE(drive("\ngo=1\n").find("not an input: go=1\n"), std::string::npos);
+    EXPECT_NE(drive("\n", "--ask 100", false).find("usage: "), std::string::npos);
+    EXPECT_NE(drive("\n", "--replay run.record 100", false).find("usage: "), std::string::npos);
+    EXPECT_NE(drive("\n", "--replay run.record --record run.record", false).find("usage: "), std::string::npos);
+    EXPECT_NE(drive("\n", "--record /no/such/folder", false).find("cannot write /no/such/folder"), std::string::npos);
+}
+
+/// What is no record of this controller, and what did not happen, with its line.
+TEST_F(ChoicesConsole, RecordsThatDoNotFitAreTold) {
+    build(text);
+    EXPECT_EQ(drive("", "--replay missing", false), "missing: cannot be read\n");
+    const std::string head = "robochart-record 1\ncontroller M\n";
+    for (const auto& [contents, told] : std::vector<std::pair<std::string, std::string>>{
+             {"", "run.record:1: expected `robochart-record 1`, found ``\n"},
+             {"robochart-record 2\n", "run.record:1: expected `robochart-record 1`, found `robochart-record 2`\n"},
+             {"robochart-record 1\n", "run.record:2: expected `controller M`, found ``\n"},
+             {"robochart-record 1\ncontroller N\n", "run.record:2: expected `controller M`, found `controller N`\n"},
+             {head + "\ngo\n", "run.record:4: no answer where there is a choice of 3\n"},
+             {head + "\n// a comment\ngo pick=3/3\n", "run.record:5: not a choice: 3 of 0..2\n"},
+             {head + "\ngo pick=1/2\n", "run.record:4: a choice of 2, here it is one of 3\n"},
+             {head + "\ngo pick=1/3 pick=0/3\n", "run.record:4: nothing to choose: pick=0\n"},
+             {head + "\ngo pick=1/\n", "run.record:4: not a choice: pick=1/\n"},
+             {head + "\ngone\n", "run.record:4: not an input: gone\n"}}) {
+        file("run.record", contents);
+        const std::string output = drive("", "--replay run.record", false);
+        EXPECT_TRUE(output.size() >= told.size() && output.substr(output.size() - told.size()) == told)
+            << output << "expected " << told;
+    }
+    file("run.record", head + "\ngo pick=1/3\n");
+    drive("", "--replay run.record");
+}
+
+constexpr const char* chances = R"(package p
+interface O { left() right() }
+stm M { requires O event pick : nat var n : nat initial i probabilistic p
+    state A { } state B { entry left() } state C { entry right() } final F
+    transition t0 { from i to A }
+    transition t1 { from A to p trigger pick?n }
+    transition t2 { from p to B probability 1/2 } transition t3 { from p to C probability 1/2 }
+    transition t4 { from B to F } transition t5 { from C to F } }
+)";
+
+/// Ways that are drawn are answered alike, without --choices too; an input called `pick` keeps its name. The controller
+/// may end before its record does.
+TEST_F(ChoicesConsole, WaysOfProbabilisticJunctions) {
+    build(chances, false);
+    const std::string output = drive("\npick=7 pick_=1\n", "--record run.record");
+    EXPECT_NE(output.find("  picks 1 of 0..1\n  right()\n"), std::string::npos) << output;
+    EXPECT_EQ(file("run.record"), "robochart-record 1\ncontroller M\n\npick=7 pick_=1/2\n");
+    file("run.record", file("run.record") + "\n\n\n\n");
+    EXPECT_NE(drive("\npick=7 pick=x pick=7x pick_=1\n").find("not an input: pick=x\nnot an input: pick=7x\n"),
+              std::string::npos);
+    EXPECT_NE(drive("", "--replay run.record", false).find("the controller has ended, the record goes on\n"),
+              std::string::npos);
+}
+
+/// Where nothing is chosen the program is without all that.
+TEST_F(ChoicesConsole, WithoutChoicesThereIsNothingToAnswer) {
+    build(text, false);
+    EXPECT_NE(drive("\ngo pick=2\n").find("not an input: pick=2\n"), std::string::npos);
+    EXPECT_EQ(file("main.cpp").find("console_choices"), std::string::npos);
+    EXPECT_NE(drive("", "--replay run.record", false).find("usage: "), std::string::npos);
 }
 
 }  // namespace
