@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Generated code against hand-written switches: speed, size, compile cost. Called by scripts/bench_code.sh.
 
-Usage: bench_code.py COMMAND ROUNDS COMPILER STRATEGY
+Usage: bench_code.py COMMAND LAYOUTS COMPILER STRATEGY
 """
 import json
 import os
 import pathlib
+import random
 import statistics
 import subprocess
 import sys
@@ -23,33 +24,35 @@ def emit(command, strategy, folder):
                         folder / machine, "--quiet"], check=True, stdout=subprocess.DEVNULL)
 
 
-def compile_unit(compiler, machine, back_end, folder, level, check=False):
+def compile_unit(compiler, machine, back_end, folder, level, purpose="size"):
     """One translation unit; user seconds and peak megabytes of the compiler."""
     name = machine.upper()
-    target = folder / f"{machine}_{back_end}_{level}{'_check' if check else ''}.o"
-    words = [compiler, "-std=c++17", "-Wall", "-Wextra", "-Werror", f"-{level}", "-fno-exceptions", "-fno-rtti", "-c", HERE / "code" / "unit.cpp",
-             "-o", target, f"-DMACHINE={machine}", f"-DNAME={name}", f"-DHEADER={name}_core.hpp",
-             f"-DGENERATED={int(back_end == 'generated')}", f"-DTICKS={int(machine == 'm2')}",
-             "-I", HERE / "code", "-I", folder / machine / "cpp" / name] + (["-DCHECK"] if check else [])
-    process = subprocess.Popen([str(word) for word in words])
+    target = folder / f"{machine}_{back_end}_{level}_{purpose}.o"
+    words = [compiler, "-std=c++17", "-Wall", "-Wextra", "-Werror", f"-{level}", "-fno-exceptions", "-fno-rtti", "-c",
+             HERE / "code" / "unit.cpp", "-o", target, f"-DMACHINE={machine}", f"-DNAME={name}",
+             f"-DHEADER={name}_core.hpp", f"-DBACK_END={back_end}", f"-DGENERATED={int(back_end == 'generated')}",
+             f"-DTICKS={int(machine == 'm2')}", "-I", HERE / "code", "-I", folder / machine / "cpp" / name]
+    more = {"size": [], "check": ["-DLOOP", "-DCHECK"], "time": ["-DLOOP", "-falign-functions=64"]}
+    process = subprocess.Popen([str(word) for word in words + more[purpose]])
     _, status, usage = os.wait4(process.pid, 0)
     if status:
         sys.exit(f"{target.name} does not compile")
     return target, usage.ru_utime, usage.ru_maxrss / 1024
 
 
-def link(compiler, objects, folder, check):
-    target = folder / ("check" if check else "bench")
-    words = [compiler, "-std=c++17", "-O2", HERE / "code" / "main.cpp", *objects, "-o", target]
-    words += ["-DCHECK"] if check else ["-lbenchmark", "-pthread"]
-    subprocess.run([str(word) for word in words], check=True)
+def link(compiler, objects, target):
+    subprocess.run([str(word) for word in [compiler, *objects, "-o", target]], check=True)
     return target
 
 
-def one_round(program):
-    text = subprocess.run([program, "--benchmark_format=json", "--benchmark_min_time=0.2",
-                           "--benchmark_enable_random_interleaving=true"], check=True, capture_output=True, text=True)
-    return {row["name"]: 1e9 / row["items_per_second"] for row in json.loads(text.stdout)["benchmarks"]}
+def driver(compiler, folder, check):
+    """The objects beside the back ends."""
+    objects = []
+    for source in [HERE / "code" / "main.cpp"] + ([] if check else [HERE / "cpu_time.cpp"]):
+        objects.append(folder / f"{source.stem}{'_check' if check else ''}.o")
+        words = [compiler, "-std=c++20", "-O2", "-c", source, "-o", objects[-1], "-I", HERE.parent]
+        subprocess.run([str(word) for word in words + (["-DCHECK"] if check else [])], check=True)
+    return objects
 
 
 def bytes_of(target):
@@ -58,17 +61,38 @@ def bytes_of(target):
     return sum(int(row[1]) for row in rows if len(row) == 3 and row[0].startswith((".text", ".rodata")))
 
 
-def speeds(program, rounds):
-    results = [one_round(program) for _ in range(rounds)]
-    print(f"\nns a step, median of {rounds} rounds; ratio to the hand-written switch within a round")
-    print(f"{'':10} {'switch':>8} {'ours':>8} {'ratio':>7} {'bar':>6}")
+def gap(folder, index, chance):
+    """An object of up to 64 KB of code that nobody runs."""
+    target = folder / f"gap_{index}.o"
+    text = f".text\n.skip {64 + 64 * chance.randrange(1024)}\n.section .note.GNU-stack\n"
+    subprocess.run(["as", "-o", str(target)], input=text, text=True, check=True)
+    return target
+
+
+def one_layout(compiler, objects, back_ends, folder, chance):
+    """Times by machine and stream, of a program that has the back ends in another order and elsewhere: where code lies
+    must not decide."""
+    order = list(back_ends)
+    chance.shuffle(order)
+    apart = [part for i, one in enumerate(order) for part in (gap(folder, i, chance), one)]
+    program = link(compiler, objects + apart, folder / "bench")
+    text = subprocess.run([program], check=True, capture_output=True, text=True).stdout
+    rows = [line.split() for line in text.splitlines()]
+    return {(row[0], row[1]): tuple(map(float, row[2:])) for row in rows}
+
+
+def speeds(compiler, objects, back_ends, folder, layouts):
+    chance = random.Random(1)
+    results = [one_layout(compiler, objects, back_ends, folder, chance) for _ in range(layouts)]
+    print(f"\nns a step, means of {layouts} layouts of the program; ratio to the hand-written switch; noise: the same ratio "
+          f"of the switch compiled twice")
+    print(f"{'':10} {'switch':>8} {'ours':>8} {'ratio':>7} {'noise':>7} {'bar':>6}")
     for machine in MACHINES:
         for stream in ("rand", "pat"):
-            hand = [result[f"{machine}/switch/{stream}"] for result in results]
-            ours = [result[f"{machine}/generated/{stream}"] for result in results]
-            ratio = statistics.median(a / b for a, b in zip(ours, hand))
-            print(f"{machine + ' ' + stream:10} {statistics.median(hand):8.2f} {statistics.median(ours):8.2f} "
-                  f"{ratio:7.2f} {BARS[machine, stream]:6.2f}{'' if ratio <= BARS[machine, stream] else '  above'}")
+            hand, again, ours = map(statistics.fmean, zip(*(result[machine, stream] for result in results)))
+            bar = BARS[machine, stream]
+            print(f"{machine + ' ' + stream:10} {hand:8.2f} {ours:8.2f} {ours / hand:7.2f} {again / hand:7.2f} {bar:6.2f}"
+                  f"{'' if round(ours / hand, 2) <= bar else '  above'}")
 
 
 def sizes(compiler, folder):
@@ -85,19 +109,17 @@ def sizes(compiler, folder):
 
 
 def main():
-    command, rounds, compiler, strategy = sys.argv[1], int(sys.argv[2]), sys.argv[3], sys.argv[4]
+    command, layouts, compiler, strategy = sys.argv[1], int(sys.argv[2]), sys.argv[3], sys.argv[4]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         emit(command, strategy, folder)
-        programs = []
-        for check in (True, False):
-            objects = [compile_unit(compiler, machine, back_end, folder, "O2", check)[0]
-                       for machine in MACHINES for back_end in ("switch", "generated")]
-            programs.append(link(compiler, objects, folder, check))
+        units = {purpose: [compile_unit(compiler, machine, back_end, folder, "O2", purpose)[0]
+                           for machine in MACHINES for back_end in ("switch", "again", "generated")]
+                 for purpose in ("check", "time")}
         print("what 20,000 random events store:", flush=True)
-        subprocess.run([programs[0]], check=True)
+        subprocess.run([link(compiler, driver(compiler, folder, True) + units["check"], folder / "check")], check=True)
         sizes(compiler, folder)
-        speeds(programs[1], rounds)
+        speeds(compiler, driver(compiler, folder, False), units["time"], folder, layouts)
 
 
 if __name__ == "__main__":

@@ -406,10 +406,10 @@ Core make_core(const Generation& generation) {
     core.name_space = package_namespace(component.package) + "::" + core.relative;
     core.header = component.cpp_name + "_core.hpp";
     NameScope type_names(std::set<std::string>{
-        "State",    "Inputs",       "dispatch",    "pass",          "Step",         "Real",     "Nat",     "Int",
-        "Types",    "Platform",     "step",        "advance_clock", "advance_wait", "duration", "divide",  "modulus",
-        "place_of", "rounded_down", "PlatformOf",  "PlatformCheck", "layout",       "name",     "element", "init",
-        "Traced",   "traced_step",  "transitions", "run_header",    "log_value"});
+        "State",   "Inputs",   "dispatch",     "begin",       "pass",          "Step",         "Real",     "Nat",
+        "Int",     "Types",    "Platform",     "step",        "advance_clock", "advance_wait", "duration", "divide",
+        "modulus", "place_of", "rounded_down", "PlatformOf",  "PlatformCheck", "layout",       "name",     "element",
+        "init",    "Traced",   "traced_step",  "transitions", "run_header",    "log_value"});
     for (const ir::TypeId id : component.enumerations)
         (void)type_names.unique(declared_name(generation.system.type(id)));
     for (const Unit& unit : component.units) {

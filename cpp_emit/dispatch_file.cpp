@@ -61,6 +61,13 @@ void write_dispatch(const Generation& generation, const std::string& direct, Cod
     out.line(fmt::format("return this->result(finished({}));", state));
     out.close();
     out.gap();
+    out.doc("What needs no event.");
+    out.open("robochart::StepResult begin() noexcept {");
+    out.line("inputs_ = {};");
+    out.line(fmt::format("run({});", state));
+    out.line(fmt::format("return this->result(finished({}));", state));
+    out.close();
+    out.gap();
     out.doc("A cycle without inputs.");
     out.open("robochart::StepResult pass() noexcept {");
     out.line("inputs_ = {};");
@@ -71,6 +78,12 @@ void write_dispatch(const Generation& generation, const std::string& direct, Cod
 void write_dispatch_functions(const Generation& generation, CodeWriter& out) {
     if (input_events(generation.component).empty()) return;
     const std::string type = event_type(generation);
+    out.gap();
+    out.doc("What the controller does before the first event; a first dispatch() does it too.");
+    out.line("template <class Types, class Platform>");
+    out.open("robochart::StepResult begin(State<Types>& state, Platform& platform) noexcept {");
+    out.line("return Step<Types, Platform>(state, Inputs<Types>{}, platform).begin();");
+    out.close();
     out.gap();
     out.doc("One event that carries a value: that in `values`, where nothing else is read.");
     out.line("template <class Types, class Platform>");
@@ -87,7 +100,7 @@ void write_dispatch_functions(const Generation& generation, CodeWriter& out) {
     out.line("return Step<Types, Platform>(state, Inputs<Types>{}, platform).dispatch(event);");
     out.close();
     out.gap();
-    out.doc("A cycle without inputs: what needs no event, then time passes.");
+    out.doc("A cycle without inputs, after begin(): what needs no event, then time passes.");
     out.line("template <class Types, class Platform>");
     out.open("robochart::StepResult pass(State<Types>& state, Platform& platform) noexcept {");
     out.line("return Step<Types, Platform>(state, Inputs<Types>{}, platform).pass();");

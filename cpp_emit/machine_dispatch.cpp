@@ -94,7 +94,7 @@ std::string MachineWriter::rest_result() const {
 }
 
 /// A transition out of a leaf, taken on `port`'s event or, null, on none.
-void MachineWriter::case_effect(const ir::Transition& transition, NodeId leaf, const EventPort* port, CodeWriter& out) {
+void MachineWriter::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     const bool consumes = !urgent(transition);
     if (transition.trigger) {
@@ -111,10 +111,8 @@ void MachineWriter::case_effect(const ir::Transition& transition, NodeId leaf, c
         if (std::find(around.begin(), around.end(), transition.source) != around.end())
             out.line(fmt::format("f.{} = 0;", watch.field));
     }
-    for (const NodeId state : plan_.chain(leaf)) {
-        if (plan_.node(state).exit) out.line(plan_.exit_label(state) + "(f);");
-        if (state == transition.source) break;
-    }
+    const std::string exits = leave(transition.source);
+    if (!exits.empty()) out.line(exits);
     out.line(proceed(transition));
     const bool again = port != nullptr && !consumes ? true : look_after(transition.target);
     if (!again) return out.line(rest_result());
@@ -133,7 +131,11 @@ std::string MachineWriter::case_body(NodeId leaf, const EventPort* port, std::si
     CodeWriter out(depth);
     if (!plan_.settles(leaf)) {
         out.comment("from " + generation_.place(plan_.node(leaf).origin));
-        begin(leaf, out);
+        if (leaf == plan_.machine().initial) {
+            begin_machine(out);
+        } else {
+            begin(leaf, out);
+        }
         if (!plan_.passes(leaf))
             out.line(fmt::format("if (f.at == {}) {}", control_.at(plan_.label(leaf)), rest_result()));
         out.line("break;");
@@ -149,7 +151,7 @@ std::string MachineWriter::case_body(NodeId leaf, const EventPort* port, std::si
                 transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : "";
             const std::string condition = conjunction(wanted, guard(transition, value));
             if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition));
-            case_effect(transition, leaf, port, out);
+            case_effect(transition, port, out);
             if (condition.empty()) return out.text();
             out.close();
         }
@@ -186,23 +188,46 @@ void MachineWriter::dispatch_function() {
     } else {
         dispatch_switch(rows, columns);
     }
+    // Without these only the beginning, which comes once, is followed by another look.
+    if (columns.back() == nullptr) out_.line("if (!spend()) return robochart::StepResult::step_bound;");
     out_.close();
+    out_.close();
+    begin_function(columns);
     pass_function_of_time(columns);
+}
+
+/// The clocks start with the machine: a cycle before that does not count.
+void MachineWriter::begin_machine(CodeWriter& out) {
+    for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index)
+        if (unit_.clock_read[index]) out.line(fmt::format("f.{} = 0;", unit_.clock_fields[index]));
+    begin(plan_.machine().initial, out);
+}
+
+void MachineWriter::begin_function(const std::vector<const EventPort*>& columns) {
+    out_.gap();
+    out_.doc("What the machine does before the first event. It does nothing later.");
+    out_.open("robochart::StepResult begin() noexcept {");
+    if (columns.back() == nullptr) {
+        out_.line(fmt::format("return dispatch(static_cast<{}>({}));", event_type(generation_), columns.size() - 1));
+    } else {
+        out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
+        out_.open(fmt::format("if (f.at == {}) {{", control_.at(plan_.label(plan_.machine().initial))));
+        begin_machine(out_);
+        out_.close();
+        out_.line(rest_result());
+    }
+    out_.close();
 }
 
 /// A cycle without inputs: what needs no event, then time passes.
 void MachineWriter::pass_function_of_time(const std::vector<const EventPort*>& columns) {
     out_.gap();
-    out_.doc("A cycle without inputs.");
+    out_.doc("A cycle without inputs, once the machine has begun.");
     out_.open("robochart::StepResult pass() noexcept {");
     out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
     if (columns.back() == nullptr) {
-        out_.line(fmt::format("const robochart::StepResult result = dispatch(static_cast<{}>({}));",
-                              event_type(generation_), columns.size() - 1));
+        out_.line("const robochart::StepResult result = begin();");
     } else {
-        out_.open(fmt::format("if (f.at == {}) {{", control_.at(plan_.label(plan_.machine().initial))));
-        begin(plan_.machine().initial, out_);
-        out_.close();
         out_.line(fmt::format("const robochart::StepResult result = {};", plan_.finals().empty()
                                                                               ? "robochart::StepResult::quiescent"
                                                                               : "this->result(finished(f))"));
@@ -219,7 +244,9 @@ void MachineWriter::dispatch_switch(const std::vector<NodeId>& rows, const std::
     const std::string type = event_type(generation_);
     out_.open("for (;;) {");
     out_.open("switch (f.at) {");
+    const NodeId initial = plan_.machine().initial;
     for (const NodeId row : rows) {
+        if (row == initial) continue;
         out_.line(fmt::format("case {}:", control_.at(plan_.label(row))));
         if (!plan_.settles(row)) {
             out_.raw(case_body(row, nullptr, 5));
@@ -244,8 +271,8 @@ void MachineWriter::dispatch_switch(const std::vector<NodeId>& rows, const std::
         out_.line("    }");
         out_.line("    break;");
     }
-    out_.close();
-    out_.line("if (!spend()) return robochart::StepResult::step_bound;");
+    out_.line(fmt::format("ROBOCHART_UNLIKELY default:  // {}", control_.at(plan_.label(initial))));
+    out_.raw(case_body(initial, nullptr, 5));
     out_.close();
 }
 
@@ -280,8 +307,6 @@ void MachineWriter::dispatch_table(const std::vector<NodeId>& rows, const std::v
         out_.raw(bodies[number]);
     }
     out_.line("default: " + rest_result());
-    out_.close();
-    out_.line("if (!spend()) return robochart::StepResult::step_bound;");
     out_.close();
 }
 

@@ -84,9 +84,11 @@ private:
     [[nodiscard]] bool look_after(ir::NodeId target) const;
     [[nodiscard]] std::string rest_result() const;
     [[nodiscard]] std::string incoming(const ir::Transition&) const;
-    void case_effect(const ir::Transition&, ir::NodeId leaf, const EventPort*, CodeWriter&);
+    void case_effect(const ir::Transition&, const EventPort*, CodeWriter&);
     [[nodiscard]] std::string case_body(ir::NodeId leaf, const EventPort*, std::size_t depth);
     void dispatch_function();
+    void begin_machine(CodeWriter&);
+    void begin_function(const std::vector<const EventPort*>& columns);
     void pass_function_of_time(const std::vector<const EventPort*>& columns);
     void dispatch_switch(const std::vector<ir::NodeId>& rows, const std::vector<const EventPort*>& columns);
     void dispatch_table(const std::vector<ir::NodeId>& rows, const std::vector<const EventPort*>& columns);

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Generated code against hand-written nested switches on four machines (docs/cpp.md, "Speed and size"): hash-equality,
-# then nanoseconds a step over random and repeating events, ratios within each round, medians; sizes; what compiling takes.
-# Usage: scripts/bench_code.sh [ROUNDS [COMPILER [STRATEGY]]]; the command is build/release's or build/dev's, or VERIFY=PATH.
+# then sizes, what compiling takes, and nanoseconds a step over random and repeating events, in several layouts of the program.
+# Usage: scripts/bench_code.sh [LAYOUTS [COMPILER [STRATEGY]]]; the command is build/release's or build/dev's, or VERIFY=PATH.
 set -eu
 cd "$(dirname "$0")/.."
 verify=${VERIFY:-build/release/app/robochart-verify}
 [ -x "$verify" ] || verify=build/dev/app/robochart-verify
 [ -x "$verify" ] || { echo "build it first: cmake --preset release && cmake --build --preset release --target robochart-verify" >&2; exit 1; }
-exec python3 benchmarks/bench_code.py "$verify" "${1:-5}" "${2:-g++}" "${3:-auto}"
+exec python3 benchmarks/bench_code.py "$verify" "${1:-60}" "${2:-g++}" "${3:-auto}"

@@ -1,5 +1,6 @@
 // One back end of one machine as a translation unit: a step that is not inlined, for an event known at run time only.
-// MACHINE m1 to m4, ENUM its name in the generated header, GENERATED 1 or 0, TICKS 1: events above 1 are time passing.
+// MACHINE m1 to m4, NAME its name in the generated HEADER, BACK_END switch, again or generated, GENERATED 1 for the
+// last; TICKS 1: events above 1 are time passing.
 #include <cstddef>
 #include <cstdint>
 
@@ -7,13 +8,13 @@
 #define TEXT(x) TEXT_(x)
 #define JOIN_(a, b) a##b
 #define JOIN(a, b) JOIN_(a, b)
+#define OF_BACK_END(what) JOIN(MACHINE, JOIN(_, JOIN(BACK_END, what)))
 
 #include "actuator.hpp"
 
 #if GENERATED
 #include TEXT(HEADER)
 namespace core = MACHINE::JOIN(NAME, _core);
-#define BACK_END(what) JOIN(JOIN(MACHINE, _generated_), what)
 
 struct Register {
     void act(std::int32_t value) noexcept { ::act(static_cast<std::uint32_t>(value)); }
@@ -27,7 +28,7 @@ struct Types {
 };
 using State = core::State<Types>;
 
-[[gnu::noinline]] void BACK_END(step)(void* state, unsigned event) {
+[[gnu::noinline]] void OF_BACK_END(_step)(void* state, unsigned event) {
     Register platform;
     State& s = *static_cast<State*>(state);
 #if TICKS
@@ -39,28 +40,34 @@ using State = core::State<Types>;
     core::dispatch(s, static_cast<core::Event>(event), platform);
 }
 
-void BACK_END(begin)(void* state) {
+void OF_BACK_END(_begin)(void* state) {
     *static_cast<State*>(state) = State{};
-    BACK_END(step)(state, 0);
+    OF_BACK_END(_step)(state, 0);
 }
 #else
 #include TEXT(JOIN(MACHINE, _switch.hpp))
 namespace core = JOIN(by_hand_, MACHINE);
-#define BACK_END(what) JOIN(JOIN(MACHINE, _switch_), what)
 using State = core::State;
 
-[[gnu::noinline]] void BACK_END(step)(void* state, unsigned event) {
+[[gnu::noinline]] void OF_BACK_END(_step)(void* state, unsigned event) {
     core::step(*static_cast<State*>(state), event);
 }
 
-void BACK_END(begin)(void* state) {
+void OF_BACK_END(_begin)(void* state) {
     State& s = *static_cast<State*>(state);
     s = State{};
     core::begin(s);
-    BACK_END(step)(state, 0);
+    OF_BACK_END(_step)(state, 0);
 }
 #endif
 
-std::size_t BACK_END(size)() {
+#ifdef LOOP
+/// Here and not in the driver, so that the call is a direct one.
+void OF_BACK_END(_run)(void* state, const std::uint8_t* events, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) OF_BACK_END(_step)(state, events[i]);
+}
+#endif
+
+std::size_t OF_BACK_END(_size)() {
     return sizeof(State);
 }

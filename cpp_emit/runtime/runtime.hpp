@@ -27,6 +27,13 @@
 #define ROBOCHART_TRACE 0
 #endif
 
+/// Marks what happens once, so that compilers lay out the rest first.
+#if __cplusplus >= 202002L || (defined(__GNUC__) && !defined(__clang__))
+#define ROBOCHART_UNLIKELY [[unlikely]]
+#else
+#define ROBOCHART_UNLIKELY
+#endif
+
 namespace robochart {
 
 /// How a control cycle ended.
@@ -225,7 +232,9 @@ struct Listens<Platform, std::void_t<decltype(std::declval<Platform&>().taken(st
 
 /// A clock advances until its saturation: beyond it no guard can tell the difference.
 constexpr void advance_clock(std::uint32_t& clock, std::uint32_t units, std::uint32_t saturation) noexcept {
-    clock = units < saturation - clock ? clock + units : saturation;
+    if (clock >= saturation) return;
+    const std::uint32_t left = saturation - clock;
+    clock += units < left ? units : left;
 }
 
 /// What is left of a wait.

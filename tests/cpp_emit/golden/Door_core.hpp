@@ -114,6 +114,13 @@ public:
         return this->result(finished(state_));
     }
 
+    /// What needs no event.
+    robochart::StepResult begin() noexcept {
+        inputs_ = {};
+        run(state_);
+        return this->result(finished(state_));
+    }
+
     /// A cycle without inputs.
     robochart::StepResult pass() noexcept {
         inputs_ = {};
@@ -233,6 +240,12 @@ robochart::StepResult step(State<Types>& state, const Inputs<Types>& inputs, Pla
     return Step<Types, Platform>(state, inputs, platform).cycle();
 }
 
+/// What the controller does before the first event; a first dispatch() does it too.
+template <class Types, class Platform>
+robochart::StepResult begin(State<Types>& state, Platform& platform) noexcept {
+    return Step<Types, Platform>(state, Inputs<Types>{}, platform).begin();
+}
+
 /// One event that carries a value: that in `values`, where nothing else is read.
 template <class Types, class Platform>
 robochart::StepResult dispatch(State<Types>& state, Event event, const Inputs<Types>& values,
@@ -246,7 +259,7 @@ robochart::StepResult dispatch(State<Types>& state, Event event, Platform& platf
     return Step<Types, Platform>(state, Inputs<Types>{}, platform).dispatch(event);
 }
 
-/// A cycle without inputs: what needs no event, then time passes.
+/// A cycle without inputs, after begin(): what needs no event, then time passes.
 template <class Types, class Platform>
 robochart::StepResult pass(State<Types>& state, Platform& platform) noexcept {
     return Step<Types, Platform>(state, Inputs<Types>{}, platform).pass();
