@@ -5,11 +5,14 @@
 
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 #include "diagnostics/render.hpp"
 #include "tests/conformance/support.hpp"
 
 namespace robochart::conformance::test {
+
+namespace fs = std::filesystem;
 
 Model::Model(const std::string& folder, const ir::InstantiationOptions& options) {
     const std::string path = folder.front() == '/' ? folder : std::string(ROBOCHART_SOURCE_DIR) + "/" + folder;
@@ -19,18 +22,29 @@ Model::Model(const std::string& folder, const ir::InstantiationOptions& options)
     EXPECT_TRUE(diagnostics.ok()) << diagnostics::render_text(sources, diagnostics);
 }
 
-std::string changed_copy(const std::string& file, const std::string& from, const std::string& to) {
-    namespace fs = std::filesystem;
+TemporaryFolder::TemporaryFolder(const std::string& model)
+    : path_((fs::path(testing::TempDir()) / "robochart-XXXXXX").string()) {
+    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    if (!model.empty()) write("model.rct", model);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+void TemporaryFolder::write(const std::string& name, const std::string& text) const {
+    std::ofstream(fs::path(path_) / name) << text;
+}
+
+TemporaryFolder changed_copy(const std::string& file, const std::string& from, const std::string& to) {
     std::ifstream in(std::string(ROBOCHART_SOURCE_DIR) + "/" + file);
     std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     std::size_t changes = 0;
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()), ++changes)
         text.replace(at, from.size(), to);
     EXPECT_GT(changes, 0U) << from;
-    std::string folder = (fs::path(testing::TempDir()) / "changed-XXXXXX").string();
-    EXPECT_NE(mkdtemp(folder.data()), nullptr);
-    std::ofstream(fs::path(folder) / "model.rct") << text;
-    return folder;
+    return TemporaryFolder(text);
 }
 
 ir::ComponentRef Model::module() const {

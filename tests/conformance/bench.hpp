@@ -16,6 +16,22 @@
 
 namespace robochart::conformance::test {
 
+/// A folder of its own below the system's temporary one, with a model in it, for as long as the object lives.
+class TemporaryFolder {
+public:
+    explicit TemporaryFolder(const std::string& model = "");
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+    /// Writes a file there.
+    void write(const std::string& name, const std::string& text) const;
+
+private:
+    std::string path_;
+};
+
 /// Reads a project: an absolute path, or one below the source folder.
 struct Model {
     explicit Model(const std::string& folder, const ir::InstantiationOptions& options = {});
@@ -30,8 +46,8 @@ struct Model {
     [[nodiscard]] ir::ComponentRef machine(const std::string& name) const;
 };
 
-/// A copy of a file of the corpus with every `from` replaced by `to`, in a temporary folder of its own.
-[[nodiscard]] std::string changed_copy(const std::string& file, const std::string& from, const std::string& to);
+/// A copy of a file of the corpus with every `from` replaced by `to`.
+[[nodiscard]] TemporaryFolder changed_copy(const std::string& file, const std::string& from, const std::string& to);
 
 class Bench {
 public:

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <filesystem>
 
 #include "tests/conformance/bench.hpp"
 
@@ -94,9 +93,8 @@ TEST(CaseStudies, AggregationConformsInCyclesOfTwo) {
 
 // R4: without their waits the operations set a speed twice as soon as a robot is seen in the first cycle.
 TEST(CaseStudies, AggregationWithoutWaitsIsNotSchedulable) {
-    const std::string folder = test::changed_copy("corpus/aggregation/aggregation.rct", "; wait(1)", "");
-    const Result result = conform_module(folder);
-    std::filesystem::remove_all(folder);
+    const Result result =
+        conform_module(test::changed_copy("corpus/aggregation/aggregation.rct", "; wait(1)", "").path());
     ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
     ASSERT_EQ(result.cycles.size(), 1U);
     EXPECT_THAT(result.cycles[0].inputs, ElementsAre("seeRobot"));
@@ -117,9 +115,8 @@ TEST(CaseStudies, AggregationMachineAloneIsNotSchedulable) {
 
 // codegen.md 5.5: with {detected, turned} in one cycle, Forward is entered and left and entered: two moves.
 TEST(CaseStudies, SwarmTaxisWithoutWaitsIsNotSchedulable) {
-    const std::string folder = test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "; wait(1)", "");
-    const Result result = conform_module(folder);
-    std::filesystem::remove_all(folder);
+    const Result result =
+        conform_module(test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "; wait(1)", "").path());
     ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
     EXPECT_EQ(result.cycles.size(), 1U);
 }

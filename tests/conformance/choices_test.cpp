@@ -2,25 +2,10 @@
 // answer that it could give is explored, and all of them are runs of the model.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <memory>
-
 #include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::unique_ptr<test::Model> model_of(const std::string& text) {
-    std::string folder = (fs::path(testing::TempDir()) / "choices-XXXXXX").string();
-    EXPECT_NE(mkdtemp(folder.data()), nullptr);
-    std::ofstream(fs::path(folder) / "s.rct") << text;
-    auto model = std::make_unique<test::Model>(folder);
-    fs::remove_all(folder);
-    return model;
-}
 
 /// Its first choices are t1 and j1.
 const char* const either = "tests/conformance/models/either";
@@ -57,7 +42,7 @@ TEST(Choices, FaultsBehindOtherChoicesAreFound) {
 
 /// A wait of one or two units: the code waits one; all answers are allowed.
 TEST(Choices, TheLengthOfAWait) {
-    const auto model = model_of(R"(
+    test::Model model(test::TemporaryFolder(R"(
 stm S {
     event left
     initial i
@@ -65,8 +50,9 @@ stm S {
     transition t0 { from i to A }
     transition t1 { from A to A }
 }
-)");
-    test::Bench bench(*model, model->machine("S"));
+)")
+                          .path());
+    test::Bench bench(model, model.machine("S"));
     const Result first = bench.check();
     EXPECT_EQ(first.outcome, Outcome::conforms) << first.reason;
     bench.explore_choices();

@@ -1,8 +1,6 @@
 // The words of values in logs: every value of every type is read as what was written, and no two are written alike.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "conformance/logged_value.hpp"
@@ -41,11 +39,7 @@ stm M {
 
 /// The C++ types of the model's variables hold all kinds of types.
 TEST(LoggedValues, EveryValueIsReadAsWritten) {
-    std::string folder = (std::filesystem::path(testing::TempDir()) / "logged-XXXXXX").string();
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
-    std::ofstream(std::filesystem::path(folder) / "m.rct") << text;
-    const test::Model model(folder);
-    std::filesystem::remove_all(folder);
+    const test::Model model(test::TemporaryFolder(text).path());
     ASSERT_EQ(model.system.machines.size(), 1U);
     for (const ir::Variable& variable : model.system.machines[0].variables) {
         const ValueReader reader(model.system, model.instantiation, variable.type, {});

@@ -148,7 +148,7 @@ protected:
 TEST_F(Mutants, AreKilledOrEquivalentOrAllowed) {
     const std::string models = "tests/conformance/models/";
     try_module("corpus/aggregation", 1);
-    try_module(test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "25", "3"), 1);
+    try_module(test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "25", "3").path(), 1);
     for (const char* module : {"nested", "parcels", "team"}) try_module(models + module, 1);
     for (const char* module : {"helpers", "wires"}) try_module(models + module, 1);
     try_machine(models + "tower", "Tower", 1);

@@ -1,15 +1,10 @@
 // Probabilistic junctions: a free choice in the semantics, drawn by the platform in the code; every way is explored.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* text = R"(
 stm S {
@@ -31,11 +26,7 @@ stm S {
 )";
 
 TEST(Probabilistic, EveryWayIsExplored) {
-    std::string folder = (fs::path(testing::TempDir()) / "probabilistic-XXXXXX").string();
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
-    std::ofstream(fs::path(folder) / "s.rct") << text;
-    test::Model model(folder);
-    fs::remove_all(folder);
+    test::Model model(test::TemporaryFolder(text).path());
     test::Bench bench(model, model.machine("S"));
     const Result right = bench.check();
     EXPECT_EQ(right.outcome, Outcome::conforms) << right.reason;

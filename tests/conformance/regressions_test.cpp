@@ -1,28 +1,20 @@
 // What random models found: each once gave code that did not compile without a warning, or did what its model does not.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "conformance/conform.hpp"
 #include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// The first module or, without one, the machine S conforms.
 void expect_conforming(const std::string& text) {
-    std::string folder = (fs::path(testing::TempDir()) / "regression-XXXXXX").string();
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
-    std::ofstream(fs::path(folder) / "model.rct") << text;
-    test::Model model(folder);
+    const test::TemporaryFolder folder(text);
+    test::Model model(folder.path());
     const ir::ComponentRef component = model.system.modules.empty() ? model.machine("S") : model.module();
     diagnostics::Diagnostics found;
     const Result result = conform(model.system, model.instantiation, component, {}, model.sources, found);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason.substr(0, 2000);
-    fs::remove_all(folder);
 }
 
 std::string machine(const std::string& declarations, const std::string& body) {

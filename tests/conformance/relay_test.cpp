@@ -2,16 +2,11 @@
 // the others' writes reach only through the outside.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "conformance/conform.hpp"
 #include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* text = R"(
 interface V { var v : nat }
@@ -42,14 +37,6 @@ module M { rref p = P cref c = C connection c on seen to p on seen ( _async ) }
 
 class Relay : public ::testing::Test {
 protected:
-    void SetUp() override {
-        std::string folder = (fs::path(testing::TempDir()) / "relay-XXXXXX").string();
-        ASSERT_NE(mkdtemp(folder.data()), nullptr);
-        folder_ = folder;
-        std::ofstream(folder_ / "relay.rct") << text;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     static std::string core(test::Model& model, const ir::ComponentRef& ref) {
         const cpp_emit::Emission code = cpp_emit::emit(model.system, model.instantiation, ref, {}, model.diagnostics);
         for (const auto& file : code.files)
@@ -57,11 +44,11 @@ protected:
         return {};
     }
 
-    fs::path folder_;
+    test::TemporaryFolder folder_{text};
 };
 
 TEST_F(Relay, EachMachineHasItsCopyWhereTheOutsideRelays) {
-    test::Model model(folder_.string());
+    test::Model model(folder_.path());
     diagnostics::Diagnostics found;
     const ir::ComponentRef controller = model.controller();
     const Result result = conform(model.system, model.instantiation, controller, {}, model.sources, found);
@@ -73,7 +60,7 @@ TEST_F(Relay, EachMachineHasItsCopyWhereTheOutsideRelays) {
 }
 
 TEST_F(Relay, ThereIsOneWhereTheModuleDoes) {
-    test::Model model(folder_.string());
+    test::Model model(folder_.path());
     diagnostics::Diagnostics found;
     const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;

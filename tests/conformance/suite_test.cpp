@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "conformance/test_suite.hpp"
@@ -21,10 +19,7 @@ using cpp_emit::Fault;
 using ::testing::HasSubstr;
 
 /// Deterministic: no state has two ways out at once.
-std::string pump() {
-    const auto folder = std::filesystem::temp_directory_path() / ("robochart_pump_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "m.rct") << R"(
+constexpr const char* pump = R"(
 interface Ops { go(level : nat) halt() }
 interface Events { event level : nat event stop }
 stm M {
@@ -43,14 +38,9 @@ stm M {
 	transition t4 { from Fast to Off trigger stop }
 }
 )";
-    return folder.string();
-}
 
 /// Values with parts come in and go out; an operation has two of them.
-std::string store() {
-    const auto folder = std::filesystem::temp_directory_path() / ("robochart_store_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "m.rct") << R"(
+constexpr const char* store = R"(
 enumeration Job { Fetch(boolean) Drop }
 datatype Pose { x : real near : boolean }
 interface Ops { put(job : Job, poses : Seq(Pose)) }
@@ -65,8 +55,6 @@ stm M {
 	transition t1 { from A to A trigger job?j action put(j, <Pose (| x = 0.5, near = j == Job::Drop |)>) }
 }
 )";
-    return folder.string();
-}
 
 class Suites {
 public:
@@ -143,7 +131,9 @@ TEST(TestSuites, TheMachineOfAggregationIsSmall) {
 
 /// The suite as a log: every run is a run of the model.
 TEST(TestSuites, AreRunsOfTheModel) {
-    for (const std::string& folder : {std::string("corpus/aggregation"), pump(), store()}) {
+    const test::TemporaryFolder pumps(pump);
+    const test::TemporaryFolder stores(store);
+    for (const std::string& folder : {std::string("corpus/aggregation"), pumps.path(), stores.path()}) {
         const Suites suites(folder);
         const auto tests = complete_suite(suites.machine, 0);
         const std::string log = suite_log(suites.machine, tests, *suites.model, "M", 0);
@@ -153,7 +143,7 @@ TEST(TestSuites, AreRunsOfTheModel) {
         const LogReport report = checker.check(in, [&](const RunReport& run) { told += run.what + "\n"; });
         EXPECT_FALSE(report.fault.has_value()) << report.fault->text;
         EXPECT_EQ(report.accepted, tests.size()) << told;
-        if (folder == store()) {
+        if (folder == stores.path()) {
             EXPECT_THAT(log, HasSubstr("\njob?Fetch(true) put!Fetch(true)!<(0.5,false)> tock\n"));
         }
     }
@@ -195,8 +185,9 @@ TEST(TestSuites, KillTheMutantsOfAggregation) {
 }
 
 TEST(TestSuites, KillTheMutantsOfAPump) {
-    kill(pump(), {Fault::guard_negated, Fault::guard_dropped, Fault::wrong_target, Fault::entry_dropped,
-                  Fault::clock_not_reset, Fault::clock_off_by_one, Fault::wait_dropped, Fault::event_kept});
+    kill(test::TemporaryFolder(pump).path(),
+         {Fault::guard_negated, Fault::guard_dropped, Fault::wrong_target, Fault::entry_dropped, Fault::clock_not_reset,
+          Fault::clock_off_by_one, Fault::wait_dropped, Fault::event_kept});
 }
 
 /// Where two outputs may come in either order there is no one machine of cycles.
@@ -242,21 +233,18 @@ int main(int argc, char** argv) {
     return RUN_ALL_TESTS();
 }
 )"});
-    const auto folder = std::filesystem::temp_directory_path() / ("robochart_suite_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
-    for (const auto& file : files) std::ofstream(folder / file.path) << file.text;
+    const test::TemporaryFolder folder;
+    for (const auto& file : files) folder.write(file.path, file.text);
     for (const auto& [fault, exit] :
          {std::pair<const char*, int>{"\\\"linearSpeed!0\\\"", 0}, {"\\\"linearSpeed!1\\\"", 1}}) {
         const std::string build = fmt::format(
             "cd {} && c++ -std=c++17 -Wall -Wextra -Werror \"-DFAULT={}\" mine.cpp Aggregation_suite_test.cpp -o mine "
             "-lgtest -lpthread 2>build.log",
-            folder.string(), fault);
+            folder.path(), fault);
         ASSERT_EQ(std::system(build.c_str()), 0) << build;
-        const int status = std::system(fmt::format("cd {} && ./mine >/dev/null", folder.string()).c_str());
+        const int status = std::system(fmt::format("cd {} && ./mine >/dev/null", folder.path()).c_str());
         EXPECT_EQ(WEXITSTATUS(status), exit) << fault;
     }
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "conformance/rules.hpp"
@@ -166,18 +164,9 @@ TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
     EXPECT_EQ(replay.check(first + turn("0.1", "0.2")).rejected, 1U);
 }
 
-std::string folder_with(const std::string& text) {
-    static int count = 0;
-    const auto folder = std::filesystem::temp_directory_path() /
-                        ("robochart_traces_" + std::to_string(::getpid()) + "_" + std::to_string(++count));
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "m.rct") << text;
-    return folder.string();
-}
-
 /// A value that is tested must be one of the finite reading, or nothing is known from there on.
 TEST(Traces, ValuesThatMatterLeaveTheRunUndecided) {
-    Replay replay(folder_with(R"(
+    Replay replay(test::TemporaryFolder(R"(
 interface Ops { near() }
 interface Events { event distance : real event name : Colour }
 enumeration Colour { Red Green }
@@ -194,7 +183,8 @@ stm M {
 	transition t1 { from Far to Near trigger distance?d condition d < 2 }
 	transition t2 { from Near to Done trigger name?c }
 }
-)"),
+)")
+                      .path(),
                   "M");
     EXPECT_EQ(replay.check("run a\ntock\ndistance?1 near! tock\nname?Red tock\n").accepted, 1U);
     EXPECT_EQ(replay.check("run a\ntock\ndistance?2 near! tock\n").rejected, 1U);
@@ -227,7 +217,7 @@ stm M {
 
 /// Blanks, order and doubles in sets, names as in CSP: one value, several spellings.
 TEST(Traces, ValuesWithPartsAreReadByTheirType) {
-    Replay replay(folder_with(carrier), "M");
+    Replay replay(test::TemporaryFolder(carrier).path(), "M");
     for (const char* cycle :
          {"pose?(1,true) go!(1,true)", "pose?( 1.0 , true ) go!(1,true)", "path?<> follow!<>",
           "path?<2,0> follow!<2, 0>", "seen?{Red,Green} paint!{Green,Red,Green}", "seen?{Colour_Red} paint!{Red}",
@@ -242,7 +232,7 @@ TEST(Traces, ValuesWithPartsAreReadByTheirType) {
 /// Reals are only passed on: other ones stand for some of the carrier, the same wherever they are part of. A sequence
 /// longer than the model's is outside whatever its numbers are, and so is a function that is not total.
 TEST(Traces, PartsOutsideTheFiniteReading) {
-    Replay replay(folder_with(carrier), "M");
+    Replay replay(test::TemporaryFolder(carrier).path(), "M");
     const std::string first = "run a\ntock\n";
     const LogReport good = replay.check(first + "pose?(0.31,true) path?<0.31,7> go!(0.31,true) follow!<0.31,7> tock\n");
     EXPECT_EQ(good.accepted, 1U) << (replay.told.empty() ? "" : replay.told[0].what);
@@ -258,7 +248,7 @@ TEST(Traces, PartsOutsideTheFiniteReading) {
 
 /// A conversion of what a sequence has is an operation on its numbers.
 TEST(Traces, PartsThatAreConvertedAreNotOnlyPassedOn) {
-    Replay replay(folder_with(R"(
+    Replay replay(test::TemporaryFolder(R"(
 interface Ops { follow(path : Seq(real)) }
 interface Events { event path : Seq(nat) }
 stm M {
@@ -270,14 +260,15 @@ stm M {
 	transition t0 { from i to A }
 	transition t1 { from A to A trigger path?q action follow(q) }
 }
-)"),
+)")
+                      .path(),
                   "M");
     EXPECT_EQ(replay.check("run a\ntock\npath?<2> follow!<2> tock\n").accepted, 1U);
     EXPECT_EQ(replay.check("run a\ntock\npath?<7> follow!<7> tock\n").inconclusive, 1U);
 }
 
 TEST(Traces, TerminationEndsARun) {
-    Replay replay(folder_with(R"(
+    Replay replay(test::TemporaryFolder(R"(
 interface Events { event stop }
 stm M {
 	uses Events
@@ -287,7 +278,8 @@ stm M {
 	transition t0 { from i to On }
 	transition t1 { from On to f trigger stop }
 }
-)"),
+)")
+                      .path(),
                   "M");
     EXPECT_EQ(replay.check("run a\ntock\nstop? terminate\n").accepted, 1U);
     EXPECT_EQ(replay.check("run a\ntock\nstop? tock\n").rejected, 1U);
@@ -341,21 +333,21 @@ TEST(Traces, LogsThatCannotBeReadAreToldWithTheirPlace) {
 
 /// RC-L03 says what the type has and points at the part that is none.
 TEST(Traces, PartsThatAreNoneOfTheirTypeAreToldWithTheirPlace) {
-    Replay replay(folder_with(carrier), "M");
-    for (const auto& [word, wanted, column] :
-         std::vector<std::tuple<const char*, const char*, unsigned>>{{"pose?(1,yes)", "true or false", 8},
-                                                                     {"pose?(x,true)", "a number", 6},
-                                                                     {"pose?(inf,true)", "a number", 6},
-                                                                     {"pose?(1)", "2 values `(...,...)`", 5},
-                                                                     {"pose?1", "2 values `(...,...)`", 5},
-                                                                     {"pose?(1,true", "2 values `(...,...)`", 5},
-                                                                     {"pose?(1,true)2", "2 values `(...,...)`", 5},
-                                                                     {"path?<1,>", "a number", 8},
-                                                                     {"path?(1,2)", "a sequence `<...,...>`", 5},
-                                                                     {"path?<1 2>", "a sequence `<...,...>`", 5},
-                                                                     {"seen?<Red>", "a set `{...,...}`", 5},
-                                                                     {"seen?{Blue}", "a literal of Colour", 6},
-                                                                     {"kinds?{true,Red}", "pairs `{(...,...),...}`", 6}}) {
+    Replay replay(test::TemporaryFolder(carrier).path(), "M");
+    for (const auto& [word, wanted, column] : std::vector<std::tuple<const char*, const char*, unsigned>>{
+             {"pose?(1,yes)", "true or false", 8},
+             {"pose?(x,true)", "a number", 6},
+             {"pose?(inf,true)", "a number", 6},
+             {"pose?(1)", "2 values `(...,...)`", 5},
+             {"pose?1", "2 values `(...,...)`", 5},
+             {"pose?(1,true", "2 values `(...,...)`", 5},
+             {"pose?(1,true)2", "2 values `(...,...)`", 5},
+             {"path?<1,>", "a number", 8},
+             {"path?(1,2)", "a sequence `<...,...>`", 5},
+             {"path?<1 2>", "a sequence `<...,...>`", 5},
+             {"seen?<Red>", "a set `{...,...}`", 5},
+             {"seen?{Blue}", "a literal of Colour", 6},
+             {"kinds?{true,Red}", "pairs `{(...,...),...}`", 6}}) {
         const LogReport report = replay.check(std::string("run a\ntock\n") + word + "\n");
         ASSERT_EQ(code_of(report), "RC-L03") << word;
         EXPECT_EQ(report.fault->fault.arguments.at(1), wanted) << word;

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "conformance/conform.hpp"
@@ -13,8 +11,6 @@
 
 namespace robochart::conformance {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Case {
     const char* type;
@@ -120,16 +116,8 @@ std::string model(std::size_t first, std::size_t last) {
     return text + states + transitions + "}\n";
 }
 
-std::string folder_with(const std::string& text) {
-    std::string folder = (fs::path(testing::TempDir()) / "values-XXXXXX").string();
-    EXPECT_NE(mkdtemp(folder.data()), nullptr);
-    std::ofstream(fs::path(folder) / "values.rct") << text;
-    return folder;
-}
-
 void expect_conforming(std::size_t first, std::size_t last) {
-    const std::string folder = folder_with(model(first, last));
-    test::Model read(folder);
+    test::Model read(test::TemporaryFolder(model(first, last)).path());
     if (!read.diagnostics.ok()) return;
     Options options;
     options.flags = "-std=c++17 -O0 -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wconversion -Werror";
@@ -139,7 +127,6 @@ void expect_conforming(std::size_t first, std::size_t last) {
     std::string said = result.reason.substr(0, 2000);
     for (const auto& each : found.sorted()) said += fmt::format("\n{} {}", each.rule->code, each.message());
     EXPECT_EQ(result.outcome, Outcome::conforms) << said;
-    fs::remove_all(folder);
 }
 
 TEST(Values, EveryExpressionIsThatOfTheModel) {
