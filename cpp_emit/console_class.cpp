@@ -3,9 +3,83 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
+#include "cpp_emit/types.hpp"
+
 namespace robochart::cpp_emit {
 
 namespace {
+
+class ReadingWriter {
+public:
+    ReadingWriter(const Generation& generation, const Core& core, CodeWriter& out)
+        : generation_(generation), core_(core), out_(out) {}
+
+    /// How values of the declared types are read: by the names of the model, literals by their number too.
+    void write() {
+        const std::vector<ir::TypeId>& declared = generation_.component.enumerations;
+        if (declared.empty()) return;
+        out_.line(fmt::format("namespace {} {{", core_.name_space));
+        Spelling spelling;
+        spelling.types = "robochart::Deployment";
+        for (const ir::TypeId id : declared) {
+            const ir::Type& type = generation_.system.type(id);
+            const std::string name = cpp_type(generation_.system, id, spelling);
+            out_.gap();
+            out_.open(fmt::format("[[maybe_unused]] static bool read_part(robochart::Words& in, {}& value) {{", name));
+            if (type.kind == ir::TypeKind::given) {
+                given(name);
+            } else if (type.kind == ir::TypeKind::enumeration) {
+                literals(type, name);
+            } else {
+                out_.line("return " + parts_read(members(type), members(type).size() > 1) + ";");
+            }
+            out_.close();
+        }
+        out_.gap();
+        out_.line(fmt::format("}}  // namespace {}", core_.name_space));
+        out_.gap();
+    }
+
+private:
+    void given(const std::string& name) {
+        out_.line("int number = 0;");
+        out_.line("if (!robochart::read_part(in, number) || number < 0 || number > 255) return false;");
+        out_.line(fmt::format("value = static_cast<{}>(number);", name));
+        out_.line("return true;");
+    }
+
+    void literals(const ir::Type& type, const std::string& name) {
+        const std::vector<TypeMember> all = members(type);
+        out_.line("const std::string_view word = in.word();");
+        for (std::size_t literal = 0; literal < type.labels.size(); ++literal) {
+            std::vector<TypeMember> given;
+            std::copy_if(all.begin(), all.end(), std::back_inserter(given),
+                         [&](const TypeMember& member) { return member.literal == literal; });
+            out_.open(fmt::format("if (word == {} || word == \"{}\") {{", quoted(type.labels[literal]), literal));
+            out_.line(is_struct(type) ? fmt::format("value.kind = {}::Kind::{};", name, literal_name(type, literal))
+                                      : fmt::format("value = {}::{};", name, literal_name(type, literal)));
+            out_.line("return " + (given.empty() ? "true" : parts_read(given, true)) + ";");
+            out_.close();
+        }
+        out_.line("return false;");
+    }
+
+    static std::string parts_read(const std::vector<TypeMember>& parts, bool brackets) {
+        std::string text;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (i > 0 || brackets) text += i == 0 ? "in.take('(') && " : " && in.take(',') && ";
+            text += fmt::format("read_part(in, value.{})", parts[i].name);
+        }
+        return text + (brackets ? " && in.take(')')" : "");
+    }
+
+    const Generation& generation_;
+    const Core& core_;
+    CodeWriter& out_;
+};
 
 class ConsoleClassWriter {
 public:
@@ -13,50 +87,6 @@ public:
         : generation_(generation), core_(core), face_(face), out_(out), asks_(console_asks(generation)) {}
 
     void write() {
-        show_functions();
-        console_class();
-    }
-
-private:
-    void show_functions() {
-        out_.doc("A value as text; declared types by number.");
-        out_.line("template <class T>");
-        out_.open("std::string show_value(T value) {");
-        out_.line("std::ostringstream text;");
-        out_.open("if constexpr (std::is_enum_v<T>) {");
-        out_.line("text << static_cast<int>(value);");
-        out_.reopen("} else if constexpr (std::is_arithmetic_v<T>) {");
-        out_.line("text << std::boolalpha << value;");
-        out_.reopen("} else {");
-        out_.line("static_cast<void>(value);");
-        out_.line("text << \"(...)\";");
-        out_.close();
-        out_.line("return text.str();");
-        out_.close();
-        out_.gap();
-        out_.doc("Reads a value; false if the text is none.");
-        out_.line("template <class T>");
-        out_.open("[[maybe_unused]] bool read_value(const std::string& text, T& value) {");
-        out_.line("std::istringstream input(text);");
-        out_.open("if constexpr (std::is_enum_v<T>) {");
-        out_.line("int number = 0;");
-        out_.line("if (!(input >> number) || !(input >> std::ws).eof()) return false;");
-        out_.line("value = static_cast<T>(number);");
-        out_.line("return true;");
-        out_.reopen("} else if constexpr (std::is_arithmetic_v<T>) {");
-        out_.line("T read{};");
-        out_.line("if (!(input >> std::boolalpha >> read) || !(input >> std::ws).eof()) return false;");
-        out_.line("value = read;");
-        out_.line("return true;");
-        out_.reopen("} else {");
-        out_.line("value = T{};");
-        out_.line("return false;");
-        out_.close();
-        out_.close();
-    }
-
-    void console_class() {
-        out_.gap();
         out_.open(fmt::format("class Console final : public {}::{} {{", face_.name_space, face_.cpp_name));
         out_.label("public:");
         each_class(face_, [&](const FaceClass& part) {
@@ -74,6 +104,7 @@ private:
         out_.close("};");
     }
 
+private:
     void pick_functions() {
         if (generation_.options.choices)
             out_.line("std::size_t pick(std::size_t count) noexcept override { return console_choices.pick(count); }");
@@ -91,7 +122,7 @@ private:
             parameters +=
                 fmt::format("{}{} a{}", i == 0 ? "" : ", ",
                             deployed_type(generation_, core_.name_space, operation.signature->parameters[i]), i);
-            shown += fmt::format("{} << show_value(a{})", i == 0 ? "" : " << \", \"", i);
+            shown += fmt::format("{} << robochart::show_value(a{})", i == 0 ? "" : " << \", \"", i);
         }
         out_.open(fmt::format("void {}({}) override {{", operation.method, parameters));
         out_.line(fmt::format("std::cout << \"  {}(\"{} << \")\\n\";", operation.signature->name, shown));
@@ -106,8 +137,9 @@ private:
             for (const FaceEvent& event : part.events) {
                 if (event.sent) continue;
                 out_.open(fmt::format("if (event == \"{}\") {{", event.port->model_name));
-                out_.line(event.port->type ? fmt::format("if (!read_value(value, {})) return false;", event.value)
-                                           : "if (!value.empty()) return false;");
+                out_.line(event.port->type
+                              ? fmt::format("if (!robochart::read_value(value, {})) return false;", event.value)
+                              : "if (!value.empty()) return false;");
                 out_.line(fmt::format("{} = true;", event.flag));
                 out_.line("return true;");
                 out_.close();
@@ -125,12 +157,13 @@ private:
             out_.line(fmt::format("std::cout << \"  {} \" << name({}());", machine.method, machine.method));
         each_class(face_, [&](const FaceClass& part) {
             for (const FaceVariable& variable : part.variables)
-                out_.line(fmt::format("std::cout << \" {} = \" << show_value({});", variable.stored->variable->name,
-                                      variable.member));
+                out_.line(fmt::format("std::cout << \" {} = \" << robochart::show_value({});",
+                                      variable.stored->variable->name, variable.member));
             for (const FaceEvent& event : part.events)
                 if (event.sent)
-                    out_.line(fmt::format("if ({}) std::cout << \" {}\"{};", event.flag, event.port->model_name,
-                                          event.port->type ? " << '!' << show_value(" + event.value + ")" : ""));
+                    out_.line(
+                        fmt::format("if ({}) std::cout << \" {}\"{};", event.flag, event.port->model_name,
+                                    event.port->type ? " << '!' << robochart::show_value(" + event.value + ")" : ""));
         });
         for (const FaceTimer& timer : face_.timers)
             out_.line(fmt::format("std::cout << \" since({}) = \" << {}.counter;", timer.clock->name, timer.member));
@@ -162,6 +195,10 @@ std::string pick_word(const Face& face) {
     };
     while (taken()) word += '_';
     return word;
+}
+
+void console_reading(const Generation& generation, const Core& core, CodeWriter& out) {
+    ReadingWriter(generation, core, out).write();
 }
 
 void console_class(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {

@@ -11,7 +11,9 @@ namespace robochart::cpp_emit {
 [[nodiscard]] bool console_asks(const Generation&);
 /// The word of a choice: "pick", or another where an input is called so.
 [[nodiscard]] std::string pick_word(const Face&);
-/// The class `Console`, with what it shows and reads values by.
+/// How values of the model's own types are read (robochart/console_values.hpp), in the core's namespace.
+void console_reading(const Generation&, const Core&, CodeWriter&);
+/// The class `Console`.
 void console_class(const Generation&, const Core&, const Face&, CodeWriter&);
 
 }  // namespace robochart::cpp_emit

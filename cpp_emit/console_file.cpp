@@ -15,18 +15,21 @@ public:
     std::string write() {
         file_comment(generation_, out_, "Console driver");
         usage_comment();
-        for (const char* header : {"<chrono>", "<cstdint>", "<cstdlib>", "<iostream>", "<sstream>", "<string>",
-                                   "<string_view>", "<type_traits>"})
+        for (const char* header :
+             {"<chrono>", "<cstdint>", "<cstdlib>", "<iostream>", "<sstream>", "<string>", "<string_view>"})
             out_.line(fmt::format("#include {}", header));
         out_.line("#include <poll.h>");
         out_.line("#include <unistd.h>");
         out_.gap();
         out_.line(fmt::format("#include \"{}.hpp\"", face_.cpp_name));
         if (asks_) out_.line("#include \"robochart/console_choices.hpp\"");
+        out_.line(fmt::format("#include \"{}_trace.hpp\"", generation_.component.cpp_name));
+        out_.line("#include \"robochart/console_values.hpp\"");
         out_.line("#if ROBOCHART_TRACE");
         out_.line("#include \"robochart/trace_file.hpp\"");
         out_.line("#endif");
         out_.gap();
+        console_reading(generation_, core_, out_);
         out_.line("namespace {");
         out_.gap();
         console_class(generation_, core_, face_, out_);

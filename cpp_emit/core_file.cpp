@@ -409,7 +409,7 @@ Core make_core(const Generation& generation) {
         "State",   "Inputs",   "dispatch",     "begin",       "pass",          "Step",         "Real",     "Nat",
         "Int",     "Types",    "Platform",     "step",        "advance_clock", "advance_wait", "duration", "divide",
         "modulus", "place_of", "rounded_down", "PlatformOf",  "PlatformCheck", "layout",       "name",     "element",
-        "init",    "Traced",   "traced_step",  "transitions", "run_header",    "log_value"});
+        "init",    "Traced",   "traced_step",  "transitions", "run_header",    "log_value",    "read_part"});
     for (const ir::TypeId id : component.enumerations)
         (void)type_names.unique(declared_name(generation.system.type(id)));
     for (const Unit& unit : component.units) {

@@ -64,9 +64,10 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         {"robochart/explore_abi.h", explore_header()},
     };
     emission.files.insert(emission.files.end(), std::begin(rest), std::end(rest));
-    const bool console = options.target == Target::sources || options.target == Target::main;
-    if (console && console_asks(generation))
-        emission.files.push_back({"robochart/console_choices.hpp", console_choices()});
+    if (options.target == Target::sources || options.target == Target::main) {
+        emission.files.push_back({"robochart/console_values.hpp", console_values()});
+        if (console_asks(generation)) emission.files.push_back({"robochart/console_choices.hpp", console_choices()});
+    }
     const std::vector<OutputFile> values = value_headers(*component);
     emission.files.insert(emission.files.end(), values.begin(), values.end());
     if (options.target != Target::sources) {

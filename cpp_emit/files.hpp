@@ -52,6 +52,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string trace_files();
 [[nodiscard]] std::string adaptive_header();
 [[nodiscard]] std::string console_choices();
+[[nodiscard]] std::string console_values();
 
 /// "Generated from RoboChart ... edit the model" for the top of a file.
 void file_comment(const Generation&, CodeWriter&, const std::string& what);

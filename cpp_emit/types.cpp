@@ -105,8 +105,8 @@ std::vector<TypeMember> members(const ir::Type& type) {
 /// Declared types keep clear of what the core itself declares.
 std::string declared_name(const ir::Type& type) {
     static const std::set<std::string> taken = {
-        "State", "Inputs",   "Step",     "At",     "Real",        "Nat",         "Int",        "Types",
-        "Log",   "Platform", "Checking", "Traced", "traced_step", "transitions", "run_header", "log_value"};
+        "State",    "Inputs",   "Step",   "At",          "Real",        "Nat",        "Int",       "Types",    "Log",
+        "Platform", "Checking", "Traced", "traced_step", "transitions", "run_header", "log_value", "read_part"};
     NameScope scope(taken);
     return scope.unique(type.kind == TypeKind::product ? "Tuple_" + type.name : type.name);
 }

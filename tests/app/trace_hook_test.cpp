@@ -202,6 +202,20 @@ TEST(TraceHook, ValuesWithParts) {
     EXPECT_THAT(wrong.err, HasSubstr("turn carries a number, found `one`"));
 }
 
+/// The console reads them as it shows them; literals also by number, as it always did.
+TEST(TraceHook, TheConsoleReadsAndShowsValuesWithParts) {
+    const TemporaryFile model("m.rct", with_parts);
+    Console console(model.path(), "M");
+    const std::string printed = console.drive("\npath=<2,0>\nseen={Green,0} pose=(0.5,true)\nforce=(0,1)\njob=Fetch(0.5,Red) tag=2\n");
+    EXPECT_THAT(printed, HasSubstr("  go((0.5,true), <2,0>)\n  mix({Red,Green})\n  state B echo!(0.5,true) p = (0.5,true) q = <2,0> s = {Red,Green}"));
+    EXPECT_THAT(printed, HasSubstr("  note(Fetch(0.5,Red))\n  label((1,true))\n  tell(2)\n"));
+    EXPECT_THAT(console.log(), HasSubstr("pose?(0.5,true) seen?{Red,Green} go!(0.5,true)!<2,0> echo!(0.5,true) mix!{Red,Green} tock\n"));
+    EXPECT_EQ(console.check().exit, 0);
+    // None of these is a value of its type: nothing is raised.
+    console.drive("\npath=<2,\npath=<2,0>x pose=(1) pose=(1,yes) seen={Blue} seen=<Red> force=(1,2,3) job=Fetch(1) job=Fetch tag=\n");
+    EXPECT_THAT(console.log(), HasSubstr("run 1\nsay!\"left\\040\\057\\040right\\041\" tock\ntock\ntock\n"));
+}
+
 /// A log is asked for where the hook is left out: said, not silently nothing.
 TEST(TraceHook, WithoutTheHookALogIsRefused) {
     const TemporaryFile model("m.rct", typed);
