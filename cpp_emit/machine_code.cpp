@@ -88,6 +88,7 @@ MachineCode MachineWriter::write(const std::vector<Field>& more) {
     during_functions();
     transition_functions();
     begin_exits_function();
+    watch_function();
     advance_function();
     run_function();
     MachineCode code;
@@ -213,6 +214,7 @@ void MachineWriter::advance_function() {
     }
     advance_thread(control_);
     for (const DuringThread& during : during_) advance_thread(during.thread);
+    if (guards_deadlines(*unit_.machine)) out_.line("watch(f);");
     out_.close();
 }
 
@@ -237,22 +239,34 @@ void MachineWriter::advance_thread(const Thread& thread) {
     }
 }
 
-/// While the guard does not hold, the deadline begins anew.
-void MachineWriter::advance_watch(const Watch& watch) {
-    const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
-    const std::string advance = fmt::format("advance_deadline(f.{}, cycle_length);", watch.field);
-    if (!transition.guard) return out_.line(advance);
+std::string MachineWriter::holds(const ir::Transition& transition) const {
     ExpressionWriter expressions(generation_, unit_, "f");
     const bool stores = transition.trigger && transition.trigger->variable.valid();
     if (stores) expressions.set_incoming(expressions.variable(transition.trigger->variable));
-    out_.open(fmt::format("if ({}) {{", expressions.write(*transition.guard)));
-    out_.line(advance);
-    const std::string anew = start_of(watch);
-    if (!anew.empty() && !generation_.mutation.hits(Fault::deadline_not_restarted)) {
-        out_.reopen(fmt::format("}} else if (f.{} > 0) {{", watch.field));
-        out_.line(anew);
+    return expressions.write(*transition.guard);
+}
+
+/// The guard is looked at wherever the model could be found waiting: after each step, before what others see, and
+/// when clocks have gone on.
+void MachineWriter::watch_function() {
+    if (!guards_deadlines(*unit_.machine)) return;
+    out_.gap();
+    out_.doc("A deadline begins anew while its guard does not hold.");
+    out_.open(signature("void watch"));
+    for (const Watch& watch : watches_) {
+        const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
+        if (!transition.guard) continue;
+        const std::string anew = start_of(watch);
+        if (!anew.empty() && !generation_.mutation.hits(Fault::deadline_not_restarted))
+            out_.line(fmt::format("if (f.{} > 0 && !({})) {}", watch.field, holds(transition), anew));
     }
     out_.close();
+}
+
+void MachineWriter::advance_watch(const Watch& watch) {
+    const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
+    const std::string advance = fmt::format("advance_deadline(f.{}, cycle_length);", watch.field);
+    out_.line(transition.guard ? fmt::format("if ({}) {}", holds(transition), advance) : advance);
 }
 
 std::string MachineWriter::start_of(const Watch& watch) const {
@@ -271,22 +285,15 @@ std::string MachineWriter::finished(const std::string& frame) const {
 void MachineWriter::run_function() {
     out_.gap();
     const std::string parts = fmt::format("control(f){} || transition(f)", during_.empty() ? "" : " || during(f)");
+    const bool watches = guards_deadlines(*unit_.machine);
     if (unit_.root) {
         if (generation_.component.composed()) {
             out_.doc(fmt::format("One round of {}: as far as it gets without the others.", unit_.machine->name));
             out_.open(signature("bool round"));
+            if (watches) out_.line("watch(f);");
             out_.line(fmt::format("return {};", parts));
         } else {
-            out_.doc("Everything that can happen in this cycle.");
-            out_.open(signature("void run"));
-            if (generation_.mutation.hits(Fault::single_transition_step)) {
-                out_.line("control(f);");
-                if (!during_.empty()) out_.line("during(f);");
-                out_.line("if (transition(f)) control(f);");
-            } else {
-                out_.open(fmt::format("while ({}({})) {{", bound_test(generation_), parts));
-                out_.close();
-            }
+            run_alone(parts, watches);
         }
         out_.close();
         out_.gap();
@@ -297,8 +304,26 @@ void MachineWriter::run_function() {
     }
     out_.doc(fmt::format("Runs operation {}; true when it has finished.", unit_.machine->name));
     out_.open(fmt::format("bool run({}& f, bool& moved) noexcept {{", frame_type()));
-    out_.line(fmt::format("while ({}({})) moved = true;", bound_test(generation_), parts));
+    if (watches) out_.line("watch(f);");
+    out_.open(fmt::format("while ({}({})) {{", bound_test(generation_), parts));
+    if (watches) out_.line("watch(f);");
+    out_.line("moved = true;");
+    out_.close();
     out_.line(fmt::format("return {};", finished("f")));
+    out_.close();
+}
+
+void MachineWriter::run_alone(const std::string& parts, bool watches) {
+    out_.doc("Everything that can happen in this cycle.");
+    out_.open(signature("void run"));
+    if (watches) out_.line("watch(f);");
+    if (generation_.mutation.hits(Fault::single_transition_step)) {
+        out_.line("control(f);");
+        if (!during_.empty()) out_.line("during(f);");
+        return out_.line("if (transition(f)) control(f);");
+    }
+    out_.open(fmt::format("while ({}({})) {{", bound_test(generation_), parts));
+    if (watches) out_.line("watch(f);");
     out_.close();
 }
 

@@ -34,7 +34,7 @@ bool MachineWriter::direct() const {
         return !from_register(use) && !use.spontaneous();
     };
     const auto& transitions = plan_.machine().transitions;
-    return unit_.root && !generation_.component.composed() && during_.empty() &&
+    return unit_.root && !generation_.component.composed() && during_.empty() && !guards_deadlines(*unit_.machine) &&
            generation_.options.fault == Fault::none && plan_.machine().initial.valid() &&
            std::none_of(transitions.begin(), transitions.end(), waits);
 }
@@ -182,7 +182,8 @@ void MachineWriter::dispatch_function() {
     out_.open(fmt::format("robochart::StepResult dispatch({} event) noexcept {{", type));
     out_.line(fmt::format("{}& f = state_;", frame_type()));
     if (columns.back() == nullptr)
-        out_.line(fmt::format("constexpr auto nothing = static_cast<{}>({});", type, columns.size() - 1));
+        out_.line(
+            fmt::format("[[maybe_unused]] constexpr auto nothing = static_cast<{}>({});", type, columns.size() - 1));
     if (table) {
         dispatch_table(rows, columns);
     } else {

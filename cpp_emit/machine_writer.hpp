@@ -114,11 +114,16 @@ private:
     void thread_function(const Thread&, const std::string& name, const std::string& comment, bool control);
     void during_functions();
     void run_function();
+    void run_alone(const std::string& parts, bool watches);
     void begin_exits_function();
     void advance_function();
     void advance_thread(const Thread&);
     void advance_clock(const std::string& clock, std::int64_t saturation);
+    void watch_function();
     void advance_watch(const Watch&);
+    /// The guard of a transition with a deadline; there is no incoming value, so it reads the variable
+    /// (semantics 3.10).
+    [[nodiscard]] std::string holds(const ir::Transition&) const;
     [[nodiscard]] std::string start_of(const Watch&) const;
     [[nodiscard]] FrameLayout layout(const std::vector<Field>& more);
     [[nodiscard]] std::vector<Field> variable_fields() const;

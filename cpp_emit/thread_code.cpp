@@ -17,6 +17,13 @@ namespace robochart::cpp_emit {
 using ir::CommKind;
 using ir::StmtKind;
 
+bool guards_deadlines(const ir::Machine& machine) {
+    return std::any_of(machine.transitions.begin(), machine.transitions.end(), [&](const ir::Transition& transition) {
+        const bool leaves_state = machine.nodes[transition.source.index].kind == ir::NodeKind::state;
+        return transition.deadline && transition.guard && leaves_state;
+    });
+}
+
 bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr& stmt) {
     if (!stmt) return false;
     switch (stmt->kind) {
@@ -166,6 +173,11 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
     resume_at(end_label, "end if");
 }
 
+/// Before what others see of the machine.
+void ProgramWriter::look_at_deadlines() {
+    if (guards_deadlines(*unit_.machine)) code().line("watch(f);");
+}
+
 /// What a during action does may be cut short while it waits for the next cycle to do it again.
 void ProgramWriter::await_turn(const std::string& flag, const std::string& stem, const std::string& what) {
     (void)resume_here(stem, what);
@@ -180,8 +192,10 @@ void ProgramWriter::assign(const ir::Stmt& stmt, const std::string& stem) {
     const StoredVariable* const stored = generation_.component.stored(unit_, stmt.variable);
     if (stored != nullptr && stored->interruptible)
         await_turn(done_flag(*stored), stem, "writes " + stored->variable->name);
+    const ir::Variable& variable = unit_.machine->variables[stmt.variable.index];
+    if (variable.scope == ir::VariableScope::required) look_at_deadlines();
     const ExpressionWriter expressions(generation_, unit_, "f");
-    const ir::TypeId type = unit_.machine->variables[stmt.variable.index].type;
+    const ir::TypeId type = variable.type;
     if (!stmt.path.empty()) return assign_part(stmt, type);
     line(store(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
 }
@@ -229,6 +243,7 @@ std::string clock_reset(const Generation& generation, const Unit& unit, ir::Cloc
 }
 
 void ProgramWriter::communicate(const ir::Stmt& stmt, const std::string& stem) {
+    look_at_deadlines();
     if (stmt.communication.kind == CommKind::input) {
         await_input(stmt, stem);
     } else {
@@ -360,6 +375,7 @@ void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
 
 void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts,
                                   const std::string& stem) {
+    look_at_deadlines();
     const PlatformCall& call = called(generation_, generation_.component.call(unit_, stmt.operation));
     if (call.interruptible) await_turn(done_flag(call), stem, "calls " + call.signature->name);
     code().line(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));

@@ -57,6 +57,9 @@ struct Thread {
 /// Whether running the statement can stop half-way: waits, inputs, outputs, calls of defined operations.
 [[nodiscard]] bool suspends(const Generation&, const Unit&, const ir::StmtPtr&);
 
+/// Whether a transition of the machine has a deadline that counts only while its guard holds (semantics 3.10).
+[[nodiscard]] bool guards_deadlines(const ir::Machine&);
+
 /// Writes programs into a thread's places.
 class ProgramWriter {
 public:
@@ -85,6 +88,7 @@ private:
     [[nodiscard]] Branches branches(const ir::Stmt&);
     void if_statement(const ir::Stmt&, const std::string& stem);
     void suspending_if(const ir::Stmt&, const std::string& stem);
+    void look_at_deadlines();
     void await_turn(const std::string& flag, const std::string& stem, const std::string& what);
     void assign(const ir::Stmt&, const std::string& stem);
     void assign_part(const ir::Stmt&, ir::TypeId whole);

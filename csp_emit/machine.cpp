@@ -202,8 +202,10 @@ ExprPtr MachineEmitter::call_point(const Activation& config, const Values& value
     Values changed = values;
     for (const auto& [cell, guard] : monitors(view(config), values)) {
         // A transition's deadline starts anew whenever its guard is false (semantics 3.10).
-        if (guard->kind != cspm::ExprKind::boolean)
-            changed[cell] = b::if_(guard, value_of(cell, values), monitor_bound(cell, values));
+        const bool known = guard->kind == cspm::ExprKind::boolean;
+        if (known && guard->number != 0) continue;
+        const ExprPtr anew = monitor_bound(cell, values);
+        changed[cell] = known ? anew : b::if_(guard, value_of(cell, values), anew);
     }
     written_ += 1 + changed.size();
     if (written_ > max_written) too_large(std::to_string(max_written) + " values to pass between program points");

@@ -74,6 +74,22 @@ TEST(Regressions, TheWatchOverADeadlineReadsAVariableThatNothingElseDoes) {
         "( _async ) }\n");
 }
 
+/// In the instant in which T is reset its guard has just been false.
+TEST(Regressions, ADeadlineBeginsAnewWhereAClockEndsItsGuard) {
+    expect_conforming(machine("event g clock T",
+                              "state A { initial j state B { } transition u0 { from j to B }\n"
+                              "transition u1 { from B to B trigger e #T } }\n"
+                              "final f transition t1 { from A to f trigger g <{1} condition since(T) < 1 }"));
+}
+
+TEST(Regressions, ADeadlineBeginsAnewWhereAnActionEndsItsGuard) {
+    expect_conforming(
+        machine("event g",
+                "state A { entry x = true initial j state B { entry wait(1) } transition u0 { from j to B }\n"
+                "transition u1 { from B to B action x = false; out; x = true } }\n"
+                "final f transition t1 { from A to f trigger g <{2} condition x }"));
+}
+
 /// A transition may leave the state before the during action repeats its call.
 TEST(Regressions, ADuringActionWaitsToRepeatACall) {
     expect_conforming(machine("", "state A { during move(x); move(x) } state B { }\ntransition t1 { from A to B }"));

@@ -510,6 +510,29 @@ TEST(Time, ATransitionsDeadlineIsWatchedWhileItsGuardHolds) {
               "holds");
 }
 
+/// Output b waits, and x is known to be false there.
+TEST(Time, ATransitionsDeadlineBeginsAnewWhereItsGuardIsFalse) {
+    EXPECT_EQ(timed(machine(R"(
+        var x:boolean = true
+        initial i
+        state A {
+            initial j
+            state B { }
+            transition u0 { from j to B }
+            transition u1 { from B to B trigger a action x = false ; b ; x = true }
+        }
+        state D { }
+        transition t0 { from i to A }
+        transition t1 { from A to D trigger c <{1} condition x }
+    )"),
+                    R"(
+        Spec = Left(1)
+        Left(k) = S::a.in -> Waiting [] S::c.in -> Rest [] k > 0 & tock -> Left(k - 1)
+        Waiting = S::b.out -> Left(1) [] tock -> Waiting
+        Rest = tock -> Rest)"),
+              "holds");
+}
+
 TEST(Time, UntimedTreatmentDropsIt) {
     EXPECT_EQ(untimed(machine(R"(
         clock T
