@@ -57,9 +57,12 @@ private:
     void from_buffer(const Buffer& buffer) {
         const std::string place = "state_." + buffer.field;
         out_.open(fmt::format("if ({}) {{", conjunction(place + ".full()", condition(place + ".value"))));
-        if (communication_.variable.valid())
+        const std::string line = received(generation_, unit_, communication_, "incoming");
+        if (!line.empty())
             out_.line(fmt::format("const {} incoming = {}.value;", cpp_type(generation_.system, *use_.type), place));
-        take(generation_.mutation.hits(Fault::buffer_kept) ? "" : place + " = {};", "incoming");
+        if (!generation_.mutation.hits(Fault::buffer_kept)) out_.line(place + " = {};");
+        if (!line.empty()) out_.line(line);
+        then_();
         out_.close();
     }
 

@@ -74,6 +74,17 @@ TEST(Regressions, TheWatchOverADeadlineReadsAVariableThatNothingElseDoes) {
         "( _async ) }\n");
 }
 
+TEST(Regressions, AValueFromABufferThatNobodyReadsIsDropped) {
+    expect_conforming(
+        "interface D { var d : nat }\n"
+        "controller B { event o : nat stm T { event o : nat initial j state Z { } transition t0 { from j to Z } }\n"
+        "connection T on o to B on o }\n"
+        "controller C { uses D event e : nat sref m = S connection C on e to m on e }\n"
+        "stm S { requires D event e : nat initial i state A { }\n"
+        "transition t0 { from i to A } transition t1 { from A to A trigger e?d } }\n"
+        "module M { robotic platform P { } cref b = B cref c = C connection b on o to c on e ( _async ) }\n");
+}
+
 /// In the instant in which T is reset its guard has just been false.
 TEST(Regressions, ADeadlineBeginsAnewWhereAClockEndsItsGuard) {
     expect_conforming(machine("event g clock T",
