@@ -51,15 +51,28 @@ void write_cycles(std::string& out, const conformance::Result& r) {
     if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
 }
 
+void write_behaviour(std::string& out, std::string_view face, const conformance::Behaviour& behaviour) {
+    out += fmt::format("                   {:<8} out <{}>  {}  {}\n", face, fmt::join(behaviour.outputs, ", "), behaviour.ends, behaviour.state);
+}
+
+void write_faces(std::string& out, const conformance::Result& r) {
+    if (!r.faces) return;
+    out += fmt::format("                 then {}:\n", r.faces->event.empty() ? "without an event" : r.faces->event);
+    write_behaviour(out, "step", r.faces->cycle);
+    write_behaviour(out, "dispatch", r.faces->dispatched);
+}
+
 void write_conformance(std::string& out, const ConformanceReport& c, const Options& options) {
     const conformance::Result& r = c.result;
     if (options.quiet && r.outcome == conformance::Outcome::conforms) return;
     out += fmt::format("  {:<12} {}: {} states, {} cycles of the code explored; {} states, {} transitions checked; {}\n",
                        word(r.outcome), c.component, with_commas(r.code_states), with_commas(r.code_cycles), with_commas(r.product.states),
                        with_commas(r.product.transitions), duration(c.seconds));
+    if (r.dispatched > 0) out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n", with_commas(r.dispatched));
     if (!r.reason.empty()) out += fmt::format("               {}\n", r.reason);
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
     write_cycles(out, r);
+    write_faces(out, r);
     if (options.show_internal && !r.raw.empty()) out += fmt::format("                 events <{}>\n", fmt::join(r.raw, ", "));
 }
 

@@ -21,13 +21,17 @@ Json assertion(const AssertionReport& a) {
     return json;
 }
 
+Json behaviour(const conformance::Behaviour& b) { return {{"outputs", b.outputs}, {"ends", b.ends}, {"state", b.state}}; }
+
 Json conformance_json(const ConformanceReport& c) {
     constexpr std::array<const char*, 5> words{"conforms", "differs", "not schedulable", "not generated", "inconclusive"};
     const conformance::Result& r = c.result;
     Json json{{"component", c.component}, {"outcome", words[static_cast<std::size_t>(r.outcome)]}, {"codeStates", r.code_states},
-              {"codeCycles", r.code_cycles}, {"statistics", statistics(r.product)}, {"seconds", c.seconds}};
+              {"codeCycles", r.code_cycles}, {"dispatched", r.dispatched}, {"statistics", statistics(r.product)}, {"seconds", c.seconds}};
     if (!r.reason.empty()) json["reason"] = r.reason;
     if (!r.warnings.empty()) json["warnings"] = r.warnings;
+    if (r.faces)
+        json["faces"] = {{"event", r.faces->event}, {"differs", r.faces->what}, {"step", behaviour(r.faces->cycle)}, {"dispatch", behaviour(r.faces->dispatched)}};
     if (r.cycles.empty()) return json;
     json["cycles"] = Json::array();
     for (const conformance::Cycle& cycle : r.cycles)

@@ -10,6 +10,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "conformance/cycle_log.hpp"
 #include "conformance/watchdog.hpp"
 
 namespace robochart::conformance {
@@ -30,32 +31,6 @@ constexpr std::array<unsigned char, 2> fills{0x00, 0xA5};
 /// Results of one cycle, and calls of `step` to find them.
 constexpr std::size_t max_ways = 4096;
 constexpr std::size_t max_trials = 1U << 16U;
-
-bool same(const rc_log& a, const rc_log& b) {
-    if (a.count != b.count || a.overflow != b.overflow) return false;
-    for (std::uint32_t r = 0; r < a.count && r < ROBOCHART_MAX_RECORDS; ++r) {
-        const rc_record& x = a.record[r];
-        const rc_record& y = b.record[r];
-        if (x.output != y.output || x.count != y.count) return false;
-        for (std::uint32_t k = 0; k < x.count && k < ROBOCHART_MAX_ARGUMENTS; ++k) {
-            if (x.argument[k] != y.argument[k]) return false;
-        }
-    }
-    return true;
-}
-
-/// The next ways for the probabilistic junctions that a cycle passed, counted from the last; false after the last ones.
-bool next_choices(rc_log& log) {
-    for (std::uint32_t k = log.asked; k > 0; --k) {
-        const std::uint32_t taken = k - 1 < log.given ? log.choice[k - 1] : 0;
-        if (taken + 1 >= log.ways[k - 1]) continue;
-        for (std::uint32_t earlier = log.given; earlier < k - 1; ++earlier) log.choice[earlier] = 0;
-        log.choice[k - 1] = taken + 1;
-        log.given = k;
-        return true;
-    }
-    return false;
-}
 
 /// The event that L(G) performs, and no NF allows, when a cycle ends in an outcome with no place in the relation.
 const char* violation(const CycleResult& result) {
@@ -205,6 +180,7 @@ std::uint32_t CodeSystem::root(std::uint32_t image) {
     std::vector<rc_register> registers(alphabet_->interface().inputs.size());
     const std::uint32_t made = tree(bytes(image), registers, 0);
     roots_.emplace(image, made);
+    begun_.push_back(image);
     return made;
 }
 
@@ -255,7 +231,7 @@ std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_regis
     const Stepped stepped = watched_step(*code_, once.data(), registers.data(), &log, patience);
     if (stepped.endless) return endless(from);
     const rc_result outcome = stepped.result;
-    if (outcome != code_->step(twice.data(), registers.data(), &again) || once != twice || !same(log, again))
+    if (outcome != code_->step(twice.data(), registers.data(), &again) || once != twice || !same_writes(log, again))
         unsound_ = "`step` gives two results for one state and one set of inputs";
     return intern_result(result_of(outcome, log, once));
 }
@@ -292,6 +268,60 @@ std::uint32_t CodeSystem::intern_result(CycleResult result) {
     const auto [place, fresh] = result_ids_.emplace(key, static_cast<std::uint32_t>(results_.size()));
     if (fresh) results_.push_back(std::move(result));
     return place->second;
+}
+
+/// How each image was reached first.
+struct CodeSystem::Found {
+    struct From {
+        std::uint32_t image = 0;
+        PassedCycle cycle;
+    };
+    std::unordered_map<std::uint32_t, From> from;  ///< never iterated
+};
+
+/// The images that one cycle leads to; each node of the tree of readings is looked at once.
+void CodeSystem::look_behind(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const {
+    const std::size_t inputs = alphabet_->interface().inputs.size();
+    struct Place {
+        std::uint32_t node;
+        std::vector<std::uint32_t> readings;
+    };
+    std::vector<std::unordered_map<std::uint32_t, bool>> seen(inputs + 1);
+    std::deque<Place> places{{roots_.at(image), {}}};
+    while (!places.empty()) {
+        const Place place = std::move(places.front());
+        places.pop_front();
+        if (!seen[place.readings.size()].emplace(place.node, true).second) continue;
+        if (place.readings.size() < inputs) {
+            for (std::uint32_t r = 0; r < nodes_[place.node].size(); ++r) {
+                places.push_back({nodes_[place.node][r], place.readings});
+                places.back().readings.push_back(r);
+            }
+            continue;
+        }
+        const CycleResult& result = results_[place.node];
+        const std::vector<std::uint32_t> ways = result.ways.empty() ? std::vector{place.node} : result.ways;
+        for (const std::uint32_t way : ways) {
+            const std::uint32_t next = results_[way].next;
+            if (results_[way].outcome != RC_QUIESCENT || next == reset_ || roots_.count(next) == 0) continue;
+            if (found.from.emplace(next, Found::From{image, {place.readings, &results_[way]}}).second)
+                open.push_back(next);
+        }
+    }
+}
+
+std::vector<PassedCycle> CodeSystem::way_to(std::uint32_t image) const {
+    Found found;
+    std::vector<std::uint32_t> open{reset_};
+    for (std::size_t i = 0; i < open.size() && found.from.count(image) == 0 && image != reset_; ++i)
+        look_behind(open[i], open, found);
+    std::vector<PassedCycle> way;
+    while (image != reset_ && found.from.count(image) != 0) {
+        const Found::From& from = found.from.at(image);
+        way.insert(way.begin(), from.cycle);
+        image = from.image;
+    }
+    return way;
 }
 
 const CycleResult& CodeSystem::step(std::uint32_t image, const std::vector<std::uint32_t>& readings,

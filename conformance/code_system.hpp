@@ -28,6 +28,12 @@ struct CycleResult {
     std::vector<std::uint32_t> ways;
 };
 
+/// A cycle on the way to an image: one reading of each register, and what came of it.
+struct PassedCycle {
+    std::vector<std::uint32_t> readings;
+    const CycleResult* result = nullptr;
+};
+
 class CodeSystem : public lts::TransitionSystem {
 public:
     static constexpr std::uint64_t max_valuations = 1ULL << 24U;
@@ -49,6 +55,12 @@ public:
                                           const std::vector<process::Event>& writes);
     [[nodiscard]] std::string print(std::uint32_t image) const;
 
+    /// The images that a cycle was begun in so far, in the order in which they were first.
+    [[nodiscard]] const std::vector<std::uint32_t>& begun() const { return begun_; }
+    [[nodiscard]] std::vector<unsigned char> bytes(std::uint32_t image) const;
+    /// A shortest way to one of these.
+    [[nodiscard]] std::vector<PassedCycle> way_to(std::uint32_t image) const;
+
     [[nodiscard]] std::uint64_t images() const { return image_count_; }
     [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
     /// Faults of the code that are no refinement questions: `step` or `initial` not a function of its arguments.
@@ -63,7 +75,8 @@ private:
     /// After some reads: for each reading of the next register the node, after the last one the result.
     using Node = std::vector<std::uint32_t>;
     std::uint32_t intern(const Bytes&);
-    [[nodiscard]] Bytes bytes(std::uint32_t image) const;
+    struct Found;
+    void look_behind(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const;
     [[nodiscard]] Bytes fresh_state(unsigned char fill) const;
     [[nodiscard]] std::uint32_t root(std::uint32_t image);
     std::uint32_t tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read);
@@ -87,6 +100,7 @@ private:
     std::unordered_map<std::string, std::uint32_t> image_ids_;  ///< never iterated, as those below
     std::unordered_map<std::string, std::uint32_t> printed_;
     std::unordered_map<std::uint32_t, std::uint32_t> roots_;  ///< image -> its tree of readings
+    std::vector<std::uint32_t> begun_;                        ///< images in roots_
     std::unordered_map<std::string, std::uint32_t> node_ids_;
     std::unordered_map<std::string, std::uint32_t> result_ids_;
     std::vector<Node> nodes_;

@@ -2,6 +2,7 @@
 // (docs/conformance.md; the relation is RoboTool's NormalForm with its three simulation assumptions).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,21 @@ struct Cycle {
     std::string state;                 ///< the code's state after it
 };
 
+/// What one face of the code did.
+struct Behaviour {
+    std::vector<std::string> outputs;  ///< in order
+    std::string ends;                  ///< "at rest", "terminates", ...
+    std::string state;                 ///< afterwards
+};
+
+/// Where the event-driven face differs from the cycle: after Result::cycles.
+struct FaceDifference {
+    std::string event;  ///< "heading = 90"; "" : none
+    std::string what;   ///< the promise that is not kept
+    Behaviour cycle;
+    Behaviour dispatched;
+};
+
 struct Result {
     Outcome outcome = Outcome::inconclusive;
     std::string reason;
@@ -40,6 +56,8 @@ struct Result {
     std::uint64_t model_states = 0;     ///< states of M met under the simulation assumptions
     refine::Statistics product;         ///< of the refinement check
     refine::Statistics schedulability;  ///< of the check of NF_c(M) alone
+    std::uint64_t dispatched = 0;       ///< (state, event or none) pairs in which both faces were compared
+    std::optional<FaceDifference> faces;
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
     std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script
     std::vector<std::string> warnings;  ///< of the code: states that are not canonical

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "conformance/event_face.hpp"
 #include "conformance/normal_form_system.hpp"
 #include "conformance/tick_tock.hpp"
 
@@ -192,6 +193,7 @@ Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interfac
         result.outcome = verdict.outcome == refine::Outcome::holds ? Outcome::conforms : Outcome::inconclusive;
         result.reason = verdict.reason;
     }
+    compare_faces(result, compiled, code, alphabet, limits);
     count(result, model, code);
     return result;
 }

@@ -83,28 +83,44 @@ private:
 };
 
 /// By itself, so that nothing of the caller is held in registers over the jump.
-[[gnu::noinline]] bool returns(const rc_interface& code, void* state, const rc_register* registers, rc_log* log,
-                               rc_result& result) {
+[[gnu::noinline]] bool returns(Guarded guarded, void* arguments, rc_result& result) {
     if (sigsetjmp(call.back, 0) != 0) {
         call.running = 0;
         return false;
     }
     call.number = call.number + 1;
     call.running = 1;
-    result = code.step(state, registers, log);
+    result = guarded(arguments);
     call.running = 0;
     return true;
 }
 
+struct StepArguments {
+    const rc_interface* code;
+    void* state;
+    const rc_register* registers;
+    rc_log* log;
+};
+
+rc_result step(void* arguments) {
+    const auto* with = static_cast<const StepArguments*>(arguments);
+    return with->code->step(with->state, with->registers, with->log);
+}
+
 }  // namespace
 
-Stepped watched_step(const rc_interface& code, void* state, const rc_register* registers, rc_log* log,
-                     Patience patience) {
+Stepped watched(Guarded guarded, void* arguments, Patience patience) {
     thread_local Ticks ticks;
     ticks.be(patience);
     rc_result result = RC_STEP_BOUND;
-    if (returns(code, state, registers, log, result)) return {result, false};
+    if (returns(guarded, arguments, result)) return {result, false};
     return {RC_STEP_BOUND, true};
+}
+
+Stepped watched_step(const rc_interface& code, void* state, const rc_register* registers, rc_log* log,
+                     Patience patience) {
+    StepArguments arguments{&code, state, registers, log};
+    return watched(step, &arguments, patience);
 }
 
 }  // namespace robochart::conformance

@@ -22,4 +22,10 @@ enum class Patience {
 [[nodiscard]] Stepped watched_step(const rc_interface&, void* state, const rc_register* registers, rc_log* log,
                                    Patience = Patience::seconds);
 
+/// A call of generated code, and what it is called with.
+using Guarded = rc_result (*)(void* arguments);
+
+/// The same for other functions of the interface.
+[[nodiscard]] Stepped watched(Guarded, void* arguments, Patience = Patience::seconds);
+
 }  // namespace robochart::conformance

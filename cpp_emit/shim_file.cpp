@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cpp_emit/dispatch.hpp"
 #include "cpp_emit/files.hpp"
 #include "cpp_emit/functions.hpp"
 #include "cpp_emit/ports.hpp"
@@ -30,6 +31,7 @@ public:
         log_class();
         printers();
         functions();
+        event_functions();
         interface_table();
         return out_.text();
     }
@@ -318,9 +320,7 @@ private:
         out_.open("rc_result step_once(void* state, const rc_register* registers, rc_log* log) noexcept {");
         out_.line("State current;");
         out_.line("std::memcpy(&current, state, sizeof current);");
-        out_.line("log->count = 0;");
-        out_.line("log->overflow = 0;");
-        out_.line("log->asked = 0;");
+        out_.line("robochart::clear(*log);");
         out_.line("Log platform(*log);");
         out_.line("const robochart::StepResult result = core::step(current, read_inputs(registers), platform);");
         out_.line("std::memcpy(state, &current, sizeof current);");
@@ -332,6 +332,38 @@ private:
         out_.line("std::memcpy(&current, state, sizeof current);");
         out_.line("robochart::Text text(buffer, size);");
         out_.line("print(text, \"\", current);");
+        out_.close();
+    }
+
+    /// The event-driven face, where there is one.
+    void event_functions() {
+        const std::size_t events = input_events(generation_.component).size();
+        if (events == 0) return;
+        out_.gap();
+        out_.open(
+            "rc_result dispatch_once(void* state, std::uint32_t event, const rc_register* registers, rc_log* log) "
+            "noexcept {");
+        out_.line("State current;");
+        out_.line("std::memcpy(&current, state, sizeof current);");
+        out_.line("robochart::clear(*log);");
+        out_.line("Log platform(*log);");
+        out_.line(
+            fmt::format("const robochart::StepResult result = event == {} ? core::begin(current, platform)", events));
+        out_.line(
+            fmt::format("    : core::dispatch(current, static_cast<core::{}>(event), read_inputs(registers), "
+                        "platform);",
+                        event_type(generation_)));
+        out_.line("std::memcpy(state, &current, sizeof current);");
+        out_.line("return robochart::to_abi(result);");
+        out_.close();
+        out_.gap();
+        out_.open("rc_result pass_once(void* state, rc_log* log) noexcept {");
+        out_.line("State current;");
+        out_.line("std::memcpy(&current, state, sizeof current);");
+        out_.line("Log platform(*log);");
+        out_.line("const robochart::StepResult result = core::pass(current, platform);");
+        out_.line("std::memcpy(state, &current, sizeof current);");
+        out_.line("return robochart::to_abi(result);");
         out_.close();
     }
 
@@ -347,6 +379,8 @@ private:
         out_.line("write_initial,");
         out_.line("step_once,");
         out_.line("print_state,");
+        const std::size_t events = input_events(generation_.component).size();
+        out_.line(events == 0 ? "0, nullptr, nullptr," : fmt::format("{}, dispatch_once, pass_once,", events));
         out_.close("};");
         out_.gap();
         out_.line("}  // namespace");

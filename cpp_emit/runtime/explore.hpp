@@ -74,6 +74,13 @@ inline rc_result to_abi(StepResult result) noexcept {
     return RC_QUIESCENT;
 }
 
+/// Nothing written, nothing asked; the answers given stay.
+inline void clear(rc_log& log) noexcept {
+    log.count = 0;
+    log.overflow = 0;
+    log.asked = 0;
+}
+
 /// Appends a record; beyond the log's end only the overflow is noted.
 template <class... Values>
 void write_record(rc_log& log, std::uint32_t output, Values... values) noexcept {

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#define ROBOCHART_ABI_VERSION 2
+#define ROBOCHART_ABI_VERSION 3
 #define ROBOCHART_MAX_ARGUMENTS 8
 #define ROBOCHART_MAX_RECORDS 64
 #define ROBOCHART_MAX_CHOICES 32
@@ -75,6 +75,12 @@ typedef struct rc_interface {
     rc_result (*step)(void* state, const rc_register* registers, rc_log* log);
     /* Writes "state=S1 T=3 reached=true" (at most size bytes, terminated). */
     void (*print)(const void* state, char* buffer, size_t size);
+    /* The event-driven face of the same state; null where no event is received. The first `events` inputs are events.
+     * `dispatch` takes one, with the value that its register has, whatever the others hold; `event` = events: it begins,
+     * or does what needs no event. `pass` is a cycle without inputs and adds to what the log has. */
+    uint32_t events;
+    rc_result (*dispatch)(void* state, uint32_t event, const rc_register* registers, rc_log* log);
+    rc_result (*pass)(void* state, rc_log* log);
 } rc_interface;
 
 /* The only exported symbol, also of objects compiled with -fvisibility=hidden. */
