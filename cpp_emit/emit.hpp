@@ -50,6 +50,11 @@ struct Options {
     const diagnostics::SourceManager* sources = nullptr;
 };
 
+/// What a cycle does is as it should be.
+[[nodiscard]] constexpr bool faultless_cycle(const Options& options) {
+    return options.fault == Fault::none || in_event_face(options.fault);
+}
+
 struct Emission {
     std::vector<OutputFile> files;  ///< headers, sources, CMakeLists.txt, the runtime headers
     std::string

@@ -98,6 +98,24 @@ enum class Fault {
     field_dropped,
     quantifier_wrong,
     set_operation_wrong,
+    // the event-driven face
+    dispatch_shifted,
+    dispatch_guard_dropped,
+    dispatch_guard_ends,
+    dispatch_outer_first,
+    dispatch_exits_dropped,
+    dispatch_reset_dropped,
+    dispatch_value_lost,
+    dispatch_deadline_kept,
+    dispatch_event_kept,
+    dispatch_look_dropped,
+    dispatch_not_begun,
+    dispatch_clock_early,
+    dispatch_other_value,
+    dispatch_others_read,
+    dispatch_end_unnoticed,
+    pass_not_quiet,
+    pass_timeless,
     // code that does not compile
     name_collision,
     undeclared_member,
@@ -112,5 +130,10 @@ struct FaultKind {
 
 /// All kinds but `none`, in the order of the enumeration.
 [[nodiscard]] std::span<const FaultKind> all_faults();
+
+/// The fault is in the event-driven face only: the cycle is as it should be.
+[[nodiscard]] constexpr bool in_event_face(Fault fault) {
+    return fault >= Fault::dispatch_shifted && fault <= Fault::pass_timeless;
+}
 
 }  // namespace robochart::cpp_emit

@@ -35,7 +35,7 @@ bool MachineWriter::direct() const {
     };
     const auto& transitions = plan_.machine().transitions;
     return unit_.root && !generation_.component.composed() && during_.empty() && !guards_deadlines(*unit_.machine) &&
-           generation_.options.fault == Fault::none && plan_.machine().initial.valid() &&
+           faultless_cycle(generation_.options) && !generation_.options.choices && plan_.machine().initial.valid() &&
            std::none_of(transitions.begin(), transitions.end(), waits);
 }
 
@@ -97,26 +97,31 @@ std::string MachineWriter::rest_result() const {
 void MachineWriter::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     const bool consumes = !urgent(transition);
+    const auto hits = [&](Fault fault) { return generation_.mutation.hits(fault, port, &transition); };
     if (transition.trigger) {
         const std::string line = received(generation_, unit_, *transition.trigger, incoming(transition));
-        if (!line.empty()) out.line(line);
+        if (!line.empty() && !hits(Fault::dispatch_value_lost)) out.line(line);
     }
     for (const ir::ClockId clock : transition.resets) {
         const std::string line = clock_reset(generation_, unit_, clock);
-        if (!line.empty()) out.line(line);
+        if (!line.empty() && !hits(Fault::dispatch_reset_dropped)) out.line(line);
     }
     out.line(tell_taken(id));
     for (const Watch& watch : watches_) {
         const std::vector<NodeId> around = plan_.chain(watch.state);
-        if (std::find(around.begin(), around.end(), transition.source) != around.end())
-            out.line(fmt::format("f.{} = 0;", watch.field));
+        const bool left = std::find(around.begin(), around.end(), transition.source) != around.end();
+        if (left && !hits(Fault::dispatch_deadline_kept)) out.line(fmt::format("f.{} = 0;", watch.field));
     }
-    const std::string exits = leave(transition.source);
+    std::string exits = leave(transition.source);
+    if (!exits.empty() && hits(Fault::dispatch_exits_dropped)) {
+        const bool own = plan_.node(transition.source).composite() && plan_.node(transition.source).exit;
+        exits = own ? plan_.exit_label(transition.source) + "(f);" : "";
+    }
     if (!exits.empty()) out.line(exits);
     out.line(proceed(transition));
     const bool again = port != nullptr && !consumes ? true : look_after(transition.target);
-    if (!again) return out.line(rest_result());
-    if (consumes) out.line("event = nothing;");
+    if (!again || hits(Fault::dispatch_look_dropped)) return out.line(rest_result());
+    if (consumes && !hits(Fault::dispatch_event_kept)) out.line("event = nothing;");
     out.line("break;");
 }
 
@@ -126,35 +131,71 @@ std::string MachineWriter::incoming(const ir::Transition& transition) const {
     return "inputs_." + generation_.component.events[use.ports.front()].input + ".value";
 }
 
+/// The transitions out of a leaf and of what is around it that an event (null: none) may take, in the order in which
+/// they are tried.
+std::vector<const ir::Transition*> MachineWriter::candidates(NodeId leaf, const EventPort* port) const {
+    std::vector<NodeId> chain = plan_.chain(leaf);
+    std::vector<std::vector<const ir::Transition*>> by_state;
+    for (const NodeId state : chain) {
+        std::vector<const ir::Transition*> own;
+        for (const ir::TransitionId way : plan_.node(state).outgoing) {
+            const ir::Transition& transition = plan_.machine().transitions[way.index];
+            if (urgent(transition) || (port != nullptr && asks_for(transition, *port))) own.push_back(&transition);
+        }
+        if (!own.empty()) by_state.push_back(std::move(own));
+    }
+    if (by_state.size() > 1 && generation_.mutation.hits(Fault::dispatch_outer_first, port, &plan_.node(leaf)))
+        std::reverse(by_state.begin(), by_state.end());
+    std::vector<const ir::Transition*> all;
+    for (const auto& own : by_state) all.insert(all.end(), own.begin(), own.end());
+    return all;
+}
+
+/// What has to hold for a transition in a case; "" if nothing.
+std::string MachineWriter::case_condition(const ir::Transition& transition, NodeId leaf) {
+    const std::string value = transition.trigger ? incoming(transition) : "";
+    const std::string wanted = transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : "";
+    std::string holds = guard(transition, value);
+    if (!holds.empty() && generation_.mutation.hits(Fault::dispatch_guard_dropped, &plan_.node(leaf), &transition))
+        holds.clear();
+    return conjunction(wanted, holds);
+}
+
+/// Where control is before it rests in a state: the beginning, or a junction without an open way.
+void MachineWriter::place_body(NodeId place, CodeWriter& out) {
+    out.comment("from " + generation_.place(plan_.node(place).origin));
+    if (place == plan_.machine().initial) {
+        if (generation_.mutation.hits(Fault::dispatch_not_begun, nullptr, &plan_.node(place)))
+            return out.line(rest_result());
+        begin_machine(out);
+    } else {
+        begin(place, out);
+    }
+    if (!plan_.passes(place))
+        out.line(fmt::format("if (f.at == {}) {}", control_.at(plan_.label(place)), rest_result()));
+    out.line("break;");
+}
+
 /// What a leaf does on an event; "" if nothing.
 std::string MachineWriter::case_body(NodeId leaf, const EventPort* port, std::size_t depth) {
     CodeWriter out(depth);
     if (!plan_.settles(leaf)) {
-        out.comment("from " + generation_.place(plan_.node(leaf).origin));
-        if (leaf == plan_.machine().initial) {
-            begin_machine(out);
-        } else {
-            begin(leaf, out);
-        }
-        if (!plan_.passes(leaf))
-            out.line(fmt::format("if (f.at == {}) {}", control_.at(plan_.label(leaf)), rest_result()));
-        out.line("break;");
+        place_body(leaf, out);
         return out.text();
     }
-    for (const NodeId state : plan_.chain(leaf)) {
-        for (const ir::TransitionId way : plan_.node(state).outgoing) {
-            const ir::Transition& transition = plan_.machine().transitions[way.index];
-            if (!urgent(transition) && (port == nullptr || !asks_for(transition, *port))) continue;
-            out.comment(generation_.place(transition.origin));
-            const std::string value = transition.trigger ? incoming(transition) : "";
-            const std::string wanted =
-                transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : "";
-            const std::string condition = conjunction(wanted, guard(transition, value));
-            if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition));
-            case_effect(transition, port, out);
-            if (condition.empty()) return out.text();
-            out.close();
+    const std::vector<const ir::Transition*> tried = candidates(leaf, port);
+    for (const ir::Transition* transition : tried) {
+        out.comment(generation_.place(transition->origin));
+        const std::string condition = case_condition(*transition, leaf);
+        if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition));
+        case_effect(*transition, port, out);
+        if (condition.empty()) return out.text();
+        if (transition != tried.back() &&
+            generation_.mutation.hits(Fault::dispatch_guard_ends, &plan_.node(leaf), transition)) {
+            out.reopen("} else {");
+            out.line(rest_result());
         }
+        out.close();
     }
     if (!out.empty()) out.line(rest_result());
     return out.text();
@@ -200,7 +241,9 @@ void MachineWriter::dispatch_function() {
 /// The clocks start with the machine: a cycle before that does not count.
 void MachineWriter::begin_machine(CodeWriter& out) {
     for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index)
-        if (unit_.clock_read[index]) out.line(fmt::format("f.{} = 0;", unit_.clock_fields[index]));
+        if (unit_.clock_read[index] &&
+            !generation_.mutation.hits(Fault::dispatch_clock_early, &unit_, &unit_.clock_fields[index]))
+            out.line(fmt::format("f.{} = 0;", unit_.clock_fields[index]));
     begin(plan_.machine().initial, out);
 }
 
@@ -226,19 +269,29 @@ void MachineWriter::pass_function_of_time(const std::vector<const EventPort*>& c
     out_.doc("A cycle without inputs, once the machine has begun.");
     out_.open("robochart::StepResult pass() noexcept {");
     out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
-    if (columns.back() == nullptr) {
+    if (columns.back() == nullptr && !generation_.mutation.hits(Fault::pass_not_quiet)) {
         out_.line("const robochart::StepResult result = begin();");
     } else {
         out_.line(fmt::format("const robochart::StepResult result = {};", plan_.finals().empty()
                                                                               ? "robochart::StepResult::quiescent"
                                                                               : "this->result(finished(f))"));
     }
-    if (timed()) {
+    if (timed() && !generation_.mutation.hits(Fault::pass_timeless)) {
         out_.line("if (result == robochart::StepResult::quiescent) advance(f);");
         if (!watches_.empty()) out_.line("if (late()) return robochart::StepResult::deadline;");
     }
     out_.line("return result;");
     out_.close();
+}
+
+/// The event itself; Fault::dispatch_shifted: the one beside it, where that is another case.
+const EventPort* MachineWriter::taken_for(NodeId row, const EventPort& port,
+                                          const std::vector<const EventPort*>& columns) {
+    const auto place = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), &port) - columns.begin());
+    const EventPort* const beside = columns[(place + 1) % columns.size()];
+    const bool other =
+        generation_.mutation.seeded(Fault::dispatch_shifted) && case_body(row, &port, 7) != case_body(row, beside, 7);
+    return other && generation_.mutation.hits(Fault::dispatch_shifted) ? beside : &port;
 }
 
 void MachineWriter::dispatch_switch(const std::vector<NodeId>& rows, const std::vector<const EventPort*>& columns) {
@@ -256,8 +309,9 @@ void MachineWriter::dispatch_switch(const std::vector<NodeId>& rows, const std::
         const bool alone = goes_on(row);
         out_.line("    switch (event) {");
         for (const EventPort* port : columns) {
-            const std::string body = case_body(row, port, 7);
-            if (body.empty() || port == nullptr) continue;
+            if (port == nullptr) continue;
+            const std::string body = case_body(row, taken_for(row, *port, columns), 7);
+            if (body.empty()) continue;
             const bool asked = body != case_body(row, nullptr, 7);
             if (!asked) continue;
             out_.line(fmt::format("        case {}::{}:", type, port->input));
@@ -283,7 +337,8 @@ void MachineWriter::dispatch_table(const std::vector<NodeId>& rows, const std::v
     for (const NodeId row : rows) {
         std::vector<std::string> numbers;
         for (const EventPort* port : columns) {
-            const std::string body = case_body(row, port, 5);
+            const EventPort* const taken = port == nullptr ? nullptr : taken_for(row, *port, columns);
+            const std::string body = case_body(row, taken, 5);
             const auto known = std::find(bodies.begin(), bodies.end(), body);
             const auto number = static_cast<std::size_t>(known - bodies.begin()) + 1;
             if (!body.empty() && known == bodies.end()) bodies.push_back(body);

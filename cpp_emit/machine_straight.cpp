@@ -24,7 +24,7 @@ bool MachineWriter::has_place(const ir::Transition& transition) {
 bool MachineWriter::runs_on_entry(NodeId id) const {
     const ir::Node& node = plan_.node(id);
     const std::vector<NodeId> around = plan_.ancestors(id);
-    return node.during && !node.composite() && generation_.options.fault == Fault::none &&
+    return node.during && !node.composite() && faultless_cycle(generation_.options) &&
            !suspends(generation_, unit_, node.during) && std::none_of(around.begin(), around.end(), [&](NodeId outer) {
                return plan_.node(outer).during != nullptr;
            });

@@ -85,6 +85,11 @@ private:
     [[nodiscard]] std::string rest_result() const;
     [[nodiscard]] std::string incoming(const ir::Transition&) const;
     void case_effect(const ir::Transition&, const EventPort*, CodeWriter&);
+    [[nodiscard]] std::vector<const ir::Transition*> candidates(ir::NodeId leaf, const EventPort*) const;
+    [[nodiscard]] std::string case_condition(const ir::Transition&, ir::NodeId leaf);
+    void place_body(ir::NodeId, CodeWriter&);
+    [[nodiscard]] const EventPort* taken_for(ir::NodeId row, const EventPort&,
+                                             const std::vector<const EventPort*>& columns);
     [[nodiscard]] std::string case_body(ir::NodeId leaf, const EventPort*, std::size_t depth);
     void dispatch_function();
     void begin_machine(CodeWriter&);

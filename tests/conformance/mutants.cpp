@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "checker/process/operational_semantics.hpp"
+#include "conformance/event_face.hpp"
 #include "conformance/normal_form_system.hpp"
 
 namespace robochart::conformance::test {
@@ -69,6 +70,7 @@ private:
 /// What told a mutant from the model.
 std::string means(const Result& result) {
     constexpr std::pair<const char*, const char*> words[] = {
+        {"event-driven face", "the event-driven face"},
         {"does not return", "watchdog"},
         {"step bound", "step bound"},
         {"misses a deadline", "deadline"},
@@ -85,8 +87,8 @@ std::string means(const Result& result) {
 
 }  // namespace
 
-Study::Study(Model& model, ir::ComponentRef component, Time time)
-    : model_(model), component_(component), time_(time), bench_(model, std::move(component)) {
+Study::Study(Model& model, ir::ComponentRef component, Time time, cpp_emit::Strategy strategy)
+    : model_(model), component_(component), time_(time), strategy_(strategy), bench_(model, std::move(component)) {
     code_ = emit(cpp_emit::Fault::none, 0);
     std::string error;
     original_ = CodeBatch::build({&code_}, build_options(), error);
@@ -105,6 +107,7 @@ cpp_emit::Emission Study::emit(cpp_emit::Fault fault, std::uint32_t site) {
     cpp_emit::Options options;
     options.fault = fault;
     options.fault_site = site;
+    options.strategy = strategy_;
     cpp_emit::Emission code =
         cpp_emit::emit(model_.system, model_.instantiation, component_, options, model_.diagnostics);
     strip(code);
@@ -133,6 +136,7 @@ Result Study::refined_until_time_stops(const rc_interface& code) {
     Result result;
     result.reason = verdict.reason;
     if (verdict.outcome == refine::Outcome::holds) result.outcome = Outcome::conforms;
+    if (result.outcome == Outcome::conforms) compare_faces(result, code, system, *alphabet_, limits());
     if (!verdict.counterexample) return result;
     result.outcome = Outcome::differs;
     const refine::Counterexample& found = *verdict.counterexample;
@@ -146,9 +150,10 @@ Result Study::refined_until_time_stops(const rc_interface& code) {
     return result;
 }
 
-std::vector<Study::Seeded> Study::seed(std::size_t sites) {
+std::vector<Study::Seeded> Study::seed(std::size_t sites, bool event_face_only) {
     std::vector<Seeded> all;
     for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
+        if (event_face_only && !cpp_emit::in_event_face(kind.fault)) continue;
         const std::uint32_t there = emit(kind.fault, 0).fault_sites;
         const auto wanted = static_cast<std::uint32_t>(std::min<std::size_t>(there, sites));
         for (std::uint32_t n = 0; n < wanted; ++n) {
@@ -160,9 +165,9 @@ std::vector<Study::Seeded> Study::seed(std::size_t sites) {
     return all;
 }
 
-std::vector<Mutant> Study::mutants(std::size_t sites) {
+std::vector<Mutant> Study::mutants(std::size_t sites, bool event_face_only) {
     if (original_code_ == nullptr) return {};
-    std::vector<Seeded> all = seed(sites);
+    std::vector<Seeded> all = seed(sites, event_face_only);
     for (std::size_t first = 0; first < all.size(); first += at_once) {
         std::vector<Seeded*> together;
         for (std::size_t i = first; i < std::min(first + at_once, all.size()); ++i) together.push_back(&all[i]);

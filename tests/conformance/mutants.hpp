@@ -1,5 +1,5 @@
-// Mutation analysis of the generator: every seeded fault at every place of a model, compiled in batches, each judged and
-// given an end. Killed, or shown equivalent by the checker, or a variant that the model allows.
+// Mutation analysis of the generator: every seeded fault at every place of a model, compiled in batches, each judged
+// and given an end. Killed, or shown equivalent by the checker, or a variant that the model allows.
 #pragma once
 
 #include <optional>
@@ -34,12 +34,14 @@ enum class Time { always_passes, may_stop };
 
 class Study {
 public:
-    Study(Model& model, ir::ComponentRef component, Time time = Time::always_passes);
+    Study(Model& model, ir::ComponentRef component, Time time = Time::always_passes,
+          cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic);
 
     /// What the unchanged code comes to: `conforms`, or the test is about something else.
     [[nodiscard]] Result original();
-    /// Every mutant whose code differs from the original's, at most `sites` of each kind, spread evenly.
-    [[nodiscard]] std::vector<Mutant> mutants(std::size_t sites = 1000);
+    /// Every mutant whose code differs from the original's, at most `sites` of each kind, spread evenly; of the
+    /// event-driven face only, or of all kinds.
+    [[nodiscard]] std::vector<Mutant> mutants(std::size_t sites = 1000, bool event_face_only = false);
 
 private:
     struct Seeded {
@@ -48,7 +50,7 @@ private:
     };
 
     [[nodiscard]] cpp_emit::Emission emit(cpp_emit::Fault, std::uint32_t site);
-    [[nodiscard]] std::vector<Seeded> seed(std::size_t sites);
+    [[nodiscard]] std::vector<Seeded> seed(std::size_t sites, bool event_face_only);
     void judge_together(std::vector<Seeded*> together);
     void drop_uncompilable(std::vector<Seeded*>& together);
     void judge(Mutant&, const rc_interface& code);
@@ -59,6 +61,7 @@ private:
     Model& model_;
     ir::ComponentRef component_;
     Time time_;
+    cpp_emit::Strategy strategy_;
     Bench bench_;
     cpp_emit::Emission code_;
     std::unique_ptr<CodeBatch> original_;

@@ -82,11 +82,16 @@ protected:
         test::Model model(folder);
         study(folder, test::Study(model, model.machine(machine), time), sites);
     }
+    /// A sample has faults of the event-driven face only; of all places, all kinds.
+    void try_events(const std::string& folder, const std::string& machine, Time time, cpp_emit::Strategy strategy) {
+        test::Model model(folder);
+        study(folder, test::Study(model, model.machine(machine), time, strategy), 3, !all());
+    }
 
-    void study(const std::string& name, test::Study study, std::size_t sites) {
+    void study(const std::string& name, test::Study study, std::size_t sites, bool event_face_only = false) {
         const Result original = study.original();
         ASSERT_EQ(original.outcome, Outcome::conforms) << name << ": " << original.reason;
-        for (const Mutant& mutant : study.mutants(all() ? 1000 : sites)) {
+        for (const Mutant& mutant : study.mutants(all() ? 1000 : sites, event_face_only)) {
             look_at(name, mutant);
             by_kind_[mutant.kind.fault].add(mutant);
             by_model_[name].add(mutant);
@@ -158,6 +163,10 @@ TEST_F(Mutants, AreKilledOrEquivalentOrAllowed) {
     try_machine(models + "outside", "Outside", 1);
     try_machine(models + "blink", "Blink", 1);
     try_machine(models + "missed", "Missed", 3, Time::may_stop);
+    using cpp_emit::Strategy;
+    try_events(models + "reacts", "Reacts", Time::always_passes, Strategy::table);
+    if (all()) try_events(models + "reacts", "Reacts", Time::always_passes, Strategy::nested_switch);
+    try_events(models + "due", "Due", Time::may_stop, Strategy::automatic);
     if (HasFatalFailure()) return;
     expect_kills_of_every_kind();
     EXPECT_GE(whole_.mutants(), 350U);

@@ -1,0 +1,94 @@
+// The event-driven face against the cycle, in all states and with all events: what is compared, and how a difference is
+// told. The expected states follow from tests/conformance/models/reacts by hand.
+#include <gtest/gtest.h>
+
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+using cpp_emit::Fault;
+
+const char* const reacts = "tests/conformance/models/reacts";
+
+/// A module with two events without values, code with five states: none and each event.
+TEST(EventFace, IsComparedInEveryStateWithEveryEvent) {
+    test::Model model("corpus/aggregation");
+    test::Bench bench(model, model.module());
+    const Result result = bench.check();
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    EXPECT_EQ(result.code_states, 5U);
+    EXPECT_EQ(result.dispatched, 5U * (1 + 2));
+    EXPECT_FALSE(result.faces);
+}
+
+/// The first exits are those of A, for event `a`: `innerLeft = true`. One cycle leads to A, with `a` or
+/// with `v` of 1.
+TEST(EventFace, ADifferenceIsToldWithTheWayThereAndBothBehaviours) {
+    test::Model model(reacts);
+    test::Bench bench(model, model.machine("Reacts"));
+    const Result result = bench.check(Fault::dispatch_exits_dropped, 0);
+    ASSERT_EQ(result.outcome, Outcome::differs) << result.reason;
+    EXPECT_EQ(result.reason, "the event-driven face differs from the cycle: `dispatch` of a: another state");
+    ASSERT_EQ(result.cycles.size(), 1U);
+    EXPECT_EQ(result.cycles[0].inputs.size(), 1U);
+    EXPECT_EQ(result.cycles[0].outputs.size(), 1U);
+    EXPECT_NE(result.cycles[0].state.find("state=Work_A "), std::string::npos) << result.cycles[0].state;
+    ASSERT_TRUE(result.faces);
+    EXPECT_EQ(result.faces->event, "a");
+    EXPECT_EQ(result.faces->cycle.ends, "at rest");
+    EXPECT_NE(result.faces->cycle.state.find("innerLeft=true"), std::string::npos) << result.faces->cycle.state;
+    EXPECT_NE(result.faces->dispatched.state.find("innerLeft=false"), std::string::npos)
+        << result.faces->dispatched.state;
+}
+
+/// Before the first cycle: `v` with 0 leads to Check, which is left without an event.
+TEST(EventFace, WhatIsStillEnabledIsTold) {
+    test::Model model(reacts);
+    test::Bench bench(model, model.machine("Reacts"));
+    bool told = false;
+    for (std::uint32_t site = 0; !told && site < bench.sites(Fault::dispatch_look_dropped); ++site) {
+        const Result result = bench.check(Fault::dispatch_look_dropped, site);
+        if (result.reason.find("it leaves something enabled") == std::string::npos) continue;
+        told = true;
+        EXPECT_EQ(result.outcome, Outcome::differs);
+        ASSERT_TRUE(result.faces);
+        EXPECT_NE(result.faces->dispatched.state.find("state=Check"), std::string::npos)
+            << result.faces->dispatched.state;
+    }
+    EXPECT_TRUE(told);
+}
+
+/// Without inputs time passes only once what needs no event is done: Wait is left two time units after it was entered.
+TEST(EventFace, PassIsACycleWithoutInputs) {
+    test::Model model(reacts);
+    test::Bench bench(model, model.machine("Reacts"));
+    const Result result = bench.check(Fault::pass_not_quiet, 0);
+    ASSERT_EQ(result.outcome, Outcome::differs) << result.reason;
+    EXPECT_NE(result.reason.find("`pass`"), std::string::npos) << result.reason;
+    ASSERT_TRUE(result.faces);
+    EXPECT_EQ(result.faces->event, "");
+    EXPECT_NE(result.faces->cycle.state, result.faces->dispatched.state);
+}
+
+/// Where the code asks, both faces ask the same: a face that takes the first way is not that of code that asks.
+TEST(EventFace, AsksWhatTheCycleAsks) {
+    test::Model model("tests/conformance/models/either");
+    test::Bench bench(model, model.machine("M"));
+    const auto takes_first = bench.compiled(Fault::none, 0);
+    bench.explore_choices();
+    const auto asks = bench.compiled(Fault::none, 0);
+    ASSERT_TRUE(takes_first && asks);
+    const Result whole = bench.check(asks->interface());
+    EXPECT_EQ(whole.outcome, Outcome::conforms) << whole.reason;
+    EXPECT_GT(whole.dispatched, 0U);
+    rc_interface mixed = asks->interface();
+    ASSERT_EQ(mixed.state_size, takes_first->interface().state_size);
+    mixed.dispatch = takes_first->interface().dispatch;
+    const Result result = bench.check(mixed);
+    EXPECT_EQ(result.outcome, Outcome::differs);
+    EXPECT_EQ(result.reason, "the event-driven face differs from the cycle: `dispatch` of go: other choices");
+}
+
+}  // namespace
+}  // namespace robochart::conformance
