@@ -2,6 +2,8 @@
 // told. The expected states follow from tests/conformance/models/reacts by hand.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance {
@@ -71,23 +73,50 @@ TEST(EventFace, PassIsACycleWithoutInputs) {
     EXPECT_NE(result.faces->cycle.state, result.faces->dispatched.state);
 }
 
-/// Where the code asks, both faces ask the same: a face that takes the first way is not that of code that asks.
+/// `x` is made twice: in a cycle the second waits for the next one, behind a dispatch for the next call. What comes
+/// before is compared; the faces do not differ.
+TEST(EventFace, AnOutputMadeTwiceWaits) {
+    const test::TemporaryFolder folder(R"(
+stm Twice {
+    event go
+    event x : nat
+    initial i
+    state A { }
+    state B { entry x!1 ; x!2 }
+    transition t0 { from i to A }
+    transition t1 { from A to B trigger go }
+    transition t2 { from B to A trigger go }
+})");
+    test::Model model(folder.path());
+    test::Bench bench(model, model.machine("Twice"));
+    const Result result = bench.check();
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    EXPECT_EQ(result.dispatched % 2, 0U);
+    EXPECT_GE(result.dispatched, 2U * 4);  // the beginning, A, B with x!2 to come, B
+}
+
+/// Where the code asks, both faces ask the same and give the same for every answer: a face that takes the first way,
+/// here even by its table, is not that of code that asks. In Reacts `a` is for a transition of A and for one around it.
 TEST(EventFace, AsksWhatTheCycleAsks) {
-    test::Model model("tests/conformance/models/either");
-    test::Bench bench(model, model.machine("M"));
-    const auto takes_first = bench.compiled(Fault::none, 0);
-    bench.explore_choices();
-    const auto asks = bench.compiled(Fault::none, 0);
-    ASSERT_TRUE(takes_first && asks);
-    const Result whole = bench.check(asks->interface());
-    EXPECT_EQ(whole.outcome, Outcome::conforms) << whole.reason;
-    EXPECT_GT(whole.dispatched, 0U);
-    rc_interface mixed = asks->interface();
-    ASSERT_EQ(mixed.state_size, takes_first->interface().state_size);
-    mixed.dispatch = takes_first->interface().dispatch;
-    const Result result = bench.check(mixed);
-    EXPECT_EQ(result.outcome, Outcome::differs);
-    EXPECT_EQ(result.reason, "the event-driven face differs from the cycle: `dispatch` of go: other choices");
+    for (const auto& [folder, machine, event] :
+         {std::tuple("tests/conformance/models/either", "M", "go"), std::tuple(reacts, "Reacts", "a")}) {
+        test::Model model(folder);
+        test::Bench bench(model, model.machine(machine));
+        const auto takes_first = bench.compiled(Fault::none, 0);
+        bench.explore_choices();
+        const auto asks = bench.compiled(Fault::none, 0);
+        ASSERT_TRUE(takes_first && asks);
+        const Result whole = bench.check(asks->interface());
+        EXPECT_EQ(whole.outcome, Outcome::conforms) << whole.reason;
+        EXPECT_GT(whole.dispatched, 0U);
+        rc_interface mixed = asks->interface();
+        ASSERT_EQ(mixed.state_size, takes_first->interface().state_size);
+        mixed.dispatch = takes_first->interface().dispatch;
+        const Result result = bench.check(mixed);
+        EXPECT_EQ(result.outcome, Outcome::differs);
+        EXPECT_EQ(result.reason, std::string("the event-driven face differs from the cycle: `dispatch` of ") + event +
+                                     ": other choices");
+    }
 }
 
 }  // namespace

@@ -82,10 +82,10 @@ protected:
         test::Model model(folder);
         study(folder, test::Study(model, model.machine(machine), time), sites);
     }
-    /// A sample has faults of the event-driven face only; of all places, all kinds.
+    /// Faults of the event-driven face only: the models show little of what a cycle does.
     void try_events(const std::string& folder, const std::string& machine, Time time, cpp_emit::Strategy strategy) {
         test::Model model(folder);
-        study(folder, test::Study(model, model.machine(machine), time, strategy), 3, !all());
+        study(folder, test::Study(model, model.machine(machine), time, strategy), 3, true);
     }
 
     void study(const std::string& name, test::Study study, std::size_t sites, bool event_face_only = false) {

@@ -144,6 +144,27 @@ INSTANTIATE_TEST_SUITE_P(BothWays, Dispatch,
                          ::testing::Combine(::testing::ValuesIn(cases),
                                             ::testing::Values(Strategy::nested_switch, Strategy::table)));
 
+/// Code that asks its platform does so in both faces: `dispatch` runs as a cycle, and there is nothing for a strategy
+/// to decide. tests/conformance/event_face_test.cpp has both faces compared for every answer.
+TEST(Strategies, CodeThatAsksRunsAsInACycle) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    const auto model = frontend::load_project(
+        sources, std::string(ROBOCHART_SOURCE_DIR) + "/tests/conformance/models/reacts", diagnostics);
+    const ir::System system = ir::lower(*model, sources, diagnostics);
+    for (const bool choices : {false, true}) {
+        Options options;
+        options.strategy = Strategy::table;
+        options.choices = choices;
+        const Emission code = testing::emit_ok(system, testing::component(system, "Reacts"), options);
+        for (const OutputFile& file : code.files) {
+            if (file.path != "Reacts_core.hpp") continue;
+            EXPECT_EQ(file.text.find(" cases[") == std::string::npos, choices);
+            EXPECT_EQ(file.text.find("const Inputs<Types> values = inputs_;") != std::string::npos, choices);
+        }
+    }
+}
+
 /// The generator takes a table where the machine rests in five places or more.
 TEST(Strategies, TheStrategyFollowsTheSize) {
     for (const auto& [name, table] : {std::pair("m2", false), std::pair("m4", true)}) {
