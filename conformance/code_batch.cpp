@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <set>
 #include <string_view>
@@ -38,6 +39,20 @@ std::string preamble(const std::set<std::string>& includes) {
     return text + "\n";
 }
 
+/// The headers of its own that the candidate's shim includes, in their order, and the shim.
+std::vector<const cpp_emit::OutputFile*> own_files(const cpp_emit::Emission& code) {
+    const cpp_emit::OutputFile& shim = *file_ending(code, code.shim);
+    std::vector<const cpp_emit::OutputFile*> files;
+    for (const cpp_emit::OutputFile& file : code.files)
+        if (const std::size_t place = shim.text.find("#include \"" + file.path + "\"");
+            place != std::string::npos && !file.path.starts_with("robochart/"))
+            files.push_back(&file);
+    const auto place = [&](const cpp_emit::OutputFile* file) { return shim.text.find('"' + file->path + '"'); };
+    std::sort(files.begin(), files.end(), [&](const auto* a, const auto* b) { return place(a) < place(b); });
+    files.push_back(&shim);
+    return files;
+}
+
 constexpr std::string_view candidate_file = "candidate_";
 
 }  // namespace
@@ -48,8 +63,7 @@ std::vector<cpp_emit::OutputFile> batch_files(const std::vector<const cpp_emit::
     std::string text;
     for (std::size_t i = 0; i < all.size(); ++i) {
         text += fmt::format("#line 1 \"{0}{1}.cpp\"\nnamespace candidate_{1} {{\n", candidate_file, i);
-        append_text(text, file_ending(*all[i], "_core.hpp")->text, includes);
-        append_text(text, file_ending(*all[i], all[i]->shim)->text, includes);
+        for (const cpp_emit::OutputFile* file : own_files(*all[i])) append_text(text, file->text, includes);
         text += fmt::format("}}  // namespace candidate_{}\n\n", i);
         text += fmt::format(
             "extern \"C\" __attribute__((visibility(\"default\"))) const rc_interface* robochart_explore_{0}(void) {{\n"

@@ -66,6 +66,18 @@ Interface interface_of(const rc_interface& code) {
     return interface;
 }
 
+std::string state_text(const rc_interface& code, const void* state) {
+    std::string text;
+    for (std::size_t size = 4096; size <= longest_state_text; size *= 4) {
+        text.assign(size, '\0');
+        code.print(state, text.data(), text.size());
+        text.back() = '\0';
+        text.resize(text.find('\0'));
+        if (text.size() + 1 < size) break;
+    }
+    return text;
+}
+
 CodeSystem::CodeSystem(const rc_interface& code, const Alphabet& alphabet, std::uint32_t cycle_length)
     : code_(&code), alphabet_(&alphabet), cycle_length_(cycle_length == 0 ? 1 : cycle_length) {
     std::uint64_t valuations = 1;
@@ -91,7 +103,8 @@ std::uint32_t CodeSystem::intern(const Bytes& state) {
     if (fresh) {
         images_.insert(images_.end(), state.begin(), state.end());
         ++image_count_;
-        alias_found_ |= !printed_.emplace(print(place->second), place->second).second;
+        const std::string text = print(place->second);
+        if (text.size() + 1 < longest_state_text) alias_found_ |= !printed_.emplace(text, place->second).second;
     }
     return place->second;
 }
@@ -102,11 +115,7 @@ CodeSystem::Bytes CodeSystem::bytes(std::uint32_t image) const {
 }
 
 std::string CodeSystem::print(std::uint32_t image) const {
-    std::array<char, 4096> text{};
-    const Bytes state = bytes(image);
-    code_->print(state.data(), text.data(), text.size());
-    text.back() = '\0';
-    return text.data();
+    return state_text(*code_, bytes(image).data());
 }
 
 std::size_t CodeSystem::width() const {

@@ -18,6 +18,12 @@ namespace robochart::conformance {
 /// The interface as the code states it; carriers are numbers until the caller knows better.
 [[nodiscard]] Interface interface_of(const rc_interface&);
 
+/// What is longer is cut: more than a state of 64 KiB takes in words.
+inline constexpr std::size_t longest_state_text = 1U << 20U;
+
+/// A state as the code prints it.
+[[nodiscard]] std::string state_text(const rc_interface&, const void* state);
+
 /// What one call of `step` did. Equal results are one object.
 struct CycleResult {
     rc_result outcome = RC_QUIESCENT;

@@ -11,6 +11,7 @@
 
 #include "checker/refine/budget.hpp"
 #include "checker/refine/normal_form.hpp"
+#include "conformance/code_system.hpp"
 #include "conformance/normal_form_system.hpp"
 #include "conformance/watchdog.hpp"
 
@@ -79,12 +80,7 @@ public:
 
     [[nodiscard]] bool over() const { return over_; }
     [[nodiscard]] std::size_t nodes() const { return form_.size(); }
-    [[nodiscard]] std::string print(const Bytes& image) const {
-        std::array<char, 4096> text{};
-        code_.print(image.data(), text.data(), text.size());
-        text.back() = '\0';
-        return text.data();
-    }
+    [[nodiscard]] std::string print(const Bytes& image) const { return state_text(code_, image.data()); }
 
 private:
     std::optional<Parting> finish(Position& at, rc_result outcome, bool overflow) {

@@ -50,7 +50,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         {face.cpp_name + ".cpp", machine_source(generation, core, face)},
         {core.header, core_header(generation, core)},
         {component->cpp_name + "_layout.hpp", layout_header(generation, core)},
-        {component->cpp_name + "_trace.hpp", trace_header(generation, core)},
+        {trace_header_name(generation), trace_header(generation, core)},
         {emission.shim, shim_source(generation, core)},
         {"main.cpp", console_source(generation, core, face)},
         {"CMakeLists.txt", build_file(face)},
@@ -61,6 +61,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         {"robochart/trace_file.hpp", trace_files()},
         {"robochart/finite.hpp", finite_header()},
         {"robochart/explore.hpp", explore_helpers()},
+        {"robochart/explore_values.hpp", explore_values()},
         {"robochart/explore_abi.h", explore_header()},
     };
     emission.files.insert(emission.files.end(), std::begin(rest), std::end(rest));

@@ -31,6 +31,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 
 /// What a traced controller needs: its transitions by number, its runs as logs (runtime/trace.hpp, docs/traces.md).
 [[nodiscard]] std::string trace_header(const Generation&, const Core&);
+[[nodiscard]] std::string trace_header_name(const Generation&);
 
 /// Texts of the headers in cpp_emit/runtime, built into the program.
 [[nodiscard]] std::string runtime_header();
@@ -45,6 +46,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 /// Those of these headers that the component needs.
 [[nodiscard]] std::vector<OutputFile> value_headers(const Component&);
 [[nodiscard]] std::string explore_helpers();
+[[nodiscard]] std::string explore_values();
 [[nodiscard]] std::string explore_header();
 [[nodiscard]] std::string drive_header();
 [[nodiscard]] std::string monitor_header();

@@ -8,6 +8,7 @@
 #include "cpp_emit/files.hpp"
 #include "cpp_emit/functions.hpp"
 #include "cpp_emit/ports.hpp"
+#include "cpp_emit/shim_printers.hpp"
 #include "cpp_emit/types.hpp"
 
 namespace robochart::cpp_emit {
@@ -20,7 +21,8 @@ public:
         : generation_(generation),
           core_(core),
           registers_(registers(generation.component)),
-          outputs_(outputs(generation.component)) {}
+          outputs_(outputs(generation.component)),
+          printers_(generation, core) {}
 
     std::string write() {
         head();
@@ -29,7 +31,7 @@ public:
         output_table();
         value_tables();
         log_class();
-        printers();
+        printers_.write(out_);
         functions();
         event_functions();
         interface_table();
@@ -47,6 +49,10 @@ private:
         out_.gap();
         out_.line(fmt::format("#include \"{}\"", core_.header));
         out_.line("#include \"robochart/explore.hpp\"");
+        if (printers_.words_of_logs()) {
+            out_.line("#include \"robochart/explore_values.hpp\"");
+            out_.line(fmt::format("#include \"{}\"", trace_header_name(generation_)));
+        }
         out_.gap();
         out_.line("namespace {");
         out_.gap();
@@ -215,86 +221,6 @@ private:
         out_.close("};");
     }
 
-    void name_function(const Enumeration& enumeration) {
-        out_.gap();
-        out_.open(fmt::format("[[maybe_unused]] const char* name(core::{} place) noexcept {{", enumeration.name));
-        out_.open("switch (place) {");
-        for (const Enumerator& value : enumeration.values)
-            out_.line(fmt::format("case core::{0}::{1}: return \"{1}\";", enumeration.name, value.name));
-        out_.close();
-        out_.line("return \"?\";");
-        out_.close();
-    }
-
-    void print_field(const Field& field, const MachineCode& machine) {
-        if (field.name.starts_with("filler[")) return;
-        const std::string shown = field.name == "at" ? "state" : field.name;
-        const auto item = [&] { out_.line(fmt::format("text.item(prefix, \"{}\");", shown)); };
-        if (frame(field.type)) {
-            out_.open(fmt::format("if (!(f.{} == core::{}<Checking>{{}})) {{", field.name,
-                                  field.type.substr(0, field.type.size() - std::string("<Types>").size())));
-            out_.line(fmt::format("print(text, \"{}.\", f.{});", field.name, field.name));
-            return out_.close();
-        }
-        if (field.type.starts_with("robochart::Buffer<")) {
-            item();
-            out_.open(fmt::format("if (f.{}.full()) {{", field.name));
-            out_.line(fmt::format("text.add(robochart::to_raw(f.{}.value), 1);", field.name));
-            out_.reopen("} else {");
-            out_.line("text.add(\"-\");");
-            return out_.close();
-        }
-        if (field.type == "robochart::Flag") {
-            item();
-            return out_.line(fmt::format("text.add(f.{}.full() ? \"full\" : \"-\");", field.name));
-        }
-        item();
-        if (field.type == "bool") return out_.line(fmt::format("text.add(f.{} ? \"true\" : \"false\");", field.name));
-        if (field.type == "std::uint32_t")
-            return out_.line(fmt::format("text.add(static_cast<std::int64_t>(f.{}), 1);", field.name));
-        if (field.type == "Real" || field.type == "Nat" || field.type == "Int")
-            return out_.line(fmt::format("text.add(f.{}.raw(), {}Carrier::scale);", field.name, field.type));
-        if (field.type.starts_with("robochart::") || field.type.ends_with(">")) return out_.line("text.add(\"...\");");
-        for (const Enumeration& enumeration : machine.enumerations)
-            if (enumeration.name == field.type) return out_.line(fmt::format("text.add(name(f.{}));", field.name));
-        out_.line(fmt::format("text.add(static_cast<std::int64_t>(f.{}), 1);", field.name));
-    }
-
-    void printers() {
-        for (std::size_t index = 0; index < core_.machines.size(); ++index) {
-            const MachineCode& machine = core_.machines[index];
-            for (const Enumeration& enumeration : machine.enumerations) name_function(enumeration);
-            out_.gap();
-            out_.open(
-                fmt::format("[[maybe_unused]] void print(robochart::Text& text, const char* prefix, const "
-                            "core::{}<Checking>& f) noexcept {{",
-                            generation_.component.units[index].frame));
-            for (const Field& field : machine.layout.fields)
-                if (field.name == "at") print_field(field, machine);
-            for (const Field& field : machine.layout.fields)
-                if (field.name != "at") print_field(field, machine);
-            out_.close();
-        }
-        if (generation_.component.composed()) print_composed();
-    }
-
-    /// The state of an operation or a machine.
-    bool frame(const std::string& type) const {
-        const auto& units = generation_.component.units;
-        return std::any_of(units.begin(), units.end(),
-                           [&](const Unit& unit) { return unit.frame + "<Types>" == type; });
-    }
-
-    void print_composed() {
-        out_.gap();
-        out_.open("void print(robochart::Text& text, [[maybe_unused]] const char* prefix, const State& f) noexcept {");
-        for (const Part& part : generation_.component.parts)
-            out_.line(fmt::format("print(text, \"{0}.\", f.{0});", part.tag));
-        for (const Field& field : core_.layout.fields)
-            if (!frame(field.type)) print_field(field, {});
-        out_.close();
-    }
-
     void functions() {
         out_.gap();
         out_.open("void write_initial(void* state) noexcept {");
@@ -394,6 +320,7 @@ private:
     const Core& core_;
     std::vector<Register> registers_;
     std::vector<Output> outputs_;
+    StatePrinters printers_;
     CodeWriter out_;
 };
 

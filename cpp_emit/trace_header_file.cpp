@@ -292,4 +292,8 @@ std::string trace_header(const Generation& generation, const Core& core) {
     return TraceHeaderWriter(generation, core).write();
 }
 
+std::string trace_header_name(const Generation& generation) {
+    return generation.component.cpp_name + "_trace.hpp";
+}
+
 }  // namespace robochart::cpp_emit

@@ -29,7 +29,7 @@ refine::Limits limits() {
 /// Only what a batch is made of.
 void strip(cpp_emit::Emission& code) {
     std::erase_if(code.files, [&](const cpp_emit::OutputFile& file) {
-        return !file.path.ends_with("_core.hpp") && file.path != code.shim;
+        return !file.path.ends_with("_core.hpp") && !file.path.ends_with("_trace.hpp") && file.path != code.shim;
     });
 }
 

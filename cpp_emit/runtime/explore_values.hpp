@@ -1,0 +1,41 @@
+// States of the exploration as text: values with parts, in the words of logs (trace.hpp). Included before the trace
+// header of the controller, whose functions call those declared here. Ships with the generated code. Copyright: see
+// LICENSE (Apache-2.0).
+#ifndef ROBOCHART_EXPLORE_VALUES_HPP
+#define ROBOCHART_EXPLORE_VALUES_HPP
+
+#include "robochart/explore.hpp"
+#include "robochart/finite.hpp"
+#include "robochart/trace.hpp"
+
+namespace robochart {
+
+/// Numbers over finite carriers are whole numbers of units.
+template <class Carrier>
+void log_value(Tracer& tracer, Finite<Carrier> value) noexcept {
+    char digits[64];
+    Text text(digits, sizeof digits);
+    text.add(value.raw(), Carrier::scale);
+    tracer.text(digits);
+}
+
+/// The words of a log, in a text.
+class TextTracer final : public Tracer {
+public:
+    explicit TextTracer(Text& text) noexcept : text_(text) {}
+    void text(const char* piece) noexcept override { text_.add(piece); }
+
+private:
+    Text& text_;
+};
+
+template <class T>
+void add_value(Text& text, const T& value) noexcept {
+    TextTracer words(text);
+    Tracer& tracer = words;
+    log_value(tracer, value);
+}
+
+}  // namespace robochart
+
+#endif
