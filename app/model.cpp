@@ -162,6 +162,7 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     generator.target = target_of(options.target);
     generator.strategy = strategy_of(options.strategy);
     generator.choices = options.choices;
+    generator.explored = false;
     for (const ir::ComponentRef& component : components) {
         const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
         if (!project.diagnostics.ok()) return false;

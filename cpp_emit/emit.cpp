@@ -18,6 +18,29 @@ namespace {
 
 constexpr std::size_t max_state_bytes = 64U << 10U;
 
+/// Whether the exploration interface can be written; refuses where it has to be.
+bool explorable(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
+    const Component& component = generation.component;
+    const auto beyond = beyond_exploration(generation.system, generation.inst, component);
+    for (const BeyondExploration& part : beyond) {
+        if (generation.options.explored)
+            diagnostics.report(rules::too_large, component.origin.span, {part.name, part.limit});
+        else if (generation.options.target == Target::sources)
+            diagnostics.report(rules::not_explored, component.origin.span, {component.name, part.name, part.limit});
+    }
+    return beyond.empty();
+}
+
+void add_exploration(const Generation& generation, const Core& core, Emission& emission) {
+    emission.shim = generation.component.cpp_name + "_explore.cpp";
+    const OutputFile files[] = {
+        {emission.shim, shim_source(generation, core)}, {"robochart/finite.hpp", finite_header()},
+        {"robochart/explore.hpp", explore_helpers()},   {"robochart/explore_values.hpp", explore_values()},
+        {"robochart/explore_abi.h", explore_header()},
+    };
+    emission.files.insert(emission.files.end(), std::begin(files), std::end(files));
+}
+
 }  // namespace
 
 std::string Generation::place(std::string_view element, diagnostics::Span span) const {
@@ -35,13 +58,14 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
     Mutation mutation(options.fault, options.fault_site);
     const Generation generation{system, inst, options, *component, mutation};
+    const bool explored = explorable(generation, diagnostics);
+    if (!explored && options.explored) return emission;
     const Core core = make_core(generation);
     if (core.layout.size > max_state_bytes) {
         diagnostics.report(rules::too_large, component->origin.span,
                            {component->name, "its state takes more than 64 KiB (operations that call operations)"});
         return emission;
     }
-    emission.shim = component->cpp_name + "_explore.cpp";
     const Face face = make_face(generation);
     for (const FaceClass& base : face.bases)
         emission.files.push_back({base.cpp_name + ".hpp", interface_header(generation, core, face, base)});
@@ -51,7 +75,6 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         {core.header, core_header(generation, core)},
         {component->cpp_name + "_layout.hpp", layout_header(generation, core)},
         {trace_header_name(generation), trace_header(generation, core)},
-        {emission.shim, shim_source(generation, core)},
         {"main.cpp", console_source(generation, core, face)},
         {"CMakeLists.txt", build_file(face)},
         {"robochart/runtime.hpp", runtime_header()},
@@ -59,12 +82,9 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         {"robochart/layout.hpp", layout_helpers()},
         {"robochart/trace.hpp", trace_helpers()},
         {"robochart/trace_file.hpp", trace_files()},
-        {"robochart/finite.hpp", finite_header()},
-        {"robochart/explore.hpp", explore_helpers()},
-        {"robochart/explore_values.hpp", explore_values()},
-        {"robochart/explore_abi.h", explore_header()},
     };
     emission.files.insert(emission.files.end(), std::begin(rest), std::end(rest));
+    if (explored) add_exploration(generation, core, emission);
     if (options.target == Target::sources || options.target == Target::main) {
         emission.files.push_back({"robochart/console_values.hpp", console_values()});
         if (console_asks(generation)) emission.files.push_back({"robochart/console_choices.hpp", console_choices()});

@@ -46,6 +46,9 @@ struct Options {
     /// Where the model leaves a choice between transitions or of a wait, the code asks its platform (`pick`); else it
     /// takes the first, without a place to ask at.
     bool choices = false;
+    /// The exploration interface is needed: what has more values than its tables take is refused (RC-G13). Else the
+    /// interface is left out then, with a note (RC-G15).
+    bool explored = true;
     /// For comments with file and line; null: comments name the model's elements only.
     const diagnostics::SourceManager* sources = nullptr;
 };

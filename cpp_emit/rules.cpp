@@ -45,11 +45,15 @@ const Rule too_large{"RC-G13", Severity::error, "no C++ for '{}': {}",
 const Rule no_project{"RC-G14", Severity::error, "no {} project for '{}': {}",
                       "A target may offer less than the language: messages of std_msgs carry truth values, numbers, "
                       "enumerations without arguments, and several numbers as the arguments of an operation."};
+const Rule not_explored{
+    "RC-G15", Severity::note, "the code of '{}' has no exploration interface: of {}, {}",
+    "The controller is whole; only `conform`, which tries all values of its inputs, functions and outputs over the "
+    "finite carriers, refuses it (RC-G13) until they are fewer."};
 
 std::span<const Rule* const> all() {
     static constexpr std::array table = {
         &no_component, &no_body,     &unsupported_type, &unsupported_expr, &unsupported_node, &unsupported_trigger,
-        &recursion,    &unconnected, &crossing,         &too_large,        &no_project,
+        &recursion,    &unconnected, &crossing,         &too_large,        &no_project,       &not_explored,
     };
     return table;
 }

@@ -17,6 +17,7 @@ extern const diagnostics::Rule recursion;            // RC-G10
 extern const diagnostics::Rule unconnected;          // RC-G11
 extern const diagnostics::Rule crossing;             // RC-G12
 extern const diagnostics::Rule too_large;            // RC-G13
+extern const diagnostics::Rule not_explored;         // RC-G15
 extern const diagnostics::Rule no_project;           // RC-G14
 
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "cpp_emit/functions.hpp"
+#include "cpp_emit/ports.hpp"
 #include "cpp_emit/rules.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/walk.hpp"
@@ -19,7 +20,8 @@ using ir::NodeKind;
 /// Arguments that one record of the exploration interface holds (runtime/explore_abi.h).
 constexpr std::size_t max_arguments = 8;
 /// Values of one input that the exploration interface lists.
-constexpr std::size_t max_values = 4096;
+constexpr std::size_t max_input_values = 4096;
+constexpr std::size_t max_output_values = 65536;
 constexpr std::size_t max_bound_values = 1024;
 /// Beyond this a decimal literal is not exact in binary floating point times the scale.
 constexpr std::int64_t max_exact = std::int64_t{1} << 52;
@@ -115,11 +117,9 @@ private:
     void check_boundary() {
         for (const EventPort& event : component_.events) {
             if (event.type) check_type(*event.type, component_.name + "::" + event.model_name, component_.origin.span);
-            if (event.type && event.received) check_input(*event.type, event.model_name);
         }
         for (const StoredVariable& entry : component_.variables) {
             check_type(entry.variable->type, entry.variable->origin.element, entry.variable->origin.span);
-            if (!entry.input.empty()) check_input(entry.variable->type, entry.variable->name);
         }
         for (const PlatformCall& call : component_.calls) check_call(*call.signature);
         for (const FunctionHook& hook : component_.functions) check_function(hook);
@@ -157,10 +157,6 @@ private:
         }
     }
 
-    void check_input(ir::TypeId id, const std::string& name) {
-        check_values(id, name, "an input has at most 4096 values", max_values);
-    }
-
     void check_values(ir::TypeId id, const std::string& name, const char* limit, std::size_t most) {
         if (!supported(system_, id)) return;
         try {
@@ -170,17 +166,10 @@ private:
         }
     }
 
-    /// The explorer computes a function by a table.
     void check_function(const FunctionHook& hook) {
         const ir::Function& function = system_.functions[hook.id.index];
         for (const ir::TypeId type : function.parameters) check_type(type, function.name, {});
         check_type(function.result, function.name, {});
-        if (!supported(system_, function.result)) return;
-        try {
-            (void)values_of(system_, inst_, hook.id);
-        } catch (const std::length_error& error) {
-            diagnostics_.report(rules::too_large, component_.origin.span, {function.name, error.what()});
-        }
     }
 
     void check_unit(const Unit& unit) {
@@ -236,6 +225,31 @@ private:
 };
 
 }  // namespace
+
+std::vector<BeyondExploration> beyond_exploration(const ir::System& system, const ir::Instantiation& inst,
+                                                  const Component& component) {
+    std::vector<BeyondExploration> result;
+    const auto look = [&](ir::TypeId type, const std::string& name, std::size_t most, const char* limit) {
+        try {
+            (void)ir::carrier(system, inst, type, most);
+        } catch (const std::length_error&) {
+            result.push_back({name, limit});
+        }
+    };
+    for (const Register& input : registers(component))
+        if (input.type) look(*input.type, input.name, max_input_values, "an input has at most 4096 values");
+    for (const Output& output : outputs(component))
+        for (const ir::TypeId type : output.types)
+            look(type, output.name, max_output_values, "an output has at most 65536 values");
+    for (const FunctionHook& hook : component.functions) {
+        try {
+            (void)values_of(system, inst, hook.id);
+        } catch (const std::length_error& error) {
+            result.push_back({system.functions[hook.id.index].name, error.what()});
+        }
+    }
+    return result;
+}
 
 bool check_support(const ir::System& system, const ir::Instantiation& inst, const Component& component,
                    Diagnostics& diagnostics) {

@@ -141,6 +141,42 @@ TEST(Refusals, TooManyArguments) {
         Codes{"RC-G13"});
 }
 
+/// nat ranges over 0 to 2: 81, 19,683 and 43,046,721 values.
+TEST(Refusals, MoreValuesThanTheExplorationInterfaceTakes) {
+    const auto sends = [](const char* size) {
+        const std::string type = std::string("matrix(nat, ") + size + ")";
+        return "package p stm M { event out : " + type + " var m : " + type +
+               " initial i state A { entry out!m } transition t0 { from i to A } }";
+    };
+    const ir::System large = testing::model(sends("4, 4"));
+    EXPECT_EQ(codes(large, component(large, "M")), Codes{"RC-G13"});
+    for (const char* size : {"2, 2", "3, 3"}) {
+        const ir::System system = testing::model(sends(size));
+        EXPECT_FALSE(testing::emit_ok(system, component(system, "M")).shim.empty()) << size;
+    }
+    EXPECT_EQ(machine_codes("event e : matrix(nat, 3, 3) var m : matrix(nat, 3, 3) state A { }\n"
+                            "transition t1 { from A to A trigger e?m }"),
+              Codes{"RC-G13"});
+}
+
+TEST(Refusals, NeedNotBeExplored) {
+    const ir::System system = testing::model(
+        "package p stm M { event e : matrix(nat, 3, 3) var m : matrix(nat, 3, 3) initial i state A { } transition t0 { "
+        "from i to A }\n"
+        "transition t1 { from A to A trigger e?m } }");
+    diagnostics::Diagnostics diagnostics;
+    Options options;
+    options.explored = false;
+    const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
+    const Emission emission = emit(system, inst, component(system, "M"), options, diagnostics);
+    ASSERT_EQ(diagnostics.sorted().size(), 1U);
+    EXPECT_EQ(diagnostics.sorted().front().rule->code, "RC-G15");
+    EXPECT_TRUE(diagnostics.ok());
+    EXPECT_TRUE(emission.shim.empty());
+    EXPECT_FALSE(emission.files.empty());
+    for (const OutputFile& file : emission.files) EXPECT_EQ(file.path.find("explore"), std::string::npos) << file.path;
+}
+
 TEST(Refusals, StatesThatGrowWithNestedOperations) {
     // Each operation calls the one before it from two threads: 2^k frames of at least one byte.
     std::string text = "package p interface I { op0()";
