@@ -38,10 +38,13 @@ private:
         return conjunction(predicate(generation_, unit_, communication_, incoming), condition_(incoming));
     }
 
-    void take(const std::string& consume, const std::string& incoming) {
+    [[nodiscard]] std::string stores(const std::string& incoming) const {
+        return received(generation_, unit_, communication_, incoming);
+    }
+
+    void take(const std::string& consume, const std::string& stored) {
         if (!consume.empty()) out_.line(consume);
-        const std::string line = received(generation_, unit_, communication_, incoming);
-        if (!line.empty()) out_.line(line);
+        if (!stored.empty()) out_.line(stored);
         then_();
     }
 
@@ -49,7 +52,7 @@ private:
         const EventPort& port = received_port(generation_, own);
         const std::string input = "inputs_." + port.input;
         out_.open(fmt::format("if ({}) {{", conjunction(input + ".present", condition(input + ".value"))));
-        take(consume(generation_, port), input + ".value");
+        take(consume(generation_, port), stores(input + ".value"));
         out_.close();
     }
 
@@ -57,12 +60,10 @@ private:
     void from_buffer(const Buffer& buffer) {
         const std::string place = "state_." + buffer.field;
         out_.open(fmt::format("if ({}) {{", conjunction(place + ".full()", condition(place + ".value"))));
-        const std::string line = received(generation_, unit_, communication_, "incoming");
-        if (!line.empty())
+        const std::string stored = stores("incoming");
+        if (!stored.empty())
             out_.line(fmt::format("const {} incoming = {}.value;", cpp_type(generation_.system, *use_.type), place));
-        if (!generation_.mutation.hits(Fault::buffer_kept)) out_.line(place + " = {};");
-        if (!line.empty()) out_.line(line);
-        then_();
+        take(generation_.mutation.hits(Fault::buffer_kept) ? "" : place + " = {};", stored);
         out_.close();
     }
 
@@ -74,7 +75,7 @@ private:
         const std::string guard = condition("incoming");
         out_.line(fmt::format("if (!offers_{}(site{}){}) continue;", channel, use_.type ? ", incoming" : "",
                               guard.empty() ? "" : " || !(" + guard + ")"));
-        take(fmt::format("accept_{}(site);", channel), "incoming");
+        take(fmt::format("accept_{}(site);", channel), stores("incoming"));
         out_.close();
     }
 
@@ -83,7 +84,7 @@ private:
         const std::string guard = condition("");
         if (!guard.empty()) out_.open(fmt::format("if ({}) {{", guard));
         const std::string value = use_.type ? default_text(generation_, *use_.type) : "";
-        take("", value);
+        take("", stores(value));
         if (!guard.empty()) out_.close();
         return guard.empty();
     }

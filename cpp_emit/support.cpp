@@ -100,6 +100,15 @@ bool of_blocks(ExprKind kind) {
     return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::negate;
 }
 
+bool has_at_most(const ir::System& system, const ir::Instantiation& inst, ir::TypeId type, std::size_t most) {
+    try {
+        (void)ir::carrier(system, inst, type, most);
+    } catch (const std::length_error&) {
+        return false;
+    }
+    return true;
+}
+
 class Support {
 public:
     Support(const ir::System& system, const ir::Instantiation& inst, const Component& component,
@@ -115,12 +124,10 @@ public:
 
 private:
     void check_boundary() {
-        for (const EventPort& event : component_.events) {
+        for (const EventPort& event : component_.events)
             if (event.type) check_type(*event.type, component_.name + "::" + event.model_name, component_.origin.span);
-        }
-        for (const StoredVariable& entry : component_.variables) {
+        for (const StoredVariable& entry : component_.variables)
             check_type(entry.variable->type, entry.variable->origin.element, entry.variable->origin.span);
-        }
         for (const PlatformCall& call : component_.calls) check_call(*call.signature);
         for (const FunctionHook& hook : component_.functions) check_function(hook);
         check_carriers();
@@ -158,12 +165,8 @@ private:
     }
 
     void check_values(ir::TypeId id, const std::string& name, const char* limit, std::size_t most) {
-        if (!supported(system_, id)) return;
-        try {
-            (void)ir::carrier(system_, inst_, id, most);
-        } catch (const std::length_error&) {
+        if (supported(system_, id) && !has_at_most(system_, inst_, id, most))
             diagnostics_.report(rules::too_large, component_.origin.span, {name, limit});
-        }
     }
 
     void check_function(const FunctionHook& hook) {
@@ -230,11 +233,7 @@ std::vector<BeyondExploration> beyond_exploration(const ir::System& system, cons
                                                   const Component& component) {
     std::vector<BeyondExploration> result;
     const auto look = [&](ir::TypeId type, const std::string& name, std::size_t most, const char* limit) {
-        try {
-            (void)ir::carrier(system, inst, type, most);
-        } catch (const std::length_error&) {
-            result.push_back({name, limit});
-        }
+        if (!has_at_most(system, inst, type, most)) result.push_back({name, limit});
     };
     for (const Register& input : registers(component))
         if (input.type) look(*input.type, input.name, max_input_values, "an input has at most 4096 values");
