@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "checker/cspm/build.hpp"
 #include "checker/cspm/lookup.hpp"
 #include "conformance/logged_value.hpp"
 #include "cpp_emit/types.hpp"
+#include "semantics/query.hpp"
 
 namespace robochart::conformance {
 
@@ -45,14 +47,45 @@ Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiat
     return carrier;
 }
 
-/// Which required variables occur in expressions of a machine.
+/// Which variables of the outside occur in expressions of a machine and of the operations that it calls: what an
+/// operation requires may be its caller's own (semantics 3.8).
 class Reads {
 public:
-    Reads(const ir::System& system, std::set<std::string>& found) : system_(system), found_(found) {}
+    /// `controller` defines the operations; null: none are defined.
+    Reads(const ir::System& system, const ir::Controller* controller, std::set<std::string>& found)
+        : system_(system), controller_(controller), found_(found) {}
 
-    void machine(ir::MachineId id) {
-        const ir::Machine& machine = system_.machine(id);
-        current_ = &machine;
+    void machine(const ir::Machine& root) {
+        std::set<std::string> shared;
+        for (const ir::Variable& variable : root.variables)
+            if (variable.scope == ir::VariableScope::required) shared.insert(variable.name);
+        machine(root, shared);
+    }
+
+private:
+    /// `shared` names what the machine shares with the outside. Calls do not recur (lowering refuses that).
+    void machine(const ir::Machine& machine, const std::set<std::string>& shared) {
+        if (!seen_.emplace(&machine, shared).second) return;
+        const ir::Machine* const outer_machine = std::exchange(current_, &machine);
+        const std::set<std::string>* const outer_shared = std::exchange(shared_, &shared);
+        expressions(machine);
+        for (const ir::OperationId called : ir::called_operations(machine)) call(machine, called, shared);
+        current_ = outer_machine;
+        shared_ = outer_shared;
+    }
+
+    void call(const ir::Machine& caller, ir::OperationId called, const std::set<std::string>& outside) {
+        if (controller_ == nullptr) return;
+        const ir::MachineId id = ir::definition_in(system_, *controller_, caller.operations[called.index]);
+        if (!id.valid()) return;
+        std::set<std::string> shared;
+        for (const ir::Variable& variable : system_.machine(id).variables)
+            if (variable.scope == ir::VariableScope::required && outside.count(variable.name) != 0)
+                shared.insert(variable.name);
+        machine(system_.machine(id), shared);
+    }
+
+    void expressions(const ir::Machine& machine) {
         for (const ir::ExprPtr& condition : machine.preconditions) expression(condition);
         for (const ir::ExprPtr& condition : machine.postconditions) expression(condition);
         for (const ir::Variable& variable : machine.variables) expression(variable.initial);
@@ -68,10 +101,9 @@ public:
         }
     }
 
-private:
     void variable(ir::VariableId id) {
-        const ir::Variable& variable = current_->variables[id.index];
-        if (variable.scope == ir::VariableScope::required) found_.insert(variable.name);
+        const std::string& name = current_->variables[id.index].name;
+        if (shared_->count(name) != 0) found_.insert(name);
     }
     // As deep as the model's expressions, which the reader bounds.
     void expression(const ir::ExprPtr& expr) {
@@ -95,17 +127,21 @@ private:
     }
 
     const ir::System& system_;
+    const ir::Controller* controller_;
     std::set<std::string>& found_;
+    std::set<std::pair<const ir::Machine*, std::set<std::string>>> seen_;
     const ir::Machine* current_ = nullptr;
+    const std::set<std::string>* shared_ = nullptr;
 };
 
-std::vector<ir::MachineId> machines_of(const ir::System& system, const ir::ComponentRef& ref) {
-    if (ref.kind == ir::ComponentKind::machine) return {ir::MachineId{ref.definition}};
-    if (ref.kind != ir::ComponentKind::controller) return {};
+std::set<std::string> read_variables(const ir::System& system, const ir::ComponentRef& ref) {
+    std::set<std::string> read;
+    if (ref.kind == ir::ComponentKind::machine) Reads(system, nullptr, read).machine(system.machines[ref.definition]);
+    if (ref.kind != ir::ComponentKind::controller) return read;
     const ir::Controller& controller = system.controllers[ref.definition];
-    std::vector<ir::MachineId> machines = controller.definitions;
-    for (const ir::MachineInstance& instance : controller.machines) machines.push_back(instance.machine);
-    return machines;
+    Reads reads(system, &controller, read);
+    for (const ir::MachineInstance& instance : controller.machines) reads.machine(system.machine(instance.machine));
+    return read;
 }
 
 const std::vector<ir::Variable>* variables_of(const ir::System& system, const ir::ComponentRef& ref) {
@@ -144,9 +180,7 @@ std::vector<std::string> unread_variables(const ir::System& system, const ir::Co
     std::vector<std::string> unread;
     const std::vector<ir::Variable>* const variables = variables_of(system, ref);
     if (variables == nullptr) return unread;
-    std::set<std::string> read;
-    Reads reads(system, read);
-    for (const ir::MachineId machine : machines_of(system, ref)) reads.machine(machine);
+    const std::set<std::string> read = read_variables(system, ref);
     for (const ir::Variable& variable : *variables) {
         if (variable.scope == ir::VariableScope::required && read.count(variable.name) == 0)
             unread.push_back(variable.name);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "cpp_emit/expression.hpp"
 #include "cpp_emit/seeded.hpp"
 #include "cpp_emit/types.hpp"
 
@@ -12,9 +13,15 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// A send site and the frame in which its thread runs.
-struct Place {
+/// A unit that runs and where its state is.
+struct Running {
+    const Unit* unit = nullptr;
     std::string frame;
+};
+
+/// A send site and the frame in which its thread runs, behind those of the operations that called it.
+struct Place {
+    std::vector<Running> calls;
     const SendSite* site = nullptr;
 };
 
@@ -25,7 +32,7 @@ public:
 
     void write(const Part& part, const EventUse& use) {
         places_.clear();
-        collect(part.root, part.place(), use.channel);
+        collect({{&generation_.component.units[part.root], part.place()}}, use.channel);
         const std::string who = part.name + " sends " + use.name;
         const std::string value =
             use.type ? fmt::format(", [[maybe_unused]] {}& value", cpp_type(generation_.system, *use.type)) : "";
@@ -35,25 +42,39 @@ public:
         out_.gap();
         out_.open(fmt::format("[[nodiscard]] bool offers_{}([[maybe_unused]] std::uint32_t site{}) const noexcept {{",
                               use.channel, value));
-        switch_of([&](const Place& place) { offer(place, use); }, "return false;", "const auto& f = ");
+        switch_of([&](const Place& place) { offer(place, use); }, "return false;", "const auto& ");
         out_.close();
         out_.gap();
         out_.open(fmt::format("void accept_{}([[maybe_unused]] std::uint32_t site) noexcept {{", use.channel));
-        switch_of([&](const Place& place) { accept(place); }, "return;", "auto& f = ");
+        switch_of([&](const Place& place) { accept(place); }, "return;", "auto& ");
         out_.close();
     }
 
 private:
     /// The unit's own sites, then those of the operations that its threads run. As deep as calls nest.
-    void collect(std::size_t unit, const std::string& frame, const std::string& channel) {
-        const MachineCode& code = core_.machines[unit];
-        for (const SendSite& site : code.sites)
-            if (site.channel == channel) places_.push_back({frame, &site});
+    void collect(const std::vector<Running>& calls, const std::string& channel) {
         const Component& component = generation_.component;
+        const Running& running = calls.back();
+        const MachineCode& code = core_.machines[component.unit_places[running.unit->number]];
+        for (const SendSite& site : code.sites)
+            if (site.channel == channel) places_.push_back({calls, &site});
         for (const CallFrame& call : code.calls) {
-            const Unit& operation = component.unit(component.units[unit].part, call.operation);
-            const auto index = static_cast<std::size_t>(&operation - component.units.data());
-            collect(index, frame + "." + call.field, channel);
+            std::vector<Running> inside = calls;
+            inside.push_back({&component.unit(call.operation), running.frame + "." + call.field});
+            collect(inside, channel);
+        }
+    }
+
+    /// Names for the state of the site's unit and of the operations that lend it variables.
+    void bind(const Place& place, const std::string& reference) {
+        const Running& running = place.calls.back();
+        out_.line(fmt::format("{}f = {};", reference, running.frame));
+        if (place.site->value.empty()) return;
+        for (const Running& outer : place.calls) {
+            const auto& lenders = running.unit->lenders;
+            if (std::find(lenders.begin(), lenders.end(), outer.unit->number) != lenders.end())
+                out_.line(
+                    fmt::format("[[maybe_unused]] {}{} = {};", reference, lent_frame(*outer.unit), outer.frame));
         }
     }
 
@@ -63,7 +84,7 @@ private:
         out_.open("switch (site) {");
         for (std::size_t index = 0; index < places_.size(); ++index) {
             out_.open(fmt::format("case {}: {{", index));
-            out_.line(fmt::format("{}{};", binding, places_[index].frame));
+            bind(places_[index], binding);
             write_case(places_[index]);
             out_.close();
         }

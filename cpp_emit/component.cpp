@@ -42,10 +42,11 @@ public:
         if (!find_parts(ref)) return std::nullopt;
         for (std::size_t part = 0; part < component_.parts.size(); ++part) {
             part_ = part;
-            add_unit(roots_[part], true);
+            (void)add_unit(roots_[part], true);
             component_.parts[part].root = component_.units.size() - 1;
         }
         if (diagnostics_.errors() != errors_before_) return std::nullopt;
+        number_transitions();
         wire(component_, system_, module_, contexts(), diagnostics_);
         collect_variables();
         collect_calls();
@@ -176,26 +177,31 @@ private:
         return otherwise;
     }
 
-    /// Adds the operations that the machine calls, then the machine. `open_` holds the calls in progress.
-    void add_unit(ir::MachineId id, bool root) {
+    /// Adds the operations that the machine calls, then the machine; returns its number. `open_` holds the calls in
+    /// progress.
+    std::size_t add_unit(ir::MachineId id, bool root) {
         const ir::Machine& machine = system_.machine(id);
-        if (std::find(open_.begin(), open_.end(), id) != open_.end()) {
+        if (std::any_of(open_.begin(), open_.end(), [&](const Unit& unit) { return unit.id == id; })) {
             diagnostics_.report(rules::recursion, machine.origin.span, {machine.name});
-            return;
+            return 0;
         }
         if (root && !machine.initial.valid()) {
             diagnostics_.report(rules::no_body, machine.origin.span, {machine.name});
-            return;
+            return 0;
         }
-        const auto& units = component_.units;
-        const auto same = [&](const Unit& unit) { return unit.part == part_ && unit.id == id; };
-        if (std::any_of(units.begin(), units.end(), same)) return;
         Unit unit;
         unit.id = id;
+        unit.number = component_.unit_places.size();
         unit.part = part_;
         unit.machine = &machine;
         unit.root = root;
+        find_owners(unit);
+        const auto& units = component_.units;
+        const auto known = std::find_if(units.begin(), units.end(), [&](const Unit& each) { return alike(each, unit); });
+        if (known != units.end()) return known->number;
+        component_.unit_places.push_back(units.size());  // settled below
         unit.definitions.resize(machine.operations.size());
+        unit.callees.resize(machine.operations.size());
         unit.constants =
             ir::constant_values(system_, inst_, context().module, context().controller, part_name(id, root), machine);
         for (const auto& variable : machine.variables) {
@@ -203,15 +209,95 @@ private:
             unit.initials.push_back(
                 initial_value(machine, unit.constants, variable.type, shared ? nullptr : variable.initial));
         }
-        open_.push_back(id);
+        open_.push_back(std::move(unit));
+        std::set<ir::OperationId> followed;
         visit_statements(machine, [&](const ir::Stmt& stmt) {
-            if (stmt.kind != ir::StmtKind::call) return;
+            if (stmt.kind != ir::StmtKind::call || !followed.insert(stmt.operation).second) return;
             const ir::MachineId target = definition(machine.operations[stmt.operation.index]);
-            unit.definitions[stmt.operation.index] = target;
-            if (target.valid()) add_unit(target, false);
+            open_.back().definitions[stmt.operation.index] = target;
+            if (!target.valid()) return;
+            const std::size_t callee = add_unit(target, false);
+            open_.back().callees[stmt.operation.index] = callee;
         });
+        unit = std::move(open_.back());
         open_.pop_back();
+        const std::size_t number = unit.number;
+        component_.unit_places[number] = component_.units.size();
         component_.units.push_back(std::move(unit));
+        return number;
+    }
+
+    /// The same operation, and its callers mean the same by the names that it requires.
+    static bool alike(const Unit& known, const Unit& unit) {
+        const auto same = [&](const std::vector<Owner>& left, const std::vector<Owner>& right) {
+            const auto own = [](const Unit& of, const Owner& owner) { return owner.unit == of.number; };
+            return std::equal(left.begin(), left.end(), right.begin(), right.end(), [&](const Owner& a, const Owner& b) {
+                return own(known, a) ? own(unit, b) && a.place == b.place : a == b;
+            });
+        };
+        return known.part == unit.part && known.id == unit.id && same(known.variable_owners, unit.variable_owners) &&
+               same(known.clock_owners, unit.clock_owners);
+    }
+
+    /// What an operation requires is its caller's of that name, and so on outwards (semantics 3.8); all else is its own.
+    void find_owners(Unit& unit) {
+        const ir::Machine& machine = *unit.machine;
+        const Unit* const caller = unit.root ? nullptr : &open_.back();
+        for (std::uint32_t place = 0; place < machine.variables.size(); ++place) {
+            const bool required = machine.variables[place].scope == ir::VariableScope::required;
+            const ir::Variable* const found =
+                caller == nullptr || !required ? nullptr
+                                               : find_named(caller->machine->variables, machine.variables[place].name);
+            if (caller != nullptr && required && found == nullptr)
+                missing(machine, "variable", machine.variables[place].name, machine.variables[place].origin);
+            unit.variable_owners.push_back(
+                found == nullptr ? Owner{unit.number, place}
+                                 : caller->variable_owners[static_cast<std::size_t>(
+                                       found - caller->machine->variables.data())]);
+        }
+        for (std::uint32_t place = 0; place < machine.clocks.size(); ++place) {
+            const ir::Clock& clock = machine.clocks[place];
+            const ir::Clock* const found =
+                caller == nullptr || !clock.required ? nullptr : find_clock(*caller->machine, clock.name);
+            if (caller != nullptr && clock.required && found == nullptr)
+                missing(machine, "clock", clock.name, clock.origin);
+            unit.clock_owners.push_back(
+                found == nullptr
+                    ? Owner{unit.number, place}
+                    : caller->clock_owners[static_cast<std::size_t>(found - caller->machine->clocks.data())]);
+        }
+        std::set<std::size_t> lenders;
+        for (const auto* owners : {&unit.variable_owners, &unit.clock_owners})
+            for (const Owner& owner : *owners)
+                if (owner.unit != unit.number && !open_.empty() && owner.unit != open_.front().number)
+                    lenders.insert(owner.unit);
+        unit.lenders.assign(lenders.begin(), lenders.end());
+    }
+
+    void number_transitions() {
+        std::map<std::pair<std::size_t, ir::MachineId>, std::size_t> first;
+        std::size_t next = 0;
+        for (Unit& unit : component_.units) {
+            const auto [known, added] = first.try_emplace({unit.part, unit.id}, next);
+            unit.first_transition = known->second;
+            if (added) next += unit.machine->transitions.size();
+        }
+    }
+
+    /// A clock that is declared or required, not that of a sinceEntry.
+    static const ir::Clock* find_clock(const ir::Machine& machine, const std::string& name) {
+        const auto& clocks = machine.clocks;
+        const auto found = std::find_if(clocks.begin(), clocks.end(), [&](const ir::Clock& clock) {
+            return clock.name == name && !clock.entry_of.valid();
+        });
+        return found == clocks.end() ? nullptr : &*found;
+    }
+
+    /// The rules STM8 and STM10 of the language say so before.
+    void missing(const ir::Machine& operation, const char* what, const std::string& name, const ir::Origin& origin) {
+        diagnostics_.report(rules::unsupported_expr, origin.span,
+                            {std::string("the ") + what + " '" + name + "', which its caller does not have,",
+                             operation.name});
     }
 
     // ---- variables
@@ -220,9 +306,10 @@ private:
         for (std::size_t part = 0; part < component_.parts.size(); ++part) {
             part_ = part;
             each_unit([&](const Unit& unit) {
-                for (const auto& variable : unit.machine->variables) {
-                    const bool own_of_operation = !unit.root && variable.scope != ir::VariableScope::required;
-                    if (!own_of_operation && component_.parts[part].variables.count(variable.name) == 0)
+                for (std::size_t place = 0; place < unit.machine->variables.size(); ++place) {
+                    const ir::Variable& variable = unit.machine->variables[place];
+                    const bool of_operation = !component_.unit(unit.variable_owners[place].unit).root;
+                    if (!of_operation && component_.parts[part].variables.count(variable.name) == 0)
                         add_variable(unit, variable);
                 }
                 mark_read(unit);
@@ -237,7 +324,8 @@ private:
             const auto is = [&](ir::VariableId id) {
                 if (!id.valid()) return false;
                 const ir::Variable& variable = unit.machine->variables[id.index];
-                return variable.scope == ir::VariableScope::required && variable.name == name;
+                return variable.scope == ir::VariableScope::required && variable.name == name &&
+                       component_.unit(unit.variable_owners[id.index].unit).root;
             };
             visit_statements(*unit.machine, [&](const ir::Stmt& stmt) {
                 result = result || (stmt.kind == ir::StmtKind::assign && is(stmt.variable));
@@ -317,9 +405,9 @@ private:
     }
 
     void mark_read(const Unit& unit, ir::VariableId id) {
-        const ir::Variable& variable = unit.machine->variables[id.index];
-        if (!unit.root && variable.scope != ir::VariableScope::required) return;
-        component_.variables[component_.parts[part_].variables.at(variable.name)].read = true;
+        if (!component_.unit(unit.variable_owners[id.index].unit).root) return;
+        const std::string& name = unit.machine->variables[id.index].name;
+        component_.variables[component_.parts[part_].variables.at(name)].read = true;
     }
 
     // ---- calls and names
@@ -473,15 +561,14 @@ private:
         unit.prefix = unit.root ? (alone ? "" : tag + "_") : identifier((alone ? "" : tag + "_") + unit.machine->name);
         unit.frame = unit.root && alone ? "State" : types.unique(unit.root ? tag + "State" : unit.prefix + "Frame");
         unit.points = unit.root && alone ? "At" : types.unique(unit.root ? tag + "At" : unit.prefix + "At");
-        for (const auto& variable : unit.machine->variables) {
-            const bool own_variable = !unit.root && variable.scope != ir::VariableScope::required;
-            unit.variable_fields.push_back(own_variable ? scope.unique(variable.name) : "");
+        for (std::size_t place = 0; place < unit.machine->variables.size(); ++place) {
+            const bool kept = !unit.root && unit.variable_owners[place].unit == unit.number;
+            unit.variable_fields.push_back(kept ? scope.unique(unit.machine->variables[place].name) : "");
         }
-        for (const auto& clock : unit.machine->clocks) {
-            const bool of_caller = !unit.root && clock.required &&
-                                   find_named(component_.root(unit.part).machine->clocks, clock.name) != nullptr;
+        for (std::size_t place = 0; place < unit.machine->clocks.size(); ++place) {
+            const ir::Clock& clock = unit.machine->clocks[place];
             const std::string name = (clock.entry_of.valid() ? "since_entry_" : "") + clock.name;
-            unit.clock_fields.push_back(of_caller ? "" : scope.unique(name));
+            unit.clock_fields.push_back(unit.clock_owners[place].unit == unit.number ? scope.unique(name) : "");
         }
         unit.clock_read.assign(unit.machine->clocks.size(), false);
     }
@@ -492,7 +579,7 @@ private:
                 const ir::ClockId clock = clock_of(*unit.machine, expr);
                 if (!clock.valid()) return;
                 const auto [owner, id] = component_.clock(unit, clock);
-                component_.units[static_cast<std::size_t>(owner - component_.units.data())].clock_read[id.index] = true;
+                component_.units[component_.unit_places[owner->number]].clock_read[id.index] = true;
             });
         }
     }
@@ -508,7 +595,7 @@ private:
     std::vector<ir::TypeId> seen_types_;
     std::set<std::string> taken_;  ///< names that no member may have
     std::size_t part_ = 0;         ///< the part that is being looked at
-    std::vector<ir::MachineId> open_;
+    std::vector<Unit> open_;       ///< the calls in progress, the part's machine first
 };
 
 }  // namespace

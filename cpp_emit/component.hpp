@@ -111,20 +111,35 @@ struct ModelledCall {
     std::string method;  ///< of the platform: true if it has done the operation itself
 };
 
-/// A machine whose code is generated: the component's own, or an operation it calls.
+/// Whose variable or clock stands behind a name: an operation works on what its caller means by the names that it
+/// requires, which may be the caller's caller's (semantics 3.8).
+struct Owner {
+    std::size_t unit = 0;     ///< Unit::number
+    std::uint32_t place = 0;  ///< among the variables or clocks of its machine
+    friend bool operator==(const Owner&, const Owner&) = default;
+};
+
+/// A machine whose code is generated: the component's own, or an operation it calls. An operation whose callers mean
+/// different things by the names that it requires is a unit for each meaning.
 struct Unit {
     ir::MachineId id;
+    std::size_t number = 0;  ///< in the order in which calls are followed; Component::unit
     std::size_t part = 0;
     const ir::Machine* machine = nullptr;
     bool root = false;
+    std::size_t first_transition = 0;          ///< number of its first transition (transition_numbers.hpp)
     std::string frame;                         ///< struct of its state: "State", "TurnFrame"
     std::string points;                        ///< enumeration of its places: "At", "TurnAt"
     std::string prefix;                        ///< of its other enumerations: "", "Turn"
     std::vector<ir::MachineId> definitions;    ///< for each Machine::operations entry
+    std::vector<std::size_t> callees;          ///< for each Machine::operations entry that is defined: its unit
+    std::vector<Owner> variable_owners;        ///< for each variable
+    std::vector<Owner> clock_owners;           ///< for each clock
+    std::vector<std::size_t> lenders;          ///< the other operations among the owners, ascending
     std::vector<std::string> variable_fields;  ///< operations: members of the frame for their own variables
     std::vector<ir::Value> constants;          ///< in this context
     std::vector<ir::Value> initials;           ///< of its variables; shared ones: the default of their type
-    std::vector<std::string> clock_fields;     ///< members of the frame; "" for clocks of the caller
+    std::vector<std::string> clock_fields;     ///< members of the frame; "" for clocks of others
     std::vector<bool> clock_read;              ///< by this machine or by operations that share the clock
 };
 
@@ -151,6 +166,7 @@ struct Component {
     ir::Origin origin;
     std::vector<Part> parts;        ///< the machines, in textual order
     std::vector<Unit> units;        ///< part by part; callees before callers; each part's machine last
+    std::vector<std::size_t> unit_places;  ///< by Unit::number -> units
     std::vector<EventPort> events;  ///< at the boundary
     std::vector<Buffer> buffers;
     std::vector<StoredVariable> variables;
@@ -171,16 +187,18 @@ struct Component {
     [[nodiscard]] const Unit& root() const { return units.back(); }
     [[nodiscard]] const Part& part(const Unit& unit) const { return parts[unit.part]; }
     [[nodiscard]] const Unit& root(std::size_t part) const { return units[parts[part].root]; }
-    [[nodiscard]] const Unit& unit(std::size_t part, ir::MachineId) const;
+    [[nodiscard]] const Unit& unit(std::size_t number) const { return units[unit_places[number]]; }
+    /// The unit that a call of a defined operation runs.
+    [[nodiscard]] const Unit& callee(const Unit& of, ir::OperationId id) const { return unit(of.callees[id.index]); }
     [[nodiscard]] const EventUse& event(const Unit&, ir::EventId) const;
     /// An event of a part; null if its machine does not use it.
     [[nodiscard]] const EventUse* event(const Peer&) const;
-    /// The machine's or shared variable behind a unit's variable; null: the operation's own.
+    /// The machine's or shared variable behind a unit's variable; null: an operation's, Unit::variable_owners has whose.
     [[nodiscard]] const StoredVariable* stored(const Unit&, ir::VariableId) const;
     [[nodiscard]] const PlatformCall& call(const Unit&, ir::OperationId) const;
     [[nodiscard]] const ModelledCall& modelled_call(ir::MachineId definition) const;
     [[nodiscard]] const CarrierUse& carrier(ir::TypeId) const;
-    /// The unit whose state holds a clock, and its number there: operations may require the caller's.
+    /// The unit whose state holds a clock, and its number there.
     [[nodiscard]] std::pair<const Unit*, ir::ClockId> clock(const Unit&, ir::ClockId) const;
 };
 

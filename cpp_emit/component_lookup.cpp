@@ -5,11 +5,6 @@
 
 namespace robochart::cpp_emit {
 
-const Unit& Component::unit(std::size_t part, ir::MachineId id) const {
-    return *std::find_if(units.begin(), units.end(),
-                         [&](const Unit& candidate) { return candidate.part == part && candidate.id == id; });
-}
-
 const EventUse& Component::event(const Unit& of, ir::EventId id) const {
     return *event(Peer{of.part, of.machine->events[id.index].name});
 }
@@ -22,9 +17,8 @@ const EventUse* Component::event(const Peer& end) const {
 }
 
 const StoredVariable* Component::stored(const Unit& of, ir::VariableId id) const {
-    const ir::Variable& variable = of.machine->variables[id.index];
-    if (!of.root && variable.scope != ir::VariableScope::required) return nullptr;
-    return &variables[part(of).variables.at(variable.name)];
+    if (!unit(of.variable_owners[id.index].unit).root) return nullptr;
+    return &variables[part(of).variables.at(of.machine->variables[id.index].name)];
 }
 
 const PlatformCall& Component::call(const Unit& of, ir::OperationId id) const {
@@ -43,13 +37,8 @@ const CarrierUse& Component::carrier(ir::TypeId type) const {
 }
 
 std::pair<const Unit*, ir::ClockId> Component::clock(const Unit& of, ir::ClockId id) const {
-    const ir::Clock& wanted = of.machine->clocks[id.index];
-    if (of.root || !wanted.required) return {&of, id};
-    const Unit& caller = root(of.part);
-    const auto& clocks = caller.machine->clocks;
-    for (std::uint32_t index = 0; index < clocks.size(); ++index)
-        if (clocks[index].name == wanted.name) return {&caller, ir::ClockId{index}};
-    return {&of, id};
+    const Owner& owner = of.clock_owners[id.index];
+    return {&unit(owner.unit), ir::ClockId{owner.place}};
 }
 
 }  // namespace robochart::cpp_emit

@@ -427,7 +427,7 @@ Core make_core(const Generation& generation) {
     for (const Unit& unit : component.units) {
         core.machines.push_back(
             generate(generation, unit, layouts, type_names, unit.root && !composed ? more : std::vector<Field>{}));
-        layouts[{unit.part, unit.id}] = core.machines.back().layout;
+        layouts[unit.number] = core.machines.back().layout;
     }
     core.layout = composed ? composed_layout(generation, core, std::move(more)) : core.machines.back().layout;
     return core;

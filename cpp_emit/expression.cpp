@@ -76,6 +76,31 @@ std::string member_name(const ir::Type& type, std::int64_t number) {
     return all.at(static_cast<std::size_t>(number - first)).name;
 }
 
+std::string lent_frame(const Unit& owner) {
+    return owner.frame + "_f";
+}
+
+std::string frame_parameters(const Component& component, const Unit& unit) {
+    std::string text = fmt::format("[[maybe_unused]] {}<Types>& f", unit.frame);
+    for (const std::size_t number : unit.lenders) {
+        const Unit& lender = component.unit(number);
+        text += fmt::format(", [[maybe_unused]] {}<Types>& {}", lender.frame, lent_frame(lender));
+    }
+    return text;
+}
+
+std::string frame_arguments(const Component& component, const Unit& unit) {
+    return frame_arguments(component, unit, unit, "f");
+}
+
+std::string frame_arguments(const Component& component, const Unit& unit, const Unit& caller,
+                            const std::string& frame) {
+    std::string text = frame;
+    for (const std::size_t number : unit.lenders)
+        text += number == caller.number ? ", f" : ", " + lent_frame(component.unit(number));
+    return text;
+}
+
 TypeKind ExpressionWriter::kind(const ir::Expr& expr) const {
     return generation_.system.type(expr.type).kind;
 }
@@ -103,15 +128,24 @@ std::string ExpressionWriter::write_as(const ir::Expr& expr, ir::TypeId id) cons
 }
 
 std::string ExpressionWriter::variable(ir::VariableId id) const {
-    const StoredVariable* stored = generation_.component.stored(unit_, id);
-    if (stored == nullptr) return frame_ + "." + unit_.variable_fields[id.index];
-    return stored->stored() ? "state_." + stored->path : "";
+    const Component& component = generation_.component;
+    if (const StoredVariable* stored = component.stored(unit_, id))
+        return stored->stored() ? "state_." + stored->path : "";
+    const Owner& place = unit_.variable_owners[id.index];
+    const Unit& owner = component.unit(place.unit);
+    return frame_of(owner) + "." + owner.variable_fields[place.place];
 }
 
 std::string ExpressionWriter::clock(ir::ClockId id) const {
     const auto [owner, own] = generation_.component.clock(unit_, id);
-    return (owner == &unit_ ? frame_ : generation_.component.part(unit_).place()) + "." +
-           owner->clock_fields[own.index];
+    return frame_of(*owner) + "." + owner->clock_fields[own.index];
+}
+
+/// The state of the unit, of one that called it, or of the part's machine.
+std::string ExpressionWriter::frame_of(const Unit& owner) const {
+    if (&owner == &unit_) return frame_;
+    if (owner.root) return generation_.component.part(unit_).place();
+    return &owner == &caller_ ? "f" : lent_frame(owner);
 }
 
 std::string ExpressionWriter::arithmetic(const ir::Expr& expr, const char* symbol) const {

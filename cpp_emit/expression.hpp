@@ -12,11 +12,22 @@ namespace robochart::cpp_emit {
 /// The member behind ExprKind::member's number: a field's index, or a place counted from 1.
 [[nodiscard]] std::string member_name(const ir::Type&, std::int64_t number);
 
+/// The parameters of a unit's functions: its own state, f, and that of the operations that lend it variables or clocks.
+[[nodiscard]] std::string frame_parameters(const Component&, const Unit&);
+/// What its own functions pass on: "f", "f, TurnFrame_f".
+[[nodiscard]] std::string frame_arguments(const Component&, const Unit&);
+/// What a function of its caller passes, which refers to the unit's state as `frame`.
+[[nodiscard]] std::string frame_arguments(const Component&, const Unit&, const Unit& caller, const std::string& frame);
+/// The parameter for the state of an operation that lends variables or clocks.
+[[nodiscard]] std::string lent_frame(const Unit& owner);
+
 class ExpressionWriter {
 public:
-    /// `frame` is how the code refers to the unit's own state: "f".
-    ExpressionWriter(const Generation& generation, const Unit& unit, std::string frame)
-        : generation_(generation), unit_(unit), frame_(std::move(frame)) {}
+    /// In the unit's functions.
+    ExpressionWriter(const Generation& generation, const Unit& unit) : ExpressionWriter(generation, unit, unit, "f") {}
+    /// In a function of the unit's caller, which refers to the unit's state as `frame`: "f.Turn".
+    ExpressionWriter(const Generation& generation, const Unit& unit, const Unit& caller, std::string frame)
+        : generation_(generation), unit_(unit), caller_(caller), frame_(std::move(frame)) {}
 
     /// What `trigger_value` means: the incoming value, as C++ text.
     void set_incoming(std::string text) { incoming_ = std::move(text); }
@@ -70,8 +81,11 @@ private:
     [[nodiscard]] std::string block_operand(const ir::Expr&, ir::TypeId entry) const;
     [[nodiscard]] std::string block_arithmetic_text(const ir::Expr&) const;
 
+    [[nodiscard]] std::string frame_of(const Unit& owner) const;
+
     const Generation& generation_;
     const Unit& unit_;
+    const Unit& caller_;  ///< whose function the text is in
     std::string frame_;
     std::string incoming_;
 };

@@ -37,8 +37,7 @@ private:
     }
 
     void call(const Unit& unit, ir::OperationId id) {
-        const ir::MachineId definition = unit.definitions[id.index];
-        if (definition.valid()) return operation(component_.unit(unit.part, definition));
+        if (unit.definitions[id.index].valid()) return operation(component_.callee(unit, id));
         const std::string& name = component_.call(unit, id).signature->name;
         for (PlatformCall& each : component_.calls)
             if (each.signature->name == name) each.interruptible = true;

@@ -76,7 +76,11 @@ MachineWriter::MachineWriter(const Generation& generation, const Unit& unit, con
 }
 
 std::string MachineWriter::signature(const std::string& name) const {
-    return fmt::format("{}([[maybe_unused]] {}& f) noexcept {{", name, frame_type());
+    return fmt::format("{}({}) noexcept {{", name, frame_parameters(generation_.component, unit_));
+}
+
+std::string MachineWriter::call(const std::string& name) const {
+    return fmt::format("{}({})", name, frame_arguments(generation_.component, unit_));
 }
 
 MachineCode MachineWriter::write(const std::vector<Field>& more) {
@@ -156,7 +160,7 @@ void MachineWriter::during_functions() {
     out_.doc("During actions of the active states, outer states first.");
     out_.open(signature("bool during"));
     out_.line("bool moved = false;");
-    for (const DuringThread& during : during_) out_.line(fmt::format("moved = during_{}(f) || moved;", during.suffix));
+    for (const DuringThread& during : during_) out_.line(fmt::format("moved = {} || moved;", call("during_" + during.suffix)));
     out_.line("return moved;");
     out_.close();
 }
@@ -191,7 +195,7 @@ bool MachineWriter::timed() const {
     const auto timed_calls = [&](const Thread& thread) {
         return thread.waits || !thread.deadlines.empty() ||
                std::any_of(thread.calls.begin(), thread.calls.end(), [&](const CallFrame& call) {
-                   return done_.at({unit_.part, call.operation}).timed;
+                   return done_.at(call.operation).timed;
                });
     };
     return std::find(read.begin(), read.end(), true) != read.end() || !watches_.empty() || timed_calls(control_) ||
@@ -203,7 +207,7 @@ void MachineWriter::advance_function() {
     if (!timed()) return;
     out_.gap();
     out_.doc("Time passes: clocks, waits and deadlines.");
-    out_.open(fmt::format("void advance({}& f) noexcept {{", frame_type()));
+    out_.open(signature("void advance"));
     for (const Watch& watch : watches_) advance_watch(watch);
     for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index) {
         if (!unit_.clock_read[index]) continue;
@@ -214,7 +218,7 @@ void MachineWriter::advance_function() {
     }
     advance_thread(control_);
     for (const DuringThread& during : during_) advance_thread(during.thread);
-    if (guards_deadlines(*unit_.machine)) out_.line("watch(f);");
+    if (guards_deadlines(*unit_.machine)) out_.line(call("watch") + ";");
     out_.close();
 }
 
@@ -231,16 +235,18 @@ void MachineWriter::advance_thread(const Thread& thread) {
     for (const std::string& deadline : thread.deadlines)
         out_.line(fmt::format("advance_deadline(f.{}, cycle_length);", deadline));
     for (const CallFrame& call : thread.calls) {
-        if (!done_.at({unit_.part, call.operation}).timed) continue;
+        if (!done_.at(call.operation).timed) continue;
         std::vector<std::string> running;
         for (const auto& label : call.live)
             running.push_back(fmt::format("{} == {}", thread.variable, thread.at(label)));
-        out_.line(fmt::format("if ({}) advance(f.{});", fmt::join(running, " || "), call.field));
+        const Unit& operation = generation_.component.unit(call.operation);
+        out_.line(fmt::format("if ({}) advance({});", fmt::join(running, " || "),
+                              frame_arguments(generation_.component, operation, unit_, "f." + call.field)));
     }
 }
 
 std::string MachineWriter::holds(const ir::Transition& transition) const {
-    ExpressionWriter expressions(generation_, unit_, "f");
+    ExpressionWriter expressions(generation_, unit_);
     const bool stores = transition.trigger && transition.trigger->variable.valid();
     if (stores) expressions.set_incoming(expressions.variable(transition.trigger->variable));
     return expressions.write(*transition.guard);
@@ -284,13 +290,14 @@ std::string MachineWriter::finished(const std::string& frame) const {
 
 void MachineWriter::run_function() {
     out_.gap();
-    const std::string parts = fmt::format("control(f){} || transition(f)", during_.empty() ? "" : " || during(f)");
+    const std::string during = during_.empty() ? "" : " || " + call("during");
+    const std::string parts = fmt::format("{}{} || {}", call("control"), during, call("transition"));
     const bool watches = guards_deadlines(*unit_.machine);
     if (unit_.root) {
         if (generation_.component.composed()) {
             out_.doc(fmt::format("One round of {}: as far as it gets without the others.", unit_.machine->name));
             out_.open(signature("bool round"));
-            if (watches) out_.line("watch(f);");
+            if (watches) out_.line(call("watch") + ";");
             out_.line(fmt::format("return {};", parts));
         } else {
             run_alone(parts, watches);
@@ -303,10 +310,10 @@ void MachineWriter::run_function() {
         return out_.close();
     }
     out_.doc(fmt::format("Runs operation {}; true when it has finished.", unit_.machine->name));
-    out_.open(fmt::format("bool run({}& f, bool& moved) noexcept {{", frame_type()));
-    if (watches) out_.line("watch(f);");
+    out_.open(fmt::format("bool run({}, bool& moved) noexcept {{", frame_parameters(generation_.component, unit_)));
+    if (watches) out_.line(call("watch") + ";");
     out_.open(fmt::format("while ({}({})) {{", bound_test(generation_), parts));
-    if (watches) out_.line("watch(f);");
+    if (watches) out_.line(call("watch") + ";");
     out_.line("moved = true;");
     out_.close();
     out_.line(fmt::format("return {};", finished("f")));
@@ -316,14 +323,14 @@ void MachineWriter::run_function() {
 void MachineWriter::run_alone(const std::string& parts, bool watches) {
     out_.doc("Everything that can happen in this cycle.");
     out_.open(signature("void run"));
-    if (watches) out_.line("watch(f);");
+    if (watches) out_.line(call("watch") + ";");
     if (generation_.mutation.hits(Fault::single_transition_step)) {
-        out_.line("control(f);");
-        if (!during_.empty()) out_.line("during(f);");
-        return out_.line("if (transition(f)) control(f);");
+        out_.line(call("control") + ";");
+        if (!during_.empty()) out_.line(call("during") + ";");
+        return out_.line(fmt::format("if ({}) {};", call("transition"), call("control")));
     }
     out_.open(fmt::format("while ({}({})) {{", bound_test(generation_), parts));
-    if (watches) out_.line("watch(f);");
+    if (watches) out_.line(call("watch") + ";");
     out_.close();
 }
 
@@ -351,8 +358,8 @@ void MachineWriter::thread_field(std::vector<Field>& fields, const Thread& threa
     for (const std::string& deadline : thread.deadlines)
         fields.push_back({"std::uint32_t", deadline, "0", "time left plus one, 0: none", 4, 4});
     for (const CallFrame& call : thread.calls) {
-        const FrameLayout& inner = done_.at({unit_.part, call.operation});
-        fields.push_back({generation_.component.unit(unit_.part, call.operation).frame + "<Types>", call.field, "", "",
+        const FrameLayout& inner = done_.at(call.operation);
+        fields.push_back({generation_.component.unit(call.operation).frame + "<Types>", call.field, "", "",
                           inner.size, inner.alignment});
     }
 }

@@ -49,8 +49,8 @@ struct MachineCode {
     std::vector<CallFrame> calls;  ///< operations its threads run
 };
 
-/// By part and machine.
-using Layouts = std::map<std::pair<std::size_t, ir::MachineId>, FrameLayout>;
+/// By Unit::number.
+using Layouts = std::map<std::size_t, FrameLayout>;
 
 /// `done` holds the layouts of the operations that the unit calls, `type_names` is the scope of the core's namespace,
 /// `more` are further members of the state.

@@ -110,7 +110,7 @@ void MachineWriter::draw_place(NodeId id) {
     program.begin(plan_.label(id), generation_.place(plan_.node(id).origin));
     const auto& ways = plan_.node(id).outgoing;
     if (ways.empty()) return program.code().line("return moved;");
-    const ExpressionWriter expressions(generation_, unit_, "f");
+    const ExpressionWriter expressions(generation_, unit_);
     std::string chances;
     for (const ir::TransitionId way : ways) {
         const ir::ExprPtr& probability = plan_.machine().transitions[way.index].probability;
@@ -253,7 +253,7 @@ void MachineWriter::exit_place(NodeId id) {
     exit_outer_before(program, id);
     act_before(program, id);
     const bool waits = suspends(generation_, unit_, node.exit);
-    if (node.exit && !waits && !(plan_.notes_leaving(id) && exits_first(id))) program.line(label + "(f);");
+    if (node.exit && !waits && !(plan_.notes_leaving(id) && exits_first(id))) program.line(call(label) + ";");
     if (waits && !generation_.mutation.hits(Fault::exit_dropped)) program.statement(node.exit, label);
     for (const ir::TransitionId transition : node.outgoing) {
         if (!plan_.notes_leaving(id)) break;

@@ -115,7 +115,7 @@ void MachineWriter::case_effect(const ir::Transition& transition, const EventPor
     std::string exits = leave(transition.source);
     if (!exits.empty() && hits(Fault::dispatch_exits_dropped)) {
         const bool own = plan_.node(transition.source).composite() && plan_.node(transition.source).exit;
-        exits = own ? plan_.exit_label(transition.source) + "(f);" : "";
+        exits = own ? call(plan_.exit_label(transition.source)) + ";" : "";
     }
     if (!exits.empty()) out.line(exits);
     out.line(proceed(transition));

@@ -64,7 +64,7 @@ void MachineWriter::exit_function(NodeId id) {
 void MachineWriter::leave_function(NodeId id) {
     straight_function("leave_" + plan_.label(id), fmt::format("Leaves {}, from the innermost active state out.",
                                                               generation_.place(plan_.node(id).origin)));
-    const std::string own = plan_.node(id).exit ? plan_.exit_label(id) + "(f);" : "";
+    const std::string own = plan_.node(id).exit ? call(plan_.exit_label(id)) + ";" : "";
     const bool outer_first = exits_first(id);
     if (outer_first) out_.line(own);
     out_.open("switch (f.at) {");
@@ -84,8 +84,8 @@ void MachineWriter::leave_function(NodeId id) {
 
 /// The statement that runs the exits of a state and of what is active in it; "" if there are none.
 std::string MachineWriter::leave(NodeId id) const {
-    if (plan_.exits_below(id)) return fmt::format("leave_{}(f);", plan_.label(id));
-    return plan_.node(id).exit ? plan_.exit_label(id) + "(f);" : "";
+    if (plan_.exits_below(id)) return call("leave_" + plan_.label(id)) + ";";
+    return plan_.node(id).exit ? call(plan_.exit_label(id)) + ";" : "";
 }
 
 void MachineWriter::take_function(ir::TransitionId id) {
@@ -109,9 +109,9 @@ bool MachineWriter::pass_function(NodeId id) {
 /// The statement that brings control into a node.
 std::string MachineWriter::arrive(NodeId id) {
     if (plan_.needs_entry(id))
-        return straight(id) ? plan_.enter_label(id) + "(f);" : control_.go(plan_.enter_label(id));
+        return straight(id) ? call(plan_.enter_label(id)) + ";" : control_.go(plan_.enter_label(id));
     const bool rests = plan_.settles(id) || !plan_.straight(id);
-    return rests ? control_.go(plan_.label(id)) : fmt::format("pass_{}(f);", plan_.label(id));
+    return rests ? control_.go(plan_.label(id)) : call("pass_" + plan_.label(id)) + ";";
 }
 
 /// The statement that goes on with a transition after the exits.
@@ -121,7 +121,7 @@ const std::string& MachineWriter::proceed(const ir::Transition& transition) {
     if (!text.empty()) return text;
     const std::string& label = plan_.take_label(id);
     if (has_place(transition)) return text = control_.go(label);
-    return text = transition.action ? label + "(f);" : arrive(target_of(transition));
+    return text = transition.action ? call(label) + ";" : arrive(target_of(transition));
 }
 
 }  // namespace robochart::cpp_emit

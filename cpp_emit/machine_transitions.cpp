@@ -45,11 +45,11 @@ void MachineWriter::pick_function() {
     out_.open(signature("bool transition"));
     out_.open("if constexpr (robochart::Picks<Platform>::value) {");
     out_.line("turn_.count();");
-    out_.line("attempt(f);");
+    out_.line(call("attempt") + ";");
     out_.line("if (turn_.counted() == 0) return false;");
     out_.line("turn_.take(robochart::pick(platform_, turn_.counted()));");
     out_.close();
-    out_.line("return attempt(f);");
+    out_.line(fmt::format("return {};", call("attempt")));
     out_.close();
     out_.gap();
 }
@@ -67,7 +67,7 @@ std::vector<std::string> MachineWriter::attempts(NodeId leaf) const {
     for (const NodeId state : chain)
         if (!plan_.node(state).outgoing.empty()) states.push_back(state);
     for (const std::size_t place : order(generation_, states.size(), Fault::outer_first))
-        calls.push_back(fmt::format("from_{}(f)", plan_.label(states[place])));
+        calls.push_back(call("from_" + plan_.label(states[place])));
     return calls;
 }
 
@@ -132,12 +132,12 @@ void MachineWriter::begin_transition(const ir::Transition& transition, ir::Trans
 }
 
 std::string MachineWriter::tell_taken(ir::TransitionId id) const {
-    return fmt::format("taken({});", transition_number(generation_.component, unit_, id));
+    return fmt::format("taken({});", transition_number(unit_, id));
 }
 
 std::string MachineWriter::guard(const ir::Transition& transition, const std::string& incoming) {
     if (!transition.guard || generation_.mutation.hits(Fault::guard_dropped)) return {};
-    ExpressionWriter expressions(generation_, unit_, "f");
+    ExpressionWriter expressions(generation_, unit_);
     if (transition.trigger) {
         const ir::VariableId stored = transition.trigger->variable;
         const bool old = stored.valid() && generation_.mutation.hits(Fault::trigger_value_old);
@@ -167,7 +167,7 @@ void MachineWriter::depart(NodeId source, ir::TransitionId id) {
     for (const NodeId history : histories_)
         if (history == source) out_.line(fmt::format("f.history_{} = f.at;", plan_.label(source)));
     if (!plan_.notes_leaving(source)) {
-        const std::string own = plan_.node(source).exit ? plan_.exit_label(source) + "(f);" : "";
+        const std::string own = plan_.node(source).exit ? call(plan_.exit_label(source)) + ";" : "";
         const std::string exits = plan_.acts(transition) && !plan_.straight_exits(source) ? ""
                                   : skips                                                 ? own
                                                                                           : leave(source);

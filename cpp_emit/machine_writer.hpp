@@ -138,6 +138,8 @@ private:
     [[nodiscard]] std::vector<Enumeration> enumerations() const;
     [[nodiscard]] std::string frame_type() const { return unit_.frame + "<Types>"; }
     [[nodiscard]] std::string signature(const std::string& name) const;
+    /// `name(f)`, with the states that the unit's functions take.
+    [[nodiscard]] std::string call(const std::string& name) const;
     [[nodiscard]] bool timed() const;
     [[nodiscard]] std::string finished(const std::string& frame) const;
 

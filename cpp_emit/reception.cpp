@@ -119,7 +119,7 @@ bool receive(const Generation& generation, const Unit& unit, const ir::Communica
 std::string predicate(const Generation& generation, const Unit& unit, const ir::Communication& communication,
                       const std::string& incoming) {
     if (!communication.predicate || generation.mutation.hits(Fault::predicate_dropped)) return {};
-    ExpressionWriter expressions(generation, unit, "f");
+    ExpressionWriter expressions(generation, unit);
     expressions.set_incoming(incoming);
     return "(" + expressions.write(*communication.predicate) + ")";
 }

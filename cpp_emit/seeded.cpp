@@ -28,7 +28,7 @@ const Item& other(const Generation& generation, const std::vector<Item>& all, co
 /// The last field of a value takes the place of that in `variable`; the others stay as they were.
 std::string last_field(const Generation& generation, const Unit& unit, ir::VariableId variable,
                        const std::string& value, const std::string& field) {
-    const std::string place = ExpressionWriter(generation, unit, "f").variable(variable);
+    const std::string place = ExpressionWriter(generation, unit).variable(variable);
     if (place.empty()) return {};
     return fmt::format("{{ auto partly = {}; partly.{} = {}.{}; {} }}", place, field, value, field,
                        store(generation, unit, variable, "partly"));
@@ -83,7 +83,7 @@ std::string watch_from(const Generation& generation, const Unit& unit, const std
     const int more = generation.mutation.hits(Fault::deadline_late, &unit, part)    ? 2
                      : generation.mutation.hits(Fault::deadline_early, &unit, part) ? 0
                                                                                     : 1;
-    return fmt::format("f.{} = duration({}) + {};", field, ExpressionWriter(generation, unit, "f").write(bound), more);
+    return fmt::format("f.{} = duration({}) + {};", field, ExpressionWriter(generation, unit).write(bound), more);
 }
 
 std::string bound_test(const Generation& generation) {

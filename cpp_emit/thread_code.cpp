@@ -51,7 +51,7 @@ std::string store(const Generation& generation, const Unit& unit, ir::VariableId
     if (stored != nullptr && stored->visible) return fmt::format("{}({});", stored->writer, value);
     const bool relayed = stored != nullptr && stored->shared && generation.component.composed();
     if (relayed && generation.mutation.hits(Fault::write_not_relayed)) return {};
-    const std::string place = ExpressionWriter(generation, unit, "f").variable(id);
+    const std::string place = ExpressionWriter(generation, unit).variable(id);
     return place.empty() ? "" : fmt::format("{} = {};", place, value);
 }
 
@@ -145,7 +145,7 @@ void ProgramWriter::if_statement(const ir::Stmt& stmt, const std::string& stem) 
     if (suspends(generation_, unit_, stmt.body[0]) ||
         (stmt.body.size() > 1 && suspends(generation_, unit_, stmt.body[1])))
         return suspending_if(stmt, stem);
-    const ExpressionWriter expressions(generation_, unit_, "f");
+    const ExpressionWriter expressions(generation_, unit_);
     const Branches parts = branches(stmt);
     code().open(fmt::format("if ({}) {{", expressions.write(*stmt.condition)));
     statement(parts.then, stem);
@@ -157,7 +157,7 @@ void ProgramWriter::if_statement(const ir::Stmt& stmt, const std::string& stem) 
 }
 
 void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem) {
-    const ExpressionWriter expressions(generation_, unit_, "f");
+    const ExpressionWriter expressions(generation_, unit_);
     const std::string then_label = fresh(stem);
     const std::string else_label = fresh(stem);
     const std::string end_label = fresh(stem);
@@ -175,7 +175,8 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
 
 /// Before what others see of the machine.
 void ProgramWriter::look_at_deadlines() {
-    if (guards_deadlines(*unit_.machine)) code().line("watch(f);");
+    if (!guards_deadlines(*unit_.machine)) return;
+    code().line(fmt::format("watch({});", frame_arguments(generation_.component, unit_)));
 }
 
 /// What a during action does may be cut short while it waits for the next cycle to do it again.
@@ -194,7 +195,7 @@ void ProgramWriter::assign(const ir::Stmt& stmt, const std::string& stem) {
         await_turn(done_flag(*stored), stem, "writes " + stored->variable->name);
     const ir::Variable& variable = unit_.machine->variables[stmt.variable.index];
     if (variable.scope == ir::VariableScope::required) look_at_deadlines();
-    const ExpressionWriter expressions(generation_, unit_, "f");
+    const ExpressionWriter expressions(generation_, unit_);
     const ir::TypeId type = variable.type;
     if (!stmt.path.empty()) return assign_part(stmt, type);
     line(store(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
@@ -202,7 +203,7 @@ void ProgramWriter::assign(const ir::Stmt& stmt, const std::string& stem) {
 
 /// A part of a variable: the value is changed in a copy and stored as a whole, as the semantics does.
 void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
-    const ExpressionWriter expressions(generation_, unit_, "f");
+    const ExpressionWriter expressions(generation_, unit_);
     const std::string place = expressions.variable(stmt.variable);
     if (place.empty()) return;
     code().open("{");
@@ -239,7 +240,7 @@ std::string clock_reset(const Generation& generation, const Unit& unit, ir::Cloc
     const auto [owner, own] = generation.component.clock(unit, id);
     if (!owner->clock_read[own.index] || generation.mutation.hits(Fault::clock_not_reset)) return {};
     const bool off_by_one = generation.mutation.hits(Fault::clock_off_by_one);
-    return fmt::format("{} = {};", ExpressionWriter(generation, unit, "f").clock(id), off_by_one ? 1 : 0);
+    return fmt::format("{} = {};", ExpressionWriter(generation, unit).clock(id), off_by_one ? 1 : 0);
 }
 
 void ProgramWriter::communicate(const ir::Stmt& stmt, const std::string& stem) {
@@ -278,7 +279,7 @@ void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const s
     const std::string next = fresh(stem);
     const std::string name = "await_" + thread_.prefix + at;
     resume_at(at, fmt::format("waits for {}", use.name));
-    code().open(fmt::format("if (!{}(f)) {{", name));
+    code().open(fmt::format("if (!{}({})) {{", name, frame_arguments(generation_.component, unit_)));
     code().line("return moved;");
     code().close();
     code().line("break;");
@@ -286,7 +287,7 @@ void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const s
     CodeWriter& helper = thread_.helpers;
     helper.gap();
     helper.doc(fmt::format("Takes {} if it is there.", use.name));
-    helper.open(fmt::format("bool {}([[maybe_unused]] {}<Types>& f) noexcept {{", name, unit_.frame));
+    helper.open(fmt::format("bool {}({}) noexcept {{", name, frame_parameters(generation_.component, unit_)));
     const bool always = receive(
         generation_, unit_, stmt.communication, helper, [](const std::string&) { return std::string(); },
         [&] {
@@ -300,7 +301,7 @@ void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const s
 void ProgramWriter::send(const ir::Stmt& stmt, const std::string& stem) {
     if (generation_.mutation.hits(Fault::send_dropped)) return;
     const EventUse& use = generation_.component.event(unit_, stmt.communication.event);
-    const ExpressionWriter expressions(generation_, unit_, "f");
+    const ExpressionWriter expressions(generation_, unit_);
     const ir::ExprPtr& expr = stmt.communication.value;
     const std::string value = expr ? expressions.write_as(*expr, *use.type) : "";
     if (!use.filled.empty()) return fill_buffers(use, value);
@@ -353,7 +354,7 @@ void ProgramWriter::offer(const EventUse& use, const std::string& value, const s
 }
 
 std::vector<std::string> ProgramWriter::arguments(const ir::Stmt& stmt) {
-    const ExpressionWriter expressions(generation_, unit_, "f");
+    const ExpressionWriter expressions(generation_, unit_);
     const auto& parameters = unit_.machine->operations[stmt.operation.index].parameters;
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < stmt.args.size(); ++i)
@@ -381,19 +382,18 @@ void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::s
     code().line(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
 }
 
-CallFrame& ProgramWriter::call_frame(ir::MachineId operation) {
+CallFrame& ProgramWriter::call_frame(const Unit& operation) {
     for (auto& frame : thread_.calls)
-        if (frame.operation == operation) return frame;
-    const std::string& name = generation_.component.unit(unit_.part, operation).machine->name;
-    thread_.calls.push_back({thread_.fields->unique(thread_.prefix + name), operation, {}});
+        if (frame.operation == operation.number) return frame;
+    const std::string& name = operation.machine->name;
+    thread_.calls.push_back({thread_.fields->unique(thread_.prefix + name), operation.number, {}});
     return thread_.calls.back();
 }
 
 void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::string>& texts,
                                    const std::string& stem) {
-    const ir::MachineId id = unit_.definitions[stmt.operation.index];
-    const Unit& operation = generation_.component.unit(unit_.part, id);
-    CallFrame& frame = call_frame(id);
+    const Unit& operation = generation_.component.callee(unit_, stmt.operation);
+    CallFrame& frame = call_frame(operation);
     const std::string place = "f." + frame.field;
     for (std::size_t i = 0; i < texts.size(); ++i)
         if (!generation_.mutation.hits(Fault::argument_dropped))
@@ -407,10 +407,12 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     const std::string label = fresh(stem);
     frame.live.push_back(label);
     resume_at(label, fmt::format("operation {}", operation.machine->name));
+    const std::string run =
+        fmt::format("run({}, moved)", frame_arguments(generation_.component, operation, unit_, place));
     if (generation_.mutation.hits(Fault::operation_not_awaited)) {
-        code().line(fmt::format("static_cast<void>(run({}, moved));", place));
+        code().line(fmt::format("static_cast<void>({});", run));
     } else {
-        code().open(fmt::format("if (!run({}, moved)) {{", place));
+        code().open(fmt::format("if (!{}) {{", run));
         code().line("return moved;");
         code().close();
     }
@@ -418,7 +420,7 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
 }
 
 void ProgramWriter::require_preconditions(const Unit& operation, const std::string& frame) {
-    const ExpressionWriter expressions(generation_, operation, frame);
+    const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
         const std::string text = expressions.write(*condition);
         const bool negated = generation_.mutation.hits(Fault::precondition_negated);
@@ -456,7 +458,7 @@ void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
 
 void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {
     if (generation_.mutation.hits(Fault::wait_dropped) || generation_.mutation.hits(Fault::loop_never_ends)) return;
-    const ExpressionWriter expressions(generation_, unit_, "f");
+    const ExpressionWriter expressions(generation_, unit_);
     std::string length = fmt::format("duration({})", expressions.write(*stmt.value));
     if (generation_.options.choices && stmt.kind == StmtKind::wait_interval && stmt.upper)
         length =

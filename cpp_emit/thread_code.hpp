@@ -22,7 +22,7 @@ struct Place {
 /// State of an operation called by a thread, a member of the caller's frame.
 struct CallFrame {
     std::string field;
-    ir::MachineId operation;
+    std::size_t operation = 0;      ///< Unit::number
     std::vector<std::string> live;  ///< labels of the thread at which the operation runs
 };
 
@@ -107,7 +107,7 @@ private:
     [[nodiscard]] std::vector<std::string> arguments(const ir::Stmt&);
     void wait(const ir::Stmt&, const std::string& stem);
     void deadline(const ir::Stmt&, const std::string& stem);
-    CallFrame& call_frame(ir::MachineId operation);
+    CallFrame& call_frame(const Unit& operation);
 
     const Generation& generation_;
     const Unit& unit_;

@@ -3,18 +3,14 @@
 
 namespace robochart::cpp_emit {
 
-std::uint32_t transition_number(const Component& component, const Unit& unit, ir::TransitionId id) {
-    std::size_t before = 0;
-    for (const Unit& each : component.units) {
-        if (&each == &unit) break;
-        before += each.machine->transitions.size();
-    }
-    return static_cast<std::uint32_t>(before + id.index);
+std::uint32_t transition_number(const Unit& unit, ir::TransitionId id) {
+    return static_cast<std::uint32_t>(unit.first_transition + id.index);
 }
 
 std::vector<TransitionName> transition_names(const Generation& generation) {
     std::vector<TransitionName> names;
     for (const Unit& unit : generation.component.units) {
+        if (unit.first_transition < names.size()) continue;  // has those of a unit before
         const std::string& part = generation.component.part(unit).name;
         for (const ir::Transition& transition : unit.machine->transitions) {
             const ir::Origin& origin = transition.origin;

@@ -1,5 +1,5 @@
 // The transitions of a component by number: those of all its machines and operations, in the order of
-// Component::units. The trace hook tells them by these.
+// Component::units; units that are one operation of the model have its numbers. The trace hook tells them by these.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct TransitionName {
     std::string place;    ///< "door.rct:18", "" if unknown
 };
 
-[[nodiscard]] std::uint32_t transition_number(const Component&, const Unit&, ir::TransitionId);
+[[nodiscard]] std::uint32_t transition_number(const Unit&, ir::TransitionId);
 /// By number.
 [[nodiscard]] std::vector<TransitionName> transition_names(const Generation&);
 

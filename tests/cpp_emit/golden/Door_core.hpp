@@ -205,7 +205,7 @@ private:
     }
 
     /// Time passes: clocks, waits and deadlines.
-    void advance(State<Types>& f) noexcept {
+    void advance([[maybe_unused]] State<Types>& f) noexcept {
         advance_clock(f.T, cycle_length, 3);
     }
 
