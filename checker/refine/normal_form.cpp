@@ -119,14 +119,15 @@ NormalForm::Node NormalForm::initial() {
 
 NormalForm::Node NormalForm::node_of(Members seeds) {
     close(seeds);
-    const auto [entry, fresh] = ids_.emplace(std::move(seeds), static_cast<Node>(nodes_.size()));
-    if (fresh) {
-        budget_.states(nodes_.size());
-        if (!may_grow_ && nodes_.size() > std::max(few_nodes, 2 * graph_.size()))
-            throw SpecificationGrows("the specification's normal form is larger than the specification");
-        nodes_.emplace_back().members = &entry->first;
-    }
-    return entry->second;
+    if (const auto known = ids_.find(seeds); known != ids_.end()) return known->second;
+    // Refused before it is entered: another thread would take the number for that of a node.
+    budget_.states(nodes_.size());
+    if (!may_grow_ && nodes_.size() > std::max(few_nodes, 2 * graph_.size()))
+        throw SpecificationGrows("the specification's normal form is larger than the specification");
+    const Node node = static_cast<Node>(nodes_.size());
+    NodeData& data = nodes_.emplace_back();
+    data.members = &ids_.emplace(std::move(seeds), node).first->first;
+    return node;
 }
 
 /// Adds what taus reach, and sorts.

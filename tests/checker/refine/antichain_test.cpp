@@ -7,6 +7,7 @@
 #include <random>
 
 #include "checker/lts/graph.hpp"
+#include "checker/refine/budget.hpp"
 #include "checker/refine/check.hpp"
 #include "checker/refine/monitors.hpp"
 #include "checker/refine/question.hpp"
@@ -93,6 +94,34 @@ Graph kth_last_letter(lts::StateIndex k) {
         graph.finish_state();
     }
     return graph;
+}
+
+/// Another thread may ask for the node that one was refused: it gets no number that belongs to none.
+TEST(NormalForms, RefuseANodeBeyondTheLimitEachTime) {
+    const process::EventTable table;
+    const Graph graph = kth_last_letter(16);
+    lts::GraphSystem system(graph, table);
+    Limits limits;
+    limits.max_states = 40;
+    Budget budget(limits);
+    NormalForm normal(system, budget);
+    NormalForm::Node node = normal.initial();
+    constexpr Event a = process::first_visible;
+    const auto refused = [&](Event event) {
+        try {
+            node = normal.after(node, event).value();
+        } catch (const LimitReached&) {
+            return true;
+        }
+        return false;
+    };
+    std::mt19937 random(1);
+    Event event = a;
+    int steps = 0;
+    for (; !refused(event) && steps < 10'000; ++steps) event = a + random() % 2;
+    ASSERT_LT(steps, 10'000);
+    EXPECT_TRUE(refused(event));
+    EXPECT_TRUE(refused(event));
 }
 
 TEST(Antichains, DecideWhatHasNoNormalFormOfAnySize) {
