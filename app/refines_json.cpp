@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/script_report.hpp"
 
@@ -80,29 +81,17 @@ public:
         };
         append(told_.steps);
         append(told_.loop);
-        if (told_.kind == ViolationKind::trace) states.erase(states.size() - 1);
-        finish(json, trace, revealed, told_.offered);
+        if (offence_of_whole()) states.erase(states.size() - 1);
+        finish(json, trace, revealed, told_.offered, offence_of_whole());
         json["states"] = std::move(states);
         return json;
     }
-    Json part(const process::Behaviour& behaviour) {
-        Json json{{"machine_name", behaviour.name}, {"type", type()}};
-        finish(json, behaviour.trace, behaviour.revealed, behaviour.offered);
-        if (!behaviour.op.empty()) json["operator"] = behaviour.op;
-        json["states"] = Json::array({behaviour.name, behaviour.state});
-        children(json, behaviour);
-        return json;
-    }
-    void children(Json& json, const process::Behaviour& behaviour) {
-        if (behaviour.parts.empty()) return;
-        json["child_behaviours"] = Json::array();
-        for (const process::Behaviour& each : behaviour.parts) json["child_behaviours"].push_back(part(each));
-    }
+    void parts(Json& json, const process::Behaviour& whole) { children(json, whole, offence_of_whole()); }
     Json specification(const std::string& name) {
         std::vector<Event> trace;
         for (const refine::Step& step : told_.steps)
             if (step.event != process::tau) trace.push_back(step.event);
-        if (told_.kind == ViolationKind::trace) trace.pop_back();
+        if (told_.kind == ViolationKind::trace && !trace.empty()) trace.pop_back();
         Json json{{"machine_name", name},
                   {"type", "trace"},
                   {"error_event", 0},
@@ -114,6 +103,36 @@ public:
     }
 
 private:
+    /// Where in a trace the offending event stands, where there is one.
+    using Offence = std::optional<std::size_t>;
+
+    [[nodiscard]] Offence offence_of_whole() const {
+        if (told_.kind != ViolationKind::trace || told_.steps.empty()) return std::nullopt;
+        return told_.steps.size() - 1;
+    }
+    /// A part has an entry for every step of the part above it, but for what was compressed, which has a run of its own.
+    static Offence offence_of(const process::Behaviour& part, const process::Behaviour& above, Offence offence) {
+        if (!part.own_run || !offence) return offence;
+        if (*offence >= above.trace.size() || above.trace[*offence] == process::no_event) return std::nullopt;
+        const auto visible = [](Event event) { return event != process::tau && event != process::no_event; };
+        const auto last = std::find_if(part.trace.rbegin(), part.trace.rend(), visible);
+        if (last == part.trace.rend()) return std::nullopt;
+        return static_cast<std::size_t>(part.trace.rend() - last) - 1;
+    }
+    Json part(const process::Behaviour& behaviour, Offence offence) {
+        Json json{{"machine_name", behaviour.name}, {"type", type()}};
+        finish(json, behaviour.trace, behaviour.revealed, behaviour.offered, offence);
+        if (!behaviour.op.empty()) json["operator"] = behaviour.op;
+        json["states"] = Json::array({behaviour.name, behaviour.state});
+        children(json, behaviour, offence);
+        return json;
+    }
+    void children(Json& json, const process::Behaviour& behaviour, Offence offence) {
+        if (behaviour.parts.empty()) return;
+        json["child_behaviours"] = Json::array();
+        for (const process::Behaviour& each : behaviour.parts)
+            json["child_behaviours"].push_back(part(each, offence_of(each, behaviour, offence)));
+    }
     [[nodiscard]] const char* type() const {
         switch (told_.kind) {
             case ViolationKind::trace:
@@ -125,15 +144,17 @@ private:
                 return "min_acceptance";
         }
     }
-    void finish(Json& json, std::vector<Event> trace, std::vector<Event> revealed, const process::EventSet& offered) {
+    void finish(Json& json, std::vector<Event> trace, std::vector<Event> revealed, const process::EventSet& offered,
+                Offence offence) {
         if (told_.kind == ViolationKind::trace) {
-            json["error_event"] = events_.number(trace.back());
-            trace.pop_back();
-            revealed.pop_back();
+            const bool has_it = offence && *offence < trace.size();
+            json["error_event"] = has_it ? events_.number(trace[*offence]) : 0;
+            if (has_it) trace.resize(*offence);
+            if (has_it) revealed.resize(*offence);
         } else if (told_.kind == ViolationKind::no_trace) {
             json["error_event"] = told_.event ? events_.number(*told_.event) : 0;
         } else if (told_.kind == ViolationKind::divergence) {
-            json["loop_start"] = told_.steps.size();
+            json["loop_start"] = std::min(told_.steps.size(), trace.size());
         } else {
             json["acceptance"] = events_.numbers(offered);
         }
@@ -153,7 +174,7 @@ Json counterexample(const ScriptAssertion& assertion, EventMap& events, const Op
     if (!assertion.specification.empty())
         json["specification_behaviour"] = behaviours.specification(assertion.specification);
     json["implementation_behaviour"] = behaviours.implementation(assertion.process);
-    if (assertion.behaviour) behaviours.children(json["implementation_behaviour"], *assertion.behaviour);
+    if (assertion.behaviour) behaviours.parts(json["implementation_behaviour"], *assertion.behaviour);
     if (told.kind == ViolationKind::nondeterminism && told.event) json["event"] = events.number(*told.event);
     json["replayed_by"] = told.replayed_by_terms ? "terms" : "compiled rules";
     return json;

@@ -126,7 +126,7 @@ std::string visible_trace(const refine::Counterexample& c, const Names& names) {
     std::vector<std::string> trace;
     for (const refine::Step& step : c.steps)
         if (step.event != process::tau) trace.push_back(names.of(step.event));
-    if (c.kind == ViolationKind::trace) trace.pop_back();
+    if (c.kind == ViolationKind::trace && !trace.empty()) trace.pop_back();
     return fmt::format("<{}>", fmt::join(trace, ", "));
 }
 
@@ -138,7 +138,7 @@ std::string plain_counterexample(const ScriptAssertion& a, const Names& names, c
             "        Specification Debug:\n            {}:\n                Trace: {}\n                Allowed: {}\n",
             a.specification, visible_trace(c, names), sets(names, c.required));
     std::vector<refine::Step> steps = c.steps;
-    if (c.kind == ViolationKind::trace) steps.pop_back();
+    if (c.kind == ViolationKind::trace && !steps.empty()) steps.pop_back();
     out += fmt::format("        Implementation Debug:\n            {}:\n                Trace: {}\n", a.process,
                        names.run(steps));
     if (c.kind == ViolationKind::divergence) out += fmt::format("                Repeating: {}\n", names.run(c.loop));

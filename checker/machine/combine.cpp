@@ -31,8 +31,8 @@ using Vectors = std::vector<Vector>;
 class Combiner {
 public:
     Combiner(const process::TermStore& terms, const Skeleton& skeleton, std::vector<ComponentPtr> components,
-             std::size_t most_rules)
-        : terms_(terms), skeleton_(skeleton), most_rules_(most_rules) {
+             std::size_t most_rules, const std::function<void()>& poll)
+        : terms_(terms), skeleton_(skeleton), most_rules_(most_rules), poll_(poll) {
         result_.components = std::move(components);
     }
 
@@ -60,6 +60,8 @@ private:
     Vectors handed_over(const Node& node, std::vector<Vectors> operands);
     void together(std::vector<const Vectors*> who, Event event, Vectors& out);
     void charge(std::size_t vectors);
+    void charge_work(std::size_t steps) const;
+    static void prepend(Vector& vector, const std::vector<Action>& first);
 
     [[nodiscard]] std::vector<std::uint32_t> levels(const Node& prioritise) const;
     [[nodiscard]] std::vector<Assignment> assignments(const std::vector<Action>& actions) const;
@@ -73,13 +75,31 @@ private:
     const process::TermStore& terms_;
     const Skeleton& skeleton_;
     std::size_t most_rules_;
+    const std::function<void()>& poll_;
     std::size_t made_ = 0;
+    mutable std::size_t work_ = 0;
     Supercombinator result_;
 };
 
 void Combiner::charge(std::size_t vectors) {
     made_ += vectors;
     if (made_ > most_rules_) throw NotCompiled("too many rules");
+    charge_work(vectors);
+}
+
+/// Parts, actions and assignments: where operators stand deep in each other a rule can have one for each of them.
+void Combiner::charge_work(std::size_t steps) const {
+    constexpr std::size_t worth = 20;  // of a rule
+    constexpr std::size_t between_polls = 1024;
+    const std::size_t before = work_;
+    work_ += steps;
+    if (poll_ && before / between_polls != work_ / between_polls) poll_();
+    if (work_ > worth * most_rules_) throw NotCompiled("the rules are too large");
+}
+
+/// What happens first: an action of the vector may start again what is turned off here.
+void Combiner::prepend(Vector& vector, const std::vector<Action>& first) {
+    vector.actions.insert(vector.actions.begin(), first.begin(), first.end());
 }
 
 std::uint32_t Combiner::region(NodeId top, const std::vector<std::uint32_t>& level) {
@@ -150,6 +170,7 @@ void Combiner::together(std::vector<const Vectors*> who, Event event, Vectors& o
         for (const Vector& one : *each) {
             if (one.event != event) continue;
             for (const Vector& prefix : open) {
+                charge_work(prefix.parts.size() + prefix.actions.size() + one.parts.size() + one.actions.size());
                 Vector joint = prefix;
                 joint.parts.insert(joint.parts.end(), one.parts.begin(), one.parts.end());
                 joint.actions.insert(joint.actions.end(), one.actions.begin(), one.actions.end());
@@ -179,6 +200,7 @@ Vectors Combiner::parallel(const Node& node, std::vector<Vectors> operands) {
     std::vector<Vectors> shared;
     for (Vectors& operand : operands) {
         Vectors& own = shared.emplace_back();
+        charge_work(operand.size());
         for (Vector& each : operand) (joint(each.event) ? own : result).push_back(std::move(each));
     }
     std::vector<std::map<Event, Vectors>> tables(shared.size());
@@ -232,6 +254,7 @@ Vectors Combiner::renamed(const Node& node, const Vectors& operand) {
     const process::Renaming& pairs = terms_[process::RenamingId{terms_[node.term].payload}];
     Vectors result;
     for (const Vector& each : operand) {
+        charge_work(1 + each.parts.size() + each.actions.size());
         auto pair = std::lower_bound(pairs.begin(), pairs.end(), process::EventPair{each.event, 0});
         const bool named = each.event != tau && each.event != tick && pair != pairs.end() && pair->first == each.event;
         if (!named) result.push_back(each);
@@ -267,8 +290,11 @@ Vectors Combiner::interruptible(const Node& node, std::vector<Vectors> operands)
         for (Vector& each : operands[i]) {
             const bool first_of_interrupt = node.op == Op::interrupt && i == 0;
             const bool resolves = first_of_interrupt ? each.event == tick : each.event != tau;
+            std::vector<Action> others;
             for (std::size_t other = 0; resolves && other < operands.size(); ++other)
-                if (other != i) each.actions.push_back({node.children[other], false});
+                if (other != i) others.push_back({node.children[other], false});
+            charge_work(1 + others.size() + (others.empty() ? 0 : each.actions.size()));
+            prepend(each, others);
             result.push_back(std::move(each));
         }
     return result;
@@ -288,7 +314,7 @@ Vectors Combiner::gated(const Node& node, std::vector<Vectors> operands) {
     };
     if (node.op == Op::sliding) {
         for (Vector& each : operands[1])
-            if (each.event != tau) each.actions.push_back({gate, false});
+            if (each.event != tau) prepend(each, {{gate, false}});
         open(operands[0].front(), node.children[2]);
     } else if (node.op == Op::internal_choice) {
         for (std::size_t i = 1; i < node.children.size(); ++i) open(operands[0].front(), node.children[i]);
@@ -309,6 +335,7 @@ std::vector<std::uint32_t> Combiner::levels(const Node& prioritise) const {
 
 void Combiner::turn_off(NodeId id, std::map<std::uint32_t, Local>& values) const {
     const Node& node = skeleton_.nodes[id];
+    charge_work(node.end_slot - node.first_slot);
     for (std::uint32_t slot = node.first_slot; slot < node.end_slot; ++slot)
         values[slot] = static_cast<Local>(result_.components[slot]->size());
 }
@@ -316,6 +343,7 @@ void Combiner::turn_off(NodeId id, std::map<std::uint32_t, Local>& values) const
 /// The first states below a node: operands that wait for their turn are off.
 void Combiner::initialise(NodeId id, std::map<std::uint32_t, Local>& values) const {
     const Node& node = skeleton_.nodes[id];
+    charge_work(1);
     if (node.kind == Node::Kind::again) return initialise(node.again, values);
     if (node.kind != Node::Kind::operation) {
         values[node.first_slot] = 0;
@@ -349,13 +377,16 @@ std::vector<std::vector<double>> Combiner::chances(const Region& region) const {
         result.emplace_back(region.alphabets[who].size(), 0.0);
         const Component& component = *result_.components[participant.index];
         const double share = 1.0 / static_cast<double>(component.size());
-        for (Local state = 0; state < component.size(); ++state)
+        for (Local state = 0; state < component.size(); ++state) {
+            if (poll_) poll_();
             for (const Component::Edge& edge : component.edges(state)) result.back()[edge.event] += share;
+        }
     }
     return result;
 }
 
 void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<std::uint32_t>& level) const {
+    charge_work(1 + vector.parts.size() + vector.actions.size());
     Rule rule{};
     rule.event = vector.event;
     rule.revealed = vector.revealed;
@@ -426,13 +457,15 @@ void Combiner::pack() {
     result_.words = word + 1;
 }
 
-Leading leading(const Supercombinator& combined, const Region& region, std::uint32_t participant) {
+Leading leading(const Supercombinator& combined, const Region& region, std::uint32_t participant,
+                const std::function<void()>& poll) {
     Leading result;
     if (region.participants[participant].is_region) return result;
     const Component& component = *combined.components[region.participants[participant].index];
     const std::vector<std::uint32_t>& rule = region.first_rule[participant];
     result.first.push_back(0);
     for (Local state = 0; state < component.size(); ++state) {
+        if (poll) poll();
         for (const Component::Edge& edge : component.edges(state))
             if (rule[edge.event] < rule[edge.event + 1U]) result.edges.push_back(edge);
         result.first.push_back(static_cast<std::uint32_t>(result.edges.size()));
@@ -442,15 +475,15 @@ Leading leading(const Supercombinator& combined, const Region& region, std::uint
 
 }  // namespace
 
-void list_leading(Supercombinator& combined) {
+void list_leading(Supercombinator& combined, const std::function<void()>& poll) {
     for (Region& region : combined.regions)
         for (std::uint32_t who = 0; who < region.participants.size(); ++who)
-            region.leading.push_back(leading(combined, region, who));
+            region.leading.push_back(leading(combined, region, who, poll));
 }
 
 Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton, std::vector<ComponentPtr> components,
-                        std::size_t most_rules) {
-    return Combiner(terms, skeleton, std::move(components), most_rules).combine();
+                        std::size_t most_rules, const std::function<void()>& poll) {
+    return Combiner(terms, skeleton, std::move(components), most_rules, poll).combine();
 }
 
 }  // namespace robochart::machine

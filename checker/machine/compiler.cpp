@@ -194,18 +194,18 @@ ComponentPtr Compiler::region(TermId term, const std::function<void()>& poll) {
 std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std::function<void()>& poll) {
     process::TermStore& terms = semantics_.terms();
     try {
-        std::optional<Skeleton> skeleton = skeleton_of(terms, term);
+        std::optional<Skeleton> skeleton = skeleton_of(terms, term, {}, poll);
         if (!skeleton) return nullptr;
         std::vector<ComponentPtr> components = this->components(*skeleton, poll);
         const std::set<TermId> regions = small_regions(*skeleton, components);
         for (TermId each : regions) region(each, poll);
-        if (auto simpler = skeleton_of(terms, term, regions)) {
+        if (auto simpler = skeleton_of(terms, term, regions, poll)) {
             skeleton = std::move(simpler);
             components = this->components(*skeleton, poll);
         }
-        Supercombinator combined = combine(terms, *skeleton, components, bounds_.rules);
-        while (prune(combined, components, poll)) combined = combine(terms, *skeleton, components, bounds_.rules);
-        list_leading(combined);
+        Supercombinator combined = combine(terms, *skeleton, components, bounds_.rules, poll);
+        while (prune(combined, components, poll)) combined = combine(terms, *skeleton, components, bounds_.rules, poll);
+        list_leading(combined, poll);
         return std::make_unique<SupercombinatorSystem>(std::make_shared<const Supercombinator>(std::move(combined)),
                                                        terms);
     } catch (const process::Interrupted&) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 #include "checker/machine/not_compiled.hpp"
 
@@ -15,10 +16,21 @@ constexpr int deepest_look = 100;         // operators looked through for a para
 constexpr int deepest_prefix = 3;         // events before a parallel operator that are looked through
 constexpr std::size_t most_branches = 8;  // of a prefix that is taken apart
 constexpr std::size_t most_nodes = 200'000;
+constexpr std::size_t most_prefixes = 500;  // taken apart, in all
+constexpr std::size_t longest_chain = 60;   // of prefixes taken apart inside each other
+
+/// Taking prefixes apart does not end, or not soon.
+class UnfoldsOn : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
 
 class Builder {
 public:
-    Builder(process::TermStore& terms, const std::set<TermId>& leaves) : terms_(terms), leaves_(leaves) {}
+    /// `through_prefixes`: whether prefixes are looked through.
+    Builder(process::TermStore& terms, const std::set<TermId>& leaves, bool through_prefixes,
+            const std::function<void()>& poll)
+        : terms_(terms), leaves_(leaves), through_prefixes_(through_prefixes), poll_(poll) {}
 
     Skeleton build(TermId term) {
         node(term, 0, {}, 0);
@@ -29,8 +41,11 @@ public:
 
 private:
     bool looks_composite(const Term& term, int depth, int prefixes);
-    /// The nodes around, where control that gets here leaves nothing of them behind.
-    using Tail = std::vector<NodeId>;
+    /// The nodes around of which control leaves nothing behind when it gets to a node...
+    struct Tail {
+        std::vector<NodeId> at_once;   ///< ...by whatever led there
+        std::vector<NodeId> by_event;  ///< ...once the node has done a visible event: it has resolved the choices around
+    };
 
     NodeId node(TermId term, NodeId region, const Tail& tail, int depth);
     NodeId add(Node::Kind kind, TermId term, NodeId region);
@@ -41,12 +56,17 @@ private:
 
     process::TermStore& terms_;
     const std::set<TermId>& leaves_;
+    bool through_prefixes_;
+    const std::function<void()>& poll_;
+    std::size_t prefixes_taken_ = 0;
+    std::size_t chain_ = 0;  // prefixes around the node that is made
     Skeleton result_;
     std::map<std::pair<TermId, int>, bool> composite_;  // false while it is not known
 };
 
 bool Builder::composite(TermId id, int depth, int prefixes) {
     if (depth > deepest_look) return false;
+    if (poll_) poll_();
     id = terms_.unfolded(id, deepest_look);
     if (leaves_.contains(id)) return false;
     const auto [known, fresh] = composite_.emplace(std::pair(id, prefixes), false);
@@ -75,7 +95,7 @@ bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
         case Op::internal_choice:
             return some_child();
         case Op::prefix: {
-            if (prefixes >= deepest_prefix) return false;
+            if (!through_prefixes_ || prefixes >= deepest_prefix) return false;
             const std::vector<process::Branch> branches = terms_.branches(term.payload);
             return branches.size() <= most_branches &&
                    std::any_of(branches.begin(), branches.end(), [&](const process::Branch& branch) {
@@ -105,10 +125,11 @@ void Builder::leaf(NodeId id) {
 }
 
 NodeId Builder::node(TermId term, NodeId region, const Tail& tail, int depth) {
+    if (poll_) poll_();
     term = terms_.unfolded(term, deepest_look);
-    const auto same =
-        std::find_if(tail.begin(), tail.end(), [&](NodeId around) { return result_.nodes[around].term == term; });
-    if (same != tail.end()) {
+    const auto same = std::find_if(tail.at_once.begin(), tail.at_once.end(),
+                                   [&](NodeId around) { return result_.nodes[around].term == term; });
+    if (same != tail.at_once.end()) {
         const NodeId around = *same;
         const NodeId id = add(Node::Kind::again, term, region);
         result_.nodes[id].again = around;
@@ -140,19 +161,30 @@ void Builder::gate(NodeId id) {
 
 void Builder::operation(NodeId id, const Tail& tail, int depth) {
     const Term term = terms_[result_.nodes[id].term];
+    // What takes over for good, with and without a visible event.
     Tail inside = tail;
-    inside.push_back(id);
+    inside.at_once.push_back(id);
+    inside.by_event.push_back(id);
+    // An operand of a choice: it is alone once it has done a visible event.
+    Tail chosen{{}, tail.by_event};
+    chosen.by_event.push_back(id);
     switch (term.op) {
         // The first operand runs until the second one takes over for good.
         case Op::sequential:
-        case Op::exception:
             child(id, term.children[0], {}, depth);
             child(id, term.children[1], inside, depth);
             break;
+        case Op::exception:
+            child(id, term.children[0], {}, depth);
+            child(id, term.children[1], {inside.by_event, inside.by_event}, depth);
+            break;
         case Op::sliding:
             gate(id);
-            child(id, term.children[0], {}, depth);
+            child(id, term.children[0], chosen, depth);
             child(id, term.children[1], inside, depth);
+            break;
+        case Op::external_choice:
+            for (TermId each : term.children) child(id, each, chosen, depth);
             break;
         case Op::internal_choice:
             gate(id);
@@ -160,8 +192,11 @@ void Builder::operation(NodeId id, const Tail& tail, int depth) {
             break;
         case Op::prefix: {
             gate(id);
+            if (++prefixes_taken_ > most_prefixes || ++chain_ > longest_chain) throw UnfoldsOn("");
             const std::vector<process::Branch> branches = terms_.branches(term.payload);
-            for (const process::Branch& branch : branches) child(id, branch.target, inside, depth);
+            for (const process::Branch& branch : branches)
+                child(id, branch.target, {inside.by_event, inside.by_event}, depth);
+            --chain_;
             break;
         }
         default:
@@ -171,10 +206,17 @@ void Builder::operation(NodeId id, const Tail& tail, int depth) {
 
 }  // namespace
 
-std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term, const std::set<TermId>& leaves) {
-    Builder builder(terms, leaves);
-    if (!builder.composite(term)) return std::nullopt;
-    return builder.build(term);
+std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term, const std::set<TermId>& leaves,
+                                    const std::function<void()>& poll) {
+    for (const bool through_prefixes : {true, false}) {
+        Builder builder(terms, leaves, through_prefixes, poll);
+        if (!builder.composite(term)) return std::nullopt;
+        try {
+            return builder.build(term);
+        } catch (const UnfoldsOn&) {
+        }
+    }
+    throw std::logic_error("a skeleton without prefixes looks through them");
 }
 
 }  // namespace robochart::machine

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "checker/machine/component.hpp"
@@ -80,10 +81,12 @@ struct Supercombinator {
     std::uint32_t words = 1;
 };
 
-/// The rules of a skeleton whose components are made. Throws NotCompiled beyond `most_rules`.
+/// The rules of a skeleton whose components are made. Throws NotCompiled beyond `most_rules`, and where the rules say
+/// more than so many are worth. `poll` may throw to stop.
 [[nodiscard]] Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton,
-                                      std::vector<ComponentPtr> components, std::size_t most_rules);
+                                      std::vector<ComponentPtr> components, std::size_t most_rules,
+                                      const std::function<void()>& poll);
 /// What a system needs besides: the edges that rules begin with.
-void list_leading(Supercombinator& combined);
+void list_leading(Supercombinator& combined, const std::function<void()>& poll);
 
 }  // namespace robochart::machine

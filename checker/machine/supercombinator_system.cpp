@@ -140,6 +140,8 @@ private:
 
     /// Priority as in process/composition_rules.cpp, prioritise: an event is prevented by one of a higher level.
     void perform(const Rule& rule, Event revealed_by_participant) {
+        constexpr std::uint32_t between_polls = 64;
+        if (++system_.performed_ % between_polls == 0 && system_.poll_) system_.poll_();
         if (probing_) {
             best_ = std::min(best_, rule.level);
             return;
@@ -213,7 +215,11 @@ std::uint32_t SupercombinatorSystem::best_level(std::uint32_t region) {
 
 void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     // Where one system is both sides of a refinement, the sink asks for successors while it is given some.
-    if (busy_) return SupercombinatorSystem(combined_, terms_).successors(state, sink);
+    if (busy_) {
+        SupercombinatorSystem another(combined_, terms_);
+        another.poll_ = poll_;
+        return another.successors(state, sink);
+    }
     busy_ = true;
     try {
         pass_successors(state, sink);

@@ -22,6 +22,7 @@ public:
     }
     [[nodiscard]] const process::EventTable& events() const override { return terms_.events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
+    void watch(const std::function<void()>& poll) override { poll_ = poll; }
 
 private:
     struct Move {
@@ -59,6 +60,8 @@ private:
     std::uint64_t state_number_ = 0;   // of the states whose successors were asked for
     std::vector<lts::Word> target_;
     bool busy_ = false;
+    std::function<void()> poll_;  // asked where one state has many successors
+    std::uint32_t performed_ = 0;
 };
 
 }  // namespace robochart::machine

@@ -187,6 +187,7 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
     Steps own;
     for (const Transition& each : *inside) own.push_back({own.size(), each});
     segment.behaviour.parts.push_back(Splitter(semantics_, own.size(), work_).part(operand, own, depth + 1));
+    segment.behaviour.parts.back().own_run = true;
     return segment;
 }
 

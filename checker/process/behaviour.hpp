@@ -22,6 +22,7 @@ struct Behaviour {
     std::string state;            ///< the part where it ends
     EventSet offered;             ///< what it offers there: visible events and tick
     bool stable = true;           ///< it can do no tau there
+    bool own_run = false;         ///< what was compressed: its trace counts the steps of a run of its own
     bool left = false;            ///< it ended before the whole did: another part took over, or it terminated
     std::vector<Behaviour> parts;
 

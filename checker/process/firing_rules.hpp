@@ -1,6 +1,7 @@
 // The firing rules of every operator, each beside its published statement. Private to checker/process.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,9 +30,13 @@ public:
     std::optional<TermId> missing_operand(TermId);
     /// Ordered by event; no repetitions.
     std::vector<Transition> transitions(TermId);
+    /// Called now and then where a term has many transitions; may throw to stop. Empty: none.
+    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
 
 private:
     using List = std::vector<Transition>;
+
+    std::function<void()> poll_;
 
     void fire(const Term&, List&);
     void stop_family(const Term&, List&);

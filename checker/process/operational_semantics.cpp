@@ -82,6 +82,7 @@ void OperationalSemantics::Impl::set(TermId term, std::vector<Transition> result
 
 void OperationalSemantics::Impl::compute_on(std::vector<TermId>& stack) {
     while (!stack.empty()) {
+        if (poll) poll();
         const TermId top = stack.back();
         const std::optional<TermId> missing = compresses(top) ? std::nullopt : rules.missing_operand(top);
         if (missing) {
@@ -151,6 +152,7 @@ std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
     }
     const auto transitions_of = [&](std::size_t state) {
         std::vector<Transition> result;
+        if (poll) poll();
         for (const Machine::Edge& edge : machine.edges[state])
             result.push_back({edge.event, edge.event, states[edge.target]});
         return result;
@@ -173,6 +175,7 @@ TermStore& OperationalSemantics::terms() const {
 }
 
 void OperationalSemantics::watch(std::function<void()> poll) {
+    impl_->rules.watch(poll);
     impl_->poll = std::move(poll);
 }
 

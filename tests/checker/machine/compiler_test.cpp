@@ -87,6 +87,36 @@ TEST_F(Compiled, RecursionThroughCompositions) {
     EXPECT_EQ(states(started), states_of_pair);
 }
 
+// Machines with modes: an event that stays in a mode, or leads to another one, comes back to a node around through a
+// choice that it has resolved. Each mode is one state, whatever the ways between them.
+TEST_F(Compiled, ModesBeforeComponents) {
+    const TermId off = s.name("Off");
+    const TermId on = s.name("On");
+    const auto choice = [&](std::vector<TermId> options) { return s.op(Op::external_choice, std::move(options)); };
+    s.bind(off, choice({s.prefix("on", on), s.prefix("tick", off)}));
+    s.bind(on, choice({s.prefix("start", pair()), s.prefix("tick", on), s.prefix("off", off)}));
+    EXPECT_EQ(states(off), 2 + states_of_pair);
+    // The pair itself can lead back: by its end, by an exception, out of a timeout.
+    const TermId idle = s.name("Idle");
+    s.bind(idle, choice({s.prefix("start", s.op(Op::sequential, {pair(), idle})), s.prefix("tick", idle)}));
+    EXPECT_EQ(states(idle), states_of_pair) << "the pair's end is the beginning";
+    const TermId guarded = s.name("Guarded");
+    s.bind(guarded, choice({s.prefix("start", s.over(Op::exception, {pair(), guarded}, {"b"})), s.prefix("tick", guarded)}));
+    EXPECT_EQ(states(guarded), 4U) << "no b, and none, one or two a";
+    const TermId timed = s.name("Timed");
+    s.bind(timed, s.op(Op::sliding, {choice({s.prefix("start", pair()), s.prefix("tick", timed)}), s.prefix("late", timed)}));
+    EXPECT_EQ(states(timed), 2 + states_of_pair);
+}
+
+// Where the modes have no end, or none soon, what begins with an event is one component, or the whole stays a term.
+TEST_F(Compiled, ModesWithoutEnd) {
+    TermId next = stop;
+    for (int i = 0; i < 2'000; ++i) next = s.menu({{"up", next}, {"go", pair()}});
+    EXPECT_EQ(compiler.compile(next, {}), nullptr);
+    EXPECT_EQ(states(s.over(Op::parallel, {next, s.prefix("go", stop)}, {"up"})), 1U + states_of_pair * 2)
+        << "no up: the other side never does one; a go by either, or by both";
+}
+
 TEST_F(Compiled, PrioritiesInsideAndOutside) {
     EXPECT_EQ(states(s.prioritise(pair(), {{"a"}, {"b"}})), 6U) << "a, a, b, b";
     const TermId inner = s.prioritise(pair(), {{"b"}, {"a"}});

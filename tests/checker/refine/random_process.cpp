@@ -70,6 +70,17 @@ Process Decoder::prefix(int depth) {
     return std::make_shared<const Tree>(std::move(tree));
 }
 
+/// One mode of a machine: some events stay in it or lead to another mode, one starts components.
+Process Decoder::modes(int depth) {
+    const auto lead = [&](Process to) {
+        Tree tree{Kind::prefix, {std::move(to)}, {letter()}, {}, {}, {}, 0};
+        return std::make_shared<const Tree>(std::move(tree));
+    };
+    Process stay = lead(sequential_leaf(true));
+    Process start = lead(make(Kind::parallel, {closed(depth - 2), closed(depth - 2)}));
+    return make(take(4) == 0 ? Kind::sliding : Kind::external, {std::move(start), std::move(stay)});
+}
+
 Process Decoder::closed(int depth) {
     const int calls = std::exchange(definitions_, 0);
     Process result = sequential(depth, false);
@@ -79,7 +90,7 @@ Process Decoder::closed(int depth) {
 
 Process Decoder::sequential(int depth, bool guarded) {
     if (depth <= 0) return sequential_leaf(guarded);
-    switch (take(15)) {
+    switch (take(20)) {
         case 0:
         case 1:
             return sequential_leaf(guarded);
@@ -101,6 +112,14 @@ Process Decoder::sequential(int depth, bool guarded) {
             return make(Kind::sync_interrupt, {closed(depth - 1), closed(depth - 1)}, set());
         case 10:
             return compressed(closed(depth - 1));
+        case 11:
+        case 12:
+            return make(Kind::parallel, {closed(depth - 1), closed(depth - 1)}, take(2) == 0 ? std::set<Letter>{} : set());
+        case 13:
+        case 14:
+            return modes(depth);
+        case 15:
+            return make(take(2) == 0 ? Kind::hide : Kind::project, {closed(depth - 1)}, set());
         default:
             return prefix(depth);
     }

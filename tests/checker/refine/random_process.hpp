@@ -26,6 +26,8 @@ private:
     Process sequential_leaf(bool guarded);
     Process prefix(int depth);
     /// A process without calls.
+    /// One mode of a machine with several, before components that run in parallel.
+    Process modes(int depth);
     Process closed(int depth);
     Process static_leaf();
     Process composite(int depth);
