@@ -4,7 +4,7 @@
 #include <new>
 
 #include "app/bounds.hpp"
-#include "app/interrupt.hpp"
+#include "app/run.hpp"
 #include "app/sizes.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/session.hpp"
@@ -88,6 +88,7 @@ std::string said(const Project& project, const cspm::EvaluationError& error) {
 /// One assertion of an obligation: its answer, with its counterexample where it fails.
 void decide_one(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion, AssertionReport& report) {
     report.answer = Answer::holds;
+    report.reason.clear();
     try {
         take(context, obligation, context.session.check(assertion, limits(context.options)).verdict, report);
     } catch (const cspm::EvaluationError& error) {
@@ -102,7 +103,6 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
 /// All assertions must hold: the first that does not ends it. Or one suffices: the first that holds does, and only if
 /// each of them fails the claim does.
 void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
-    const InterruptScope scope;
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
         const bool unknown = report.answer == Answer::inconclusive && !report.reason.empty();
         const std::string reason = report.reason;
@@ -120,6 +120,21 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
 bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
     if (context.options.assertion.empty()) return true;
     return obligation.property != ir::no_id && context.project.system.properties[obligation.property].name == context.options.assertion;
+}
+
+/// All that is to be decided stands in the report from the beginning, as not decided.
+void announce(const Context& context, Report& report) {
+    const auto edit = context.options.run->edit();
+    for (const csp_emit::Obligation& obligation : context.emission.obligations) {
+        if (!wanted(context, obligation)) continue;
+        AssertionReport one;
+        one.title = obligation.title;
+        if (obligation.property != ir::no_id)
+            one.place = context.project.sources.place(context.project.system.properties[obligation.property].origin.span);
+        one.answer = obligation.assertions.empty() ? Answer::no_check : Answer::inconclusive;
+        one.reason = obligation.assertions.empty() ? obligation.reason : not_decided;
+        report.assertions.push_back(std::move(one));
+    }
 }
 
 /// A script that names what does not exist is bad input: reported once for all its claims.
@@ -141,21 +156,20 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
     if (!project.diagnostics.ok() || (emission.obligations.empty() && !options.sizes)) return;
     const std::unique_ptr<cspm::Session> session = open(project, emission, time, report);
     if (!session) return;
-    BoundWatch bounds(project, emission, time, report.bounds);
+    std::vector<BoundReport> bounds_met = report.bounds;
+    BoundWatch bounds(project, emission, time, bounds_met);
     session->observe(bounds.observer());
     const Context context{project, options, emission, *session};
+    std::size_t at = report.assertions.size();
+    announce(context, report);
     for (const csp_emit::Obligation& obligation : emission.obligations) {
         if (!wanted(context, obligation)) continue;
-        AssertionReport one;
-        one.title = obligation.title;
-        if (obligation.property != ir::no_id) one.place = project.sources.place(project.system.properties[obligation.property].origin.span);
-        if (obligation.assertions.empty()) {
-            one.answer = Answer::no_check;
-            one.reason = obligation.reason;
-        } else {
-            decide(context, obligation, one);
-        }
-        report.assertions.push_back(std::move(one));
+        const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + obligation.title);
+        AssertionReport one = report.assertions[at];
+        if (!obligation.assertions.empty()) decide(context, obligation, one);
+        const auto edit = options.run->edit();
+        report.assertions[at++] = std::move(one);
+        report.bounds = bounds_met;
     }
     if (options.sizes) measure_sizes(*session, emission, time, options, report);
 }

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <iterator>
 
-#include "app/interrupt.hpp"
+#include "app/output.hpp"
 #include "app/script.hpp"
 #include "app/script_report.hpp"
 #include "app/verbs.hpp"
@@ -54,7 +54,6 @@ ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std:
     name_sides(assertion.assertion, report);
     report.text = without_keyword(cspm::print(cspm::Script{{std::make_shared<const cspm::Decl>(assertion)}}));
     while (!report.text.empty() && report.text.back() == '\n') report.text.pop_back();
-    const InterruptScope scope;
     try {
         report.result = session.check(assertion, limits(options, report.text));
         report.answer = answer(report.result.verdict.outcome);
@@ -92,11 +91,11 @@ std::string types_json(const std::string& path, const LoadedScript& loaded) {
 
 void show_types(const std::string& path, const LoadedScript& loaded, const Options& options) {
     if (options.format == Format::json) {
-        fmt::print("{}", types_json(path, loaded));
+        print("{}", types_json(path, loaded));
     } else if (options.types) {
-        for (const cspm::NamedType& each : loaded.types) fmt::print("{} :: {}\n", each.name, each.type);
+        for (const cspm::NamedType& each : loaded.types) print("{} :: {}\n", each.name, each.type);
     } else if (!options.quiet) {
-        fmt::print("{}: the types of {} names are in order\n", path, loaded.types.size());
+        print("{}: the types of {} names are in order\n", path, loaded.types.size());
     }
 }
 
@@ -132,7 +131,7 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const cspm::Sc
 
 void show_prints(const ScriptReport& script, const Options& options) {
     if (options.quiet || options.format == Format::json || options.format == Format::framed_json) return;
-    for (const ScriptPrint& each : script.prints) fmt::print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
+    for (const ScriptPrint& each : script.prints) print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
 }
 
 /// The findings as FDR's output has them: one text each.
@@ -155,15 +154,15 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
         if (!wanted(options, i + 1)) continue;
         ScriptAssertion decided = decide(session, *assertions[i], i + 1, options, loaded.sources);
         report.assertions.push_back(in_report(decided, session.event_table(), options));
-        if (options.format == Format::plain) fmt::print("{}", refines_plain(decided, session.event_table(), options));
+        if (options.format == Format::plain) print("{}", refines_plain(decided, session.event_table(), options));
         if (options.format == Format::framed_json) {
             ScriptReport frame = script;
             frame.assertions.push_back(std::move(decided));
-            fmt::print("{}", refines_json(frame, session.event_table(), options));
+            print("{}", refines_json(frame, session.event_table(), options));
         } else {
             script.assertions.push_back(std::move(decided));
         }
-        std::fflush(stdout);
+        finish_output();
     }
     if (script.assertions.empty() && !options.assertion.empty() && options.format != Format::framed_json)
         script.errors.push_back(fmt::format("there is no assertion {}: {} has {}", options.assertion, script.path, assertions.size()));
@@ -188,7 +187,7 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
     const bool json = options.format == Format::json || options.format == Format::framed_json;
     const process::EventTable no_events;
     if (!loaded.diagnostics.ok()) {
-        if (json) fmt::print("{}", refines_json(script, no_events, options));
+        if (json) print("{}", refines_json(script, no_events, options));
         return Exit::bad_input;
     }
     try {
@@ -196,12 +195,12 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
         script.prints = print_statements(session, loaded.script, loaded.sources);
         show_prints(script, options);
         decide_all(loaded, session, options, script, report);
-        if (options.format == Format::json) fmt::print("{}", refines_json(script, session.event_table(), options));
+        if (options.format == Format::json) print("{}", refines_json(script, session.event_table(), options));
     } catch (const cspm::EvaluationError& error) {
         script.errors.push_back(fmt::format("{}: {}", loaded.sources.place(error.span), error.what()));
-        if (json) fmt::print("{}", refines_json(script, no_events, options));
+        if (json) print("{}", refines_json(script, no_events, options));
     }
-    for (const std::string& error : script.errors) fmt::print(stderr, "{}\n", error);
+    for (const std::string& error : script.errors) print_error("{}\n", error);
     return script.errors.empty() ? Exit::success : Exit::bad_input;
 }
 
@@ -232,9 +231,9 @@ void show_findings(const LoadedScript& loaded, const Options& options) {
     if (loaded.diagnostics.empty()) return;
     const bool types_only = options.typecheck || options.types;
     if (options.format == Format::json && types_only && !loaded.diagnostics.ok()) {
-        fmt::print("{}", diagnostics::render_json(loaded.sources, loaded.diagnostics));
+        print("{}", diagnostics::render_json(loaded.sources, loaded.diagnostics));
     } else {
-        fmt::print(stderr, "{}", diagnostics::render_text(loaded.sources, loaded.diagnostics));
+        print_error("{}", diagnostics::render_text(loaded.sources, loaded.diagnostics));
     }
 }
 
@@ -247,7 +246,7 @@ Exit run_cspm(const Options& options) {
     Exit exit = Exit::success;
     for (const std::string& path : options.inputs) exit = worse(exit, decide_script(path, options, report));
     if (options.format == Format::text && (exit != Exit::bad_input || !report.assertions.empty()))
-        fmt::print("{}", render_text(report, options));
+        print("{}", render_text(report, options));
     return worse(exit, report.exit());
 }
 

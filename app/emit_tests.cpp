@@ -3,11 +3,12 @@
 
 #include <stdexcept>
 
-#include "app/interrupt.hpp"
+#include "app/output.hpp"
 #include "app/rules.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/evaluation_error.hpp"
 #include "conformance/test_suite.hpp"
+#include "diagnostics/files.hpp"
 
 namespace robochart::app {
 namespace {
@@ -59,7 +60,6 @@ Made make(Project& project, const Options& options, const ir::ComponentRef& comp
 Exit emit_tests(Project& project, const Options& options) {
     const auto components = code_components(project.system, options.component);
     if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
-    const InterruptScope scope;
     std::string written;
     for (const ir::ComponentRef& component : components) {
         const refine::Limits bounds = limits(options, "tests of " + component.path);
@@ -67,10 +67,10 @@ Exit emit_tests(Project& project, const Options& options) {
         try {
             const Made made = make(project, options, component, bounds);
             for (const auto& file : made.files) {
-                const std::string path = fmt::format("{}/tests/{}/{}", options.out, identifier(component.path), file.path);
-                const std::string error = write_file(path, file.text);
+                const std::string place = fmt::format("tests/{}/{}", identifier(component.path), file.path);
+                const std::string error = diagnostics::write_below(options.out, place, file.text, project.diagnostics.budget());
                 if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
-                written += fmt::format("  {:<70} {:>9} bytes\n", path, with_commas(file.text.size()));
+                written += fmt::format("  {:<70} {:>9} bytes\n", options.out + "/" + place, with_commas(file.text.size()));
             }
             written += told(made, options, component);
         } catch (const std::length_error& large) {
@@ -85,7 +85,7 @@ Exit emit_tests(Project& project, const Options& options) {
         if (!refused.empty()) project.diagnostics.report(rules::no_monitor, {}, {component.path, refused});
     }
     if (!show_diagnostics(project, options)) return Exit::bad_input;
-    if (!options.quiet) fmt::print("{}", written);
+    if (!options.quiet) print("{}", written);
     return Exit::success;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/output.hpp"
 #include "app/pages.hpp"
 #include "app/rules.hpp"
 #include "app/verbs.hpp"
@@ -46,10 +47,10 @@ bool explain(const std::string& code, bool color) {
     const std::string_view page = page_text(code);
     const auto rules = find_rules(code);
     if (page.empty() && rules.empty()) {
-        fmt::print(stderr, "robochart-verify: no rule has the code {}; {}\n", code, relatives(code));
+        print_error("robochart-verify: no rule has the code {}; {}\n", code, relatives(code));
         return false;
     }
-    fmt::print("{}", page.empty() ? from_table(rules) : render_page(page, color));
+    print("{}", page.empty() ? from_table(rules) : render_page(page, color));
     return true;
 }
 
@@ -65,10 +66,10 @@ std::string_view list_of_rules() {
 
 Exit run_explain(const Options& options) {
     const bool color = color_wanted(options.color, STDOUT_FILENO);
-    if (options.inputs.empty()) fmt::print("{}", render_page(list_of_rules(), color));
+    if (options.inputs.empty()) print("{}", render_page(list_of_rules(), color));
     Exit exit = Exit::success;
     for (std::size_t i = 0; i < options.inputs.size(); ++i) {
-        if (i > 0) fmt::print("\n");
+        if (i > 0) print("\n");
         if (!explain(options.inputs[i], color)) exit = Exit::bad_input;
     }
     return exit;

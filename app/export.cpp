@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/explored.hpp"
-#include "app/interrupt.hpp"
+#include "app/output.hpp"
 #include "app/script.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/evaluation_error.hpp"
@@ -60,7 +60,6 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
         show_findings(loaded, options);
         return Exit::bad_input;
     }
-    const InterruptScope scope;
     cspm::Session session(loaded.script);
     const refine::Limits bounds = limits(options, options.exported[1]);
     const cspm::ExprPtr& process = asked->assertion.specification;
@@ -79,11 +78,11 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
 Exit export_process(const Options& options) {
     const std::string& format = options.exported[0];
     if (format != "aut" && format != "dot" && format != "csp") {
-        fmt::print(stderr, "robochart-verify: --export {}: the formats are aut, dot and csp\n", format);
+        print_error("robochart-verify: --export {}: the formats are aut, dot and csp\n", format);
         return Exit::usage;
     }
     if (options.inputs.size() != 1) {
-        fmt::print(stderr, "robochart-verify: --export takes one script\n");
+        print_error("robochart-verify: --export takes one script\n");
         return Exit::usage;
     }
     LoadedScript loaded;
@@ -95,10 +94,10 @@ Exit export_process(const Options& options) {
     try {
         return export_from(loaded, options);
     } catch (const cspm::EvaluationError& error) {
-        fmt::print(stderr, "{}: {}\n", loaded.sources.place(error.span), error.what());
+        print_error("{}: {}\n", loaded.sources.place(error.span), error.what());
         return Exit::bad_input;
     } catch (const process::Interrupted& limit) {
-        fmt::print(stderr, "robochart-verify: {} before all states of {} were known; nothing is written\n",
+        print_error("robochart-verify: {} before all states of {} were known; nothing is written\n",
                    limit.what(), options.exported[1]);
         return Exit::inconclusive;
     }

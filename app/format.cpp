@@ -2,21 +2,21 @@
 #include "frontend/format.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <set>
 
 #include "app/diff.hpp"
+#include "app/output.hpp"
 #include "app/rules.hpp"
+#include "app/run.hpp"
 #include "app/verbs.hpp"
+#include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/syntax_rules.hpp"
 
@@ -49,25 +49,6 @@ std::vector<fs::path> files_below(const fs::path& folder) {
     return found;
 }
 
-/// Replaces a file by a temporary one with its permissions. The cause in words on failure, "" on success.
-std::string replace_file(const fs::path& path, const std::string& text) {
-    std::string temporary = (path.parent_path() / ".robochart-format-XXXXXX").string();
-    const auto failure = [&](const char* cause) { return fmt::format("cannot write {}: {}", path.string(), cause); };
-    struct stat before {};
-    if (stat(path.c_str(), &before) != 0) return failure(std::strerror(errno));
-    if (access(path.c_str(), W_OK) != 0) return failure(std::strerror(errno));
-    const int descriptor = mkstemp(temporary.data());
-    if (descriptor < 0) return failure(std::strerror(errno));
-    std::FILE* file = fdopen(descriptor, "wb");
-    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0 &&
-                         fchmod(descriptor, before.st_mode & 07777U) == 0;
-    int cause = written ? 0 : errno;
-    if (std::fclose(file) != 0 && cause == 0) cause = errno;
-    if (cause == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) cause = errno;
-    if (cause != 0) std::remove(temporary.c_str());
-    return cause == 0 ? "" : failure(std::strerror(cause));
-}
-
 /// One run of the verb.
 class Formatting {
 public:
@@ -97,7 +78,7 @@ private:
 void Formatting::show(const diagnostics::Diagnostics& diagnostics) const {
     diagnostics::TextStyle style;
     style.color = color_wanted(options_.color, STDERR_FILENO);
-    fmt::print(stderr, "{}", diagnostics::render_text(sources_, diagnostics, style));
+    print_error("{}", diagnostics::render_text(sources_, diagnostics, style));
 }
 
 void Formatting::report(const diagnostics::Rule& rule, std::vector<std::string> arguments) {
@@ -109,6 +90,7 @@ void Formatting::report(const diagnostics::Rule& rule, std::vector<std::string> 
 
 std::optional<std::string> Formatting::format(diagnostics::SourceId source, bool assertions) {
     diagnostics::Diagnostics diagnostics;
+    diagnostics.within(&options_.run->budget());
     auto result = frontend::format(sources_, source, assertions, diagnostics);
     if (result) return result;
     show(diagnostics);
@@ -132,20 +114,18 @@ void Formatting::standard_input() {
     if (options_.check || options_.diff) {
         if (*result != before) changed("<stdin>", before, *result);
     } else {
-        std::fwrite(result->data(), 1, result->size(), stdout);
+        print_text(*result);
     }
 }
 
 void Formatting::changed(const fs::path& path, std::string_view before, const std::string& after) {
     ++changed_;
-    if (options_.diff) return fmt::print("{}", unified_diff(path.string(), before, after));
+    if (options_.diff) return print("{}", unified_diff(path.string(), before, after));
     if (!options_.check) {
-        std::error_code code;
-        const fs::path target = fs::canonical(path, code);  // a link stays one
-        const std::string error = replace_file(code ? path : target, after);
+        const std::string error = diagnostics::replace_file(path.string(), after, &options_.run->budget());
         if (!error.empty()) return report(rules::unwritable, {error});
     }
-    if (options_.check || !options_.quiet) fmt::print("{}\n", path.string());
+    if (options_.check || !options_.quiet) print("{}\n", path.string());
 }
 
 void Formatting::file(const fs::path& path) {
@@ -179,7 +159,7 @@ std::string Formatting::closing() const {
 Exit Formatting::run() {
     for (const std::string& path : options_.inputs) input(path);
     const bool filters = options_.inputs == std::vector<std::string>{"-"};
-    if (!options_.quiet && !failed_ && !(filters && !options_.check)) fmt::print(stderr, "{}\n", closing());
+    if (!options_.quiet && !failed_ && !(filters && !options_.check)) print_error("{}\n", closing());
     if (failed_) return Exit::bad_input;
     return options_.check && changed_ > 0 ? Exit::failed : Exit::success;
 }

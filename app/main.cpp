@@ -1,11 +1,6 @@
 // robochart-verify: the command.
-#include <fmt/format.h>
-
-#include <cstdio>
-#include <exception>
-#include <new>
-
 #include "app/options.hpp"
+#include "app/run.hpp"
 #include "app/verbs.hpp"
 
 namespace {
@@ -26,18 +21,5 @@ Exit run(const robochart::app::Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        const robochart::app::Parsed parsed = robochart::app::parse_command_line(argc, argv);
-        if (!parsed.options) {
-            fmt::print(parsed.exit == Exit::success ? stdout : stderr, "{}", parsed.message);
-            return static_cast<int>(parsed.exit);
-        }
-        return static_cast<int>(run(*parsed.options));
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "robochart-verify: out of memory\n");
-        return static_cast<int>(Exit::inconclusive);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "robochart-verify: a fault of this program: {}\nplease report it with the model that shows it\n", error.what());
-        return static_cast<int>(Exit::internal);
-    }
+    return robochart::app::run_command("robochart-verify", argc, argv, run);
 }

@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <map>
 
-#include "app/interrupt.hpp"
+#include "app/output.hpp"
 #include "app/rules.hpp"
+#include "app/run.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/reader.hpp"
 #include "cpp_emit/emit.hpp"
+#include "diagnostics/files.hpp"
 #include "frontend/project.hpp"
 #include "semantics/lower.hpp"
 
@@ -41,16 +43,20 @@ std::vector<std::string> notes(const ir::Instantiation& i) {
     return result;
 }
 
-bool write_all(const std::string& folder, const auto& files, std::vector<FileReport>& report, diagnostics::Diagnostics& diagnostics) {
+/// Writes files to a folder ("cpp/C/") of the output folder.
+bool write_all(const std::string& below, const auto& files, std::vector<FileReport>& report, const Options& options,
+               diagnostics::Diagnostics& diagnostics) {
     for (const auto& file : files) {
-        const std::string path = folder + "/" + file.path;
+        diagnostics.poll();
+        const std::string path = fmt::format("{}/{}{}", options.out, below, file.path);
         if constexpr (requires { file.keep; })
             if (file.keep && std::filesystem::exists(path)) continue;
-        const std::string error = write_file(path, file.text);
+        const std::string error = diagnostics::write_below(options.out, below + file.path, file.text, diagnostics.budget());
         if (!error.empty()) {
             diagnostics.report(rules::unwritable, {}, {error});
             return false;
         }
+        const auto edit = options.run->edit();
         report.push_back({path, file.text.size()});
     }
     return true;
@@ -63,7 +69,7 @@ bool write_normal_form(Project& project, const Options& options, const ir::Compo
     };
     const Script script{fmt::format("csp-gen/timed/{}_normal_form.csp", component.path),
                         fmt::format("include \"{}.csp\"\n\n{}", project.name, text)};
-    return write_all(options.out, std::vector<Script>{script}, report.csp_files, project.diagnostics);
+    return write_all("", std::vector<Script>{script}, report.csp_files, options, project.diagnostics);
 }
 
 /// .aut, .dot or .csp.
@@ -80,8 +86,9 @@ conformance::Export export_format(const std::string& path) {
 bool write_code_graph(Project& project, const Options& options, conformance::Result& result, Report& report) {
     std::string error = result.exported.empty() ? fmt::format("--export {}: nothing is written, {}", options.exported_code,
                                                               result.export_failure.empty() ? "there is no code" : result.export_failure)
-                                                : write_file(options.exported_code, result.exported);
+                                                : diagnostics::replace_file(options.exported_code, result.exported, project.diagnostics.budget());
     if (error.empty()) {
+        const auto edit = options.run->edit();
         report.csp_files.push_back({options.exported_code, result.exported.size()});
         return true;
     }
@@ -102,9 +109,9 @@ bool export_fits(Project& project, const Options& options, std::size_t component
 
 std::string qualified(const ir::ComponentRef& ref) { return ref.package.empty() ? ref.path : ref.package + "::" + ref.path; }
 
-/// Where the files of a component go: "cpp/C", of a project "ros2/C".
+/// Where the files of a component go: "cpp/C/", of a project "ros2/C/".
 std::string cpp_folder(const Options& options, const ir::ComponentRef& component) {
-    return fmt::format("{}/{}/{}", options.out, options.target.empty() ? "cpp" : options.target, component.path);
+    return fmt::format("{}/{}/", options.target.empty() ? "cpp" : options.target, component.path);
 }
 
 cpp_emit::Target target_of(const std::string& name) {
@@ -118,13 +125,18 @@ cpp_emit::Strategy strategy_of(const std::string& name) {
     return name == "switch" ? cpp_emit::Strategy::nested_switch : name == "table" ? cpp_emit::Strategy::table : cpp_emit::Strategy::automatic;
 }
 
-Report begin(const Project& project, const Options& options) {
-    Report report;
-    report.model = fmt::format("{}", fmt::join(options.inputs, " "));
+/// What the report begins with. Before, it knows its model's name.
+void begin(const Project& project, const Options& options, Report& report) {
+    const auto edit = options.run->edit();
     report.summary = summary(project.system);
     report.load_seconds = project.seconds;
     report.notes = notes(project.instantiation);
-    return report;
+}
+
+/// The report as it stands, whoever prints it.
+Exit print_report(const Report& report, const Options& options) {
+    print_text(options.format == Format::json ? render_json(report) : render_text(report, options));
+    return report.exit();
 }
 
 bool run_phases(Project& project, const Options& options, Report& report) {
@@ -145,7 +157,7 @@ bool write_csp(Project& project, const Options& options, Report& report) {
         if (skipped) continue;
         const csp_emit::Emission emission = emit_csp(project, options, time);
         if (!project.diagnostics.ok()) return false;
-        if (!write_all(options.out, csp_emit::files(emission, time, project.name), report.csp_files, project.diagnostics)) return false;
+        if (!write_all("", csp_emit::files(emission, time, project.name), report.csp_files, options, project.diagnostics)) return false;
     }
     return true;
 }
@@ -166,7 +178,7 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     for (const ir::ComponentRef& component : components) {
         const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
         if (!project.diagnostics.ok()) return false;
-        if (!write_all(cpp_folder(options, component), emission.files, report.cpp_files, project.diagnostics)) return false;
+        if (!write_all(cpp_folder(options, component), emission.files, report.cpp_files, options, project.diagnostics)) return false;
     }
     return true;
 }
@@ -175,7 +187,17 @@ void check_conformance(Project& project, const Options& options, Report& report)
     const auto components = code_components(project.system, options.component);
     if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
     if (!export_fits(project, options, components.size())) return;
-    for (const ir::ComponentRef& component : components) {
+    const std::size_t first = report.conformance.size();
+    {
+        const auto edit = options.run->edit();
+        for (const ir::ComponentRef& component : components) {
+            report.conformance.push_back({qualified(component), {}, 0});
+            report.conformance.back().result.reason = not_decided;
+        }
+    }
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        const ir::ComponentRef& component = components[i];
+        const diagnostics::Budget::Phase phase(options.run->budget(), "checking the code of " + qualified(component));
         const auto start = std::chrono::steady_clock::now();
         conformance::Options wanted;
         wanted.cycle_length = options.cycle;
@@ -186,35 +208,37 @@ void check_conformance(Project& project, const Options& options, Report& report)
         wanted.exported = export_format(options.exported_code);
         ConformanceReport one;
         one.component = qualified(component);
-        const InterruptScope scope;
         one.result = conformance::conform(project.system, project.instantiation, component, wanted, project.sources, project.diagnostics);
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const bool exported = options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
         if (exported && !write_normal_form(project, options, component, one.result.normal_form, report)) return;
         if (!options.exported_code.empty() && !write_code_graph(project, options, one.result, report)) return;
-        report.conformance.push_back(std::move(one));
+        const auto edit = options.run->edit();
+        report.conformance[first + i] = std::move(one);
     }
 }
 
 Exit print_phase(Project& project, const Options& options) {
     if (options.print == "ast" || options.print == "model") {
-        fmt::print("{}", frontend::dump(*project.model, project.sources, options.print == "model"));
+        print("{}", frontend::dump(*project.model, project.sources, options.print == "model"));
         return acceptable(project, options) ? Exit::success : Exit::bad_input;
     }
     if (!acceptable(project, options)) return Exit::bad_input;
     if (options.print == "ir") {
-        fmt::print("{}", ir::dump(project.system));
+        print("{}", ir::dump(project.system));
         return Exit::success;
     }
     const auto time = options.print == "script" ? csp_emit::Time::untimed : csp_emit::Time::timed;
     const csp_emit::Emission emission = emit_csp(project, options, time);
     if (!show_diagnostics(project, options)) return Exit::bad_input;
-    fmt::print("{}", cspm::print(emission.script));
+    print("{}", cspm::print(emission.script));
     return Exit::success;
 }
 
-Exit run_model(const Options& options) {
-    const auto project = load(options);
+namespace {
+
+Exit run_verb(const Options& options, Report& report, std::unique_ptr<Project>& project) {
+    project = load(options);
     if (!options.print.empty()) {
         show_diagnostics(*project, options);
         return print_phase(*project, options);
@@ -226,13 +250,32 @@ Exit run_model(const Options& options) {
     if (options.verb == Verb::emit_monitor) return emit_monitors(*project, options);
     if (options.verb == Verb::emit_tests) return emit_tests(*project, options);
     if (!options.traces.empty()) return conform_traces(*project, options);
-    Report report = begin(*project, options);
+    begin(*project, options, report);
     const bool good = run_phases(*project, options, report);
+    options.run->finish();
     const bool accepted = show_diagnostics(*project, options);
-    const bool json = options.format == Format::json;
-    if (!good || (json && !accepted)) return Exit::bad_input;
-    fmt::print("{}", json ? render_json(report) : render_text(report, options));
-    return accepted ? report.exit() : Exit::bad_input;
+    if (!good || (options.format == Format::json && !accepted)) return Exit::bad_input;
+    const Exit exit = print_report(report, options);
+    return accepted ? exit : Exit::bad_input;
+}
+
+}  // namespace
+
+Exit run_model(const Options& options) {
+    const auto report = std::make_shared<Report>();
+    report->model = fmt::format("{}", fmt::join(options.inputs, " "));
+    options.run->last_word([report, &options](const std::string& why) {
+        report->limit = why;
+        return print_report(*report, options);
+    });
+    std::unique_ptr<Project> project;
+    try {
+        return run_verb(options, *report, project);
+    } catch (const diagnostics::LimitReached&) {
+        options.run->finish();
+        if (project != nullptr && options.format == Format::text) show_diagnostics(*project, options);
+        throw;
+    }
 }
 
 }  // namespace robochart::app

@@ -6,11 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/interrupt.hpp"
+#include "app/output.hpp"
 #include "app/rules.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/evaluation_error.hpp"
 #include "checker/process/term.hpp"
+#include "diagnostics/files.hpp"
 
 namespace robochart::app {
 namespace {
@@ -128,22 +129,21 @@ std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& o
 Exit emit_monitors(Project& project, const Options& options) {
     const auto components = code_components(project.system, options.component);
     if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
-    const InterruptScope scope;
     std::string written;
     for (const ir::ComponentRef& component : components) {
         const auto made = build(project, options, component, options.cycle);
         if (made == nullptr) break;
         for (const auto& file : conformance::monitor_files(made->tables(), identifier(component.path))) {
-            const std::string path = fmt::format("{}/monitor/{}/{}", options.out, identifier(component.path), file.path);
-            const std::string error = write_file(path, file.text);
+            const std::string place = fmt::format("monitor/{}/{}", identifier(component.path), file.path);
+            const std::string error = diagnostics::write_below(options.out, place, file.text, project.diagnostics.budget());
             if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
-            written += fmt::format("  {:<70} {:>9} bytes\n", path, with_commas(file.text.size()));
+            written += fmt::format("  {:<70} {:>9} bytes\n", options.out + "/" + place, with_commas(file.text.size()));
         }
         written += fmt::format("  {}: {} states, {} columns, {} bytes of table\n", component.path, made->tables().states,
                                made->tables().columns, with_commas(made->bytes()));
     }
     if (!show_diagnostics(project, options)) return Exit::bad_input;
-    if (!options.quiet) fmt::print("{}", written);
+    if (!options.quiet) print("{}", written);
     return Exit::success;
 }
 

@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/interrupt.hpp"
 #include "app/progress.hpp"
 #include "app/rules.hpp"
+#include "app/run.hpp"
 
 namespace robochart::app {
 namespace {
@@ -339,15 +339,14 @@ std::uint64_t default_memory() {
 
 refine::Limits limits(const Options& o, const std::string& subject) {
     refine::Limits result;
+    if (o.run != nullptr) {
+        diagnostics::Budget& budget = o.run->budget();
+        static_cast<diagnostics::Limits&>(result) = budget.limits();
+        result.interrupted = [&budget] { return budget.interrupted(); };
+    }
     result.max_states = o.max_states;
-    result.memory_bytes = o.memory_bytes > 0 ? o.memory_bytes : default_memory();
     result.progress = progress_of(o, subject);
     result.threads = o.threads;
-    result.interrupted = interrupted;
-    if (o.timeout_seconds > 0) {
-        result.deadline = std::chrono::steady_clock::now() +
-                          std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(o.timeout_seconds));
-    }
     return result;
 }
 

@@ -11,11 +11,13 @@
 
 namespace robochart::app {
 
+class Run;
+
 /// Exit codes, documented in `--help` (docs/cli.md).
 enum class Exit : int {
     success = 0,       ///< everything as claimed
     failed = 1,        ///< some assertion fails, some code does not conform, some file is not formatted
-    bad_input = 2,     ///< the model or script is wrong
+    bad_input = 2,     ///< the model or script is wrong, or the output cannot be written
     inconclusive = 3,  ///< a limit was reached, or interrupted
     usage = 4,
     internal = 70,     ///< a fault of ours
@@ -76,9 +78,10 @@ struct Options {
     bool cycle_given = false;
     bool deny_warnings = false;           ///< a warning is as bad as an error
     std::uint64_t memory_bytes = 0;       ///< 0: what `default_memory` says
-    double timeout_seconds = 0;           ///< 0: none
+    double timeout_seconds = 0;           ///< of the whole run; 0: none
     std::uint64_t max_states = 500'000'000;
     unsigned threads = 0;  ///< 0: one a core
+    Run* run = nullptr;    ///< the run that these options are of: its budget, and signals
 };
 
 /// Result of reading the command line: options, or an exit code with a text to print.
@@ -96,7 +99,7 @@ struct Parsed {
 [[nodiscard]] bool color_wanted(Color, int descriptor);
 /// 16 GiB, or three quarters of the memory that this machine or its control group has if that is less.
 [[nodiscard]] std::uint64_t default_memory();
-/// The limits of one check that begins now; its progress is told as the options ask, as that of `subject`.
+/// The limits of one check: those of the run, and its own; its progress is told as the options ask, as that of `subject`.
 [[nodiscard]] refine::Limits limits(const Options&, const std::string& subject = "");
 
 }  // namespace robochart::app

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 
+#include "app/output.hpp"
 #include "app/rules.hpp"
+#include "app/run.hpp"
 #include "checker/cspm/types.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project.hpp"
@@ -28,6 +27,8 @@ std::string project_name(const std::string& input) {
 
 bool lower_all(Project& project, const Options& options) {
     for (const std::string& code : options.allowed) project.diagnostics.allow(code);
+    const diagnostics::Budget::Phase phase(options.run->budget(), "reading the model");
+    project.diagnostics.within(&options.run->budget());
     project.model = frontend::load_project(project.sources, options.inputs, project.diagnostics);
     if (!acceptable(project, options)) return false;
     project.system = ir::lower(*project.model, project.sources, project.diagnostics);
@@ -38,6 +39,7 @@ bool lower_all(Project& project, const Options& options) {
         project.diagnostics.report(rules::bad_option, {}, {error});
         return false;
     }
+    const diagnostics::Budget::Phase instantiating(options.run->budget(), "making the model finite");
     project.instantiation = ir::instantiate(project.system, wanted, project.diagnostics);
     return project.diagnostics.ok();
 }
@@ -77,6 +79,7 @@ std::unique_ptr<Project> load(const Options& options) {
 }
 
 csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::Time time) {
+    const diagnostics::Budget::Phase phase(options.run->budget(), "writing the CSP semantics");
     csp_emit::Options wanted;
     wanted.core_assertions = options.core;
     csp_emit::Emission emission =
@@ -95,24 +98,6 @@ std::vector<ir::ComponentRef> code_components(const ir::System& system, const st
     return chosen;
 }
 
-std::string write_file(const std::string& path, const std::string& text) {
-    std::error_code code;
-    fs::create_directories(fs::path(path).parent_path(), code);
-    if (code) return fmt::format("cannot create the folder of {}: {}", path, code.message());
-    const std::string temporary = path + ".part";
-    std::FILE* file = std::fopen(temporary.c_str(), "wb");
-    if (file == nullptr) return fmt::format("cannot write {}: {}", path, std::strerror(errno));
-    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-    const bool closed = std::fclose(file) == 0;
-    if (!written || !closed) {
-        const std::string cause = std::strerror(errno);
-        std::remove(temporary.c_str());
-        return fmt::format("cannot write {}: {}", path, cause);
-    }
-    fs::rename(temporary, path, code);
-    return code ? fmt::format("cannot write {}: {}", path, code.message()) : "";
-}
-
 bool acceptable(const Project& project, const Options& options) {
     return project.diagnostics.ok() && !(options.deny_warnings && project.diagnostics.warnings() > 0);
 }
@@ -120,12 +105,12 @@ bool acceptable(const Project& project, const Options& options) {
 bool show_diagnostics(const Project& project, const Options& options) {
     const bool good = acceptable(project, options);
     if (options.format == Format::json) {
-        if (!good) fmt::print("{}\n", diagnostics::render_json(project.sources, project.diagnostics));
+        if (!good) print("{}\n", diagnostics::render_json(project.sources, project.diagnostics));
     } else if (!options.quiet || !good) {
         diagnostics::TextStyle style;
         style.color = color_wanted(options.color, STDERR_FILENO);
-        fmt::print(stderr, "{}", diagnostics::render_text(project.sources, project.diagnostics, style));
-        if (!good && project.diagnostics.ok()) fmt::print(stderr, "warnings are denied (--deny-warnings)\n");
+        print_error("{}", diagnostics::render_text(project.sources, project.diagnostics, style));
+        if (!good && project.diagnostics.ok()) print_error("warnings are denied (--deny-warnings)\n");
     }
     return good;
 }

@@ -34,10 +34,6 @@ struct Project {
 /// or the one of the name asked for (any kind). Empty with a diagnostic if there is none.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
 
-/// Writes a file and the folders above it, atomically (a temporary name, then rename).
-/// Returns the cause in words on failure, "" on success.
-[[nodiscard]] std::string write_file(const std::string& path, const std::string& text);
-
 /// No errors, and no warnings where they are denied.
 [[nodiscard]] bool acceptable(const Project&, const Options&);
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/output.hpp"
 #include "app/report.hpp"
 #include "diagnostics/json.hpp"
 
@@ -53,7 +54,7 @@ class Line {
 public:
     void draw(const refine::Progress& progress) {
         drawn_ = true;
-        fmt::print(stderr, "\r\x1b[K{}", progress_text(progress, terminal_width() - 1));
+        print_error("\r\x1b[K{}", progress_text(progress, terminal_width() - 1));
         std::fflush(stderr);
     }
     Line() = default;
@@ -61,7 +62,7 @@ public:
     Line& operator=(const Line&) = delete;
     ~Line() {
         if (!drawn_) return;
-        fmt::print(stderr, "\r\x1b[K");
+        print_error("\r\x1b[K");
         std::fflush(stderr);
     }
 
@@ -106,7 +107,7 @@ std::string progress_json(const refine::Progress& p, const std::string& subject)
 std::function<void(const refine::Progress&)> progress_of(const Options& options, const std::string& subject) {
     if (options.progress == ProgressMode::json)
         return [subject](const refine::Progress& progress) {
-            fmt::print(stderr, "{}\n", progress_json(progress, subject));
+            print_error("{}\n", progress_json(progress, subject));
         };
     const bool seen = !options.quiet && isatty(STDERR_FILENO) == 1;
     if (options.progress == ProgressMode::never || !seen) return {};

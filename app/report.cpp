@@ -110,6 +110,7 @@ std::string closing(const Report& report) {
         const auto good = std::count_if(report.conformance.begin(), report.conformance.end(), [](const auto& c) { return c.result.outcome == conformance::Outcome::conforms; });
         parts.push_back(fmt::format("{} of {} controllers conform", good, report.conformance.size()));
     }
+    if (!report.limit.empty()) parts.push_back("inconclusive: " + report.limit);
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -130,7 +131,7 @@ Exit Report::exit() const {
     };
     if (any(Answer::error) || code(conformance::Outcome::not_generated)) return Exit::bad_input;
     if (any(Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::not_schedulable)) return Exit::failed;
-    if (any(Answer::inconclusive) || code(conformance::Outcome::inconclusive)) return Exit::inconclusive;
+    if (!limit.empty() || any(Answer::inconclusive) || code(conformance::Outcome::inconclusive)) return Exit::inconclusive;
     return Exit::success;
 }
 

@@ -19,6 +19,9 @@ enum class Answer {
     error,     ///< the claim could not be evaluated: bad input
 };
 
+/// Why something that was to be decided is inconclusive while nothing is known of it.
+inline constexpr const char* not_decided = "it was not decided before the limit";
+
 struct AssertionReport {
     std::string title;      ///< "A1 [timed] AggregationFSM is deadlock-free"
     std::string place;      ///< "aggregation.assertions:12"
@@ -72,6 +75,7 @@ struct Report {
     std::vector<SizeReport> sizes;
     std::vector<ConformanceReport> conformance;
     std::vector<FileReport> csp_files, cpp_files;
+    std::string limit;                    ///< why the run ended before everything was looked at; "" if it did not
 
     [[nodiscard]] Exit exit() const;
 };

@@ -9,9 +9,10 @@
 #include <filesystem>
 #include <mutex>
 
-#include "app/interrupt.hpp"
 #include "app/monitor.hpp"
+#include "app/output.hpp"
 #include "app/rules.hpp"
+#include "app/run.hpp"
 #include "app/verbs.hpp"
 #include "diagnostics/json.hpp"
 #include "simulation/report.hpp"
@@ -69,16 +70,15 @@ std::string with_progress(const simulation::RunProgress& p) {
 std::function<void(const simulation::RunProgress&)> progress_of(const Options& options, const std::string& subject) {
     if (options.progress == ProgressMode::json)
         return [subject](const simulation::RunProgress& p) {
-            fmt::print(stderr,
-                       R"({{"event":"progress","subject":{},"phase":"simulating","seconds":{:.3f},"trials":{},"trialsDone":{},"simulatedSeconds":{:.1f},"totalSeconds":{:.1f}}})"
+            print_error(R"({{"event":"progress","subject":{},"phase":"simulating","seconds":{:.3f},"trials":{},"trialsDone":{},"simulatedSeconds":{:.1f},"totalSeconds":{:.1f}}})"
                        "\n",
                        diagnostics::json_string(subject), p.seconds, p.trials, p.trials_done, p.simulated_seconds, p.total_seconds);
         };
     const bool seen = !options.quiet && isatty(STDERR_FILENO) == 1;
     if (options.progress == ProgressMode::never || !seen) return {};
     return [](const simulation::RunProgress& p) {
-        fmt::print(stderr, "\r\x1b[K{}", with_progress(p));
-        if (p.trials_done == p.trials) fmt::print(stderr, "\r\x1b[K");
+        print_error("\r\x1b[K{}", with_progress(p));
+        if (p.trials_done == p.trials) print_error("\r\x1b[K");
         std::fflush(stderr);
     };
 }
@@ -88,8 +88,10 @@ Exit exit_of(const simulation::RunResult& result) {
     return result.holds() ? Exit::success : Exit::failed;
 }
 
-Exit before_trials(const Options& options) {
-    fmt::print(options.format == Format::json ? stderr : stdout, "interrupted before the first trial\n");
+Exit before_trials(const Options& options, const std::string& why) {
+    const std::string text = fmt::format("{} before the trials had ended: the bands are not judged\n", why);
+    if (options.format == Format::json) print_error_text(text);
+    else app::print_text(text);
     return Exit::inconclusive;
 }
 
@@ -99,18 +101,18 @@ void print_text(const Simulation& simulation, const simulation::RunResult& resul
     std::size_t held = 0;
     for (const auto& band : result.bands) held += band.holds ? 1U : 0U;
     if (!options.quiet) {
-        fmt::print("scenario {}: {} robots, {} trial{} of {:g} s, seed {}{}; controller {}\n", scenario.name.text, scenario.robots,
+        print("scenario {}: {} robots, {} trial{} of {:g} s, seed {}{}; controller {}\n", scenario.name.text, scenario.robots,
                    scenario.trials, scenario.trials == 1 ? "" : "s", scenario.duration, scenario.seed,
                    stage.name.empty() ? "" : ", in " + stage.name, scenario.component.text);
-        fmt::print("{}\n", simulation::run_text(scenario, result));
-        if (!result.bands.empty()) fmt::print("bands\n{}\n", simulation::bands_text(scenario, result));
-        if (!files.empty()) fmt::print("files\n");
-        for (const std::string& file : files) fmt::print("  {}\n", file);
-        fmt::print("{}{}", notes, files.empty() && notes.empty() ? "" : "\n");
+        print("{}\n", simulation::run_text(scenario, result));
+        if (!result.bands.empty()) print("bands\n{}\n", simulation::bands_text(scenario, result));
+        if (!files.empty()) print("files\n");
+        for (const std::string& file : files) print("  {}\n", file);
+        print("{}{}", notes, files.empty() && notes.empty() ? "" : "\n");
     }
-    if (result.interrupted) fmt::print("interrupted: the bands are not judged\n");
-    else if (result.stopped()) fmt::print("a controller stopped: see above\n");
-    else fmt::print("{} of {} bands hold\n", held, result.bands.size());
+    if (result.interrupted) print("{}: the bands are not judged\n", options.run->budget().reached());
+    else if (result.stopped()) print("a controller stopped: see above\n");
+    else print("{} of {} bands hold\n", held, result.bands.size());
 }
 
 /// The first log that could not be written; told by threads.
@@ -125,6 +127,7 @@ std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const
     wanted.component = simulation.scenario.component.text;
     wanted.model = model_of(simulation.scenario, options.inputs.front());
     wanted.scenario = simulation.scenario.name.text;
+    wanted.budget = &options.run->budget();
     wanted.failed = [&failure](const std::string& error) {
         const std::lock_guard lock(failure.mutex);
         if (failure.text.empty()) failure.text = error;
@@ -137,7 +140,7 @@ std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const
 /// Builds the controller and runs; what goes wrong is among the project's diagnostics.
 std::unique_ptr<simulation::Controller> build(Simulation& simulation) {
     std::string error;
-    auto controller = simulation::Controller::build(simulation.emission, "", error, interrupted);
+    auto controller = simulation::Controller::build(simulation.emission, "", error, simulation.project->diagnostics.budget());
     if (controller == nullptr) simulation.project->diagnostics.report(simulation::rules::not_compiled, simulation.scenario.component.span, {error});
     return controller;
 }
@@ -161,13 +164,11 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
 }
 
 Exit run_simulate(const Options& options, const OtherStage& stage) {
+    options.run->last_word([&options](const std::string& why) { return before_trials(options, why); });
     const auto simulation = load_simulation(options);
     Project& project = *simulation->project;
     if (!acceptable(project, options)) return show_diagnostics(project, options), Exit::bad_input;
-    // From here on there is something to tidy up: the folder in which the controller is built.
-    const InterruptScope scope;
     const auto controller = build(*simulation);
-    if (interrupted()) return before_trials(options);
     if (controller == nullptr) return show_diagnostics(project, options), Exit::bad_input;
     simulation::RunOptions wanted;
     wanted.threads = stage.parallel ? options.threads : 1;
@@ -176,10 +177,9 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     LogFailure failure;
     if (!options.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
     const auto monitors = options.monitor ? make_monitors(*simulation, options) : nullptr;
-    if (interrupted()) return before_trials(options);
     if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
     if (monitors != nullptr) wanted.trace = monitors->beside(wanted.trace);
-    wanted.interrupted = interrupted;
+    wanted.interrupted = [&budget = options.run->budget()] { return !budget.reached().empty(); };
     wanted.progress = progress_of(options, simulation->scenario.name.text);
     const simulation::RunResult result = simulation::run(simulation->plan, controller->drive(), wanted, project.diagnostics);
     if (!failure.text.empty()) project.diagnostics.report(rules::unwritable, {}, {failure.text});
@@ -188,12 +188,13 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     std::vector<std::string> files;
     if (options.pictures && !result.interrupted)
         files = write_simulation_files(*simulation, result, controller->drive(), options, notes);
+    options.run->finish();
     // Errors by now are trials that stopped and files that could not be written.
     const bool unwritable = !project.diagnostics.ok() && !result.stopped();
     const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
     if (options.format == Format::json) {
         if (unwritable) return show_diagnostics(project, options), exit;
-        fmt::print("{}", simulation::result_json(simulation->scenario, result, files, static_cast<int>(exit)));
+        print("{}", simulation::result_json(simulation->scenario, result, files, static_cast<int>(exit)));
         return exit;
     }
     show_diagnostics(project, options);
@@ -204,17 +205,7 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
 int simulate_program(const char* program, int argc, char** argv, const OtherStage& stage) {
     std::vector<const char*> words{program, "simulate"};
     words.insert(words.end(), argv + 1, argv + argc);
-    try {
-        const Parsed parsed = parse_command_line(static_cast<int>(words.size()), words.data());
-        if (!parsed.options) {
-            fmt::print(parsed.exit == Exit::success ? stdout : stderr, "{}", parsed.message);
-            return static_cast<int>(parsed.exit);
-        }
-        return static_cast<int>(run_simulate(*parsed.options, stage));
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "{}: a fault of this program: {}\n", program, error.what());
-        return static_cast<int>(Exit::internal);
-    }
+    return run_command(program, static_cast<int>(words.size()), words.data(), [&](const Options& options) { return run_simulate(options, stage); });
 }
 
 Exit run_simulate(const Options& options) {

@@ -5,11 +5,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
 #include <sstream>
 
 #include "app/rules.hpp"
 #include "app/simulate.hpp"
 #include "cpp_emit/shared_library.hpp"
+#include "diagnostics/files.hpp"
 #include "simulation/pictures.hpp"
 
 namespace robochart::app {
@@ -33,8 +37,8 @@ bool on_path(const std::string& program) {
 class Files {
 public:
     Files(Simulation& simulation, const simulation::RunResult& result, const rc_drive& drive, const Options& options)
-        : scenario_(simulation.scenario), project_(*simulation.project), result_(result),
-          folder_(options.out + "/simulation/" + simulation.scenario.name.text) {
+        : scenario_(simulation.scenario), project_(*simulation.project), result_(result), out_(options.out),
+          below_("simulation/" + simulation.scenario.name.text + "/") {
         for (std::uint32_t s = 0; s < drive.states; ++s) states_.emplace_back(drive.state[s]);
     }
 
@@ -48,18 +52,19 @@ public:
         if (add("snapshots.svg", simulation::snapshots_svg(scenario_, frames)) &&
             add("trajectories.svg", simulation::trajectories_svg(scenario_, frames)) &&
             add("animation.svg", simulation::animation_svg(scenario_, frames, states_, animation_speed(frames.back().time)))) {
-            images(notes);
-            video(frames, notes);
+            std::string error;
+            work_ = std::make_unique<diagnostics::TemporaryFolder>("", error, project_.diagnostics.budget());
+            if (!error.empty()) notes += fmt::format("  no images: {}\n", error);
+            else images_and_films(frames, notes);
         }
         return std::move(written_);
     }
 
 private:
     bool add(const std::string& name, const std::string& text) {
-        const std::string path = folder_ + "/" + name;
-        const std::string error = write_file(path, text);
+        const std::string error = diagnostics::write_below(out_, below_ + name, text, project_.diagnostics.budget());
         if (!error.empty()) project_.diagnostics.report(rules::unwritable, {}, {error});
-        else written_.push_back(path);
+        else written_.push_back(out_ + "/" + below_ + name);
         return error.empty();
     }
 
@@ -69,18 +74,28 @@ private:
         return true;
     }
 
-    bool run(std::vector<std::string> command, const std::string& made, std::string& notes) {
+    /// Runs a program that makes a file of this name in the work folder, and puts the file beside the others.
+    bool make(const std::string& name, const std::vector<std::string>& command, std::string& notes) {
         std::string error;
-        const std::string log = folder_ + "/" + command.front() + ".log";
-        const int status = cpp_emit::run_program(command, log, error);
-        std::error_code ignored;
-        if (status == 0) {
-            fs::remove(log, ignored);
-            written_.push_back(made);
-            return true;
-        }
-        notes += fmt::format("  {} did not make {}: {}\n", command.front(), made, error.empty() ? "see " + log : error);
+        const std::string log = work_->path() + "/log";
+        const int status = cpp_emit::run_program(command, log, error, project_.diagnostics.budget());
+        if (status == 0) return add(name, contents(work_->path() + "/" + name));
+        if (error.empty()) error = fmt::format("status {}, {}", status, contents(log).substr(0, 500));
+        notes += fmt::format("  {} did not make {}: {}\n", command.front(), name, error);
         return false;
+    }
+
+    static std::string contents(const std::string& path) {
+        std::ifstream in(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    /// A limit ends them; the drawings are there.
+    void images_and_films(const std::vector<simulation::Frame>& frames, std::string& notes) try {
+        images(notes);
+        video(frames, notes);
+    } catch (const diagnostics::LimitReached& limit) {
+        notes += fmt::format("  no more images: {}\n", limit.what());
     }
 
     void images(std::string& notes) {
@@ -88,9 +103,10 @@ private:
             notes += "  no PNG: rsvg-convert is not on PATH (Debian: librsvg2-bin)\n";
             return;
         }
-        for (const char* name : {"snapshots", "trajectories"}) {
-            const std::string made = fmt::format("{}/{}.png", folder_, name);
-            run({"rsvg-convert", "--background-color=white", fmt::format("{}/{}.svg", folder_, name), "--output", made}, made, notes);
+        for (const std::string name : {"snapshots", "trajectories"}) {
+            const std::string drawing = fmt::format("{}/{}{}.svg", out_, below_, name);
+            const std::string made = fmt::format("{}/{}.png", work_->path(), name);
+            make(name + ".png", {"rsvg-convert", "--background-color=white", drawing, "--output", made}, notes);
         }
     }
 
@@ -109,31 +125,27 @@ private:
             raster = simulation::rasterise(scenario_, frames[f], 480);
             dots.append(raster.dots.begin(), raster.dots.end());
         }
-        const std::string raw = folder_ + "/frames.raw";
-        const std::string error = write_file(raw, dots);
-        if (!error.empty()) {
+        if (const std::string error = diagnostics::write_below(work_->path(), "frames.raw", dots); !error.empty()) {
             notes += fmt::format("  no MP4 and GIF: {}\n", error);
             return;
         }
         const double rate = static_cast<double>(count) * animation_speed(frames.back().time) / std::max(frames.back().time, 1.0);
-        const std::vector<std::string> input = {"ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgb24",
+        const auto film = [&](const std::string& name, const std::vector<std::string>& more) {
+            std::vector<std::string> command = {"ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgb24",
                                                 "-video_size", fmt::format("{}x{}", raster.width, raster.height),
-                                                "-framerate", fmt::format("{:.3f}", rate), "-i", raw};
-        const auto make = [&](const std::string& name, const std::vector<std::string>& more) {
-            std::vector<std::string> command = input;
+                                                "-framerate", fmt::format("{:.3f}", rate), "-i", work_->path() + "/frames.raw"};
             command.insert(command.end(), more.begin(), more.end());
-            command.push_back(folder_ + "/" + name);
-            return run(command, folder_ + "/" + name, notes);
+            command.push_back(work_->path() + "/" + name);
+            return make(name, command, notes);
         };
-        if (make("animation.mp4", {"-pix_fmt", "yuv420p"})) make("animation.gif", {"-vf", "scale=320:-1"});
-        std::error_code ignored;
-        fs::remove(raw, ignored);
+        if (film("animation.mp4", {"-pix_fmt", "yuv420p"})) film("animation.gif", {"-vf", "scale=320:-1"});
     }
 
     const simulation::Scenario& scenario_;
     Project& project_;
     const simulation::RunResult& result_;
-    std::string folder_;
+    std::string out_, below_;
+    std::unique_ptr<diagnostics::TemporaryFolder> work_;
     std::vector<std::string> states_;
     std::vector<std::string> written_;
 };

@@ -2,7 +2,7 @@
 #include "app/sizes.hpp"
 
 #include "app/explored.hpp"
-#include "app/interrupt.hpp"
+#include "app/run.hpp"
 #include "checker/cspm/evaluation_error.hpp"
 #include "checker/process/operational_semantics.hpp"
 
@@ -27,10 +27,11 @@ SizeReport::Size size_of(cspm::Session& session, const cspm::ExprPtr& process, c
 }  // namespace
 
 void measure_sizes(cspm::Session& session, const csp_emit::Emission& emission, csp_emit::Time time, const Options& options, Report& report) {
-    const InterruptScope scope;
     for (const csp_emit::ComponentProcesses& component : emission.components) try {
-            report.sizes.push_back({component.path, time == csp_emit::Time::timed ? "timed" : "untimed",
-                                    size_of(session, component.process, options), size_of(session, component.compressed, options)});
+            SizeReport size{component.path, time == csp_emit::Time::timed ? "timed" : "untimed",
+                            size_of(session, component.process, options), size_of(session, component.compressed, options)};
+            const auto edit = options.run->edit();
+            report.sizes.push_back(std::move(size));
         } catch (const cspm::EvaluationError&) {
             continue;
         }

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <map>
 
-#include "app/interrupt.hpp"
+#include "app/output.hpp"
 #include "app/rules.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/evaluation_error.hpp"
@@ -151,9 +151,9 @@ void check_log(const std::string& path, Project& project, Checkers& checkers, To
 void print_run(const Told& told, bool quiet) {
     const conformance::RunReport& run = told.run;
     const bool rejected = run.verdict == RunVerdict::rejected;
-    fmt::print("{}{}  {}:{}: run {}, cycle {}\n", quiet ? "" : "\n", rejected ? "rejected    " : "inconclusive", told.path, run.at_line,
+    print("{}{}  {}:{}: run {}, cycle {}\n", quiet ? "" : "\n", rejected ? "rejected    " : "inconclusive", told.path, run.at_line,
                run.name.empty() ? "without a name" : run.name, run.cycle);
-    const auto line = [](const char* title, const std::string& text) { fmt::print("    {:<10} {}\n", title, text); };
+    const auto line = [](const char* title, const std::string& text) { print("    {:<10} {}\n", title, text); };
     std::uint64_t number = run.at_line - run.before.size();
     for (const std::string& before : run.before) line(fmt::format("line {}", number++).c_str(), before);
     if (!run.cycle_so_far.empty()) line("then", fmt::format("{}", fmt::join(run.cycle_so_far, " ")));
@@ -173,12 +173,12 @@ Exit exit_of(const Totals& totals) {
 
 void print_text(const Totals& totals, const Options& options) {
     for (const Told& told : totals.told) print_run(told, options.quiet);
-    if (!totals.told.empty() && !options.quiet) fmt::print("\n");
+    if (!totals.told.empty() && !options.quiet) print("\n");
     if (totals.replaced > 0 && !options.quiet)
-        fmt::print("{} values are outside the finite reading; the model only passes such values on, so others stood for them (docs/traces.md)\n",
+        print("{} values are outside the finite reading; the model only passes such values on, so others stood for them (docs/traces.md)\n",
                    with_commas(totals.replaced));
-    if (!totals.limit.empty()) fmt::print("inconclusive: {}\n", totals.limit);
-    fmt::print("{} runs in {} logs, {} cycles: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n", with_commas(totals.runs), totals.logs,
+    if (!totals.limit.empty()) print("inconclusive: {}\n", totals.limit);
+    print("{} runs in {} logs, {} cycles: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n", with_commas(totals.runs), totals.logs,
                with_commas(totals.cycles), with_commas(totals.accepted), with_commas(totals.rejected), with_commas(totals.inconclusive), totals.seconds);
 }
 
@@ -197,7 +197,7 @@ void print_json(const Totals& totals, Exit exit) {
                                    run.cycle, json_string(run.what), json_string(run.reason), texts(run.cycle_so_far), texts(run.before),
                                    texts(run.allowed), texts(run.elements)));
     }
-    fmt::print(R"({{"schema":"robochart-verify/traces/1","logs":{},"runs":{},"cycles":{},"accepted":{},"rejected":{},"inconclusive":{},"replacedValues":{},"limit":{},"seconds":{:.3f},"exit":{},"told":[{}]}})"
+    app::print(R"({{"schema":"robochart-verify/traces/1","logs":{},"runs":{},"cycles":{},"accepted":{},"rejected":{},"inconclusive":{},"replacedValues":{},"limit":{},"seconds":{:.3f},"exit":{},"told":[{}]}})"
                "\n",
                totals.logs, totals.runs, totals.cycles, totals.accepted, totals.rejected, totals.inconclusive, totals.replaced,
                json_string(totals.limit), totals.seconds, static_cast<int>(exit), fmt::join(runs, ","));
@@ -209,7 +209,6 @@ Exit conform_traces(Project& project, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     Totals totals;
     const std::vector<std::string> paths = logs(options, project.diagnostics);
-    const InterruptScope scope;
     try {
         Checkers checkers(project, options);
         for (const std::string& path : paths) check_log(path, project, checkers, totals);

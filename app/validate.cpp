@@ -4,7 +4,10 @@
 
 #include <cstdio>
 
+#include "app/output.hpp"
+#include "app/run.hpp"
 #include "app/verbs.hpp"
+#include "diagnostics/files.hpp"
 #include "diagnostics/fixes.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project.hpp"
@@ -19,8 +22,9 @@ std::size_t mend(const Project& project, std::string& error) {
         if (file->is_library) continue;
         const auto fixes = diagnostics::certain_fixes(project.diagnostics, file->source);
         if (fixes.empty()) continue;
-        error = write_file(project.sources.path(file->source),
-                           diagnostics::apply_fixes(project.sources.text(file->source), fixes));
+        error = diagnostics::replace_file(project.sources.path(file->source),
+                                          diagnostics::apply_fixes(project.sources.text(file->source), fixes),
+                                          project.diagnostics.budget());
         if (!error.empty()) return made;
         made += fixes.size();
     }
@@ -29,20 +33,21 @@ std::size_t mend(const Project& project, std::string& error) {
 
 std::unique_ptr<Project> read(const Options& options) {
     auto project = std::make_unique<Project>();
+    project->diagnostics.within(&options.run->budget());
     project->model = frontend::load_project(project->sources, options.inputs, project->diagnostics);
     return project;
 }
 
 void show(const Project& project, const Options& options) {
     if (options.format == Format::json) {
-        fmt::print("{}", diagnostics::render_json(project.sources, project.diagnostics));
+        print("{}", diagnostics::render_json(project.sources, project.diagnostics));
     } else if (options.format == Format::sarif) {
-        fmt::print("{}", diagnostics::render_sarif(project.sources, project.diagnostics, program_version));
+        print("{}", diagnostics::render_sarif(project.sources, project.diagnostics, program_version));
     } else {
         diagnostics::TextStyle style;
         style.color = color_wanted(options.color, STDERR_FILENO);
-        fmt::print(stderr, "{}", diagnostics::render_text(project.sources, project.diagnostics, style));
-        if (!options.quiet && project.diagnostics.ok()) fmt::print("valid\n");
+        print_error("{}", diagnostics::render_text(project.sources, project.diagnostics, style));
+        if (!options.quiet && project.diagnostics.ok()) print("valid\n");
     }
 }
 
@@ -54,13 +59,14 @@ Exit run_validate(const Options& options) {
         std::string error;
         const std::size_t made = mend(*project, error);
         if (!error.empty()) {
-            fmt::print(stderr, "robochart-verify: {}\n", error);
+            print_error("robochart-verify: {}\n", error);
             return Exit::bad_input;
         }
         if (made > 0) project = read(options);
         if (!options.quiet && options.format == Format::text)
-            fmt::print(stderr, "{} place{} mended\n", made, made == 1 ? "" : "s");
+            print_error("{} place{} mended\n", made, made == 1 ? "" : "s");
     }
+    options.run->finish();
     show(*project, options);
     return project->diagnostics.ok() ? Exit::success : Exit::bad_input;
 }

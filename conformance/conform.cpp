@@ -27,10 +27,11 @@ Result not_generated(std::string reason) {
     return result;
 }
 
-std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Options& options, std::string& error) {
+std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Options& options,
+                                    diagnostics::Budget& budget, std::string& error) {
     std::vector<std::string> sources = emission.sources;
     sources.push_back(emission.shim);
-    const BuildOptions wanted{options.compiler, options.flags, options.work_dir, options.limits.interrupted};
+    const BuildOptions wanted{options.compiler, options.flags, options.work_dir, &budget};
     return SharedObject::build(emission.files, sources, wanted, error);
 }
 
@@ -123,10 +124,15 @@ Result conform(const ir::System& system, const ir::Instantiation& instantiation,
         return not_generated(fmt::format("no C++ is generated for {}", component.path));
 
     std::string error;
-    const auto object = build(code, options, error);
-    if (!object && options.limits.interrupted && options.limits.interrupted()) {
+    diagnostics::Budget own(options.limits);
+    diagnostics::Budget& budget = diagnostics.budget() != nullptr ? *diagnostics.budget() : own;
+    std::unique_ptr<SharedObject> object;
+    try {
+        const diagnostics::Budget::Phase phase(budget, "compiling the generated code");
+        object = build(code, options, budget, error);
+    } catch (const diagnostics::LimitReached& limit) {
         Result result;
-        result.reason = "interrupted while the generated code was compiled";
+        result.reason = limit.what();
         return result;
     }
     if (!object) return not_generated(std::move(error));

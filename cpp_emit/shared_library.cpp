@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -27,20 +28,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Starts the program, as the leader of a process group if it may have to be ended with all that it starts. Returns 0
-/// with `error` set where it cannot.
-pid_t start(const std::vector<std::string>& command, const std::string& log, bool leader, std::string& error) {
+/// Starts the program as the leader of a process group, as it may have to be ended with all that it starts; with the
+/// signals as a program expects them, whatever this one does with its own. Returns 0 with `error` set where it cannot.
+pid_t start(const std::vector<std::string>& command, const std::string& log, std::string& error) {
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0600);
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    if (leader) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    sigset_t none;
+    sigemptyset(&none);
+    sigset_t usual;
+    sigemptyset(&usual);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) sigaddset(&usual, signal);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &usual);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
     pid_t child = 0;
     const int spawned = posix_spawnp(&child, arguments.front(), &actions, &attributes, arguments.data(), environ);
     posix_spawnattr_destroy(&attributes);
@@ -50,70 +58,48 @@ pid_t start(const std::vector<std::string>& command, const std::string& log, boo
     return 0;
 }
 
-/// Ends the program's process group as soon as `interrupted` says so; true if it did.
-bool ended_early(pid_t child, const std::function<bool()>& interrupted) {
+/// Waits until the program has ended, and polls. It is not collected yet: until then its number is its own.
+void wait_within(pid_t child, diagnostics::Budget& budget) {
     siginfo_t ended{};
     const auto running = [&] {
         return waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
     };
-    for (; running(); std::this_thread::sleep_for(std::chrono::milliseconds(20))) {
-        if (!interrupted()) continue;
-        kill(-child, SIGTERM);
-        return true;
+    // Most programs end soon; what takes long is asked less often.
+    auto pause = std::chrono::milliseconds(1);
+    for (; running(); std::this_thread::sleep_for(pause)) {
+        budget.check();
+        pause = std::min(pause * 2, std::chrono::milliseconds(20));
     }
-    return false;
+}
+
+/// Its exit status once it has ended; -1 where it is lost.
+int collect(pid_t child) {
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) return -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 }  // namespace
 
 int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error,
-                const std::function<bool()>& interrupted) {
-    const pid_t child = start(command, log, interrupted != nullptr, error);
+                diagnostics::Budget* budget) {
+    const pid_t child = start(command, log, error);
     if (child == 0) return -1;
-    const bool early = interrupted && ended_early(child, interrupted);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno == EINTR) continue;
-        error = fmt::format("lost {}: {}", command.front(), std::strerror(errno));
-        return -1;
+    const diagnostics::Budget::Held held(budget, child);
+    try {
+        if (budget != nullptr) wait_within(child, *budget);
+    } catch (const diagnostics::LimitReached&) {
+        kill(-child, SIGKILL);
+        (void)collect(child);
+        throw;
     }
-    if (early) error = fmt::format("{} was interrupted", command.front());
-    if (early) return -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    const int status = collect(child);
+    if (status < 0) error = fmt::format("lost {}: {}", command.front(), std::strerror(errno));
+    return status;
 }
 
 namespace {
-
-std::string make_folder(const std::string& parent, std::string& error) {
-    std::string name = (fs::path(parent) / "robochart-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) return name;
-    error = fmt::format("cannot make a folder in {}: {}", parent, std::strerror(errno));
-    return "";
-}
-
-bool inside(const fs::path& relative) {
-    if (relative.empty() || relative.is_absolute()) return false;
-    for (const fs::path& part : relative) {
-        if (part == "..") return false;
-    }
-    return true;
-}
-
-bool write_file(const fs::path& folder, const OutputFile& file, std::string& error) {
-    if (!inside(file.path)) {
-        error = fmt::format("refusing to write outside the work folder: {}", file.path);
-        return false;
-    }
-    const fs::path path = folder / file.path;
-    std::error_code failed;
-    fs::create_directories(path.parent_path(), failed);
-    std::ofstream out(path, std::ios::binary);
-    out << file.text;
-    out.close();
-    if (out) return true;
-    error = fmt::format("cannot write {}: {}", path.string(), std::strerror(errno));
-    return false;
-}
 
 std::string read_file(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
@@ -143,11 +129,11 @@ bool compile(const BuildOptions& options, const fs::path& folder, const std::vec
     std::vector<std::string> command = command_line(options, folder, sources, target);
     command.insert(command.begin() + 1, "-fno-gnu-unique");
     const std::string log = target + ".log";
-    int status = run_program(command, log, error, options.interrupted);
+    int status = run_program(command, log, error, options.budget);
     std::string said = read_file(log);
     if (status > 0 && said.find("no-gnu-unique") != std::string::npos) {
         command.erase(command.begin() + 1);  // clang knows no unique symbols and no such option
-        status = run_program(command, log, error, options.interrupted);
+        status = run_program(command, log, error, options.budget);
         said = read_file(log);
     }
     std::error_code ignored;
@@ -175,16 +161,17 @@ std::unique_ptr<SharedLibrary> SharedLibrary::build(const std::vector<OutputFile
                                                     const BuildOptions& options, std::string& error) {
     std::unique_ptr<SharedLibrary> object(new SharedLibrary);
     std::error_code failed;
-    object->temporary_ = options.work_dir.empty();
-    if (object->temporary_) {
-        object->folder_ = make_folder(fs::temp_directory_path(failed).string(), error);
+    object->folder_ = options.work_dir;
+    if (options.work_dir.empty()) {
+        object->temporary_ = std::make_unique<diagnostics::TemporaryFolder>("", error, options.budget);
+        object->folder_ = object->temporary_->path();
         if (object->folder_.empty()) return nullptr;
     } else {
-        object->folder_ = options.work_dir;
         fs::create_directories(object->folder_, failed);
     }
     for (const OutputFile& file : files) {
-        if (!write_file(object->folder_, file, error)) return nullptr;
+        error = diagnostics::write_below(object->folder_, file.path, file.text);
+        if (!error.empty()) return nullptr;
     }
     object->path_ = object_name(object->folder_, error);
     if (object->path_.empty() || !compile(options, object->folder_, sources, object->path_, error) ||
@@ -206,10 +193,7 @@ void* SharedLibrary::symbol(const char* name) const {
 SharedLibrary::~SharedLibrary() {
     if (handle_ != nullptr) dlclose(handle_);
     std::error_code ignored;
-    if (temporary_)
-        fs::remove_all(folder_, ignored);
-    else if (!path_.empty())
-        fs::remove(path_, ignored);
+    if (temporary_ == nullptr && !path_.empty()) fs::remove(path_, ignored);
 }
 
 }  // namespace robochart::cpp_emit

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "diagnostics/budget.hpp"
 #include "diagnostics/source.hpp"
 
 namespace robochart::diagnostics {
@@ -54,6 +55,14 @@ public:
     /// Adds a finding. The reference is valid until the next `report`; use it to attach notes and fixes.
     Diagnostic& report(const Rule& rule, Span span, std::vector<std::string> arguments = {});
 
+    /// The limits of the run in which things are found: phases that report here poll here. It outlives them.
+    void within(Budget* budget) { budget_ = budget; }
+    [[nodiscard]] Budget* budget() const { return budget_; }
+    /// To be called in every loop whose length comes from the input. Throws LimitReached.
+    void poll() const {
+        if (budget_ != nullptr) budget_->poll();
+    }
+
     /// Later warnings of this code are neither kept nor counted; errors always are.
     void allow(std::string code) { allowed_.insert(std::move(code)); }
 
@@ -68,6 +77,7 @@ public:
     [[nodiscard]] std::size_t dropped() const { return dropped_; }
 
 private:
+    Budget* budget_ = nullptr;
     std::vector<Diagnostic> items_;
     Diagnostic overflow_;
     std::set<std::string, std::less<>> allowed_;

@@ -1,7 +1,6 @@
 // The generated controller, built and loaded: the simulation's controllers are values of its state side by side.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,10 +13,10 @@ namespace robochart::simulation {
 
 class Controller {
 public:
-    /// Compiles and loads what emit_drive made. On failure, or where `interrupted` says so meanwhile, returns nothing
-    /// and sets `error`.
+    /// Compiles and loads what emit_drive made. On failure returns nothing and sets `error`. Throws
+    /// diagnostics::LimitReached.
     static std::unique_ptr<Controller> build(const cpp_emit::DriveEmission&, const std::string& compiler,
-                                             std::string& error, std::function<bool()> interrupted = {});
+                                             std::string& error, diagnostics::Budget* budget = nullptr);
 
     [[nodiscard]] const rc_drive& drive() const { return *drive_; }
 

@@ -3,10 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <iterator>
 
 #include "cpp_emit/trace_names.hpp"
@@ -36,12 +32,15 @@ TraceLog::TraceLog(TraceLogOptions options, const Scenario& scenario, const cpp_
       outputs_(names(emission.outputs)) {}
 
 TraceLog::~TraceLog() {
-    for (std::size_t robot = 0; robot < robots_.size(); ++robot) flush(robot);
+    for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
+        flush(robot);
+        if (error_.empty() && robots_[robot].file != nullptr) error_ = robots_[robot].file->finish();
+    }
     if (!error_.empty() && options_.failed) options_.failed(error_);
 }
 
 std::string TraceLog::path(std::size_t robot) const {
-    return fmt::format("{}/trial-{:02}/robot-{:02}.trace", options_.folder, trial_ + 1, robot);
+    return fmt::format("trial-{:02}/robot-{:02}.trace", trial_ + 1, robot);
 }
 
 void TraceLog::begin(std::size_t robot) {
@@ -118,15 +117,9 @@ void TraceLog::cycle(std::size_t robot, std::uint64_t /*step*/, const rc_signal*
 void TraceLog::flush(std::size_t robot) {
     Robot& log = robots_[robot];
     if (log.text.empty() || !error_.empty()) return;
-    const std::string file = path(robot);
-    std::error_code ignored;
-    if (!log.begun) std::filesystem::create_directories(std::filesystem::path(file).parent_path(), ignored);
-    std::FILE* const out = std::fopen(file.c_str(), log.begun ? "ab" : "wb");
-    bool written = out != nullptr;
-    if (written) written = std::fwrite(log.text.data(), 1, log.text.size(), out) == log.text.size();
-    if (out != nullptr) written = std::fclose(out) == 0 && written;
-    if (!written) error_ = fmt::format("cannot write {}: {}", file, std::strerror(errno));
-    log.begun = true;
+    if (log.file == nullptr)
+        log.file = std::make_unique<diagnostics::GrowingFile>(options_.folder, path(robot), options_.budget);
+    error_ = log.file->append(log.text);
     log.text.clear();
 }
 

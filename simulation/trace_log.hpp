@@ -3,10 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "cpp_emit/drive.hpp"
+#include "diagnostics/files.hpp"
 #include "simulation/trial.hpp"
 
 namespace robochart::simulation {
@@ -16,6 +18,7 @@ struct TraceLogOptions {
     std::string component;  ///< as the log's header names it
     std::string model;
     std::string scenario;
+    diagnostics::Budget* budget = nullptr;
     std::function<void(const std::string&)>
         failed;  ///< told once why a log could not be written, by the trial's thread
 };
@@ -32,7 +35,7 @@ private:
     struct Robot {
         std::string text;
         bool ended = false;
-        bool begun = false;  ///< the file is there
+        std::unique_ptr<diagnostics::GrowingFile> file;
     };
     void begin(std::size_t robot);
     void add_value(std::string& text, const cpp_emit::Port& port, std::size_t argument, rc_value value) const;

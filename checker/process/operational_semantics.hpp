@@ -12,6 +12,7 @@
 
 #include "checker/process/compressor.hpp"
 #include "checker/process/term.hpp"
+#include "diagnostics/budget.hpp"
 
 namespace robochart::process {
 
@@ -30,10 +31,7 @@ public:
 };
 
 /// Thrown by a poll that wants long work to stop.
-class Interrupted : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
+using Interrupted = diagnostics::LimitReached;
 
 /// Computes and keeps the transitions of the terms of one store.
 class OperationalSemantics {

@@ -6,15 +6,13 @@
 
 #include "checker/process/operational_semantics.hpp"
 #include "checker/refine/check.hpp"
+#include "diagnostics/budget.hpp"
 
 namespace robochart::refine {
 
-/// A bound was reached; the message says which.
-class LimitReached : public process::Interrupted {
-public:
-    using Interrupted::Interrupted;
-};
+using diagnostics::LimitReached;
 
+/// The run's budget, with a bound on states, charged by work done, and reporting progress.
 class Budget {
 public:
     explicit Budget(const Limits& limits, Progress::Phase phase = Progress::Phase::searching);
@@ -42,22 +40,16 @@ private:
     using Time = std::chrono::steady_clock::time_point;
 
     void poll();
-    void check_memory(Time now);
     void tell(Time now);
-    [[nodiscard]] std::string whilst() const;
 
     const Limits& limits_;
+    diagnostics::Budget run_;
     Progress::Phase phase_;
     Time start_;
-    Time memory_checked_;
     Time told_;
     std::uint64_t resident_at_start_;
-    std::uint64_t resident_;
     std::uint64_t work_ = 0;
     std::function<void(Progress&)> source_;
 };
-
-/// Memory of this program that is in main memory now; 0 where the system does not tell.
-[[nodiscard]] std::uint64_t resident_bytes();
 
 }  // namespace robochart::refine

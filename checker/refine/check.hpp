@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "checker/lts/transition_system.hpp"
+#include "diagnostics/budget.hpp"
 
 namespace robochart::refine {
 
@@ -30,15 +31,12 @@ struct Progress {
     double seconds = 0;                ///< since the phase began
 };
 
-/// Bounds of one check; a bound reached gives Outcome::inconclusive, never a wrong answer.
-struct Limits {
+/// Bounds of one check: those of the run, and its own. A bound reached gives Outcome::inconclusive, never a wrong answer.
+struct Limits : diagnostics::Limits {
     std::uint64_t max_states = 500'000'000;
-    std::uint64_t memory_bytes = 16ULL << 30U;
-    std::optional<std::chrono::steady_clock::time_point> deadline;
     unsigned threads = 0;  ///< at most so many, where a space is wide; 0: one a core. Verdicts do not depend on it
     std::size_t wide_level =
         2048;  ///< levels of fewer states are done by one thread, as it is sooner done than others woken
-    std::function<bool()> interrupted;  ///< polled; true stops the search
     /// Told a few times a second, by the thread that called the check.
     std::function<void(const Progress&)> progress;
 };

@@ -2,6 +2,7 @@
 #include "cpp_emit/shared_library.hpp"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -19,13 +20,13 @@ protected:
 
     std::string error_;
 
-private:
     std::string folder_ = testing::TempDir() + "programs-XXXXXX";
 };
 
 TEST_F(Programs, TellHowTheyEnded) {
     EXPECT_EQ(run_program({"sh", "-c", "exit 3"}, log(), error_), 3);
-    EXPECT_EQ(run_program({"sh", "-c", "exit 0"}, log(), error_, [] { return false; }), 0);
+    diagnostics::Budget budget;
+    EXPECT_EQ(run_program({"sh", "-c", "exit 0"}, log(), error_, &budget), 0);
     EXPECT_EQ(run_program({"sh", "-c", "kill -9 $$"}, log(), error_), 128 + 9);
     EXPECT_EQ(error_, "");
     EXPECT_EQ(run_program({"no-such-program-here"}, log(), error_), -1);
@@ -39,9 +40,10 @@ TEST_F(Programs, EndWithAllTheyStartedWhenInterrupted) {
         return process;
     };
     const std::string endless = "sh -c 'echo $$; while :; do sleep 1; done'; exit 0";
-    const int status = run_program({"sh", "-c", endless}, log(), error_, [&] { return told() > 0; });
-    EXPECT_EQ(status, -1);
-    EXPECT_EQ(error_, "sh was interrupted");
+    diagnostics::Limits limits;
+    limits.interrupted = [&] { return told() > 0; };
+    diagnostics::Budget budget(limits);
+    EXPECT_THROW(run_program({"sh", "-c", endless}, log(), error_, &budget), diagnostics::LimitReached);
     // Nobody waits for the orphan here; gone or not yet collected, it does not run.
     const auto runs = [&] {
         std::string skipped;
@@ -54,11 +56,48 @@ TEST_F(Programs, EndWithAllTheyStartedWhenInterrupted) {
 }
 
 TEST_F(Programs, CompilersEndWithoutAnObjectWhenInterrupted) {
+    diagnostics::Budget budget;
+    budget.interrupt();
     BuildOptions options;
-    options.interrupted = [] { return true; };
-    const auto library = SharedLibrary::build({{"a.cpp", "int a() { return 0; }\n"}}, {"a.cpp"}, options, error_);
-    EXPECT_EQ(library, nullptr);
-    EXPECT_EQ(error_, "c++ was interrupted");
+    options.budget = &budget;
+    const std::vector<OutputFile> files{{"a.cpp", "int a() { return 0; }\n"}};
+    EXPECT_THROW((void)SharedLibrary::build(files, {"a.cpp"}, options, error_), diagnostics::LimitReached);
+}
+
+TEST_F(Programs, CountWithTheMemoryOfTheRun) {
+    diagnostics::Limits limits;
+    limits.memory_bytes = diagnostics::resident_bytes() + (100ULL << 20U);
+    diagnostics::Budget budget(limits);
+    // A child of the child fills 200 MB and then waits: the program itself stays small.
+    const std::string large = "sh -c 'x=$(head -c 200000000 /dev/zero | tr \"\\0\" x); sleep 100'; exit 0";
+    EXPECT_THROW(run_program({"sh", "-c", large}, log(), error_, &budget), diagnostics::LimitReached);
+}
+
+TEST_F(Programs, HaveTheSignalsOfAnyProgram) {
+    sigset_t interrupt;
+    sigemptyset(&interrupt);
+    sigaddset(&interrupt, SIGTERM);
+    sigset_t before;
+    pthread_sigmask(SIG_BLOCK, &interrupt, &before);
+    EXPECT_EQ(run_program({"sh", "-c", "kill -TERM $$; exit 0"}, log(), error_), 128 + SIGTERM);
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+TEST_F(Programs, LeaveNoFolderBehind) {
+    const auto folders = [] {
+        std::size_t count = 0;
+        for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
+            count += entry.path().filename().string().starts_with("robochart-") ? 1U : 0U;
+        return count;
+    };
+    const std::string own = folder_ + "/tmp";
+    std::filesystem::create_directory(own);
+    setenv("TMPDIR", own.c_str(), 1);
+    BuildOptions options;
+    const std::vector<OutputFile> wrong{{"a.cpp", "this is no program\n"}};
+    EXPECT_EQ(SharedLibrary::build(wrong, {"a.cpp"}, options, error_), nullptr);
+    EXPECT_EQ(folders(), 0U);
+    unsetenv("TMPDIR");
 }
 
 }  // namespace

@@ -1,0 +1,228 @@
+// Every step below the root goes from an open folder to a name in it (openat, mkdirat, renameat with O_NOFOLLOW), so that
+// nobody can put a link in the way between a look and a step.
+#include "diagnostics/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace robochart::diagnostics {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An open file or folder.
+class Descriptor {
+public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int get() const { return number_; }
+    [[nodiscard]] bool open() const { return number_ >= 0; }
+    /// False with errno where what was written could not be kept.
+    bool close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+private:
+    int number_;
+};
+
+std::string failure(const std::string& path, const std::string& cause) {
+    return fmt::format("cannot write {}: {}", path, cause);
+}
+std::string failure(const std::string& path) {
+    return failure(path, std::strerror(errno));
+}
+
+std::string random_name() {
+    std::uint64_t number = 0;
+    if (getrandom(&number, sizeof number, 0) != sizeof number) return "";
+    return fmt::format(".robochart-{:016x}", number);
+}
+
+bool leads_below(const fs::path& relative) {
+    if (relative.empty() || relative.is_absolute() || !relative.has_filename()) return false;
+    for (const fs::path& part : relative)
+        if (part == ".." || part == "." || part.native().find('\0') != std::string::npos) return false;
+    return true;
+}
+
+/// The folder of a name in an open one, made if it is not there.
+Descriptor folder_in(const Descriptor& above, const std::string& name) {
+    if (mkdirat(above.get(), name.c_str(), 0777) != 0 && errno != EEXIST) return Descriptor();
+    return Descriptor(openat(above.get(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+}
+
+/// Opens the folder of the file to be; `error` on failure.
+Descriptor folder_of(const std::string& root, const fs::path& relative, std::string& error) {
+    if (!leads_below(relative)) {
+        error = fmt::format("refusing to write outside {}: {}", root, relative.string());
+        return Descriptor();
+    }
+    std::error_code code;
+    fs::create_directories(root, code);
+    Descriptor folder(::open(root.empty() ? "." : root.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!folder.open()) {
+        error = fmt::format("cannot create the folder {}: {}", root, code ? code.message() : std::strerror(errno));
+        return folder;
+    }
+    fs::path at = root;
+    for (const fs::path& part : relative.parent_path()) {
+        at /= part;
+        Descriptor next = folder_in(folder, part.string());
+        if (!next.open()) {
+            const bool link = errno == ELOOP || (errno == ENOTDIR && fs::is_symlink(at, code));
+            error = link ? fmt::format("refusing to write below {}: it is a symbolic link", at.string())
+                         : fmt::format("cannot create the folder {}: {}", at.string(), std::strerror(errno));
+            return next;
+        }
+        folder = std::move(next);
+    }
+    return folder;
+}
+
+bool write_whole(int file, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = write(file, text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+/// A new file in an open folder, and its name; not open, with errno, where there is none.
+Descriptor new_file(const Descriptor& folder, mode_t mode, std::string& name) {
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        name = random_name();
+        if (name.empty()) break;
+        Descriptor file(openat(folder.get(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+        if (file.open() || errno != EEXIST) return file;
+    }
+    return Descriptor();
+}
+
+/// Writes and puts in place; `before` is the file that is replaced with all its properties, null for a plain new one.
+std::string put(const Descriptor& folder, const fs::path& path, std::string_view text, const struct stat* before,
+                Budget* budget) {
+    std::string name;
+    Descriptor file = new_file(folder, before != nullptr ? 0600 : 0666, name);
+    if (!file.open()) return failure(path.string());
+    const fs::path parent = path.parent_path();
+    const Budget::Held held(budget, (parent / name).string());
+    bool good = write_whole(file.get(), text);
+    if (good && before != nullptr) {
+        // The owner is kept where we may; the mode always.
+        (void)!fchown(file.get(), before->st_uid, before->st_gid);
+        good = fchmod(file.get(), before->st_mode & 07777U) == 0 && fsync(file.get()) == 0;
+    }
+    good = good && file.close() && renameat(folder.get(), name.c_str(), folder.get(), path.filename().c_str()) == 0;
+    if (good) return "";
+    std::string error = failure(path.string());
+    unlinkat(folder.get(), name.c_str(), 0);
+    return error;
+}
+
+}  // namespace
+
+std::string write_below(const std::string& root, const std::string& relative, std::string_view text, Budget* budget) {
+    std::string error;
+    const Descriptor folder = folder_of(root, relative, error);
+    return folder.open() ? put(folder, fs::path(root) / relative, text, nullptr, budget) : error;
+}
+
+std::string replace_file(const std::string& named, std::string_view text, Budget* budget) {
+    std::error_code code;
+    const bool there = fs::symlink_status(named, code).type() != fs::file_type::not_found;
+    const fs::path path = there ? fs::canonical(named, code) : fs::absolute(named, code);
+    if (code) return failure(named, code.message());
+    const fs::path parent = path.parent_path();
+    if (!there) fs::create_directories(parent, code);
+    const Descriptor folder(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!folder.open()) return failure(named);
+    if (!there) return put(folder, path, text, nullptr, budget);
+    struct stat before {};
+    if (fstatat(folder.get(), path.filename().c_str(), &before, AT_SYMLINK_NOFOLLOW) != 0) return failure(named);
+    if (!S_ISREG(before.st_mode)) return failure(named, "it is not a regular file");
+    if (faccessat(folder.get(), path.filename().c_str(), W_OK, AT_EACCESS) != 0) return failure(named);
+    const std::string error = put(folder, path, text, &before, budget);
+    if (error.empty()) (void)fsync(folder.get());
+    return error;
+}
+
+namespace {
+
+std::string made_folder(const std::string& parent, std::string& error) {
+    std::error_code code;
+    const fs::path in = parent.empty() ? fs::temp_directory_path(code) : fs::path(parent);
+    std::string name = (in / "robochart-XXXXXX").string();
+    if (!code && mkdtemp(name.data()) != nullptr) return name;
+    error = fmt::format("cannot make a folder in {}: {}", in.empty() ? parent : in.string(),
+                        code ? code.message() : std::strerror(errno));
+    return "";
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder(const std::string& parent, std::string& error, Budget* budget)
+    : path_(made_folder(parent, error)), held_(path_.empty() ? nullptr : budget, path_) {}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+}
+
+GrowingFile::GrowingFile(std::string root, std::string relative, Budget* budget)
+    : root_(std::move(root)), relative_(std::move(relative)), budget_(budget) {}
+
+GrowingFile::~GrowingFile() {
+    if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+std::string GrowingFile::append(std::string_view text) {
+    if (!error_.empty()) return error_;
+    const std::string path = (fs::path(root_) / relative_).string();
+    Descriptor file;
+    if (temporary_.empty()) {
+        const Descriptor folder = folder_of(root_, relative_, error_);
+        if (!folder.open()) return error_;
+        std::string name;
+        file = new_file(folder, 0666, name);
+        if (!file.open()) return error_ = failure(path);
+        temporary_ = (fs::path(path).parent_path() / name).string();
+        held_ = std::make_unique<Budget::Held>(budget_, temporary_);
+    } else {
+        file = Descriptor(::open(temporary_.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC));
+    }
+    if (!file.open() || !write_whole(file.get(), text) || !file.close()) error_ = failure(path);
+    return error_;
+}
+
+std::string GrowingFile::finish() {
+    if (!error_.empty() || temporary_.empty()) return error_;
+    const std::string path = (fs::path(root_) / relative_).string();
+    if (rename(temporary_.c_str(), path.c_str()) != 0) return error_ = failure(path);
+    temporary_.clear();
+    held_.reset();
+    return "";
+}
+
+}  // namespace robochart::diagnostics
