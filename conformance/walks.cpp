@@ -84,6 +84,7 @@ public:
 
 private:
     std::optional<Parting> finish(Position& at, rc_result outcome, bool overflow) {
+        if (auto stops = model_stops(at.node)) return stops;
         if (overflow || outcome == RC_PRECONDITION || outcome == RC_DEADLINE)
             return Parting{Outcome::differs,
                            overflow                     ? "the code writes more in one cycle than the interface can log"
@@ -105,10 +106,9 @@ private:
     /// L(G) offers this event alone (or all readings of a register). NF_c(M) must allow it, and may not insist on
     /// others.
     std::optional<Parting> follow(Node& node, process::Event event, bool read) {
+        if (auto stops = model_stops(node)) return stops;
         const auto next = form_.after(node, event);
         const auto& acceptances = form_.acceptances(node);
-        const bool stuck = std::any_of(acceptances.begin(), acceptances.end(), [](const auto& a) { return a.empty(); });
-        if (stuck) return Parting{Outcome::not_schedulable, "the model can neither go on nor let time pass", ""};
         const bool insists = !read && !acceptances.empty() &&
                              std::none_of(acceptances.begin(), acceptances.end(), [event](const auto& wanted) {
                                  return wanted.size() == 1 && wanted.front() == event;
@@ -121,6 +121,17 @@ private:
                     : fmt::format("the code does {}, which the model does not allow here", alphabet_.tell(event)),
                 allowed(node)};
         node = *next;
+        return std::nullopt;
+    }
+
+    /// Of a model that cannot be run in cycles nothing is asked behind the place where it shows: what the code does
+    /// there is no fault of the code.
+    std::optional<Parting> model_stops(Node node) {
+        if (form_.diverges(node))
+            return Parting{Outcome::not_schedulable, "the model does infinitely much without time passing", ""};
+        const auto& acceptances = form_.acceptances(node);
+        const bool stuck = std::any_of(acceptances.begin(), acceptances.end(), [](const auto& a) { return a.empty(); });
+        if (stuck) return Parting{Outcome::not_schedulable, "the model can neither go on nor let time pass", ""};
         return std::nullopt;
     }
 
