@@ -293,17 +293,42 @@ bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& fra
 
 // A dot pattern takes a value's fields one by one; a constructor in it opens the field it stands at, and the
 // last part takes all that is left (FDR manual: dot patterns).
+namespace {
+
+// How many fields a part of a dot pattern stands for, but for the last part, which takes what is left.
+std::size_t fields_taken(const MatchCode& pattern) {
+    if (pattern.kind == PatternKind::both) return std::max(fields_taken(pattern.args[0]), fields_taken(pattern.args[1]));
+    if (pattern.kind != PatternKind::dot) return 1;
+    std::size_t count = 0;
+    for (const MatchCode& each : pattern.args) count += fields_taken(each);
+    return count;
+}
+
+void dot_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts) {
+    if (pattern.kind != PatternKind::dot) return parts.push_back(&pattern);
+    for (const MatchCode& arg : pattern.args) dot_parts(arg, parts);
+}
+
+}  // namespace
+
 bool Evaluator::match_dot(const MatchCode& pattern, Value value, Frame& frame) {
     if (value->kind != Kind::dot) return false;
     std::vector<const MatchCode*> parts;
-    const std::function<void(const MatchCode&)> flatten = [&](const MatchCode& part) {
-        if (part.kind != PatternKind::dot) return parts.push_back(&part);
-        for (const MatchCode& arg : part.args) flatten(arg);
-    };
-    flatten(pattern);
+    dot_parts(pattern, parts);
     Values fields = value->items;
+    const auto joined = [this](Values taken) {
+        return taken.size() == 1 && taken[0]->kind != Kind::head ? taken[0] : store_.dot(std::move(taken));
+    };
     for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-        if (fields.empty()) return false;
+        const std::size_t count = fields_taken(*parts[i]);
+        if (fields.size() < count) return false;
+        const auto end = fields.begin() + static_cast<std::ptrdiff_t>(count);
+        if (count > 1) {
+            Value several = joined({fields.begin(), end});
+            fields.erase(fields.begin(), end);
+            if (!match(*parts[i], several, frame)) return false;
+            continue;
+        }
         Value first = fields.front();
         fields.erase(fields.begin());
         if (parts[i]->kind == PatternKind::name && parts[i]->head) {
@@ -318,7 +343,7 @@ bool Evaluator::match_dot(const MatchCode& pattern, Value value, Frame& frame) {
         }
     }
     if (fields.empty()) return false;
-    Value rest = fields.size() == 1 && fields[0]->kind != Kind::head ? fields[0] : store_.dot(std::move(fields));
+    Value rest = joined(std::move(fields));
     return match(*parts.back(), rest, frame);
 }
 

@@ -409,18 +409,26 @@ const Resolver::Binding* Resolver::find_simple(std::string_view name, Scope* sco
     return nullptr;
 }
 
+// M::x is one name: what else is called M does not hide it (see types/names.cpp).
 const Resolver::Binding* Resolver::find(std::string_view text, Scope* scope) {
-    std::size_t colons = text.find("::");
-    const Binding* binding = find_simple(text.substr(0, colons), scope);
-    while (binding != nullptr && colons != std::string_view::npos) {
-        if (binding->what != What::module) return nullptr;
-        ensure(*binding->module);
-        text.remove_prefix(colons + 2);
-        colons = text.find("::");
-        const auto found = binding->module->exported.names.find(text.substr(0, colons));
-        binding = found == binding->module->exported.names.end() ? nullptr : &found->second;
+    const std::size_t colons = text.find("::");
+    if (colons == std::string_view::npos) return find_simple(text, scope);
+    for (; scope != nullptr; scope = scope->parent) {
+        const auto first = scope->names.find(text.substr(0, colons));
+        if (first == scope->names.end() || first->second.what != What::module) continue;
+        if (const Binding* found = find_inside(*first->second.module, text.substr(colons + 2))) return found;
     }
-    return binding;
+    return nullptr;
+}
+
+const Resolver::Binding* Resolver::find_inside(Module& module, std::string_view path) {
+    ensure(module);
+    const std::size_t colons = path.find("::");
+    const auto found = module.exported.names.find(path.substr(0, colons));
+    if (found == module.exported.names.end()) return nullptr;
+    if (colons == std::string_view::npos) return &found->second;
+    if (found->second.what != What::module) return nullptr;
+    return find_inside(*found->second.module, path.substr(colons + 2));
 }
 
 int Resolver::capture(Unit& unit, int parent_slot) {

@@ -90,6 +90,7 @@ private:
 
     // names
     [[nodiscard]] const Binding* find(std::string_view text, Scope* scope);
+    const Binding* find_inside(Module& module, std::string_view path);
     [[nodiscard]] const Binding* find_simple(std::string_view name, Scope* scope) const;
     const Code* name(const Expr& expr);
     const Code* reference(const Expr& expr, const Binding& binding);

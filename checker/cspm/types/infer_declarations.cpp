@@ -285,7 +285,9 @@ void Inference::check_value(const Declaration& declaration) {
     here_ = declaration.pattern.syntax->span;
     left = unifier_.evaluate_dots(left);
     right = unifier_.evaluate_dots(right);
-    (void)unifier_.unify_one_way(right, left);
+    // As for the arguments of a function: c.x splits no event unless c is a channel.
+    const bool splits = store_.kind(left) == TypeKind::dot;
+    (void)(splits ? unifier_.unify_one_way(left, right) : unifier_.unify_one_way(right, left));
 }
 
 void Inference::check_nametype(const Declaration& declaration) {

@@ -63,6 +63,26 @@ void NameResolver::let(const Expr& expr, Term& term) {
     term.args = {expression(expr.args.at(0))};
 }
 
+namespace {
+
+// Of p ^ q ^ r, the parts that may have any length.
+std::size_t open_parts(const Pattern& pattern) {
+    if (pattern.kind == PatternKind::sequence || pattern.kind == PatternKind::string) return 0;
+    if (pattern.kind != PatternKind::concat) return 1;
+    std::size_t count = 0;
+    for (const PatternPtr& each : pattern.args) count += open_parts(*each);
+    return count;
+}
+
+// Whether two patterns stand for one field of a prefix, or for some in a row.
+bool doubles_fields(const Pattern& pattern) {
+    if (pattern.kind == PatternKind::both) return true;
+    return pattern.kind == PatternKind::dot &&
+           std::ranges::any_of(pattern.args, [](const PatternPtr& each) { return doubles_fields(*each); });
+}
+
+}  // namespace
+
 // Nondeterministic fields are chosen before the event is offered, so their names come first.
 void NameResolver::prefix(const Expr& expr, Term& term) {
     term.args.push_back(expression(expr.args.at(0)));
@@ -76,6 +96,10 @@ void NameResolver::prefix(const Expr& expr, Term& term) {
             if ((field.kind == FieldKind::nondeterministic) != choosing) continue;
             term.fields[i].kind = field.kind;
             term.fields[i].span = field.span;
+            if (field.pattern && doubles_fields(*field.pattern)) {
+                report(rules::bad_pattern, field.pattern->span, {"@@ is not allowed in a prefix"});
+            }
+            if (choosing && timed_) report(rules::not_timed, field.span, {"a `$` field"});
             if (field.value) term.fields[i].value = expression(field.value);
             if (field.pattern) term.fields[i].pattern = pattern(*field.pattern, term.binds, distinct);
         }
@@ -100,6 +124,7 @@ bool outside_clauses(ExprKind kind, std::size_t arg) {
 
 void NameResolver::clauses(const Expr& expr, Term& term) {
     const bool linked = expr.kind == ExprKind::replicated_linked;
+    if (timed_ && (linked || expr.kind == ExprKind::linked)) report(rules::not_timed, expr.span, {"linked parallel"});
     const std::size_t count = linked ? 1 : expr.args.size();
     term.args.resize(count);
     const auto arguments = [&](bool outside) {
@@ -132,6 +157,16 @@ void NameResolver::clause_list(const std::vector<Clause>& list, std::vector<Clau
 
 // ---------------------------------------------------------------- patterns
 
+void NameResolver::check_form(const Pattern& pattern) {
+    if (pattern.kind == PatternKind::set && pattern.args.size() > 1) {
+        report(rules::bad_pattern, pattern.span, {"a set pattern has one element at most"});
+    }
+    if (pattern.kind == PatternKind::concat && open_parts(*pattern.args[0]) == 1 && open_parts(*pattern.args[1]) == 1) {
+        report(rules::bad_pattern, pattern.span,
+               {"one part of `^` at most may have any length, else a sequence can be split in several ways"});
+    }
+}
+
 Symbol* NameResolver::constructor_named(const Pattern& pattern) {
     const Lookup found = find(pattern.text);
     if (found.entry.symbol != nullptr && found.entry.symbol->label()) {
@@ -161,6 +196,7 @@ Symbol* NameResolver::variable(const Pattern& pattern, std::vector<Symbol*>& bin
 PatternTerm NameResolver::pattern(const Pattern& given, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct) {
     PatternTerm term;
     term.syntax = &given;
+    check_form(given);
     if (given.kind == PatternKind::name) {
         term.symbol = constructor_named(given);
         const bool plain = given.text.find("::") == std::string::npos;

@@ -56,8 +56,10 @@ void NameResolver::flatten(const std::vector<DeclPtr>& decls, const Place& place
     std::size_t function = items.size();  // the item whose clauses are being gathered
     for (const DeclPtr& decl : decls) {
         if (decl->kind == DeclKind::annotation || decl->kind == DeclKind::include) continue;
+        // Clauses of two files do not join: an included one defines the name again.
         if (decl->kind == DeclKind::function && function < items.size() &&
-            items[function].decls[0]->names == decl->names) {
+            items[function].decls[0]->names == decl->names &&
+            items[function].decls[0]->span.source == decl->span.source) {
             items[function].decls.push_back(decl);
             items[function].declaration->span = diagnostics::join(items[function].declaration->span, decl->span);
             continue;
@@ -270,6 +272,7 @@ void NameResolver::add_imports(const Item& item) {
 PatternTerm NameResolver::declared_pattern(const Item& item, const Pattern& pattern) {
     PatternTerm term;
     term.syntax = &pattern;
+    check_form(pattern);
     if (pattern.kind == PatternKind::name) {
         term.symbol = constructor_named(pattern);
         if (term.symbol != nullptr && term.symbol->owner != nullptr) item.declaration->uses.push_back(term.symbol);

@@ -46,30 +46,39 @@ const Entry* NameResolver::find_plain(std::string_view name) const {
     return nullptr;
 }
 
+// FDR has M::x in scope as one name: a variable called M does not hide it, and a module M further in that has no x lets
+// an outer one be seen; a private x hides it.
 NameResolver::Lookup NameResolver::find(std::string_view name) {
-    std::size_t colons = name.find("::");
-    const Entry* entry = find_plain(name.substr(0, colons));
-    if (entry == nullptr && colons == std::string_view::npos) {
+    const std::size_t colons = name.find("::");
+    if (colons == std::string_view::npos) {
+        const Entry* entry = find_plain(name);
         using enum BuiltinTypes::Where;
-        return {{builtins_.find(name, timed_ ? timed_section : script), nullptr}, ""};
+        if (entry == nullptr) return {{builtins_.find(name, timed_ ? timed_section : script), nullptr}, ""};
+        return {*entry, ""};
     }
-    while (entry != nullptr && colons != std::string_view::npos) {
-        const Module* module = entry->module;
-        if (module == nullptr) return {};
-        if (module->parametrised && module->original == nullptr) {
-            return {{}, "module '" + module->name + "' has parameters: make an instance of it"};
-        }
-        name.remove_prefix(colons + 2);
-        colons = name.find("::");
-        const std::string_view part = name.substr(0, colons);
-        const auto found = module->exported.find(part);
-        if (found == module->exported.end()) {
-            const bool hidden = module->hidden.contains(part);
-            return {{}, hidden ? "it is private to module '" + module->name + "': declare it below `exports`" : ""};
-        }
-        entry = &found->second;
+    for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent) {
+        const auto found = scope->names.find(name.substr(0, colons));
+        if (found == scope->names.end() || found->second.module == nullptr) continue;
+        Lookup inside = find_inside(*found->second.module, name.substr(colons + 2));
+        const bool known = inside.entry.symbol != nullptr || inside.entry.module != nullptr;
+        if (known || !inside.hint.empty()) return inside;
     }
-    return entry == nullptr ? Lookup{} : Lookup{*entry, ""};
+    return {};
+}
+
+NameResolver::Lookup NameResolver::find_inside(const Module& module, std::string_view path) {
+    if (module.parametrised && module.original == nullptr) {
+        return {{}, "module '" + module.name + "' has parameters: make an instance of it"};
+    }
+    const std::size_t colons = path.find("::");
+    const std::string_view part = path.substr(0, colons);
+    const auto found = module.exported.find(part);
+    if (found == module.exported.end()) {
+        const bool hidden = module.hidden.contains(part);
+        return {{}, hidden ? "it is private to module '" + module.name + "': declare it below `exports`" : ""};
+    }
+    if (colons == std::string_view::npos) return {found->second, ""};
+    return found->second.module == nullptr ? Lookup{} : find_inside(*found->second.module, path.substr(colons + 2));
 }
 
 namespace {

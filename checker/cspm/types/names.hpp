@@ -83,6 +83,7 @@ private:
     void clauses(const Expr& expr, Term& term);
     void clause_list(const std::vector<Clause>& clauses, std::vector<ClauseTerm>& out, std::vector<Symbol*>& binds);
     PatternTerm pattern(const Pattern& pattern, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct);
+    void check_form(const Pattern& pattern);
     PatternTerm declared_pattern(const Item& item, const Pattern& pattern);
     Symbol* constructor_named(const Pattern& pattern);
     Symbol* variable(const Pattern& pattern, std::vector<Symbol*>& binds, std::vector<Symbol*>& distinct);
@@ -100,6 +101,7 @@ private:
     };
     [[nodiscard]] Lookup find(std::string_view name);
     [[nodiscard]] const Entry* find_plain(std::string_view name) const;
+    [[nodiscard]] static Lookup find_inside(const Module& module, std::string_view path);
     Symbol* value_named(std::string_view name, Span span);
     void use(Symbol* symbol);
     void not_found(std::string_view name, Span span, const std::string& hint);

@@ -92,13 +92,22 @@ const Rule print_ill_typed{
     "FDR looks at print statements only when it is asked to evaluate them, so a wrong one does not make "
     "the script wrong."};
 
+const Rule bad_pattern{
+    "CSPM-T22", Severity::error, "this pattern matches nothing definite: {}",
+    "A pattern says of a value in one way what its parts are. `xs ^ ys` would split a sequence anywhere, {x, y} names "
+    "elements that have no order, and in a prefix each field is matched once."};
+const Rule not_timed{
+    "CSPM-T23", Severity::error, "{} is not allowed in a timed section",
+    "In a timed section every process lets time pass by the event tock. FDR defines no such reading of linked parallel "
+    "and of nondeterministic inputs."};
+
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 21> table{
+    static constexpr std::array<const Rule*, 23> table{
         &not_in_scope,     &declared_twice,    &wrong_import,     &wrong_kind_of_name, &qualified_pattern,
         &field_order,      &bad_type_variable, &mismatch,         &wrong_arity,        &not_a_function,
         &lacks_constraint, &infinite_type,     &too_many_fields,  &too_few_fields,     &open_fields,
         &subtype_fields,   &fixed_extension,   &module_arguments, &module_cycle,       &type_overflow,
-        &print_ill_typed};
+        &print_ill_typed,  &bad_pattern,       &not_timed};
     return table;
 }
 

@@ -33,6 +33,8 @@ extern const diagnostics::Rule module_arguments;
 extern const diagnostics::Rule module_cycle;
 extern const diagnostics::Rule type_overflow;
 extern const diagnostics::Rule print_ill_typed;
+extern const diagnostics::Rule bad_pattern;
+extern const diagnostics::Rule not_timed;
 
 /// All of them, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

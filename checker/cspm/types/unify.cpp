@@ -97,6 +97,11 @@ TypeId Unifier::unify_variables(TypeId a, TypeId b) {
 }
 
 TypeId Unifier::unify_variable(TypeId variable, TypeId type) {
+    if (store_.node(variable).rigid && is(type, TypeKind::dot)) {
+        // A variable of an annotation is equal to no dot, but to what a dot may yield.
+        const TypeId yielded = store_.head(evaluate_dots(type));
+        if (!is(yielded, TypeKind::dot)) return unify(variable, yielded);
+    }
     constrain_all(store_.node(variable).constraints, type);
     return substitute(variable, type);
 }
