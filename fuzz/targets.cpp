@@ -7,8 +7,8 @@ namespace robochart::fuzz {
 
 std::span<const Target> targets() {
     static constexpr std::array table = {
-        Target{"model", run_model},   Target{"assertions", run_assertions}, Target{"script", run_script},
-        Target{"editor", run_editor}, Target{"stream", run_stream},
+        Target{"model", run_model},         Target{"assertions", run_assertions}, Target{"script", run_script},
+        Target{"semantics", run_semantics}, Target{"editor", run_editor},         Target{"stream", run_stream},
     };
     return table;
 }

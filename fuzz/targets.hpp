@@ -21,6 +21,9 @@ struct Target {
 [[nodiscard]] std::string run_assertions(std::string_view bytes);
 /// A CSPM script: read, printed, read again.
 [[nodiscard]] std::string run_script(std::string_view bytes);
+/// Model text through all that is behind the front end, within small limits: files divided by form feeds, those of
+/// assertions after a `!`.
+[[nodiscard]] std::string run_semantics(std::string_view bytes);
 /// A session with the language server: the first line says what is asked and typed, the rest is the document.
 [[nodiscard]] std::string run_editor(std::string_view bytes);
 /// The language server's input stream.

@@ -37,6 +37,7 @@ struct Surroundings {
     std::vector<Port> ports;
     std::vector<Signature> operations;
     std::vector<std::string> clocks;
+    std::string chance = {};  ///< a constant that is a probability; "" if there is none
 };
 
 /// Indented lines.
@@ -90,12 +91,18 @@ private:
     /// The variable that an input on the port is stored into, as it is written; "" if there is none.
     std::string stored(const Port& port);
     std::string timed();
+    /// A number of time units.
+    std::string duration();
+    /// A part of the variable that can be assigned, of any depth, with its type.
+    Named part_of(Named whole);
     std::string conditional(std::size_t depth);
     std::string sequence(std::size_t depth);
 
     // Nodes (behaviour_nodes.cpp)
     Nodes plan(bool must_end);
     void plan_junctions(Nodes& nodes);
+    std::vector<std::string> ways();
+    std::vector<std::string> chances();
     void state(Lines& out, const std::string& name, std::size_t depth);
     void step(Lines& out, const Nodes& nodes, const Step& step);
     std::string target(const Nodes& nodes);

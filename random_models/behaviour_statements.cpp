@@ -69,30 +69,40 @@ std::string Behaviour::conditional(std::size_t depth) {
 std::string Behaviour::simple_statement() {
     constexpr int attempts = 4;
     for (int i = 0; i < attempts; ++i) {
-        const std::size_t way = random_.below(20);
+        const std::size_t way = random_.below(100);
+        const std::size_t other = 5;
+        const std::size_t rest = 100 - other - shape_.calls;
         std::string found;
-        if (way < 8 && !around_.writable.empty()) found = assignment();
-        if (way >= 8 && way < 14 && !around_.ports.empty()) found = communication();
-        if (way >= 14 && way < 19 && !around_.operations.empty()) found = call();
+        if (way < shape_.calls && !around_.operations.empty()) found = call();
+        if (way >= shape_.calls && way < shape_.calls + rest * 4 / 7 && !around_.writable.empty()) found = assignment();
+        if (way >= shape_.calls + rest * 4 / 7 && way < 100 - other && !around_.ports.empty()) found = communication();
         if (!found.empty()) return found;
     }
     return "skip";
 }
 
 std::string Behaviour::assignment() {
-    const Named target = random_.pick(around_.writable);
-    const DataType& type = *target.type;
-    if (type.form == Form::record && random_.chance(30)) {
-        const std::size_t field = random_.below(type.parts.size());
-        return fmt::format("{}.{} = {}", target.name, type.labels[field], expressions_.of(*type.parts[field]));
-    }
-    if ((type.form == Form::sequence || type.form == Form::vector) && random_.chance(30))
-        return fmt::format("{}[1] = {}", target.name, expressions_.of(*type.parts[0]));
-    return fmt::format("{} = {}", target.name, expressions_.of(type));
+    const Named target = part_of(random_.pick(around_.writable));
+    return fmt::format("{} = {}", target.name, expressions_.of(*target.type));
+}
+
+Named Behaviour::part_of(Named whole) {
+    const DataType& type = *whole.type;
+    const bool record = type.form == Form::record;
+    const bool indexed = type.form == Form::sequence || type.form == Form::vector || type.form == Form::product;
+    if (!(record || indexed) || !random_.chance(40)) return whole;
+    const bool any = record || type.form == Form::product;
+    const std::size_t at = any ? random_.below(type.parts.size()) : 0;
+    const std::string name = record ? whole.name + "." + type.labels[at] : fmt::format("{}[{}]", whole.name, at + 1);
+    return part_of({name, type.parts[at]});
 }
 
 std::string Behaviour::filter(const Port& port, const std::string& peer) {
-    if (!port.broadcast || random_.chance(40)) return {};
+    if (!port.broadcast) {
+        const bool conditional = shape_.predicates && peer == "from" && random_.chance(25);
+        return conditional ? "[|" + expressions_.operand(*types_.boolean(), 4) + "|]" : "";
+    }
+    if (random_.chance(40)) return {};
     std::string origin;
     if (peer == "from" && random_.chance(60))
         for (const Named& variable : around_.writable)
@@ -142,16 +152,24 @@ std::string Behaviour::call() {
     return (qualified ? operation.interface + "::" : "") + operation.name + "(" + arguments + ")";
 }
 
+std::string Behaviour::duration() {
+    std::vector<std::string> known;
+    if (shape_.varied_times)
+        for (const Named& named : around_.readable)
+            if (named.type->form == Form::nat) known.push_back(named.name);
+    return known.empty() || random_.chance(70) ? expressions_.number() : random_.pick(known);
+}
+
 std::string Behaviour::timed() {
     const std::size_t way = random_.below(4);
-    if (way == 0) return "wait(" + expressions_.number() + ")";
+    if (way == 0) return "wait(" + duration() + ")";
     if (way == 1) {
         const std::string least = expressions_.number();
         return fmt::format("wait([{}, {}])", least, expressions_.number(std::stoul(least)));
     }
     if (way == 2 && !around_.clocks.empty()) return "#" + random_.pick(around_.clocks);
     const std::string statement = simple_statement();
-    return fmt::format("{} <{{ {} }}", statement, expressions_.number());
+    return fmt::format("{} <{{ {} }}", statement, duration());
 }
 
 }  // namespace robochart::random_models

@@ -60,7 +60,8 @@ Form form_of(TypeKind kind) {
 
 /// Parts of `*`, `->` and `<->`.
 std::string operand(const DataType& type) {
-    const bool loose = type.form == Form::product || type.form == Form::function || type.form == Form::relation;
+    const bool loose = type.form == Form::product || type.form == Form::function || type.form == Form::relation ||
+                       type.form == Form::vector || type.form == Form::matrix;  // RC-P26
     return loose ? "(" + type.written + ")" : type.written;
 }
 

@@ -8,7 +8,8 @@ namespace robochart::random_models {
 namespace {
 
 std::string product_operand(const DataType& type) {
-    return type.form == Form::product ? "(" + type.written + ")" : type.written;
+    const bool loose = type.form == Form::product || type.form == Form::vector || type.form == Form::matrix;
+    return loose ? "(" + type.written + ")" : type.written;
 }
 
 std::string joined(const std::vector<const DataType*>& parts) {

@@ -6,22 +6,30 @@
 #include <string_view>
 
 #include "random_models/random.hpp"
+#include "random_models/shape.hpp"
 
 namespace robochart::random_models {
 
-/// Hands out names; none twice.
+/// Hands out names; none twice, but those that are local to a component where components may repeat them.
 class Names {
 public:
-    Names(Random& random, bool escaped) : random_(random), escaped_(escaped) {}
+    Names(Random& random, const Shape& shape) : random_(random), shape_(shape) {}
 
     /// A name that begins with `stem`, such as `speed3`; or, rarely, an escaped reserved word.
     std::string fresh(std::string_view stem);
+    /// A name that only the component at hand uses. Others may have the same where the shape repeats names.
+    std::string local(std::string_view stem);
+    /// Another component begins: names that are local to others may come again.
+    void begin_component() { used_here_.clear(); }
 
 private:
+    using Counts = std::map<std::string, std::size_t, std::less<>>;
+    static std::string next(Counts& counts, std::string_view stem);
+
     Random& random_;
-    bool escaped_;
+    const Shape& shape_;
     std::size_t used_words_ = 0;
-    std::map<std::string, std::size_t, std::less<>> used_;
+    Counts used_, used_here_;
 };
 
 }  // namespace robochart::random_models

@@ -34,6 +34,8 @@ Shape Shape::whole_language() {
     data.expression_depth = 3;
     shape.inputs_in_actions = shape.time = shape.open_constants = shape.else_conditions = true;
     shape.bodiless_operations = shape.operation_events = shape.broadcast = true;
+    shape.nested_operations = shape.repeated_names = shape.predicates = shape.varied_times = true;
+    shape.varied_junctions = shape.chance_expressions = shape.instances = true;
     shape.qualified_names = shape.varied_places = true;
     shape.probabilistic = shape.bidirectional = shape.contracts = shape.escaped_names = shape.comments = true;
     return shape;

@@ -50,6 +50,8 @@ struct Shape {
     Count platform_operations{0, 2};
     Count defined_operations{0, 1};  ///< of a controller
     Count statements{1, 3};          ///< of an action
+    unsigned actions = 35;           ///< percent of the transitions
+    unsigned calls = 25;             ///< percent of the simple statements, where there are operations
     std::size_t depth = 1;           ///< of nested composite states
     unsigned composites = 25;        ///< percent of the states, down to that depth
 
@@ -73,16 +75,23 @@ struct Shape {
     bool unconnected_events = true;
     bool else_conditions = false;  ///< `condition else`
     bool probabilistic = false;
-    bool bidirectional = false;  ///< [mult]
-    bool contracts = false;      ///< conditions of operations
+    bool bidirectional = false;     ///< [mult]
+    bool contracts = false;         ///< conditions of operations
+    bool predicates = false;        ///< conditions in communications that receive: `e[| p |]?x`
+    bool varied_times = false;      ///< durations that variables say: `wait(v)`, `since(C) < v`
+    bool varied_junctions = false;  ///< junctions after initial nodes and junctions, with ways that overlap or are shut
+    bool chance_expressions = false;  ///< probabilities such as `1 / 4` and `1 - q`
+    bool instances = false;           ///< references to machines and controllers, each of them twice
     bool bodiless_operations = false;
-    bool operation_events = false;  ///< events that operations communicate on, those of their callers
-    bool broadcast = false;         ///< `_broadcast` events, and what their communications accept: `[| x = from | p |]`
-    bool packages = true;           ///< named packages and imports
-    bool qualified_names = false;   ///< `P::X` where `X` would do
-    bool escaped_names = false;     ///< `^end` and other reserved words as names
-    bool assertions = true;         ///< a file of claims about each module
-    bool comments = false;          ///< and `diagram`
+    bool operation_events = false;   ///< events that operations communicate on, those of their callers
+    bool nested_operations = false;  ///< operations call others, and take variables and clocks from their callers
+    bool repeated_names = false;     ///< components use names for their members that others use for theirs
+    bool broadcast = false;        ///< `_broadcast` events, and what their communications accept: `[| x = from | p |]`
+    bool packages = true;          ///< named packages and imports
+    bool qualified_names = false;  ///< `P::X` where `X` would do
+    bool escaped_names = false;    ///< `^end` and other reserved words as names
+    bool assertions = true;        ///< a file of claims about each module
+    bool comments = false;         ///< and `diagram`
 
     /// One machine or a few, booleans, small numbers and enumerations, no time: state spaces stay small.
     [[nodiscard]] static Shape untimed_core();

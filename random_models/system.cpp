@@ -31,7 +31,9 @@ void SystemBuilder::define_interface(const Shared& shared) {
 }
 
 void SystemBuilder::declare_in_interface(Lines& out, const std::string& stem, const std::vector<std::string>& members) {
-    const Shared shared{names_.fresh(stem), {}, {}, members, {}, {}};
+    Shared shared;
+    shared.interface = names_.fresh(stem);
+    shared.members = members;
     define_interface(shared);
     out.line("uses " + shared.interface);
 }
@@ -122,7 +124,7 @@ std::vector<Port> SystemBuilder::connect(std::vector<Part> parts, const std::str
                 continue;
             }
             if (closed || (shape_.unconnected_events && random_.chance(8))) continue;
-            ports.push_back({names_.fresh("e"), port.type, port.receives, port.both_ways, port.broadcast});
+            ports.push_back({names_.local("e"), port.type, port.receives, port.both_ways, port.broadcast});
             const std::string& above = ports.back().name;
             if (port.receives)
                 links.push_back({outer, above, parts[i].name, port.name, false, port.both_ways});
@@ -153,10 +155,12 @@ System SystemBuilder::build() {
     std::vector<Part> controllers;
     for (std::size_t i = random_.between(shape_.controllers.low, shape_.controllers.high); i > 0; --i)
         controllers.push_back(controller(parts));
+    add_instance(parts, "cref", controllers);
     for (const Part& part : controllers) components_.insert(components_.begin(), part.name);
     const std::string platform_name = names_.fresh("Robot");
     std::vector<Link> links;
     const std::string marker = "the platform";  // its name here is known after it is placed
+    names_.begin_component();
     const std::vector<Port> ports = connect(controllers, marker, links);
     Lines module;
     module.open("module " + system.module);

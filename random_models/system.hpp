@@ -30,18 +30,26 @@ public:
     System build();
 
 private:
-    /// An interface with the variables or operations that it declares; without a name there is none.
+    /// An interface with the variables, clocks or operations that it declares; without a name there is none.
     struct Shared {
-        std::string interface;
-        std::vector<Named> variables;
-        std::vector<Named> constants;
-        std::vector<std::string> members;  ///< as they are declared
-        std::vector<Signature> operations;
-        std::vector<Port> ports;  ///< of the operations: their callers need the same
+        std::string interface = {};
+        std::vector<Named> variables = {};
+        std::vector<Named> constants = {};
+        std::vector<std::string> clocks = {};
+        std::vector<std::string> members = {};  ///< as they are declared
+        std::vector<Signature> operations = {};
     };
+    /// Operations behind one interface, with what those who call them must have (STM8 to STM10).
+    struct Defined {
+        Shared offer;
+        std::vector<Port> ports = {};
+        std::vector<Shared> needs = {};
+    };
+    using Callable = std::vector<Defined>;
     /// A component in the eyes of the one around it.
     struct Part {
         std::string name;
+        std::string definition;  ///< the same where it is defined in place
         std::vector<Port> ports;
     };
     struct Link {
@@ -66,17 +74,25 @@ private:
     // Controllers and machines (system_controllers.cpp)
     Part controller(Lines& module);
     Shared controller_variables(Lines& out);
-    Shared controller_operations(Lines& out, const Shared& variables);
-    std::string operation(const Signature& signature, const std::string& parameters, Surroundings around,
-                          const Shared& variables);
+    void add_instance(Lines& out, const std::string& word, std::vector<Part>& parts);
     void declare_places(Lines& out, Surroundings& around);
-    std::vector<Port> operation_ports();
-    Port make_port();
-    Part machine(Lines& out, const Shared& variables, const Shared& operations);
+    Port make_port(const std::string& name);
+    Part machine(Lines& out, const Shared& variables, const Callable& operations);
     std::vector<Port> make_ports();
     void declare_data(Lines& out, Surroundings& around);
     void require(Lines& out, const Shared& shared, Surroundings& around);
     std::string parameters(Signature& signature, Surroundings& around);
+
+    // Operations (system_operations.cpp)
+    Callable controller_operations(Lines& out, const Shared& variables);
+    std::vector<Shared> sources(const Shared& variables);
+    Shared registers();
+    std::string operation(const Signature& signature, const std::string& parameters, Surroundings around,
+                          const Callable& callable, const std::vector<Shared>& sources, Defined& defined);
+    /// Requires some of the operations; returns what the caller must have for that. Their events are the caller's too.
+    std::vector<Shared> call_some(Lines& out, const Callable& callable, Surroundings& around);
+    void declare_own(Lines& out, const Shared& need, Surroundings& around);
+    std::vector<Port> operation_ports();
 
     Random& random_;
     const Shape& shape_;

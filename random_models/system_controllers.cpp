@@ -1,5 +1,7 @@
-// Controllers, operations and machines. See system.hpp.
+// Controllers and machines. See system.hpp.
 #include <fmt/format.h>
+
+#include <set>
 
 #include "random_models/system.hpp"
 
@@ -10,7 +12,7 @@ std::string SystemBuilder::parameters(Signature& signature, Surroundings& around
     for (std::size_t i = random_.below(3); i > 0; --i) {
         const DataType* type = types_.existing();
         signature.parameters.push_back(type);
-        around.readable.push_back({names_.fresh("p"), type});
+        around.readable.push_back({names_.local("p"), type});
         text += fmt::format("{}{} : {}", text.empty() ? "" : ", ", around.readable.back().name, type->written);
     }
     return text;
@@ -24,6 +26,7 @@ void SystemBuilder::require(Lines& out, const Shared& shared, Surroundings& arou
         around.writable.push_back(variable);
     }
     around.readable.insert(around.readable.end(), shared.constants.begin(), shared.constants.end());
+    around.clocks.insert(around.clocks.end(), shared.clocks.begin(), shared.clocks.end());
     around.operations.insert(around.operations.end(), shared.operations.begin(), shared.operations.end());
 }
 
@@ -32,7 +35,7 @@ void SystemBuilder::declare_data(Lines& out, Surroundings& around) {
     Expressions values(random_, shape_, types_);
     for (std::size_t i = random_.between(shape_.constants.low, shape_.constants.high); i > 0; --i) {
         const DataType* type = types_.existing();
-        const std::string name = names_.fresh("c");
+        const std::string name = names_.local("c");
         const bool open = shape_.open_constants && random_.chance(30);
         const std::string written =
             fmt::format("const {} : {}{}", name, type->written, open ? "" : " = " + values.literal(*type));
@@ -44,15 +47,19 @@ void SystemBuilder::declare_data(Lines& out, Surroundings& around) {
     }
     for (std::size_t i = random_.between(shape_.variables.low, shape_.variables.high); i > 0; --i) {
         const DataType* type = types_.existing();
-        const std::string name = names_.fresh("v");
+        const std::string name = names_.local("v");
         const bool initialised = random_.chance(50);
         out.line(fmt::format("var {} : {}{}", name, type->written, initialised ? " = " + values.literal(*type) : ""));
         around.readable.push_back({name, type});
         around.writable.push_back({name, type});
     }
+    if (shape_.probabilistic && shape_.chance_expressions && random_.chance(50)) {
+        around.chance = names_.local("q");
+        out.line(fmt::format("const {} : real = 0.25", around.chance));
+    }
     if (!shape_.time) return;
     for (std::size_t i = random_.between(shape_.clocks.low, shape_.clocks.high); i > 0; --i) {
-        around.clocks.push_back(names_.fresh("T"));
+        around.clocks.push_back(names_.local("T"));
         if (shape_.varied_places && random_.chance(20))
             declare_in_interface(out, "Clocks", {"clock " + around.clocks.back()});
         else
@@ -63,78 +70,57 @@ void SystemBuilder::declare_data(Lines& out, Surroundings& around) {
 std::vector<Port> SystemBuilder::make_ports() {
     std::vector<Port> ports;
     for (std::size_t i = random_.between(shape_.events.low, shape_.events.high); i > 0; --i)
-        ports.push_back(make_port());
+        ports.push_back(make_port(names_.local("e")));
     return ports;
 }
 
-Port SystemBuilder::make_port() {
+Port SystemBuilder::make_port(const std::string& name) {
     const bool typed = shape_.typed_events && random_.chance(40);
     const DataType* type = typed ? types_.existing() : nullptr;
     const bool receives = random_.chance(55);
     const bool both_ways = shape_.bidirectional && random_.chance(5);
     const bool broadcast = shape_.broadcast && random_.chance(10);
-    return {names_.fresh("e"), type, receives, both_ways, broadcast};
-}
-
-std::vector<Port> SystemBuilder::operation_ports() {
-    std::vector<Port> ports;
-    if (shape_.operation_events)
-        while (random_.chance(30)) ports.push_back(make_port());
-    return ports;
+    return {name, type, receives, both_ways, broadcast};
 }
 
 /// What a typed trigger receives needs a place.
 void SystemBuilder::declare_places(Lines& out, Surroundings& around) {
     for (const Port& port : around.ports)
         if (port.type != nullptr) {
-            const std::string place = names_.fresh("x");
+            const std::string place = names_.local("x");
             out.line(fmt::format("var {} : {}", place, port.type->written));
             around.readable.push_back({place, port.type});
             around.writable.push_back({place, port.type});
         }
 }
 
-SystemBuilder::Part SystemBuilder::machine(Lines& out, const Shared& variables, const Shared& operations) {
+SystemBuilder::Part SystemBuilder::machine(Lines& out, const Shared& variables, const Callable& operations) {
     const std::string name = names_.fresh("Machine");
+    names_.begin_component();
     Surroundings around;
     Lines text;
     text.open("stm " + name);
-    // An operation may need the controller's variables from its caller (STM8).
-    const bool calls = random_.chance(70);
-    if (calls) require(text, operations, around);
-    if (calls || random_.chance(50)) require(text, variables, around);
+    std::set<std::string> supplied;
+    for (const Shared& need : call_some(text, operations, around)) {
+        supplied.insert(need.interface);
+        const bool offered = need.interface == variables.interface || need.interface == platform_variables_.interface;
+        if (offered && random_.chance(70))
+            require(text, need, around);
+        else
+            declare_own(text, need, around);
+    }
+    if (!supplied.contains(variables.interface) && random_.chance(50)) require(text, variables, around);
     if (random_.chance(60)) require(text, platform_operations_, around);
-    if (random_.chance(50)) require(text, platform_variables_, around);
+    if (!supplied.contains(platform_variables_.interface) && random_.chance(50))
+        require(text, platform_variables_, around);
     declare_data(text, around);
-    around.ports = make_ports();
-    // An operation communicates on the events of its caller (STM9).
-    if (calls) around.ports.insert(around.ports.end(), operations.ports.begin(), operations.ports.end());
+    for (const Port& port : make_ports()) around.ports.push_back(port);
     declare_places(text, around);
     declare_ports(text, around.ports);
     Behaviour(random_, shape_, names_, types_, around).container(text, shape_.depth, false);
     text.close();
-    return {place(out, "sref", name, text.text()), around.ports};
-}
-
-std::string SystemBuilder::operation(const Signature& signature, const std::string& parameters, Surroundings around,
-                                     const Shared& variables) {
-    Lines text;
-    text.open(fmt::format("operation {}({})", signature.name, parameters));
-    const bool contract = shape_.contracts && random_.chance(40);
-    if (random_.chance(50)) require(text, variables, around);
-    if (random_.chance(50)) require(text, platform_operations_, around);
-    declare_data(text, around);
-    declare_places(text, around);
-    if (!around.ports.empty()) declare_ports(text, around.ports);
-    Behaviour behaviour(random_, shape_, names_, types_, around);
-    if (contract) {
-        text.line("terminates");
-        text.line("precondition " + behaviour.expressions().of(*types_.boolean()));
-        text.line("postcondition " + behaviour.expressions().of(*types_.boolean()));
-    }
-    behaviour.container(text, shape_.depth > 0 ? shape_.depth - 1 : 0, true);
-    text.close();
-    return text.text();
+    const std::string known = place(out, "sref", name, text.text());
+    return {known, name, around.ports};
 }
 
 /// Variables that a controller uses, for its machines to require.
@@ -152,32 +138,17 @@ SystemBuilder::Shared SystemBuilder::controller_variables(Lines& out) {
     return shared;
 }
 
-/// Operations defined in a controller, with the interface through which its machines require them.
-SystemBuilder::Shared SystemBuilder::controller_operations(Lines& out, const Shared& variables) {
-    Shared shared;
-    const std::size_t count = random_.between(shape_.defined_operations.low, shape_.defined_operations.high);
-    if (count == 0) return shared;
-    shared.interface = names_.fresh("Operations");
-    Lines text;
-    text.open("interface " + shared.interface);
-    for (std::size_t i = 0; i < count; ++i) {
-        Signature signature{names_.fresh("op"), {}, shared.interface};
-        Surroundings inside;
-        const std::string written = parameters(signature, inside);
-        const bool terminates = shape_.contracts && random_.chance(20);
-        text.line(fmt::format("{}({}){}", signature.name, written, terminates ? " [ terminates ]" : ""));
-        if (shape_.bodiless_operations && random_.chance(15)) {
-            place(out, "opref", signature.name, fmt::format("operation {}({}) {{\n}}\n", signature.name, written));
-        } else {
-            inside.ports = operation_ports();
-            shared.ports.insert(shared.ports.end(), inside.ports.begin(), inside.ports.end());
-            place(out, "opref", signature.name, operation(signature, written, inside, variables));
-        }
-        shared.operations.push_back(std::move(signature));
+/// A second reference to what a reference brings here already.
+void SystemBuilder::add_instance(Lines& out, const std::string& word, std::vector<Part>& parts) {
+    if (!shape_.instances || !random_.chance(30)) return;
+    for (const Part& part : parts) {
+        if (part.definition == part.name) continue;
+        Part again = part;
+        again.name = names_.fresh("ref");
+        out.line(fmt::format("{} {} = {}", word, again.name, again.definition));
+        parts.push_back(std::move(again));
+        return;
     }
-    text.close();
-    define(text.text());
-    return shared;
 }
 
 SystemBuilder::Part SystemBuilder::controller(Lines& module) {
@@ -188,12 +159,14 @@ SystemBuilder::Part SystemBuilder::controller(Lines& module) {
     if (!platform_operations_.interface.empty()) text.line("requires " + platform_operations_.interface);
     const Shared variables = controller_variables(text);
     Lines inside;
-    const Shared operations = controller_operations(inside, variables);
+    const Callable operations = controller_operations(inside, variables);
     std::vector<Part> machines;
     for (std::size_t i = random_.between(std::max<std::size_t>(1, shape_.machines.low), shape_.machines.high); i > 0;
          --i)
         machines.push_back(machine(inside, variables, operations));
     std::vector<Link> links;
+    add_instance(inside, "sref", machines);
+    names_.begin_component();
     const std::vector<Port> ports = connect(machines, name, links);
     declare_ports(text, ports);
     text.embed(inside.text());
@@ -201,7 +174,7 @@ SystemBuilder::Part SystemBuilder::controller(Lines& module) {
     text.close();
     const std::string known = place(module, "cref", name, text.text());
     for (const Part& part : machines) components_.push_back(known + "::" + part.name);
-    return {known, ports};
+    return {known, name, ports};
 }
 
 }  // namespace robochart::random_models

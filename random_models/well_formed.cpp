@@ -85,7 +85,7 @@ bool refers(const std::string& text, std::size_t at) {
 class ProjectBuilder {
 public:
     ProjectBuilder(std::uint64_t seed, const Shape& shape, std::size_t files)
-        : random_(seed), shape_(shape), names_(random_, shape.escaped_names), drafts_(files) {}
+        : random_(seed), shape_(shape), names_(random_, shape), drafts_(files) {}
 
     void add_system();
     [[nodiscard]] std::size_t lines() const { return lines_; }

@@ -1,0 +1,92 @@
+// What is behind the front end, on models that are well-formed and on models that nearly are: random ones, those of the
+// corpus and those of the tests. ROBOCHART_SEEDS=N tries more, ROBOCHART_FIRST_SEED=N others.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "fuzz/targets.hpp"
+#include "random_models/near.hpp"
+#include "random_models/well_formed.hpp"
+#include "tests/random_models/seeds.hpp"
+#include "tests/rounds.hpp"
+
+namespace robochart::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+using random_models::Project;
+using random_models::Shape;
+
+/// As the target reads it.
+std::string bytes_of(const Project& project) {
+    std::string bytes;
+    for (const random_models::Text& file : project)
+        bytes += (bytes.empty() ? "" : "\f") + std::string(file.is_assertions() ? "!" : "") + file.text;
+    return bytes;
+}
+
+std::string slurp(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The folders of models below these, each a project.
+std::vector<Project> kept_projects() {
+    std::vector<Project> projects;
+    for (const char* folder : {"corpus", "tests/app/agreeing", "tests/conformance/models", "tests/cpp_emit/models"}) {
+        std::vector<fs::path> models;
+        for (const auto& entry : fs::directory_iterator(fs::path(ROBOCHART_SOURCE_DIR) / folder))
+            if (entry.is_directory()) models.push_back(entry.path());
+        std::sort(models.begin(), models.end());
+        for (const fs::path& model : models) {
+            Project project;
+            for (const auto& entry : fs::directory_iterator(model))
+                if (entry.path().extension() == ".rct" || entry.path().extension() == ".assertions")
+                    project.push_back({entry.path().filename(), slurp(entry.path())});
+            std::sort(project.begin(), project.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+            if (!project.empty()) projects.push_back(std::move(project));
+        }
+    }
+    return projects;
+}
+
+/// Small models with all that the language has.
+Shape small_shape(std::uint64_t seed) {
+    Shape shape = Shape::whole_language();
+    shape.files = {1, 2};
+    shape.controllers = shape.machines = {1, 1};
+    shape.states = {1, 2};
+    shape.transitions = {0, 1};
+    shape.variables = {0, 2};
+    shape.events = {1, 2};
+    shape.depth = seed % 3;
+    shape.data.expression_depth = 1;
+    shape.data.largest = 3;
+    shape.statements = {1, 2};
+    shape.broadcast = seed % 4 == 0;
+    return shape;
+}
+
+TEST(Semantics, TakesOrRefusesWellFormedModels) {
+    for (const std::uint64_t seed : random_models::seeds(tests::rounds(60)))
+        EXPECT_EQ(run_semantics(bytes_of(random_models::well_formed(seed, small_shape(seed)))), "") << "seed " << seed;
+}
+
+TEST(Semantics, TakesOrRefusesNearlyWellFormedModels) {
+    const std::vector<Project> kept = kept_projects();
+    ASSERT_GE(kept.size(), 40U);
+    for (const std::uint64_t seed : random_models::seeds(tests::rounds(400))) {
+        random_models::Random random(seed);
+        const Project base =
+            random.chance(50) ? random_models::well_formed(seed, small_shape(seed)) : random.pick(kept);
+        const Project near = random_models::nearly(base, random);
+        EXPECT_EQ(run_semantics(bytes_of(near)), "") << "seed " << seed << "\n" << random_models::listing(near);
+    }
+}
+
+}  // namespace
+}  // namespace robochart::fuzz
