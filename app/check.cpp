@@ -8,6 +8,7 @@
 #include "app/sizes.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "runs/interpreter.hpp"
 
 namespace robochart::app {
 namespace {
@@ -29,43 +30,6 @@ void add(refine::Statistics& sum, const refine::Statistics& one) {
     sum.seconds += one.seconds;
 }
 
-std::vector<std::string> raw_events(const refine::Counterexample& c, const process::EventTable& events) {
-    std::vector<std::string> names;
-    for (const refine::Step& step : c.steps) {
-        const bool hidden = step.event == process::tau && step.revealed != process::tau;
-        names.push_back(hidden ? fmt::format("τ({})", events.name(step.revealed)) : events.name(step.event));
-    }
-    return names;
-}
-
-/// Whether the loop of a divergence lets time pass: behind it stands the check for deadlocks in time.
-bool time_passes(const Context& context, const refine::Counterexample& c) {
-    return std::any_of(c.loop.begin(), c.loop.end(),
-                       [&](const refine::Step& step) { return context.session.event_table().name(step.revealed) == "tock"; });
-}
-
-/// What is wrong in the claim's words; "" where the checker's are right.
-std::string violation(const Context& context, const csp_emit::Obligation& obligation, const refine::Counterexample& c,
-                      const StoryTeller& teller) {
-    switch (obligation.kind) {
-        case ir::PropertyKind::reachable: return "the state has been reached";
-        case ir::PropertyKind::deadlock_free:
-            return time_passes(context, c) ? "nothing is possible any more but that time passes" : "";
-        case ir::PropertyKind::timelock_free: return teller.why_time_stops(c);
-        case ir::PropertyKind::terminates: return obligation.negated ? "it has terminated" : "";
-        case ir::PropertyKind::clock_initialised: return obligation.one_suffices ? obligation.reason : "the clock is read before its first reset";
-        default: return "";
-    }
-}
-
-std::string told(const Context& context, const csp_emit::Obligation& obligation, const refine::Counterexample& c) {
-    const StoryTeller teller(context.emission.provenance, context.project.system, context.project.instantiation,
-                             context.project.sources, context.session.event_table());
-    Story story = teller.tell(c);
-    if (const std::string why = violation(context, obligation, c, teller); !why.empty()) story.why = why;
-    return render(story, "                 ");
-}
-
 void take(const Context& context, const csp_emit::Obligation& obligation, const refine::Verdict& verdict, AssertionReport& report) {
     add(report.statistics, verdict.statistics);
     if (verdict.outcome == refine::Outcome::inconclusive) {
@@ -73,10 +37,9 @@ void take(const Context& context, const csp_emit::Obligation& obligation, const 
         report.reason = verdict.reason;
     } else if (verdict.outcome == refine::Outcome::fails) {
         report.answer = Answer::fails;
-        if (verdict.counterexample) {
-            report.counterexample = told(context, obligation, *verdict.counterexample);
-            report.raw = raw_events(*verdict.counterexample, context.session.event_table());
-        }
+        const runs::Context reading{context.emission.provenance, context.project.system, context.project.instantiation,
+                                    context.project.sources, context.session};
+        if (verdict.counterexample) report.run = runs::interpret(reading, obligation, *verdict.counterexample);
     }
 }
 
@@ -114,7 +77,7 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
         }
     }
     if (report.answer == Answer::holds) report.reason.clear();
-    if (report.answer == Answer::fails && report.counterexample.empty()) report.reason = obligation.reason;
+    if (report.answer == Answer::fails && !report.run) report.reason = obligation.reason;
 }
 
 bool wanted(const Context& context, const csp_emit::Obligation& obligation) {

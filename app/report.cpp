@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "runs/text.hpp"
+
 namespace robochart::app {
 namespace {
 
@@ -29,9 +31,12 @@ void write_assertion(std::string& out, const AssertionReport& a, const std::stri
         out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states), duration(a.statistics.seconds));
     out += '\n';
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
-    if (!a.counterexample.empty()) out += fmt::format("               claimed at {}; the {} does:\n{}", a.place, subject, a.counterexample);
-    if (options.show_internal && !a.raw.empty())
-        out += fmt::format("                 events <{}>\n", fmt::join(a.raw, ", "));
+    if (!a.run && a.counterexample.empty()) return;
+    const std::string claimed = a.place.empty() ? "" : fmt::format("claimed at {}; ", a.place);
+    out += fmt::format("               {}the {} does:\n{}", claimed, subject, a.run ? runs::text(*a.run, indent_of_runs) : a.counterexample);
+    if (!a.run) return;
+    const std::vector<std::string> raw(a.run->raw.begin(), a.run->raw.end() - static_cast<std::ptrdiff_t>(a.run->raw_loop));
+    if (options.show_internal && !raw.empty()) out += fmt::format("                 events <{}>\n", fmt::join(raw, ", "));
 }
 
 /// What the verdicts are about where it is less than the model.
@@ -115,6 +120,8 @@ std::string closing(const Report& report) {
 }
 
 }  // namespace
+
+const std::string_view indent_of_runs = "                 ";
 
 std::string with_commas(std::uint64_t value) {
     std::string digits = fmt::format("{}", value);

@@ -1,13 +1,14 @@
 // What a run found, as data; drawn as text or JSON.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/options.hpp"
-#include "app/story.hpp"
 #include "checker/refine/check.hpp"
 #include "conformance/conform.hpp"
+#include "runs/run.hpp"
 
 namespace robochart::app {
 
@@ -28,8 +29,8 @@ struct AssertionReport {
     Answer answer = Answer::inconclusive;
     std::string reason;     ///< inconclusive, no_check, error
     refine::Statistics statistics;
-    std::string counterexample;           ///< the story, "" if none
-    std::vector<std::string> raw;         ///< the run in CSP events
+    std::optional<runs::Run> run;         ///< a model's counterexample
+    std::string counterexample;           ///< a script's, as text
 };
 
 /// Where the finite reading of the model showed while assertions were checked.
@@ -79,6 +80,9 @@ struct Report {
 
     [[nodiscard]] Exit exit() const;
 };
+
+/// In front of the lines of a counterexample.
+extern const std::string_view indent_of_runs;
 
 /// 1,234,567.
 [[nodiscard]] std::string with_commas(std::uint64_t value);

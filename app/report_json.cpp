@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report.hpp"
+#include "runs/json.hpp"
+#include "runs/text.hpp"
 
 namespace robochart::app {
 namespace {
@@ -13,11 +15,20 @@ Json statistics(const refine::Statistics& s) {
     return {{"states", s.states}, {"transitions", s.transitions}, {"depth", s.depth}, {"specNodes", s.spec_nodes}, {"seconds", s.seconds}};
 }
 
+/// As text, as the script's events, and as data.
+Json counterexample(const runs::Run& run) {
+    const auto loop = run.raw.end() - static_cast<std::ptrdiff_t>(run.raw_loop);
+    Json json{{"story", runs::text(run, indent_of_runs)}, {"events", std::vector<std::string>(run.raw.begin(), loop)}};
+    json["loopEvents"] = std::vector<std::string>(loop, run.raw.end());
+    json.update(runs::json(run));
+    return json;
+}
+
 Json assertion(const AssertionReport& a) {
     constexpr std::array<const char*, 5> words{"holds", "fails", "inconclusive", "no check", "error"};
     Json json{{"title", a.title}, {"place", a.place}, {"answer", words[static_cast<std::size_t>(a.answer)]}, {"statistics", statistics(a.statistics)}};
     if (!a.reason.empty()) json["reason"] = a.reason;
-    if (!a.counterexample.empty()) json["counterexample"] = {{"story", a.counterexample}, {"events", a.raw}};
+    if (a.run) json["counterexample"] = counterexample(*a.run);
     return json;
 }
 

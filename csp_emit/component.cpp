@@ -9,6 +9,7 @@ namespace robochart::csp_emit {
 namespace b = cspm::build;
 
 void ChannelDeclarations::mean(const std::string& event, EventMeaning meaning) {
+    meaning.component = owner_;
     provenance_.events[owner_ + "::" + event] = std::move(meaning);
 }
 

@@ -26,6 +26,7 @@ private:
     const Project& project() const { return *context_.project; }
     const ir::Controller& controller() const { return *context_.controller; }
     void mean(const std::string& event, EventMeaning meaning) {
+        meaning.component = context_.path;
         emitted_.provenance.events[context_.path + "::" + event] = std::move(meaning);
     }
     void declare_channels(std::vector<DeclPtr>& decls);

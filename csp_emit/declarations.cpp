@@ -15,6 +15,7 @@ using cspm::ExprPtr;
 using ir::NodeKind;
 
 void MachineEmitter::mean(const std::string& event, EventMeaning meaning) {
+    meaning.component = context_.path;
     emitted_.provenance.events[context_.path + "::" + event] = std::move(meaning);
 }
 

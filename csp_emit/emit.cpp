@@ -255,7 +255,10 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     emitted.names_of_blocks = new_names_of_theirs(theirs, ours, names);
     const std::string terminated = in(new_names, "r__");
     EventMeaning tock{MeaningKind::tock, "one time unit passes", {}, {}};
-    if (project.timed()) emitted.provenance.events["tock"] = tock;
+    if (project.timed()) {
+        emitted.provenance.events["tock"] = tock;
+        emitted.provenance.events[in(new_names, "tock'")] = tock;  // the copy that deadlock checks leave visible
+    }
     emitted.provenance.events[terminated] = {MeaningKind::terminate, "it has terminated", {}, {}};
     std::vector<DeclPtr>& definitions = result.definitions.decls;
     definitions = cspm::renamed(core, new_names);

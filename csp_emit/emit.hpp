@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ enum class MeaningKind {
     output,
     call,
     entered,
+    exited,
     assignment,
     external_write,
     terminate,
@@ -36,6 +38,23 @@ struct EventMeaning {
     std::string text;               ///< for people: "S1 -> S2 on seeRobot", "call MoveClockwise"
     std::vector<ir::TypeId> types;  ///< of the event's arguments, in order; empty if it has none
     ir::Origin origin;
+    std::string component = {};  ///< whose event it is: "P::C::stm_ref0"; "" if no component's
+};
+/// What a parameter of a definition holds.
+enum class ParameterKind {
+    variable,   ///< of the machine, or of an operation that is being called
+    clock,      ///< time since its reset
+    constant,
+    countdown,  ///< time left of a wait or a deadline
+    temporary,  ///< a value that has been read or received and is not used up yet
+};
+/// An event that a configuration may offer, and the element of the model that it comes from.
+struct OfferMeaning {
+    std::string event;  ///< relative to the component, without arguments: "a.in", "moveCall"
+    std::string text;   ///< "t1: S1 -> S2", "entry action of S1"
+    ir::Origin origin;  ///< of the transition or the statement
+    std::string name = {};    ///< of a transition: "t1"
+    std::string target = {};  ///< of a transition: the element that it leads to
 };
 /// A process definition of the script: where a machine stands when it is in it.
 struct DefinitionMeaning {
@@ -45,6 +64,14 @@ struct DefinitionMeaning {
     std::vector<ir::TypeId> types;  ///< type of each; invalid for clocks and counters
     ir::Origin origin;
     std::vector<ir::Origin> deadlines = {};  ///< of each: the deadline that it counts down; without a place: none
+    std::vector<ParameterKind> kinds = {};   ///< of each parameter
+    std::string component = {};              ///< whose definition it is: "P::C::stm_ref0"
+    bool memory = false;                     ///< it holds a variable beside the process that says where the machine is
+    std::string machine = {};                ///< the machine that runs there, qualified by its package: "P::S"
+    /// The active states, outermost first, those of operations that are being called behind those of their callers.
+    std::vector<ir::Origin> active = {};
+    /// Of its triggers and of the statements that are to be done next; definitions share them.
+    std::vector<std::shared_ptr<const OfferMeaning>> offers = {};
 };
 /// Keys are names as the checker prints them: qualified event name without arguments
 /// ("P::S::internal__.P::S::TID_t2", "P::S::seeRobot.in"), qualified definition name ("P::S::S1__").

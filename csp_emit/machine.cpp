@@ -37,20 +37,6 @@ bool larger_than(const cspm::Expr& expr, std::size_t& nodes) {
                        [&](const ExprPtr& part) { return part && larger_than(*part, nodes); });
 }
 
-/// The innermost thing that goes on: what names and describes the configuration.
-const Item* running_item(const Activation& activation) {
-    if (activation.control.callee) return running_item(*activation.control.callee);
-    return activation.control.rest ? &activation.control.rest->head : nullptr;
-}
-
-std::uint32_t running_frame(const Activation& activation) {
-    return activation.control.callee ? running_frame(*activation.control.callee) : activation.frame;
-}
-
-const Activation& innermost(const Activation& activation) {
-    return activation.control.callee ? innermost(*activation.control.callee) : activation;
-}
-
 }  // namespace
 
 MachineEmitter::MachineEmitter(MachineContext context, Emitted& emitted)
@@ -298,68 +284,10 @@ std::vector<ExprPtr> MachineEmitter::branches(const Activation& settled) {
     return result;
 }
 
-cspm::DeclPtr MachineEmitter::definition(const Point& point, const Function& function) const {
-    DefinitionMeaning meaning;
-    meaning.text = describe(point.config);
-    for (const std::string& parameter : function.parameters) {
-        const auto found = cell_named_.find(parameter);
-        const Cell* cell = found == cell_named_.end() ? nullptr : &cells_[found->second];
-        const auto constant = std::find_if(constants_.begin(), constants_.end(),
-                                           [&](const ConstantParameter& c) { return c.inside == parameter; });
-        const bool known = cell == nullptr && constant != constants_.end();
-        meaning.parameters.push_back(cell != nullptr ? cell->meaning : known ? constant->constant : "");
-        meaning.types.push_back(cell != nullptr ? cell->type : known ? constant->type : ir::TypeId{});
-        meaning.deadlines.push_back(cell != nullptr ? cell->deadline : ir::Origin{});
-    }
-    const Activation& inner = innermost(point.config);
-    const Item* item = running_item(point.config);
-    if (item != nullptr && item->stmt != nullptr)
-        meaning.origin = item->stmt->origin;
-    else if (inner.at.valid())
-        meaning.origin = frames_[inner.frame].machine->nodes[inner.at.index].origin;
+cspm::DeclPtr MachineEmitter::definition(const Point& point, const Function& function) {
     DefinitionMeaning& kept = emitted_.provenance.definitions[context_.path + "::" + point.name];
-    kept = std::move(meaning);
+    kept = meaning_of(point, function);
     return b::function_decl(function.name, b::variables(function.parameters), function.body, kept.text);
-}
-
-std::string MachineEmitter::describe(const Activation& config) const {
-    const std::uint32_t frame = running_frame(config);
-    std::string result;
-    if (frame != 0) result = "operation " + frames_[frame].machine->name + ": ";
-    const Activation& inner = innermost(config);
-    if (const Item* item = running_item(config)) {
-        result += item->label;
-        if (item->kind == ItemKind::waiting) result += ", waiting";
-        if (item->kind == ItemKind::stuck) result += ", blocked";
-        const bool statement = item->kind == ItemKind::statement || item->kind == ItemKind::frozen;
-        const std::string text = statement && item->stmt != nullptr ? project().text(item->stmt->origin.span) : "";
-        if (!text.empty()) result += ", at " + text;
-    } else if (inner.at.valid()) {
-        const ir::Node& node = frames_[inner.frame].machine->nodes[inner.at.index];
-        const char* kinds[] = {"in ", "at initial node ", "at junction ", "at probabilistic junction ",
-                               "at final state "};
-        result += kinds[static_cast<std::size_t>(node.kind)] + node.path;
-    } else {
-        result += "no behaviour";
-    }
-    for (const During& during : config.durings)
-        if (!during.thread.callee && during.thread.rest && during.thread.rest->head.kind == ItemKind::store &&
-            during.thread.rest->head.stmt == nullptr)
-            result += ", the received value not yet stored";
-        else
-            result += ", during action of " + frames_[config.frame].machine->nodes[during.node.index].path + " goes on";
-    return result;
-}
-
-std::string MachineEmitter::point_name(const Activation& config) {
-    const Activation& inner = innermost(config);
-    std::string base = frames_[running_frame(config)].prefix;
-    if (const Item* item = running_item(config))
-        base += flatten(item->label);
-    else if (inner.at.valid())
-        base += flatten(frames_[inner.frame].machine->nodes[inner.at.index].path);
-    if (!config.durings.empty()) base += "_during";
-    return context_.names.unique(base + "__");
 }
 
 }  // namespace robochart::csp_emit

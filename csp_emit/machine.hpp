@@ -100,7 +100,7 @@ private:
     Candidates candidates() const;
     Arguments arguments(const Values& values) const;
     std::vector<cspm::DeclPtr> point_definitions(ExprPtr& initial);
-    cspm::DeclPtr definition(const Point& point, const Function& function) const;
+    cspm::DeclPtr definition(const Point& point, const Function& function);
     std::vector<ExprPtr> branches(const Activation& config);
     std::vector<ExprPtr> reading_branches(const Activation& config, CellId clock);
     std::vector<CellId> clocks_needed(const Activation& config) const;
@@ -109,6 +109,12 @@ private:
     ExprPtr initial_value(std::uint32_t frame, const ir::Variable& variable) const;
     ExprPtr default_of(ir::TypeId type) const;
     std::string describe(const Activation& config) const;
+    DefinitionMeaning meaning_of(const Point& point, const Function& function);
+    void add_parameters(const Function& function, DefinitionMeaning& meaning) const;
+    std::vector<ir::Origin> active_states(const View& now) const;
+    std::vector<std::shared_ptr<const OfferMeaning>> offers(const View& now);
+    std::shared_ptr<const OfferMeaning> offer(const Spot& spot, ir::TransitionId id);
+    std::shared_ptr<const OfferMeaning> offer(const Place& place);
     std::string point_name(const Activation& config);
 
     // declarations.cpp: the module
@@ -293,6 +299,7 @@ private:
     std::map<std::string, std::size_t> step_of_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> transition_of_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, CellId> trigger_cells_;
+    std::map<std::pair<std::uint32_t, std::string>, std::shared_ptr<const OfferMeaning>> offers_;  ///< by frame
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, ir::Stmt> reset_statements_;
     std::vector<std::string> calls_;     ///< operations that remain events
     std::vector<std::string> visible_;   ///< channels of sem__events

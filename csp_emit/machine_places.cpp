@@ -31,7 +31,7 @@ std::string moved(const std::string& name, const std::string& from, const std::s
 template <class Meaning>
 void add_moved(const std::map<std::string, Meaning>& meanings, const std::string& from, const std::string& to,
                std::map<std::string, Meaning>& result) {
-    for (const auto& [name, meaning] : meanings) result[moved(name, from, to)] = meaning;
+    for (const auto& [name, meaning] : meanings) (result[moved(name, from, to)] = meaning).component = to;
 }
 
 cspm::DeclPtr renamed(const cspm::DeclPtr& module, const std::string& name) {

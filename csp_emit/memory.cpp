@@ -58,7 +58,7 @@ void MachineEmitter::left_branch(const Place& place, std::vector<ExprPtr>& out) 
     const Item& item = place.head();
     const ir::Node& node = frames_[place.owner->frame].machine->nodes[item.node.index];
     EventMeaning meaning;
-    meaning.kind = MeaningKind::step;
+    meaning.kind = MeaningKind::exited;
     meaning.text = "leave " + node.path;
     meaning.origin = node.origin;
     const std::string step = "left " + std::to_string(place.owner->frame) + ":" + std::to_string(item.node.index);
@@ -157,8 +157,11 @@ Remembered MachineEmitter::memory_of(CellId id) {
     result.memory = context_.names.unique("Memory_" + cell.channel);
     mean("get_" + cell.channel, {MeaningKind::step, "read " + cell.meaning, {cell.type}, machine().origin});
     mean("setL_" + cell.channel, {MeaningKind::step, "store " + cell.meaning, {cell.type}, machine().origin});
-    emitted_.provenance.definitions[context_.path + "::" + result.memory] = {
-        "the memory of " + cell.meaning, {cell.meaning}, {cell.type}, machine().origin};
+    DefinitionMeaning meaning{"the memory of " + cell.meaning, {cell.meaning}, {cell.type}, machine().origin};
+    meaning.kinds = {ParameterKind::variable};
+    meaning.component = context_.path;
+    meaning.memory = true;
+    emitted_.provenance.definitions[context_.path + "::" + result.memory] = std::move(meaning);
     return result;
 }
 

@@ -272,13 +272,28 @@ std::optional<process::Behaviour> Session::behaviour(const refine::Counterexampl
     };
     append(told.steps, told.terms);
     append(told.loop, told.loop_terms);
+    return behaviour(told.terms.front(), run);
+}
+
+std::optional<process::Behaviour> Session::behaviour(process::TermId initial,
+                                                     const std::vector<process::Transition>& run) {
     try {
-        return process::behaviour(impl_->semantics, told.terms.front(), run);
+        return process::behaviour(impl_->semantics, initial, run);
     } catch (const EvaluationError&) {
         // Inside a compression terms are looked at that nothing has asked for: the verdict does without them.
     } catch (const process::SemanticsError&) {
     }
     return std::nullopt;
+}
+
+std::vector<process::Transition> Session::transitions(process::TermId term) {
+    try {
+        const auto found = impl_->semantics.successors(term);
+        return {found.begin(), found.end()};
+    } catch (const EvaluationError&) {
+    } catch (const process::SemanticsError&) {
+    }
+    return {};
 }
 
 process::TermId Session::process(const ExprPtr& expr) {

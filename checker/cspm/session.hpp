@@ -47,6 +47,12 @@ public:
     /// where its states are not terms.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&);
 
+    /// The same of a run given by its transitions.
+    [[nodiscard]] std::optional<process::Behaviour> behaviour(process::TermId initial,
+                                                              const std::vector<process::Transition>& run);
+    /// What a term can do; nothing where its definitions cannot be evaluated.
+    [[nodiscard]] std::vector<process::Transition> transitions(process::TermId term);
+
     /// An expression in the script's global scope as a process.
     [[nodiscard]] process::TermId process(const ExprPtr&);
     /// The same as a transition system that shares this session's events; valid while the session lives.

@@ -97,11 +97,14 @@ private:
         result.name = describe(terms_, initial);
         result.trace.assign(length_, no_event);
         result.revealed.assign(length_, no_event);
+        result.initial = initial;
+        result.reached.assign(length_, initial);
         return result;
     }
     static void note(Behaviour& behaviour, const Step& step) {
         behaviour.trace[step.index] = step.transition.event;
         behaviour.revealed[step.index] = step.transition.revealed;
+        behaviour.reached[step.index] = step.transition.target;
     }
     void end(Behaviour& behaviour, TermId last) {
         behaviour.offered.clear();
@@ -173,11 +176,13 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
     Segment segment{begin(from), from, next, false};
     const Term term = terms_[unfolded(from)];
     std::vector<Event> events;
+    std::vector<std::size_t> shown;
     for (; segment.next < steps.size(); ++segment.next) {
         const Step& step = steps[segment.next];
         note(segment.behaviour, step);
         segment.end = step.transition.target;
         if (step.transition.event != tau) events.push_back(step.transition.event);
+        if (step.transition.event != tau) shown.push_back(step.index);
     }
     end(segment.behaviour, segment.end);
     const TermId operand = term.children.front();
@@ -186,8 +191,13 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
     segment.behaviour.op = name_of(Compression{term.payload});
     Steps own;
     for (const Transition& each : *inside) own.push_back({own.size(), each});
-    segment.behaviour.parts.push_back(Splitter(semantics_, own.size(), work_).part(operand, own, depth + 1));
-    segment.behaviour.parts.back().own_run = true;
+    Behaviour within = Splitter(semantics_, own.size(), work_).part(operand, own, depth + 1);
+    for (std::size_t i = 0, done = 0; i < inside->size(); ++i) {
+        within.shown_by.push_back(done < shown.size() ? shown[done] : length_ == 0 ? 0 : length_ - 1);
+        if ((*inside)[i].event != tau) ++done;
+    }
+    within.own_run = true;
+    segment.behaviour.parts.push_back(std::move(within));
     return segment;
 }
 
@@ -214,6 +224,7 @@ Splitter::Segment Splitter::operation(TermId from, const Steps& steps, std::size
         handed_over = derived->starts;
         if (!derived->starts) survivor = derived->survivor;
     }
+    const std::size_t resolved = segment.next == next ? 0 : steps[segment.next - 1].index + 1;
     if (survivor)
         for (; segment.next < steps.size(); ++segment.next) {
             note(segment.behaviour, steps[segment.next]);
@@ -223,6 +234,7 @@ Splitter::Segment Splitter::operation(TermId from, const Steps& steps, std::size
     for (std::size_t i = 0; i < running(term); ++i) {
         Behaviour operand = part(term.children[i], moved[i], depth + 1);
         operand.left = handed_over || (survivor && *survivor != i);
+        if (operand.left) operand.ends = resolved;
         segment.behaviour.parts.push_back(std::move(operand));
     }
     segment.goes_on = handed_over;
@@ -234,6 +246,7 @@ Behaviour Splitter::part(TermId initial, const Steps& steps, int depth) {
     TermId now = initial;
     std::size_t next = 0;
     for (bool more = true; more;) {
+        const std::size_t begins = next == 0 ? 0 : steps[next - 1].index + 1;
         const bool apart = depth <= deepest_parts && work_.parts <= most_parts_ && worth_taking_apart(now);
         segments.push_back(apart ? operation(now, steps, next, depth) : component(now, steps, next, depth));
         now = segments.back().end;
@@ -241,6 +254,8 @@ Behaviour Splitter::part(TermId initial, const Steps& steps, int depth) {
         more = segments.back().goes_on;
         end(segments.back().behaviour, now);
         segments.back().behaviour.left = more;
+        segments.back().behaviour.begins = begins;
+        if (more && next > 0) segments.back().behaviour.ends = steps[next - 1].index + 1;
     }
     if (segments.size() == 1) return std::move(segments.front().behaviour);
     Behaviour whole = begin(initial);

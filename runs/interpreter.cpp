@@ -1,0 +1,517 @@
+// A step's meaning comes from its movers. Where the states of the run are no terms (the reference semantics had no time
+// to replay it), from the names of the whole.
+#include "runs/interpreter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "runs/meanings.hpp"
+#include "runs/timeline.hpp"
+
+namespace robochart::runs {
+namespace {
+
+using process::TermId;
+using refine::ViolationKind;
+
+constexpr std::size_t most_offers = 40;     // listed for one step
+constexpr std::size_t most_looked_at = 5000;  // alternatives, in all steps together
+
+/// One step of one component.
+struct Move {
+    std::string name;          ///< of the event, as the component has it
+    std::vector<Call> before;  ///< where the component was
+    std::vector<Call> after;
+};
+
+class Interpreter {
+public:
+    Interpreter(const Context& context, const csp_emit::Obligation& obligation, const refine::Counterexample& told)
+        : context_(context),
+          obligation_(obligation),
+          told_(told),
+          meanings_(context.provenance, context.system, context.instantiation, context.sources) {}
+
+    Run run();
+
+private:
+    void read_raw();
+    void read_steps();
+    bool read_apart();
+    void read_whole();
+    void add_step(std::size_t raw, bool shown, Event event, std::vector<Event> with, std::vector<Machine> machines);
+    void add_times();
+    void fold_tocks();
+    void add_offers();
+    void read_end();
+
+    [[nodiscard]] const refine::Step& raw_step(std::size_t raw) const {
+        return raw < told_.steps.size() ? told_.steps[raw] : told_.loop[raw - told_.steps.size()];
+    }
+    [[nodiscard]] TermId term_before(std::size_t raw) const {
+        return raw < told_.steps.size() ? told_.terms[raw] : told_.loop_terms[raw - told_.steps.size()];
+    }
+    [[nodiscard]] const std::string& name(process::Event event) const {
+        return context_.session.event_table().name(event);
+    }
+    [[nodiscard]] const std::string& name_of(process::Event event, process::Event revealed) const {
+        return name(event == process::tau ? revealed : event);
+    }
+    const std::vector<Call>& calls_of(TermId term);
+    std::pair<Event, std::vector<Event>> happens(const std::vector<Move>& moves, const std::string& whole) const;
+    std::vector<Move> moves_of(const Moment& moment, const std::vector<std::optional<TermId>>& before);
+    std::vector<Machine> machines_of(const std::vector<std::vector<Call>>& leaves) const;
+    std::vector<Machine> machines_at(const std::vector<std::optional<TermId>>& leaves);
+    static std::vector<Change> changes(const std::vector<Machine>& before, const std::vector<Machine>& after);
+    std::vector<Event> offers_at(TermId term);
+    std::optional<Event> offer(TermId term, const process::Transition& transition);
+    void add_offers(std::size_t raw, Step& step);
+
+    [[nodiscard]] EndKind end_kind() const;
+    [[nodiscard]] bool time_passes_in_loop() const;
+    [[nodiscard]] std::vector<Event> named(const process::EventSet& set) const;
+    [[nodiscard]] std::vector<Cause> causes() const;
+    [[nodiscard]] std::string why() const;
+    [[nodiscard]] std::vector<Event> refused() const;
+    [[nodiscard]] const std::vector<Machine>& last_machines() const;
+    std::vector<Event> offered_at_the_end();
+
+    const Context& context_;
+    const csp_emit::Obligation& obligation_;
+    const refine::Counterexample& told_;
+    Meanings meanings_;
+    Run run_;
+    std::map<TermId, std::vector<Call>> calls_;
+    std::map<TermId, std::vector<std::pair<process::Transition, Event>>> offers_;
+    std::size_t looked_at_ = 0;
+};
+
+/// Whether two are the same for a reader of the model.
+bool same(const Event& one, const Event& other) {
+    return one.kind == other.kind && one.component == other.component && one.text == other.text &&
+           one.element == other.element;
+}
+
+bool among(const std::vector<Event>& events, const Event& event) {
+    return std::any_of(events.begin(), events.end(), [&](const Event& each) { return same(each, event); });
+}
+
+// ---------------------------------------------------------------- steps
+
+const std::vector<Call>& Interpreter::calls_of(TermId term) {
+    const auto [found, added] = calls_.try_emplace(term);
+    if (added) found->second = meanings_.calls(process::describe(context_.session.terms(), term));
+    return found->second;
+}
+
+/// Components of one name are one machine: a variable may be kept beside it.
+std::vector<Machine> Interpreter::machines_of(const std::vector<std::vector<Call>>& leaves) const {
+    std::vector<Machine> result;
+    std::vector<Call> memories;
+    for (const std::vector<Call>& leaf : leaves)
+        for (const Call& call : leaf) {
+            if (call.definition->memory)
+                memories.push_back(call);
+            else
+                result.push_back(meanings_.machine(call));
+        }
+    for (const Call& memory : memories) {
+        const auto owner = std::find_if(result.begin(), result.end(), [&](const Machine& machine) {
+            return machine.component == memory.definition->component;
+        });
+        if (owner == result.end()) continue;
+        for (Variable& variable : meanings_.variables(memory)) {
+            // What the machine has read is what the memory holds.
+            const auto known = std::find_if(owner->variables.begin(), owner->variables.end(),
+                                            [&](const Variable& each) { return each.name == variable.name; });
+            if (known == owner->variables.end())
+                owner->variables.push_back(std::move(variable));
+            else
+                *known = std::move(variable);
+        }
+    }
+    return result;
+}
+
+std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<TermId>>& leaves) {
+    std::vector<std::vector<Call>> calls;
+    for (const auto& leaf : leaves)
+        if (leaf) calls.push_back(calls_of(*leaf));
+    return machines_of(calls);
+}
+
+/// Clocks and countdowns change with time, and what is temporary is nobody's variable.
+std::vector<Change> Interpreter::changes(const std::vector<Machine>& before, const std::vector<Machine>& after) {
+    std::vector<Change> result;
+    for (const Machine& now : after) {
+        const auto was = std::find_if(before.begin(), before.end(),
+                                      [&](const Machine& each) { return each.component == now.component; });
+        if (was == before.end()) continue;
+        for (const Variable& variable : now.variables) {
+            if (variable.kind != VariableKind::variable || !variable.value) continue;
+            const auto old = std::find_if(was->variables.begin(), was->variables.end(), [&](const Variable& each) {
+                return each.name == variable.name;
+            });
+            const auto value = old == was->variables.end() ? std::nullopt : old->value;
+            if (value != variable.value) result.push_back({now.component, variable.name, value, *variable.value});
+        }
+    }
+    return result;
+}
+
+/// Which of several components that move together the step is told of: a machine before what connects machines, who
+/// acts before who is acted on.
+std::pair<Event, std::vector<Event>> Interpreter::happens(const std::vector<Move>& moves,
+                                                          const std::string& whole) const {
+    struct Candidate {
+        Event event;
+        bool known, machine;
+    };
+    std::vector<Candidate> candidates;
+    for (const Move& move : moves) {
+        const bool machine = !move.before.empty() && !move.before.front().definition->memory;
+        const bool known = meanings_.knows(move.name);
+        candidates.push_back({machine ? meanings_.event(move.name, move.before.front(), move.after)
+                                      : meanings_.event(move.name),
+                              known, machine});
+    }
+    const auto rank = [](const Candidate& each) {
+        const bool acts = each.event.kind != Kind::input && each.event.kind != Kind::external_write;
+        return std::tuple(!each.known, !each.machine, !acts);
+    };
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [&](const Candidate& one, const Candidate& other) { return rank(one) < rank(other); });
+    const auto tock = std::find_if(candidates.begin(), candidates.end(),
+                                   [](const Candidate& each) { return each.event.kind == Kind::tock; });
+    if (tock != candidates.end()) return {tock->event, {}};
+    if (candidates.empty() || (!candidates.front().known && meanings_.knows(whole)))
+        return {meanings_.event(whole), {}};
+    std::vector<Event> with;
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+        const Candidate& each = candidates[i];
+        const bool other = each.known && each.machine && each.event.component != candidates.front().event.component;
+        if (other && !among(with, each.event)) with.push_back(each.event);
+    }
+    return {candidates.front().event, with};
+}
+
+std::vector<Move> Interpreter::moves_of(const Moment& moment, const std::vector<std::optional<TermId>>& before) {
+    std::vector<Move> moves;
+    for (const Mover& mover : moment.movers) {
+        Move move{name(mover.event), {}, {}};
+        if (before[mover.leaf]) move.before = calls_of(*before[mover.leaf]);
+        if (moment.leaves[mover.leaf]) move.after = calls_of(*moment.leaves[mover.leaf]);
+        moves.push_back(std::move(move));
+    }
+    return moves;
+}
+
+void Interpreter::add_step(std::size_t raw, bool shown, Event event, std::vector<Event> with,
+                           std::vector<Machine> machines) {
+    Step step;
+    step.raw = raw;
+    step.count = shown ? 1 : 0;
+    step.hidden = !shown || raw_step(raw).event == process::tau;
+    step.units = event.kind == Kind::tock ? 1 : 0;
+    step.event = std::move(event);
+    step.with = std::move(with);
+    step.changes = changes(run_.steps.empty() ? run_.initial : run_.steps.back().machines, machines);
+    step.machines = std::move(machines);
+    if (raw >= told_.steps.size() && !run_.loop_start) run_.loop_start = run_.steps.size();
+    run_.steps.push_back(std::move(step));
+}
+
+/// From the movers; false where the states of the run are not terms.
+bool Interpreter::read_apart() {
+    const auto behaviour = context_.session.behaviour(told_);
+    if (!behaviour) return false;
+    const Timeline line = timeline(*behaviour, told_.steps.size() + told_.loop.size());
+    run_.initial = machines_at(line.initial);
+    const std::vector<std::optional<TermId>>* before = &line.initial;
+    for (const Moment& moment : line.moments) {
+        const bool none = told_.steps.empty() && told_.loop.empty();
+        if (none) break;
+        const refine::Step& raw = raw_step(moment.raw);
+        auto [event, with] =
+            happens(moves_of(moment, *before), moment.shown ? name_of(raw.event, raw.revealed) : name(process::tau));
+        add_step(moment.raw, moment.shown, std::move(event), std::move(with), machines_at(moment.leaves));
+        before = &moment.leaves;
+    }
+    return true;
+}
+
+void Interpreter::read_whole() {
+    run_.initial = machines_of({meanings_.calls(told_.initial)});
+    for (std::size_t raw = 0; raw < told_.steps.size() + told_.loop.size(); ++raw) {
+        const refine::Step& step = raw_step(raw);
+        add_step(raw, true, meanings_.event(name_of(step.event, step.revealed)), {},
+                 machines_of({meanings_.calls(step.state)}));
+    }
+}
+
+void Interpreter::add_times() {
+    if (!run_.timed) return;
+    std::int64_t time = 0;
+    for (std::size_t i = 0; i < run_.steps.size(); ++i) {
+        if (run_.loop_start == i) run_.time = time;
+        run_.steps[i].time = time;
+        time += run_.steps[i].units;
+    }
+    if (!run_.loop_start) run_.time = time;
+}
+
+/// Tocks in a row are one step; the loop's stay apart from those in front of it.
+void Interpreter::fold_tocks() {
+    std::vector<Step> folded;
+    std::optional<std::size_t> loop_start;
+    for (std::size_t i = 0; i < run_.steps.size(); ++i) {
+        Step& step = run_.steps[i];
+        const bool loop_begins = run_.loop_start == i;
+        if (loop_begins) loop_start = folded.size();
+        Step* const last = folded.empty() ? nullptr : &folded.back();
+        const bool goes_on = !loop_begins && last != nullptr && last->event.kind == Kind::tock &&
+                             step.event.kind == Kind::tock && last->raw + last->count == step.raw &&
+                             last->hidden == step.hidden && step.changes.empty();
+        if (!goes_on) {
+            folded.push_back(std::move(step));
+            continue;
+        }
+        last->units += step.units;
+        last->count += step.count;
+        last->machines = std::move(step.machines);
+        for (Event& offered : step.offered)
+            if (!among(last->offered, offered)) last->offered.push_back(std::move(offered));
+        last->more_offered = std::max(last->more_offered, step.more_offered);
+    }
+    for (Step& step : folded)
+        if (step.event.kind == Kind::tock)
+            step.event.text = step.units == 1 ? "1 time unit passes" : fmt::format("{} time units pass", step.units);
+    run_.steps = std::move(folded);
+    run_.loop_start = loop_start;
+}
+
+// ---------------------------------------------------------------- offers
+
+std::optional<Event> Interpreter::offer(TermId term, const process::Transition& transition) {
+    const auto behaviour = context_.session.behaviour(term, {transition});
+    const std::string& whole = name_of(transition.event, transition.revealed);
+    if (!behaviour) return meanings_.event(whole);
+    const Timeline line = timeline(*behaviour, 1);
+    const std::vector<std::optional<TermId>>* before = &line.initial;
+    for (const Moment& moment : line.moments) {
+        if (moment.shown) return happens(moves_of(moment, *before), whole).first;
+        before = &moment.leaves;
+    }
+    return meanings_.event(whole);
+}
+
+/// What else the run could have done in front of this step; looked up once for each state.
+void Interpreter::add_offers(std::size_t raw, Step& step) {
+    const TermId term = term_before(raw);
+    const auto [found, added] = offers_.try_emplace(term);
+    if (added)
+        for (const process::Transition& each : context_.session.transitions(term)) {
+            if (++looked_at_ > most_looked_at) break;
+            if (auto event = offer(term, each)) found->second.emplace_back(each, std::move(*event));
+        }
+    const refine::Step& taken = raw_step(raw);
+    for (const auto& [transition, event] : found->second) {
+        const bool this_one = transition.event == taken.event && transition.revealed == taken.revealed;
+        if (this_one || same(event, step.event) || among(step.offered, event)) continue;
+        if (step.offered.size() < most_offers)
+            step.offered.push_back(event);
+        else
+            ++step.more_offered;
+    }
+}
+
+void Interpreter::add_offers() {
+    if (told_.terms.empty()) return;
+    for (Step& step : run_.steps)
+        if (step.count > 0) add_offers(step.raw, step);
+}
+
+std::vector<Event> Interpreter::named(const process::EventSet& set) const {
+    std::vector<Event> result;
+    for (const process::Event event : set) result.push_back(meanings_.event(name(event)));
+    return result;
+}
+
+std::vector<Event> Interpreter::offered_at_the_end() {
+    if (told_.terms.empty() || run_.loop_start) return named(told_.offered);
+    std::vector<Event> result;
+    for (const process::Transition& each : context_.session.transitions(told_.terms.back())) {
+        if (each.event == process::tau || ++looked_at_ > most_looked_at) continue;
+        const auto event = offer(told_.terms.back(), each);
+        if (event && !among(result, *event)) result.push_back(*event);
+    }
+    return result;
+}
+
+// ---------------------------------------------------------------- the end
+
+const std::vector<Machine>& Interpreter::last_machines() const {
+    const std::size_t end = run_.loop_start.value_or(run_.steps.size());
+    return end == 0 ? run_.initial : run_.steps[end - 1].machines;
+}
+
+/// Behind a loop that lets time pass stands the check for deadlocks in time.
+bool Interpreter::time_passes_in_loop() const {
+    return run_.loop_start &&
+           std::any_of(run_.steps.begin() + static_cast<std::ptrdiff_t>(*run_.loop_start), run_.steps.end(),
+                       [](const Step& step) { return step.event.kind == Kind::tock; });
+}
+
+EndKind Interpreter::end_kind() const {
+    switch (obligation_.kind) {
+        case ir::PropertyKind::reachable:
+            return EndKind::reached;
+        case ir::PropertyKind::deadlock_free:
+            if (time_passes_in_loop()) return EndKind::deadlock;
+            break;
+        case ir::PropertyKind::timelock_free:
+            return EndKind::timelock;
+        case ir::PropertyKind::terminates:
+            if (obligation_.negated) return EndKind::terminated;
+            break;
+        case ir::PropertyKind::clock_initialised:
+            return obligation_.one_suffices ? EndKind::clock_initialised : EndKind::clock_not_initialised;
+        default:
+            break;
+    }
+    switch (told_.kind) {
+        case ViolationKind::trace:
+            return EndKind::forbidden;
+        case ViolationKind::refusal:
+            return EndKind::refusal;
+        case ViolationKind::divergence:
+            return EndKind::divergence;
+        case ViolationKind::deadlock:
+            return EndKind::deadlock;
+        case ViolationKind::nondeterminism:
+            return EndKind::nondeterminism;
+        case ViolationKind::no_trace:
+            break;
+    }
+    return EndKind::no_trace;
+}
+
+std::vector<Cause> Interpreter::causes() const {
+    std::vector<Cause> result;
+    for (const Machine& machine : last_machines())
+        for (const Variable& each : machine.variables)
+            if (!each.deadline.empty() && each.value && (*each.value == "0" || each.value->starts_with("-")))
+                result.push_back({fmt::format("the deadline of {} has run out", each.deadline), machine.component, each.place});
+    for (const Event& offered : run_.end.offered)
+        if (offered.kind == Kind::call)
+            result.push_back({fmt::format("{} waits for the environment, which may refuse it", offered.text),
+                              offered.component, offered.place});
+    const bool ended = std::find(told_.offered.begin(), told_.offered.end(), process::tick) != told_.offered.end();
+    if (result.empty() && ended) result.push_back({"it has terminated", "", std::nullopt});
+    return result;
+}
+
+std::string list(const std::vector<Event>& events) {
+    constexpr std::size_t shown = 12;
+    std::vector<std::string> texts;
+    for (const Event& event : events) {
+        if (texts.size() == shown) break;
+        texts.push_back(event.kind == Kind::tock ? "that time passes" : event.text);
+    }
+    if (events.size() > shown) texts.push_back(fmt::format("{} more", events.size() - shown));
+    return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string Interpreter::why() const {
+    const End& end = run_.end;
+    switch (end.kind) {
+        case EndKind::forbidden:
+            return fmt::format("{} is not allowed here; allowed: {}", end.event ? end.event->text : "the last step", list(end.allowed));
+        case EndKind::timelock:
+        case EndKind::refusal: {
+            std::vector<std::string> reasons;
+            for (const Cause& cause : end.causes)
+                reasons.push_back(cause.place ? fmt::format("{} ({}:{})", cause.text, cause.place->file, cause.place->line)
+                                              : cause.text);
+            if (!reasons.empty()) return fmt::format("time cannot pass: {}", fmt::join(reasons, ", and "));
+            std::vector<std::string> alternatives;
+            for (const auto& each : end.required) alternatives.push_back(list(each));
+            return fmt::format("it offers {}, and must offer at least {}", list(end.offered), fmt::join(alternatives, ", or "));
+        }
+        case EndKind::divergence:
+            return "it can go on internally for ever without offering anything";
+        case EndKind::deadlock:
+            return run_.loop_start ? "nothing is possible any more but that time passes" : "nothing is possible any more";
+        case EndKind::nondeterminism:
+            return fmt::format("{} may be accepted and may be refused after the same events", end.event ? end.event->text : "an event");
+        case EndKind::reached:
+            return "the state has been reached";
+        case EndKind::terminated:
+            return "it has terminated";
+        case EndKind::clock_not_initialised:
+            return "the clock is read before its first reset";
+        case EndKind::clock_initialised:
+            return obligation_.reason;
+        case EndKind::no_trace:
+            return "the trace cannot go on";
+    }
+    return "";
+}
+
+/// What is required in some alternative and not offered.
+std::vector<Event> Interpreter::refused() const {
+    std::vector<Event> result;
+    for (const process::EventSet& set : told_.required)
+        for (const process::Event event : set) {
+            if (std::find(told_.offered.begin(), told_.offered.end(), event) != told_.offered.end()) continue;
+            Event missing = meanings_.event(name(event));
+            if (!among(result, missing)) result.push_back(std::move(missing));
+        }
+    return result;
+}
+
+void Interpreter::read_end() {
+    End& end = run_.end;
+    end.kind = end_kind();
+    end.offered = offered_at_the_end();
+    if (told_.kind == ViolationKind::trace && !run_.steps.empty()) end.event = run_.steps.back().event;
+    if (told_.kind == ViolationKind::nondeterminism && told_.event) end.event = meanings_.event(name(*told_.event));
+    if (told_.kind == ViolationKind::trace && !told_.required.empty()) end.allowed = named(told_.required.front());
+    if (told_.kind == ViolationKind::refusal) {
+        for (const process::EventSet& set : told_.required) end.required.push_back(named(set));
+        end.refused = refused();
+    }
+    if (end.kind == EndKind::timelock) end.causes = causes();
+    end.why = why();
+}
+
+void Interpreter::read_raw() {
+    run_.raw_loop = told_.loop.size();
+    for (std::size_t raw = 0; raw < told_.steps.size() + told_.loop.size(); ++raw) {
+        const refine::Step& step = raw_step(raw);
+        const bool hidden = step.event == process::tau && step.revealed != process::tau;
+        run_.raw.push_back(hidden ? fmt::format("τ({})", name(step.revealed)) : name(step.event));
+    }
+}
+
+Run Interpreter::run() {
+    run_.timed = obligation_.time == csp_emit::Time::timed;
+    read_raw();
+    if (!read_apart()) read_whole();
+    add_offers();
+    add_times();
+    fold_tocks();
+    read_end();
+    return std::move(run_);
+}
+
+}  // namespace
+
+Run interpret(const Context& context, const csp_emit::Obligation& obligation, const refine::Counterexample& told) {
+    return Interpreter(context, obligation, told).run();
+}
+
+}  // namespace robochart::runs

@@ -1,0 +1,227 @@
+// What the names mean is written down where the script is made (csp_emit::Provenance).
+#include "runs/meanings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runs/values.hpp"
+
+namespace robochart::runs {
+namespace {
+
+using csp_emit::DefinitionMeaning;
+using csp_emit::EventMeaning;
+using csp_emit::MeaningKind;
+using csp_emit::OfferMeaning;
+using csp_emit::ParameterKind;
+
+Kind kind_of(MeaningKind kind) {
+    switch (kind) {
+        case MeaningKind::transition:
+            return Kind::transition;
+        case MeaningKind::trigger:
+            return Kind::input;
+        case MeaningKind::output:
+            return Kind::output;
+        case MeaningKind::call:
+            return Kind::call;
+        case MeaningKind::entered:
+            return Kind::entered;
+        case MeaningKind::exited:
+            return Kind::exited;
+        case MeaningKind::assignment:
+            return Kind::assignment;
+        case MeaningKind::external_write:
+            return Kind::external_write;
+        case MeaningKind::terminate:
+            return Kind::terminate;
+        case MeaningKind::tock:
+            return Kind::tock;
+        case MeaningKind::refusal:
+            return Kind::refusal;
+        case MeaningKind::step:
+            break;
+    }
+    return Kind::internal;
+}
+
+VariableKind kind_of(ParameterKind kind) {
+    switch (kind) {
+        case ParameterKind::variable:
+            return VariableKind::variable;
+        case ParameterKind::clock:
+            return VariableKind::clock;
+        case ParameterKind::constant:
+            return VariableKind::constant;
+        case ParameterKind::countdown:
+            return VariableKind::countdown;
+        case ParameterKind::temporary:
+            break;
+    }
+    return VariableKind::temporary;
+}
+
+std::string with_values(const EventMeaning& event, const std::vector<Value>& values) {
+    if (values.empty()) return event.text;
+    std::vector<std::string> shown;
+    for (const Value& value : values) shown.push_back(value.text);
+    const std::string joined = fmt::format("{}", fmt::join(shown, ", "));
+    switch (event.kind) {
+        case MeaningKind::assignment:
+        case MeaningKind::external_write:
+            return fmt::format("{} = {}", event.text, joined);
+        case MeaningKind::call:
+            return fmt::format("{}({})", event.text, joined);
+        default:
+            return fmt::format("{} with {}", event.text, joined);
+    }
+}
+
+/// Whether nothing reads the parameter any more: the evaluator keeps no value for it.
+bool unread(const std::string& value) {
+    return value == "_" || value == "'_'";
+}
+
+/// Whether `text` has the word "transition NAME".
+bool is_in_transition(const std::string& text, const std::string& name) {
+    const std::string words = "transition " + name;
+    const auto at = text.find(words);
+    if (at == std::string::npos) return false;
+    const std::size_t end = at + words.size();
+    return end == text.size() || text[end] == ',' || text[end] == ' ';
+}
+
+/// Whether the process may have got there by this transition or statement.
+bool leads_to(const OfferMeaning& offer, const std::vector<Call>& after) {
+    if (offer.target.empty()) return true;
+    return std::any_of(after.begin(), after.end(), [&](const Call& call) {
+        const auto& active = call.definition->active;
+        const bool there = std::any_of(active.begin(), active.end(),
+                                       [&](const ir::Origin& state) { return state.element == offer.target; });
+        return there || is_in_transition(call.definition->text, offer.name);
+    });
+}
+
+}  // namespace
+
+const EventMeaning* Meanings::meaning(const std::string& name, std::string& arguments) const {
+    std::string prefix = name;
+    while (true) {
+        if (const auto found = provenance_.events.find(prefix); found != provenance_.events.end()) {
+            arguments = name.substr(std::min(name.size(), prefix.size() + 1));
+            return &found->second;
+        }
+        const auto dot = prefix.rfind('.');
+        if (dot == std::string::npos) return nullptr;
+        prefix.resize(dot);
+    }
+}
+
+bool Meanings::knows(const std::string& name) const {
+    std::string arguments;
+    return meaning(name, arguments) != nullptr;
+}
+
+Event Meanings::event(const std::string& name) const {
+    Event result;
+    std::string arguments;
+    const EventMeaning* found = meaning(name, arguments);
+    if (found == nullptr) {
+        result.kind = name == "✓" ? Kind::terminate : name == "τ" ? Kind::internal : Kind::event;
+        result.text = name == "✓" ? "termination" : name == "τ" ? "an internal step" : name;
+        return result;
+    }
+    result.kind = kind_of(found->kind);
+    result.component = found->component;
+    result.element = found->origin.element;
+    result.place = place(found->origin.span);
+    if (found->kind == MeaningKind::refusal) {
+        const Event refused = event(arguments);
+        result.text = found->text + " " + (refused.kind == Kind::tock ? "the passing of time" : refused.text);
+        result.component = refused.component;
+        result.element = refused.element;
+        result.values = refused.values;
+        result.place = refused.place;
+        return result;
+    }
+    result.values = values_of_event(system_, instantiation_, found->types, arguments);
+    result.text = with_values(*found, result.values);
+    return result;
+}
+
+Event Meanings::event(const std::string& name, const Call& before, const std::vector<Call>& after) const {
+    Event result = event(name);
+    const std::string owner = before.definition->component + "::";
+    if (!name.starts_with(owner)) return result;
+    const std::string relative = name.substr(owner.size());
+    std::vector<const OfferMeaning*> possible;
+    for (const auto& offer : before.definition->offers)
+        if (relative == offer->event || relative.starts_with(offer->event + ".")) possible.push_back(offer.get());
+    if (possible.size() > 1)
+        std::erase_if(possible, [&](const OfferMeaning* offer) { return !leads_to(*offer, after); });
+    if (possible.size() != 1) return result;
+    result.via = possible.front()->text;
+    result.element = possible.front()->origin.element;
+    if (const auto at = place(possible.front()->origin.span)) result.place = at;
+    return result;
+}
+
+std::vector<Call> Meanings::calls(const std::string& description) const {
+    std::vector<Call> result;
+    for (const std::string& part : split(description, "‖")) {
+        std::string_view call = trim(part);
+        while (call.size() > 1 && call.front() == '(' && call.back() == ')') call = call.substr(1, call.size() - 2);
+        const auto bracket = call.find('(');
+        const auto found = provenance_.definitions.find(std::string(call.substr(0, bracket)));
+        if (found == provenance_.definitions.end()) continue;
+        Call known{&found->second, {}};
+        if (bracket != std::string_view::npos && call.back() == ')')
+            for (const std::string& argument : split(call.substr(bracket + 1, call.size() - bracket - 2), ","))
+                known.arguments.emplace_back(trim(argument));
+        result.push_back(std::move(known));
+    }
+    return result;
+}
+
+std::vector<Variable> Meanings::variables(const Call& call) const {
+    const DefinitionMeaning& definition = *call.definition;
+    std::vector<Variable> result;
+    for (std::size_t i = 0; i < call.arguments.size() && i < definition.parameters.size(); ++i) {
+        if (definition.parameters[i].empty()) continue;
+        Variable variable;
+        variable.name = definition.parameters[i];
+        if (i < definition.kinds.size()) variable.kind = kind_of(definition.kinds[i]);
+        const ir::TypeId type = i < definition.types.size() ? definition.types[i] : ir::TypeId{};
+        if (type.valid()) variable.type = system_.type(type).name;
+        if (!unread(call.arguments[i]))
+            variable.value = value_text(system_, instantiation_, type, call.arguments[i]);
+        if (i < definition.deadlines.size() && definition.deadlines[i].span.known()) {
+            variable.deadline = definition.deadlines[i].element;
+            variable.place = place(definition.deadlines[i].span);
+        }
+        result.push_back(std::move(variable));
+    }
+    return result;
+}
+
+Machine Meanings::machine(const Call& call) const {
+    const DefinitionMeaning& definition = *call.definition;
+    Machine result;
+    result.component = definition.component;
+    result.machine = definition.machine;
+    result.text = definition.text;
+    for (const ir::Origin& state : definition.active) result.active.push_back(state.element);
+    result.variables = variables(call);
+    result.place = place(definition.origin.span);
+    return result;
+}
+
+std::optional<Place> Meanings::place(diagnostics::Span span) const {
+    if (!span.known()) return std::nullopt;
+    const auto begin = sources_.position(span.source, span.begin);
+    const auto end = sources_.position(span.source, span.end);
+    return Place{sources_.path(span.source), begin.line, begin.column, end.line, end.column};
+}
+
+}  // namespace robochart::runs

@@ -1,0 +1,50 @@
+// Names of the script in the words of the model: events, and the definitions that a process is in.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "csp_emit/emit.hpp"
+#include "diagnostics/source.hpp"
+#include "runs/run.hpp"
+#include "semantics/instantiation.hpp"
+#include "semantics/ir.hpp"
+
+namespace robochart::runs {
+
+/// A definition with its arguments, as the checker describes a process: "P::S::A__(0,1)".
+struct Call {
+    const csp_emit::DefinitionMeaning* definition = nullptr;
+    std::vector<std::string> arguments;
+};
+
+class Meanings {
+public:
+    Meanings(const csp_emit::Provenance& provenance, const ir::System& system, const ir::Instantiation& instantiation,
+             const diagnostics::SourceManager& sources)
+        : provenance_(provenance), system_(system), instantiation_(instantiation), sources_(sources) {}
+
+    /// Whether the provenance knows the event.
+    [[nodiscard]] bool knows(const std::string& name) const;
+    /// The event by its whole name; one that is not known keeps it, as Kind::event.
+    [[nodiscard]] Event event(const std::string& name) const;
+    /// The same, done where the process is in this definition: which transition or statement does it, if one alone can.
+    [[nodiscard]] Event event(const std::string& name, const Call& before, const std::vector<Call>& after) const;
+    /// The known definitions in a process's description.
+    [[nodiscard]] std::vector<Call> calls(const std::string& description) const;
+    /// The machine that is in this definition.
+    [[nodiscard]] Machine machine(const Call&) const;
+    [[nodiscard]] std::vector<Variable> variables(const Call&) const;
+    [[nodiscard]] std::optional<Place> place(diagnostics::Span) const;
+
+private:
+    [[nodiscard]] const csp_emit::EventMeaning* meaning(const std::string& name, std::string& arguments) const;
+
+    const csp_emit::Provenance& provenance_;
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+    const diagnostics::SourceManager& sources_;
+};
+
+}  // namespace robochart::runs

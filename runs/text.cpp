@@ -1,0 +1,164 @@
+// Who does a step is said where the run has several machines.
+#include "runs/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace robochart::runs {
+namespace {
+
+constexpr std::size_t widest_column = 60;
+
+std::string last_of(const std::string& path) {
+    const auto at = path.rfind("::");
+    return at == std::string::npos ? path : path.substr(at + 2);
+}
+
+struct Line {
+    std::int64_t time = 0;
+    std::string who, what, notes;
+};
+
+class Writer {
+public:
+    Writer(const Run& run, std::string_view indent) : run_(run), indent_(indent) { name_machines(); }
+    std::string write();
+
+private:
+    void name_machines();
+    [[nodiscard]] std::string who(const std::string& component) const;
+    [[nodiscard]] std::vector<Line> lines(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] Line line(const Step& step) const;
+    [[nodiscard]] std::string machine(const Machine& machine) const;
+    void add(const std::vector<Line>& lines);
+    [[nodiscard]] const std::vector<Machine>& at_the_end() const;
+
+    const Run& run_;
+    std::string_view indent_;
+    std::map<std::string, std::string> short_names_;  ///< of machines, where there are several
+    std::string out_;
+};
+
+void Writer::name_machines() {
+    std::set<std::string> components;
+    for (const Machine& each : run_.initial) components.insert(each.component);
+    for (const Step& step : run_.steps)
+        for (const Machine& each : step.machines) components.insert(each.component);
+    if (components.size() < 2) return;
+    std::map<std::string, int> uses;
+    for (const std::string& each : components) ++uses[last_of(each)];
+    for (const std::string& each : components)
+        short_names_[each] = uses[last_of(each)] == 1 ? last_of(each) : each;
+}
+
+std::string Writer::who(const std::string& component) const {
+    if (short_names_.empty() || component.empty()) return "";
+    const auto found = short_names_.find(component);
+    return found == short_names_.end() ? last_of(component) : found->second;
+}
+
+/// Internal steps are told only where they change something; of a state it is enough that it has been reached.
+bool is_news(const Step& step, bool last) {
+    if (step.event.kind == Kind::tock) return false;
+    if (!step.changes.empty() || !step.hidden) return true;
+    if (step.event.kind == Kind::entered) return last;
+    return step.event.kind != Kind::internal && step.event.kind != Kind::exited;
+}
+
+Line Writer::line(const Step& step) const {
+    Line result;
+    result.time = step.time.value_or(0);
+    result.who = who(step.event.component);
+    result.what = step.event.text;
+    const bool told = step.event.kind == Kind::input && !step.event.via.empty();
+    if (told) result.what += fmt::format(" ({})", step.event.via);
+    for (const Event& other : step.with) result.what += fmt::format("; {}: {}", who(other.component), other.text);
+    // What the words say already is no news.
+    std::vector<std::string> changes;
+    for (const Change& change : step.changes) {
+        const std::string text = fmt::format("{} = {}", change.name, change.after);
+        if (!step.event.text.ends_with(text)) changes.push_back(text);
+    }
+    if (!changes.empty()) result.notes += fmt::format("   [{}]", fmt::join(changes, ", "));
+    if (step.event.place) result.notes += fmt::format("   {}:{}", step.event.place->file, step.event.place->line);
+    return result;
+}
+
+std::vector<Line> Writer::lines(std::size_t begin, std::size_t end) const {
+    std::vector<Line> result;
+    for (std::size_t i = begin; i < end; ++i)
+        if (is_news(run_.steps[i], i + 1 == run_.steps.size())) result.push_back(line(run_.steps[i]));
+    return result;
+}
+
+void Writer::add(const std::vector<Line>& lines) {
+    std::size_t names = 0;
+    std::size_t words = 0;
+    for (const Line& each : lines) {
+        names = std::max(names, each.who.size());
+        words = std::max(words, each.what.size());
+    }
+    for (const Line& each : lines) {
+        out_ += indent_;
+        if (run_.timed) out_ += fmt::format("t={:<4} ", each.time);
+        if (names > 0) out_ += fmt::format("{:<{}}   ", each.who, names);
+        if (each.notes.empty())
+            out_ += each.what;
+        else
+            out_ += fmt::format("{:<{}}{}", each.what, std::min(words, widest_column), each.notes);
+        out_ += '\n';
+    }
+}
+
+std::string Writer::machine(const Machine& machine) const {
+    std::vector<std::string> values;
+    for (const Variable& each : machine.variables)
+        if (each.kind != VariableKind::constant && each.value)
+            values.push_back(fmt::format("{} = {}", each.name, *each.value));
+    std::string text = machine.text;
+    if (!short_names_.empty()) text = fmt::format("{}: {}", who(machine.component), text);
+    return values.empty() ? text : fmt::format("{} ({})", text, fmt::join(values, ", "));
+}
+
+const std::vector<Machine>& Writer::at_the_end() const {
+    const std::size_t end = run_.loop_start.value_or(run_.steps.size());
+    return end == 0 ? run_.initial : run_.steps[end - 1].machines;
+}
+
+std::string Writer::write() {
+    const std::size_t end = run_.loop_start.value_or(run_.steps.size());
+    std::vector<Line> run = lines(0, end);
+    const std::int64_t told = run.empty() ? 0 : run.back().time;
+    if (run_.time > told)
+        run.push_back({told, "", run_.time - told == 1 ? "1 time unit passes" : fmt::format("{} time units pass", run_.time - told), ""});
+    add(run);
+    if (run_.loop_start) {
+        out_ += fmt::format("{}then for ever:\n", indent_);
+        std::vector<Line> loop = lines(end, run_.steps.size());
+        std::int64_t units = 0;
+        for (std::size_t i = end; i < run_.steps.size(); ++i) units += run_.steps[i].units;
+        if (units > 0) loop.push_back({run_.time, "", units == 1 ? "1 time unit passes" : fmt::format("{} time units pass", units), ""});
+        if (loop.empty()) loop.push_back({run_.time, "", "internal steps that change nothing", ""});
+        add(loop);
+    }
+    std::vector<std::string> places;
+    for (const Machine& each : at_the_end()) places.push_back(machine(each));
+    if (!places.empty()) {
+        out_ += run_.timed ? fmt::format("{}now at t={}: ", indent_, run_.time) : fmt::format("{}now ", indent_);
+        out_ += fmt::format("{}\n", fmt::join(places, "; "));
+    }
+    out_ += fmt::format("{}why {}\n", indent_, run_.end.why);
+    return std::move(out_);
+}
+
+}  // namespace
+
+std::string text(const Run& run, std::string_view indent) {
+    return Writer(run, indent).write();
+}
+
+}  // namespace robochart::runs
