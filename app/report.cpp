@@ -47,13 +47,24 @@ void write_bounds(std::string& out, const std::vector<BoundReport>& bounds) {
         out += fmt::format("  {}: {} [{}]{}\n", bound.element, bound.text, bound.time, bound.place.empty() ? "" : "   " + bound.place);
 }
 
-void write_cycles(std::string& out, const conformance::Result& r) {
-    for (std::size_t i = 0; i < r.cycles.size(); ++i) {
-        const conformance::Cycle& cycle = r.cycles[i];
+void write_cycles(std::string& out, const std::vector<conformance::Cycle>& cycles) {
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+        const conformance::Cycle& cycle = cycles[i];
         out += fmt::format("                 cycle {:<3} in {{{}}}  out <{}>  {}\n", i + 1, fmt::join(cycle.inputs, ", "),
                            fmt::join(cycle.outputs, ", "), cycle.state);
     }
-    if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
+}
+
+/// What the model is besides, which decides nothing.
+void write_asides(std::string& out, const conformance::Result& r) {
+    if (r.register_cycles) {
+        const conformance::Aside& once = *r.register_cycles;
+        out += fmt::format("               runs in register cycles: {}\n", once.holds ? "yes" : fmt::format("no, {}", once.reason));
+        write_cycles(out, once.cycles);
+    }
+    if (!r.deadlines || r.deadlines->holds) return;
+    out += fmt::format("               may miss a deadline: yes, {}\n", r.deadlines->reason);
+    write_cycles(out, r.deadlines->cycles);
 }
 
 void write_behaviour(std::string& out, std::string_view face, const conformance::Behaviour& behaviour) {
@@ -76,8 +87,10 @@ void write_conformance(std::string& out, const ConformanceReport& c, const Optio
     if (r.dispatched > 0) out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n", with_commas(r.dispatched));
     if (!r.reason.empty()) out += fmt::format("               {}\n", r.reason);
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
-    write_cycles(out, r);
+    write_cycles(out, r.cycles);
+    if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
     write_faces(out, r);
+    write_asides(out, r);
     if (options.show_internal && !r.raw.empty()) out += fmt::format("                 events <{}>\n", fmt::join(r.raw, ", "));
 }
 

@@ -34,6 +34,17 @@ Json assertion(const AssertionReport& a) {
 
 Json behaviour(const conformance::Behaviour& b) { return {{"outputs", b.outputs}, {"ends", b.ends}, {"state", b.state}}; }
 
+Json cycles(const std::vector<conformance::Cycle>& list) {
+    Json json = Json::array();
+    for (const conformance::Cycle& cycle : list) json.push_back({{"inputs", cycle.inputs}, {"outputs", cycle.outputs}, {"state", cycle.state}});
+    return json;
+}
+
+Json aside(const conformance::Aside& a) {
+    if (a.holds) return {{"holds", true}};
+    return {{"holds", false}, {"reason", a.reason}, {"cycles", cycles(a.cycles)}};
+}
+
 Json conformance_json(const ConformanceReport& c) {
     constexpr std::array<const char*, 5> words{"conforms", "differs", "not schedulable", "not generated", "inconclusive"};
     const conformance::Result& r = c.result;
@@ -43,10 +54,10 @@ Json conformance_json(const ConformanceReport& c) {
     if (!r.warnings.empty()) json["warnings"] = r.warnings;
     if (r.faces)
         json["faces"] = {{"event", r.faces->event}, {"differs", r.faces->what}, {"step", behaviour(r.faces->cycle)}, {"dispatch", behaviour(r.faces->dispatched)}};
+    if (r.register_cycles) json["registerCycles"] = aside(*r.register_cycles);
+    if (r.deadlines) json["deadlinesMet"] = aside(*r.deadlines);
     if (r.cycles.empty()) return json;
-    json["cycles"] = Json::array();
-    for (const conformance::Cycle& cycle : r.cycles)
-        json["cycles"].push_back({{"inputs", cycle.inputs}, {"outputs", cycle.outputs}, {"state", cycle.state}});
+    json["cycles"] = cycles(r.cycles);
     json["expected"] = r.expected;
     json["events"] = r.raw;
     return json;

@@ -10,7 +10,6 @@
 #include <array>
 #include <stdexcept>
 
-#include "conformance/cycle_log.hpp"
 #include "conformance/watchdog.hpp"
 
 namespace robochart::conformance {
@@ -34,13 +33,11 @@ constexpr std::size_t max_trials = 1U << 16U;
 
 /// The event that L(G) performs, and no NF allows, when a cycle ends in an outcome with no place in the relation.
 const char* violation(const CycleResult& result) {
-    if (result.overflow) return "code.overflow";
     switch (result.outcome) {
         case RC_PRECONDITION:
             return "code.precondition";
-        case RC_DEADLINE:
-            return "code.deadline";
         case RC_QUIESCENT:
+        case RC_DEADLINE:
         case RC_TERMINATED:
         case RC_STEP_BOUND:
             return nullptr;
@@ -166,6 +163,8 @@ void CodeSystem::finish(lts::StateView state, const CycleResult& result, lts::Su
         sink.add(event, next, event);
     } else if (result.outcome == RC_TERMINATED) {
         sink.add(process::tick, next, process::tick);
+    } else if (result.outcome == RC_DEADLINE) {
+        return;  // the code cannot stop time, only report that the model has
     } else if (result.outcome == RC_STEP_BOUND) {
         sink.add(process::tau, state, process::tau);
     } else {
@@ -214,7 +213,7 @@ std::uint32_t CodeSystem::intern_node(std::size_t level, Node node) {
 
 /// One result, or a choice between those of all ways that probabilistic junctions may take.
 std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>& registers) {
-    rc_log log{};
+    CycleLog log;
     std::vector<std::uint32_t> ways;
     std::size_t trials = 0;
     do {
@@ -230,15 +229,22 @@ std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>&
 }
 
 /// Calls `step` twice on copies: a controller with memory outside its state would differ.
-std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_register>& registers, rc_log& log) {
+std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_register>& registers, CycleLog& log) {
     ++cycles_;
     if (poll_) poll_();
     Bytes once = from;
     Bytes twice = from;
-    rc_log again = log;
     const Patience patience = endless_ ? Patience::short_ : Patience::seconds;
-    const Stepped stepped = watched_step(*code_, once.data(), registers.data(), &log, patience);
+    Stepped stepped = watched_step(*code_, once.data(), registers.data(), &log, patience);
+    while (!stepped.endless && log.cut()) {
+        if (!log.grow()) throw std::length_error(fmt::format("a cycle makes more than {} outputs", log.most_records));
+        once = from;
+        stepped = watched_step(*code_, once.data(), registers.data(), &log, patience);
+    }
     if (stepped.endless) return endless(from);
+    most_writes_ = std::max(most_writes_, log.count);
+    CycleLog again = log;
+    again.clear();
     const rc_result outcome = stepped.result;
     if (outcome != code_->step(twice.data(), registers.data(), &again) || once != twice || !same_writes(log, again))
         unsound_ = "`step` gives two results for one state and one set of inputs";
@@ -255,12 +261,11 @@ std::uint32_t CodeSystem::endless(const Bytes& from) {
 }
 
 CycleResult CodeSystem::result_of(rc_result outcome, const rc_log& log, const Bytes& after) {
-    if (log.overflow != 0 && log.asked == ROBOCHART_MAX_CHOICES && log.count < ROBOCHART_MAX_RECORDS)
+    if ((log.overflow & ROBOCHART_OVERFLOW_CHOICES) != 0)
         throw std::length_error(fmt::format("a cycle makes more than {} choices", ROBOCHART_MAX_CHOICES));
     CycleResult result;
     result.outcome = outcome;
-    result.overflow = log.overflow != 0 || log.count > ROBOCHART_MAX_RECORDS;
-    for (std::uint32_t r = 0; r < log.count && r < ROBOCHART_MAX_RECORDS; ++r) {
+    for (std::uint32_t r = 0; r < log.count; ++r) {
         const rc_record& record = log.record[r];
         if (record.output >= code_->outputs || record.count > ROBOCHART_MAX_ARGUMENTS)
             throw AlphabetError("the code logs an output that its interface does not have");
@@ -271,7 +276,7 @@ CycleResult CodeSystem::result_of(rc_result outcome, const rc_log& log, const By
 }
 
 std::uint32_t CodeSystem::intern_result(CycleResult result) {
-    std::string key = fmt::format("{} {} {}", static_cast<int>(result.outcome), result.overflow, result.next);
+    std::string key = fmt::format("{} {}", static_cast<int>(result.outcome), result.next);
     for (const process::Event event : result.writes) key += fmt::format(" {}", event);
     for (const std::uint32_t way : result.ways) key += fmt::format(" or {}", way);
     const auto [place, fresh] = result_ids_.emplace(key, static_cast<std::uint32_t>(results_.size()));

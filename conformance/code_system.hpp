@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "checker/lts/transition_system.hpp"
+#include "conformance/cycle_log.hpp"
 #include "conformance/interface.hpp"
 #include "cpp_emit/runtime/explore_abi.h"
 
@@ -27,7 +28,6 @@ inline constexpr std::size_t longest_state_text = 1U << 20U;
 /// What one call of `step` did. Equal results are one object.
 struct CycleResult {
     rc_result outcome = RC_QUIESCENT;
-    bool overflow = false;
     std::vector<process::Event> writes;
     std::uint32_t next = 0;  ///< image
     /// Not empty: the cycle passed probabilistic junctions, and these are the results of the ways that they may take.
@@ -73,6 +73,8 @@ public:
     [[nodiscard]] const std::string& unsound() const { return unsound_; }
     /// Some call of `step` did not return and was stopped (watchdog.hpp).
     [[nodiscard]] bool endless() const { return endless_; }
+    /// The most outputs that one cycle made.
+    [[nodiscard]] std::uint32_t most_writes() const { return most_writes_; }
     /// Two images print alike and differ in bytes: the state is not canonical, the numbers are larger than need be.
     [[nodiscard]] bool alias_found() const { return alias_found_; }
 
@@ -89,7 +91,7 @@ private:
     std::uint32_t intern_node(std::size_t level, Node);
     [[nodiscard]] std::uint32_t run(const Bytes& from, const std::vector<rc_register>& registers);
     std::uint32_t endless(const Bytes& from);
-    std::uint32_t run_once(const Bytes& from, const std::vector<rc_register>& registers, rc_log& log);
+    std::uint32_t run_once(const Bytes& from, const std::vector<rc_register>& registers, CycleLog& log);
     [[nodiscard]] CycleResult result_of(rc_result, const rc_log&, const Bytes&);
     std::uint32_t intern_result(CycleResult);
     void read(lts::StateView state, lts::SuccessorSink& sink);
@@ -112,6 +114,7 @@ private:
     std::vector<Node> nodes_;
     std::deque<CycleResult> results_;  ///< references stay valid
     std::uint64_t cycles_ = 0;
+    std::uint32_t most_writes_ = 0;
     std::function<void()> poll_;  ///< while the inputs of one state are tried, which may take long
     std::string unsound_;
     bool endless_ = false;

@@ -58,6 +58,8 @@ Result walked(Result bounded, cspm::Session& session, lts::TransitionSystem* com
             fmt::format("; no difference in {} states, {} events deep", bounded.product.states, bounded.product.depth);
     if (result.outcome == Outcome::inconclusive) result.reason = fmt::format("{}; {}", before, result.reason);
     result.schedulability = bounded.schedulability;
+    result.register_cycles = std::move(bounded.register_cycles);
+    result.deadlines = std::move(bounded.deadlines);
     result.product = bounded.product;
     result.model_states = graph.size();
     return result;

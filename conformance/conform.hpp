@@ -31,6 +31,13 @@ struct Cycle {
     std::string state;                 ///< the code's state after it
 };
 
+/// A property of the model beside conformance: whether it has it, and if not, a shortest run that shows it.
+struct Aside {
+    bool holds = true;
+    std::string reason;  ///< why it does not
+    std::vector<Cycle> cycles;
+};
+
 /// What one face of the code did.
 struct Behaviour {
     std::vector<std::string> outputs;  ///< in order
@@ -56,6 +63,10 @@ struct Result {
     std::uint64_t model_states = 0;     ///< states of M met under the simulation assumptions
     refine::Statistics product;         ///< of the refinement check
     refine::Statistics schedulability;  ///< of the check of NF_c(M) alone
+    /// No cycle makes an output twice: then the strict relation, in which it may not, holds too. Nothing: not decided.
+    std::optional<Aside> register_cycles;
+    /// No deadline passes while an input is awaited that does not come. Nothing: not decided.
+    std::optional<Aside> deadlines;
     std::uint64_t dispatched = 0;       ///< (state, event or none) pairs in which both faces were compared
     std::optional<FaceDifference> faces;
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)

@@ -1,12 +1,40 @@
 #include "conformance/cycle_log.hpp"
 
-#include <cstdint>
-
 namespace robochart::conformance {
+
+CycleLog::CycleLog() : rc_log{} {
+    reserve(64);
+}
+
+CycleLog::CycleLog(const CycleLog& other) : rc_log(other), records_(other.records_) {
+    record = records_.data();
+}
+
+CycleLog& CycleLog::operator=(const CycleLog& other) {
+    if (this == &other) return *this;
+    rc_log::operator=(other);
+    records_ = other.records_;
+    record = records_.data();
+    return *this;
+}
+
+bool CycleLog::grow() {
+    if (capacity >= most_records) return false;
+    reserve(2 * capacity);
+    clear();
+    return true;
+}
+
+void CycleLog::reserve(std::uint32_t records) {
+    if (records <= capacity) return;
+    records_.resize(records);
+    record = records_.data();
+    capacity = records;
+}
 
 bool same_writes(const rc_log& a, const rc_log& b) {
     if (a.count != b.count || a.overflow != b.overflow) return false;
-    for (std::uint32_t r = 0; r < a.count && r < ROBOCHART_MAX_RECORDS; ++r) {
+    for (std::uint32_t r = 0; r < a.count; ++r) {
         const rc_record& x = a.record[r];
         const rc_record& y = b.record[r];
         if (x.output != y.output || x.count != y.count) return false;

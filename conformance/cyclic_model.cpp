@@ -41,7 +41,7 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     loaded->alphabet_ = std::make_unique<Alphabet>(loaded->boundary_.interface, loaded->session_->event_table());
     loaded->graph_ = std::make_unique<ModelGraph>(*loaded->model_, *loaded->alphabet_);
     loaded->normal_form_ =
-        std::make_unique<NormalFormSystem>(*loaded->graph_, *loaded->alphabet_, cycle_length, AfterTermination::stop);
+        std::make_unique<NormalFormSystem>(*loaded->graph_, *loaded->alphabet_, cycle_length);
     return loaded;
 }
 

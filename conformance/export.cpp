@@ -20,7 +20,7 @@ std::string fault_channel(const lts::Graph& graph, const process::EventTable& ev
     for (lts::StateIndex state = 0; state < graph.size(); ++state)
         for (const lts::Edge& edge : graph.edges(state))
             if (events.name(edge.event).starts_with("code."))
-                return "datatype CodeFault__ = precondition | deadline | overflow | unknown_result\n"
+                return "datatype CodeFault__ = precondition | unknown_result\n"
                        "channel code : CodeFault__\n\n";
     return "";
 }

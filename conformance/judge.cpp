@@ -24,16 +24,20 @@ struct Run {
 
 void add_step(Run& run, const Alphabet& alphabet, const refine::Step& step, std::uint32_t& tocks,
               std::uint32_t cycle_length) {
-    if (step.event == process::tau) return;
-    run.raw.push_back(alphabet.events().name(step.event));
-    const CycleRole role = alphabet.cycle_role(step.event);
+    // Where writes are hidden, they are told all the same.
+    const process::Event event = step.event == process::tau ? step.revealed : step.event;
+    if (event == process::tau) return;
+    const CycleRole role = alphabet.cycle_role(event);
+    if (role.kind == CycleRole::Kind::other) return;
+    if (step.event == process::tau && role.kind != CycleRole::Kind::write) return;
+    run.raw.push_back(alphabet.events().name(event));
     Cycle& cycle = run.cycles.back();
     if (role.kind == CycleRole::Kind::read) {
         run.readings.back().push_back(role.reading);
-        if (role.reading != 0) cycle.inputs.push_back(alphabet.tell(step.event));
+        if (role.reading != 0) cycle.inputs.push_back(alphabet.tell(event));
     } else if (role.kind == CycleRole::Kind::write) {
-        cycle.outputs.push_back(alphabet.tell(step.event));
-        run.writes.back().push_back(step.event);
+        cycle.outputs.push_back(alphabet.tell(event));
+        run.writes.back().push_back(event);
     } else if (role.kind == CycleRole::Kind::tock && ++tocks == cycle_length) {
         cycle.state = step.state;
         tocks = 0;
@@ -98,19 +102,27 @@ std::string difference(const refine::Counterexample& found, const Alphabet& alph
     if (found.kind == refine::ViolationKind::divergence)
         return "the code's cycle does not end: its step bound is reached";
     const auto event = offence(found);
+    // Only at a missed deadline it offers nothing (code_system.cpp).
+    if (!event && found.offered.empty()) return "the code misses a deadline";
     if (!event) return fmt::format("the code offers only {}", tell_events(found.offered, alphabet));
     const std::string& name = alphabet.events().name(*event);
     if (name == "code.precondition") return "the code calls an operation outside its precondition";
-    if (name == "code.deadline") return "the code misses a deadline";
-    if (name == "code.overflow") return "the code writes more in one cycle than the interface can log";
     if (alphabet.cycle_role(*event).kind == CycleRole::Kind::write)
         return fmt::format("the code writes {}, which the model does not allow here", alphabet.tell(*event));
+    const bool stopped = std::all_of(found.required.begin(), found.required.end(),
+                                     [](const process::EventSet& allowed) { return allowed.empty(); });
+    if (*event == alphabet.tock() && stopped)
+        return "the code ends its cycle where time stops in the model: it misses a deadline and does not say so";
     if (*event == alphabet.tock()) return "the code ends its cycle although the model must go on";
     return fmt::format("the code does {}, which the model does not allow here", alphabet.tell(*event));
 }
 
+const std::string& last_state(const refine::Counterexample& found) {
+    return found.steps.empty() ? found.initial : found.steps.back().state;
+}
+
 std::string timelock_reason(const refine::Counterexample& found) {
-    const std::string& where = found.steps.empty() ? found.initial : found.steps.back().state;
+    const std::string& where = last_state(found);
     if (found.kind == refine::ViolationKind::divergence)
         return "the model does infinitely much without time passing, at " + where;
     return "the model can neither go on nor let time pass, at " + where;
@@ -124,6 +136,13 @@ void not_schedulable(Result& result, const refine::Counterexample& found, const 
     result.reason = timelock_reason(found);
     result.cycles = std::move(run.cycles);
     result.raw = std::move(run.raw);
+}
+
+Aside found_aside(std::string reason, const refine::Counterexample& found, const Alphabet& alphabet,
+                  std::uint32_t cycle_length) {
+    Run run = tell_run(found.steps, alphabet, cycle_length);
+    run.cycles.back().state = last_state(found);
+    return {false, std::move(reason), std::move(run.cycles)};
 }
 
 void differs(Result& result, const refine::Counterexample& found, const Alphabet& alphabet, CodeSystem& code,
@@ -163,24 +182,45 @@ void count(Result& result, const ModelGraph& model, const CodeSystem& code) {
 
 }  // namespace
 
+/// The first search has both: whether M can be run in cycles, and whether in cycles that make each output once and miss
+/// no deadline. It ends at the first that is not so; the next asks for what is left.
 Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
                    const refine::Limits& limits) {
     Result result;
-    NormalFormSystem normal_form(model, alphabet, cycle_length, AfterTermination::idle);
-    const refine::Verdict verdict = refine::deadlock_free(normal_form, refine::Model::failures_divergences, limits);
-    result.schedulability = verdict.statistics;
-    result.model_states = model.size();
-    result.reason = verdict.reason;
-    if (verdict.outcome == refine::Outcome::holds) result.outcome = Outcome::conforms;
-    if (verdict.outcome == refine::Outcome::fails && verdict.counterexample)
-        not_schedulable(result, *verdict.counterexample, alphabet, cycle_length);
+    Frame frame{AfterTermination::idle, Outputs::once, Deadlines::mark, false};
+    for (;;) {
+        NormalFormSystem normal_form(model, alphabet, cycle_length, frame);
+        const refine::Verdict verdict = refine::deadlock_free(normal_form, refine::Model::failures_divergences, limits);
+        result.schedulability = verdict.statistics;
+        result.model_states = model.size();
+        result.reason = verdict.reason;
+        if (verdict.outcome == refine::Outcome::holds) break;
+        if (verdict.outcome != refine::Outcome::fails || !verdict.counterexample) return result;
+        const refine::Counterexample& found = *verdict.counterexample;
+        const process::Event last = found.steps.empty() ? process::tau : found.steps.back().event;
+        if (last == normal_form.repeats()) {
+            result.register_cycles = found_aside(last_state(found), found, alphabet, cycle_length);
+            frame.outputs = Outputs::sequence;
+            frame.writes_hidden = true;
+        } else if (last == normal_form.deadline()) {
+            result.deadlines = found_aside("time stops in the model, which waits for an input, at " + last_state(found),
+                                           found, alphabet, cycle_length);
+            frame.deadlines = Deadlines::idle;
+        } else {
+            not_schedulable(result, found, alphabet, cycle_length);
+            return result;
+        }
+    }
+    result.outcome = Outcome::conforms;
+    if (!result.register_cycles) result.register_cycles.emplace();
+    if (!result.deadlines) result.deadlines.emplace();
     return result;
 }
 
 Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled, std::uint32_t cycle_length,
                   const refine::Limits& limits, Relation relation) {
     Result result;
-    NormalFormSystem specification(model, alphabet, cycle_length, AfterTermination::stop);
+    NormalFormSystem specification(model, alphabet, cycle_length);
     CodeSystem code(compiled, alphabet, cycle_length);
     const refine::Verdict verdict = related(specification, code, alphabet, limits, relation);
     result.product = verdict.statistics;
@@ -206,9 +246,11 @@ Result judge(lts::TransitionSystem& model, process::EventTable& events, const In
         ModelGraph graph(model, alphabet);
         result = schedulable(graph, alphabet, cycle_length, limits);
         if (result.outcome != Outcome::conforms) return result;
-        const refine::Statistics schedulability = result.schedulability;
-        result = refined_by(graph, alphabet, code, cycle_length, limits, relation);
-        result.schedulability = schedulability;
+        Result refined = refined_by(graph, alphabet, code, cycle_length, limits, relation);
+        refined.schedulability = result.schedulability;
+        refined.register_cycles = std::move(result.register_cycles);
+        refined.deadlines = std::move(result.deadlines);
+        result = std::move(refined);
     } catch (const AlphabetError& mismatch) {
         result.outcome = Outcome::differs;
         result.reason = mismatch.what();

@@ -10,8 +10,8 @@ namespace robochart::conformance {
 
 namespace {
 
-// Layout of a packed state; then come the mask of outputs written in this cycle and one word per register:
-// 0 nothing to consume, else the reading.
+// Layout of a packed state; then come, with Outputs::once, the mask of outputs written in this cycle, and one word per
+// register: 0 nothing to consume, else the reading.
 enum Field : std::size_t { phase, progress, model_state, pending, fields };
 enum Phase : lts::Word {
     reading,  ///< progress: the next register
@@ -19,6 +19,8 @@ enum Phase : lts::Word {
     waiting,  ///< progress: tocks still to come (cycles longer than one)
     ending,   ///< terminated, ✓ to come
     over,
+    repeated,  ///< Outputs::once; pending: the report of the second one
+    missed,    ///< Deadlines::mark and idle; model_state: where M waits
 };
 /// Model state after M's own ✓, before `terminate`.
 constexpr lts::Word gone = 0xffffffffU;
@@ -31,6 +33,7 @@ struct NormalFormSystem::Move {
     lts::SuccessorSink& sink;
     std::vector<lts::Word> next;
     bool urgent = false;  ///< a τ or ✓ was found (P)
+    bool stands = true;   ///< nothing was found
 
     std::vector<lts::Word>& restart() {
         next.assign(from.begin(), from.end());
@@ -38,18 +41,21 @@ struct NormalFormSystem::Move {
     }
     void silent(process::Event revealed) {
         urgent = true;
+        stands = false;
         sink.add(process::tau, next, revealed);
     }
 };
 
 NormalFormSystem::NormalFormSystem(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
-                                   AfterTermination after)
+                                   Frame frame)
     : model_(&model),
       alphabet_(&alphabet),
       cycle_length_(std::max(1U, cycle_length)),
-      after_(after),
+      frame_(frame),
+      repeats_(alphabet.events().intern("model.repeats")),
+      deadline_(alphabet.events().intern("model.deadline")),
       inputs_(alphabet.interface().inputs.size()),
-      mask_words_((alphabet.interface().outputs.size() + 31) / 32) {}
+      mask_words_(frame.outputs == Outputs::once ? (alphabet.interface().outputs.size() + 31) / 32 : 0) {}
 
 std::size_t NormalFormSystem::width() const {
     return fields + mask_words_ + inputs_;
@@ -72,12 +78,17 @@ void NormalFormSystem::begin_cycle(std::span<lts::Word> state) const {
 void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     Move move{state, sink, {}};
     if (state[phase] == over) {
-        if (after_ == AfterTermination::idle) sink.add(alphabet_->tock(), state, alphabet_->tock());
+        if (frame_.after == AfterTermination::idle) sink.add(alphabet_->tock(), state, alphabet_->tock());
+        return;
+    }
+    if (state[phase] == repeated) return;
+    if (state[phase] == missed) {
+        if (frame_.deadlines == Deadlines::idle) sink.add(alphabet_->tock(), state, alphabet_->tock());
         return;
     }
     if (state[phase] == ending) {
         move.restart()[phase] = over;
-        if (after_ == AfterTermination::idle)
+        if (frame_.after == AfterTermination::idle)
             move.silent(process::tick);
         else
             sink.add(process::tick, move.next, process::tick);
@@ -86,12 +97,50 @@ void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink
     if (state[phase] == reading) read(move);
     if (state[pending] != 0) {  // A2: the report follows the output before any other output or tock
         move.restart()[pending] = 0;
-        sink.add(state[pending], move.next, state[pending]);
+        move.stands = false;
+        sink.add(frame_.writes_hidden ? process::tau : state[pending], move.next, state[pending]);
     }
     if (state[model_state] == gone)
         terminate(move);
     else
         model_moves(move);
+    if (move.stands && frame_.deadlines != Deadlines::stop && awaits_input(state)) miss(move);
+}
+
+/// Time stops (M lets none pass) in the middle of a cycle's actions, and inputs could make M go on. It is the only way in
+/// which a deadline on an input shows here: all that M can do by itself has been done (P).
+bool NormalFormSystem::awaits_input(lts::StateView state) {
+    if (state[phase] != acting || state[pending] != 0 || state[model_state] == gone) return false;
+    const std::vector<ModelEdge>& edges = model_->edges(state[model_state]);
+    return std::any_of(edges.begin(), edges.end(),
+                       [](const ModelEdge& edge) { return edge.role.kind == ModelRole::Kind::input; });
+}
+
+void NormalFormSystem::miss(Move& move) {
+    move.restart()[phase] = missed;
+    std::fill(move.next.begin() + fields, move.next.end(), 0U);
+    if (frame_.deadlines == Deadlines::idle)
+        move.silent(deadline_);
+    else
+        move.sink.add(deadline_, move.next, deadline_);
+}
+
+namespace {
+
+class Counts final : public lts::SuccessorSink {
+public:
+    void add(process::Event /*event*/, lts::StateView /*target*/, process::Event /*revealed*/) override { ++count; }
+    std::size_t count = 0;
+};
+
+}  // namespace
+
+Standstill NormalFormSystem::standstill(lts::StateView state) {
+    if (state[phase] == over) return Standstill::terminated;
+    Counts sink;
+    successors(state, sink);
+    if (sink.count > 0) return Standstill::none;
+    return awaits_input(state) ? Standstill::inputs : Standstill::other;
 }
 
 // A1, A3: registers are read one after the other, each with any reading. A register that M cannot hear before time
@@ -110,6 +159,7 @@ void NormalFormSystem::read(Move& move) {
             next[progress] = 0;
         }
         const process::Event event = alphabet_->read(input, r);
+        move.stands = false;
         move.sink.add(event, next, event);
     }
 }
@@ -155,15 +205,26 @@ void NormalFormSystem::input(Move& move, const ModelEdge& edge) {
     move.silent(edge.event);
 }
 
-// A2: each output at most once a cycle, one report at a time. A3: not before all registers are read. H: invisible.
+// A2: any number of outputs, one report at a time. A3: not before all registers are read. H: invisible.
 void NormalFormSystem::output(Move& move, const ModelEdge& edge) {
-    lts::Word& mask = move.next[fields + edge.role.index / 32];
-    const lts::Word bit = 1U << (edge.role.index % 32);
-    if (move.from[phase] != acting || move.from[pending] != 0 || (mask & bit) != 0) return;
-    mask |= bit;
+    if (move.from[phase] != acting || move.from[pending] != 0) return;
     move.next[pending] = edge.role.write;
+    if (frame_.outputs == Outputs::once) {
+        lts::Word& mask = move.next[fields + edge.role.index / 32];
+        const lts::Word bit = 1U << (edge.role.index % 32);
+        if ((mask & bit) != 0) return repeat(move);
+        mask |= bit;
+    }
     move.next[model_state] = edge.target;
     move.silent(edge.event);
+}
+
+void NormalFormSystem::repeat(Move& move) {
+    std::fill(move.next.begin() + fields, move.next.end(), 0U);
+    move.next[phase] = repeated;
+    move.urgent = true;
+    move.stands = false;
+    move.sink.add(repeats_, move.next, repeats_);
 }
 
 // A2: no tock while a report is due. A3: none while reading; after the first of a cycle's tocks nothing but tocks.
@@ -180,6 +241,7 @@ void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
         next[phase] = waiting;
         next[progress] = left;
     }
+    move.stands = false;
     move.sink.add(edge.event, next, edge.event);
 }
 
@@ -206,18 +268,10 @@ std::string NormalFormSystem::describe_model(lts::StateView state) const {
 std::string NormalFormSystem::describe(lts::StateView state) const {
     if (state[phase] == ending || state[phase] == over) return "terminated";
     if (state[model_state] == gone) return "terminating";
-    return model_->describe(state[model_state]) + obstacle(state);
-}
-
-/// Outputs that M wants now and has already made in this cycle.
-std::string NormalFormSystem::obstacle(lts::StateView state) const {
-    if (state[phase] != acting) return "";
-    for (const ModelEdge& edge : model_->edges(state[model_state])) {
-        if (edge.role.kind != ModelRole::Kind::output) continue;
-        if ((state[fields + edge.role.index / 32] >> (edge.role.index % 32) & 1U) == 0) continue;
-        return fmt::format("; wants {} a second time in one cycle", alphabet_->tell(edge.role.write));
-    }
-    return "";
+    if (state[phase] == repeated)
+        return fmt::format("{} a second time in one cycle, at {}", alphabet_->tell(state[pending]),
+                           model_->describe(state[model_state]));
+    return model_->describe(state[model_state]);
 }
 
 }  // namespace robochart::conformance

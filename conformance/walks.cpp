@@ -7,11 +7,13 @@
 #include <array>
 #include <chrono>
 #include <random>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "checker/refine/budget.hpp"
 #include "checker/refine/normal_form.hpp"
 #include "conformance/code_system.hpp"
+#include "conformance/cycle_log.hpp"
 #include "conformance/normal_form_system.hpp"
 #include "conformance/watchdog.hpp"
 
@@ -44,7 +46,7 @@ public:
         : alphabet_(alphabet),
           code_(code),
           cycle_length_(cycle_length),
-          system_(model, alphabet, cycle_length, AfterTermination::stop),
+          system_(model, alphabet, cycle_length),
           budget_(limits),
           form_(system_, budget_) {}
 
@@ -65,10 +67,15 @@ public:
             if (told != nullptr && readings[i] != 0) told->inputs.push_back(alphabet_.tell(read));
             if (auto parting = follow(at.node, read, true)) return parting;
         }
-        rc_log log{};
-        const rc_result outcome = watched_step(code_, at.image.data(), registers.data(), &log).result;
+        CycleLog log;
+        const Bytes before = at.image;
+        rc_result outcome = watched_step(code_, at.image.data(), registers.data(), &log).result;
+        while (log.cut() && log.grow()) {
+            at.image = before;
+            outcome = watched_step(code_, at.image.data(), registers.data(), &log).result;
+        }
         if (told != nullptr) told->state = print(at.image);
-        for (std::uint32_t r = 0; r < std::min<std::uint32_t>(log.count, ROBOCHART_MAX_RECORDS); ++r) {
+        for (std::uint32_t r = 0; r < log.count; ++r) {
             const rc_record& record = log.record[r];
             const process::Event write =
                 alphabet_.write(record.output, {record.argument, record.argument + record.count});
@@ -83,24 +90,43 @@ public:
     [[nodiscard]] std::string print(const Bytes& image) const { return state_text(code_, image.data()); }
 
 private:
-    std::optional<Parting> finish(Position& at, rc_result outcome, bool overflow) {
+    /// `cut`: the code did more than is logged, of which nothing is said.
+    std::optional<Parting> finish(Position& at, rc_result outcome, bool cut) {
         if (auto stops = model_stops(at.node)) return stops;
-        if (overflow || outcome == RC_PRECONDITION || outcome == RC_DEADLINE)
-            return Parting{Outcome::differs,
-                           overflow                     ? "the code writes more in one cycle than the interface can log"
-                           : outcome == RC_PRECONDITION ? "the code calls an operation outside its precondition"
-                                                        : "the code misses a deadline",
-                           allowed(at.node)};
-        if (outcome == RC_STEP_BOUND)
-            return Parting{Outcome::differs, "the code's cycle does not end: its step bound is reached",
-                           "an end of the cycle"};
-        if (outcome == RC_TERMINATED) {
-            over_ = true;
-            return follow(at.node, process::tick, false);
+        over_ = cut || outcome != RC_QUIESCENT;
+        if (cut) return std::nullopt;
+        switch (outcome) {
+            case RC_PRECONDITION:
+                return differs(at, "the code calls an operation outside its precondition");
+            case RC_DEADLINE:
+                if (may_refuse(at.node, std::nullopt)) return std::nullopt;
+                return differs(at, "the code misses a deadline");
+            case RC_STEP_BOUND:
+                if (endless(at.node)) return Parting{Outcome::not_schedulable, endless_model, ""};
+                return Parting{Outcome::differs, "the code's cycle does not end: its step bound is reached",
+                               "an end of the cycle"};
+            case RC_TERMINATED:
+                return follow(at.node, process::tick, false);
+            case RC_QUIESCENT:
+                break;
         }
         for (std::uint32_t t = 0; t < cycle_length_; ++t)
             if (auto parting = follow(at.node, alphabet_.tock(), false)) return parting;
         return std::nullopt;
+    }
+
+    Parting differs(const Position& at, std::string reason) {
+        return {Outcome::differs, std::move(reason), allowed(at.node)};
+    }
+
+    /// Whether a stable state behind the node offers nothing but this event (or nothing at all), or there is no stable
+    /// one: acceptances are minimal.
+    bool may_refuse(Node node, std::optional<process::Event> but) {
+        const auto& acceptances = form_.acceptances(node);
+        const auto fits = [&](const process::EventSet& wanted) {
+            return wanted.empty() || (but && wanted.size() == 1 && wanted.front() == *but);
+        };
+        return std::any_of(acceptances.begin(), acceptances.end(), fits);
     }
 
     /// L(G) offers this event alone (or all readings of a register). NF_c(M) must allow it, and may not insist on
@@ -108,11 +134,7 @@ private:
     std::optional<Parting> follow(Node& node, process::Event event, bool read) {
         if (auto stops = model_stops(node)) return stops;
         const auto next = form_.after(node, event);
-        const auto& acceptances = form_.acceptances(node);
-        const bool insists = !read && !acceptances.empty() &&
-                             std::none_of(acceptances.begin(), acceptances.end(), [event](const auto& wanted) {
-                                 return wanted.size() == 1 && wanted.front() == event;
-                             });
+        const bool insists = !read && !form_.acceptances(node).empty() && !may_refuse(node, event);
         if (!next || insists)
             return Parting{
                 Outcome::differs,
@@ -127,13 +149,45 @@ private:
     /// Of a model that cannot be run in cycles nothing is asked behind the place where it shows: what the code does
     /// there is no fault of the code.
     std::optional<Parting> model_stops(Node node) {
-        if (form_.diverges(node))
-            return Parting{Outcome::not_schedulable, "the model does infinitely much without time passing", ""};
+        if (form_.diverges(node)) return Parting{Outcome::not_schedulable, endless_model, ""};
         const auto& acceptances = form_.acceptances(node);
         const bool stuck = std::any_of(acceptances.begin(), acceptances.end(), [](const auto& a) { return a.empty(); });
-        if (stuck) return Parting{Outcome::not_schedulable, "the model can neither go on nor let time pass", ""};
+        if (!stuck) return std::nullopt;
+        for (const lts::StateView state : form_.states(node))
+            if (system_.standstill(state) == Standstill::other)
+                return Parting{Outcome::not_schedulable, "the model can neither go on nor let time pass", ""};
         return std::nullopt;
     }
+
+    /// Whether outputs can follow each other without end, before time passes.
+    bool endless(Node from) {
+        std::unordered_map<Node, bool> open;  // whether the node is on the path; never iterated
+        struct Place {
+            Node node;
+            process::EventSet events;
+            std::size_t next = 0;
+        };
+        std::vector<Place> path{{from, form_.initials(from)}};
+        open[from] = true;
+        while (!path.empty()) {
+            Place& at = path.back();
+            if (at.next == at.events.size()) {
+                open[at.node] = false;
+                path.pop_back();
+                continue;
+            }
+            const process::Event event = at.events[at.next++];
+            if (alphabet_.cycle_role(event).kind != CycleRole::Kind::write) continue;
+            const auto next = form_.after(at.node, event);
+            if (!next) continue;
+            const auto [place, fresh] = open.emplace(*next, true);
+            if (!fresh && place->second) return true;
+            if (fresh) path.push_back({*next, form_.initials(*next)});
+        }
+        return false;
+    }
+
+    static constexpr const char* endless_model = "the model does infinitely much without time passing";
 
     std::string allowed(Node node) {
         std::string text;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "cpp_emit/interruption.hpp"
 #include "cpp_emit/rules.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/uses.hpp"
@@ -53,7 +52,6 @@ public:
         collect_functions();
         collect_types();
         collect_uses(component_, system_);
-        mark_interruptible(component_);
         name_everything();
         if (diagnostics_.errors() != errors_before_) return std::nullopt;
         return std::move(component_);
@@ -447,7 +445,7 @@ private:
             add(component_.modelled, ModelledCall{&signature, definition, {}},
                 [&](const ModelledCall& call) { return call.definition == definition; });
         } else {
-            add(component_.calls, PlatformCall{&signature, {}, false},
+            add(component_.calls, PlatformCall{&signature, {}},
                 [&](const PlatformCall& call) { return call.signature->name == signature.name; });
         }
     }

@@ -72,7 +72,6 @@ struct StoredVariable {
     bool visible = false;         ///< writes are seen outside: set_x
     bool external = false;        ///< may be written from outside: set_EXT_x
     bool read = false;            ///< some expression depends on it
-    bool interruptible = false;   ///< visible, and a during action may write it (interruption.hpp)
     bool copy = false;            ///< of an entry before it, which has the names at the boundary
     ir::Value initial;
     std::string field;   ///< member of the frame that holds it
@@ -89,7 +88,6 @@ struct StoredVariable {
 struct PlatformCall {
     const ir::OperationSignature* signature = nullptr;
     std::string method;
-    bool interruptible = false;  ///< a during action may make it (interruption.hpp)
 };
 
 /// A function of the model, specified by contract only: the platform computes it.

@@ -8,7 +8,6 @@
 #include "cpp_emit/channels.hpp"
 #include "cpp_emit/dispatch.hpp"
 #include "cpp_emit/files.hpp"
-#include "cpp_emit/interruption.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/uses.hpp"
 
@@ -21,11 +20,12 @@ void numeric_aliases(CodeWriter& out) {
 }
 
 std::string bound_text(const Core& core) {
-    // A cycle may pass each place a few times; a model that needs more without time passing is taken to diverge.
+    // A cycle may pass each place often, as a loop over a variable does; a model that needs more without time passing is
+    // taken to diverge.
     std::size_t places = 0;
     for (const MachineCode& machine : core.machines)
         for (const Enumeration& enumeration : machine.enumerations) places += enumeration.values.size();
-    return fmt::format("{}", 1000 + 16 * places);
+    return fmt::format("{}", 100'000 + 16 * places);
 }
 
 void write_enumeration(CodeWriter& out, const Enumeration& enumeration) {
@@ -352,13 +352,6 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.line("Inputs<Types> inputs_;");
     out.line("Platform& platform_;");
     if (generation.options.choices) out.line("[[maybe_unused]] robochart::Turn turn_;");
-    for (const EventPort& port : generation.component.events)
-        if (port.sent) out.line(fmt::format("bool {} = false;  ///< made in this cycle", sent_flag(port)));
-    for (const PlatformCall& call : generation.component.calls)
-        if (call.interruptible) out.line(fmt::format("bool {} = false;  ///< made in this cycle", done_flag(call)));
-    for (const StoredVariable& variable : generation.component.variables)
-        if (variable.interruptible && !variable.copy)
-            out.line(fmt::format("bool {} = false;  ///< written in this cycle", done_flag(variable)));
     out.close("};");
 }
 

@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "cpp_emit/expression.hpp"
-#include "cpp_emit/interruption.hpp"
 #include "cpp_emit/machine_plan.hpp"
 #include "cpp_emit/reception.hpp"
 #include "cpp_emit/seeded.hpp"
@@ -34,12 +33,7 @@ bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr&
             return stmt->communication.kind == CommKind::input ||
                    waits_to_send(generation.component.event(unit, stmt->communication.event));
         case StmtKind::call:
-            return unit.definitions[stmt->operation.index].valid() ||
-                   generation.component.call(unit, stmt->operation).interruptible;
-        case StmtKind::assign: {
-            const StoredVariable* const stored = generation.component.stored(unit, stmt->variable);
-            return stored != nullptr && stored->interruptible;
-        }
+            return unit.definitions[stmt->operation.index].valid();
         default:
             return std::any_of(stmt->body.begin(), stmt->body.end(),
                                [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
@@ -55,12 +49,9 @@ std::string store(const Generation& generation, const Unit& unit, ir::VariableId
     return place.empty() ? "" : fmt::format("{} = {};", place, value);
 }
 
+/// Another machine has to take it; the platform always does.
 bool waits_to_send(const EventUse& use) {
-    return use.filled.empty() && !(use.ports.empty() && use.peers.empty());
-}
-
-std::string sent_flag(const EventPort& port) {
-    return port.output + "_done_";
+    return use.filled.empty() && use.ports.empty() && !use.peers.empty();
 }
 
 ProgramWriter::ProgramWriter(const Generation& generation, const Unit& unit, Thread& thread, ir::NodeId state)
@@ -109,7 +100,7 @@ void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) 
         case StmtKind::if_then_else:
             return if_statement(*stmt, stem);
         case StmtKind::assign:
-            return assign(*stmt, stem);
+            return assign(*stmt);
         case StmtKind::communicate:
             return communicate(*stmt, stem);
         case StmtKind::call:
@@ -179,20 +170,8 @@ void ProgramWriter::look_at_deadlines() {
     code().line(fmt::format("watch({});", frame_arguments(generation_.component, unit_)));
 }
 
-/// What a during action does may be cut short while it waits for the next cycle to do it again.
-void ProgramWriter::await_turn(const std::string& flag, const std::string& stem, const std::string& what) {
-    (void)resume_here(stem, what);
-    code().open(fmt::format("if ({}) {{", flag));
-    code().line("return moved;");
-    code().close();
-    code().line(flag + " = true;");
-}
-
-void ProgramWriter::assign(const ir::Stmt& stmt, const std::string& stem) {
+void ProgramWriter::assign(const ir::Stmt& stmt) {
     if (generation_.mutation.hits(Fault::assignment_dropped)) return;
-    const StoredVariable* const stored = generation_.component.stored(unit_, stmt.variable);
-    if (stored != nullptr && stored->interruptible)
-        await_turn(done_flag(*stored), stem, "writes " + stored->variable->name);
     const ir::Variable& variable = unit_.machine->variables[stmt.variable.index];
     if (variable.scope == ir::VariableScope::required) look_at_deadlines();
     const ExpressionWriter expressions(generation_, unit_);
@@ -305,11 +284,10 @@ void ProgramWriter::send(const ir::Stmt& stmt, const std::string& stem) {
     const ir::ExprPtr& expr = stmt.communication.value;
     const std::string value = expr ? expressions.write_as(*expr, *use.type) : "";
     if (!use.filled.empty()) return fill_buffers(use, value);
-    if (!waits_to_send(use)) return code().comment(fmt::format("{} is connected to nothing", use.name));
+    if (!use.ports.empty()) return send_out(use, value);
+    if (use.peers.empty()) return code().comment(fmt::format("{} is connected to nothing", use.name));
     const std::string at = resume_here(stem, fmt::format("sends {}", use.name));
-    const std::string next = use.peers.empty() ? "" : fresh(stem);
-    if (use.peers.empty()) return send_out(use, value);
-    offer(use, value, at, next);
+    offer(use, value, at, fresh(stem));
 }
 
 /// The writer never waits and the newest value wins (semantics 3.9).
@@ -321,30 +299,22 @@ void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) 
     }
 }
 
-/// An output happens at most once a cycle (docs/conformance.md, A2): a second one waits for the next.
+/// Outputs are made at once and in order (docs/conformance.md, A2). Of the platform and machines that could take it the
+/// platform does, which is always ready.
 void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
     const EventPort& port = sent_port(generation_, generation_.component.events[use.ports.front()]);
-    if (!generation_.mutation.hits(Fault::output_repeated)) {
-        code().open(fmt::format("if ({}) {{", sent_flag(port)));
-        code().line("return moved;");
-        code().close();
-        code().line(sent_flag(port) + " = true;");
-    }
-    code().line(fmt::format("platform_.{}({});", port.output, value));
+    made(fmt::format("platform_.{}({});", port.output, value));
 }
 
-/// To the platform where it may, else to the machine that takes it: the receiver moves this thread on.
+void ProgramWriter::made(const std::string& output) {
+    code().line(output);
+    if (generation_.mutation.hits(Fault::output_repeated)) code().line(output);
+}
+
+/// The machine that takes it moves this thread on.
 void ProgramWriter::offer(const EventUse& use, const std::string& value, const std::string& at,
                           const std::string& next) {
     thread_.sites.push_back({use.channel, thread_.variable, thread_.at(at), thread_.at(next), value});
-    for (const std::size_t index : use.ports) {
-        const EventPort& port = generation_.component.events[index];
-        code().open(fmt::format("if (!{}) {{", sent_flag(port)));
-        code().line(sent_flag(port) + " = true;");
-        code().line(fmt::format("platform_.{}({});", port.output, value));
-        jump(next);
-        code().close();
-    }
     if (generation_.mutation.hits(Fault::send_not_awaited)) {
         jump(next);
     } else {
@@ -370,16 +340,14 @@ void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
     if (unit_.definitions[stmt.operation.index].valid()) {
         call_operation(stmt, texts, stem);
     } else {
-        call_platform(stmt, texts, stem);
+        call_platform(stmt, texts);
     }
 }
 
-void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts,
-                                  const std::string& stem) {
+void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts) {
     look_at_deadlines();
     const PlatformCall& call = called(generation_, generation_.component.call(unit_, stmt.operation));
-    if (call.interruptible) await_turn(done_flag(call), stem, "calls " + call.signature->name);
-    code().line(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
+    made(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
 }
 
 CallFrame& ProgramWriter::call_frame(const Unit& operation) {

@@ -89,8 +89,7 @@ private:
     void if_statement(const ir::Stmt&, const std::string& stem);
     void suspending_if(const ir::Stmt&, const std::string& stem);
     void look_at_deadlines();
-    void await_turn(const std::string& flag, const std::string& stem, const std::string& what);
-    void assign(const ir::Stmt&, const std::string& stem);
+    void assign(const ir::Stmt&);
     void assign_part(const ir::Stmt&, ir::TypeId whole);
     void communicate(const ir::Stmt&, const std::string& stem);
     void await_input(const ir::Stmt&, const std::string& stem);
@@ -98,9 +97,10 @@ private:
     void send(const ir::Stmt&, const std::string& stem);
     void fill_buffers(const EventUse&, const std::string& value);
     void send_out(const EventUse&, const std::string& value);
+    void made(const std::string& output);
     void offer(const EventUse&, const std::string& value, const std::string& at, const std::string& next);
     void call(const ir::Stmt&, const std::string& stem);
-    void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
+    void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments);
     void call_operation(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
     void offer_to_platform(const Unit& operation, const std::string& frame);
     void require_preconditions(const Unit& operation, const std::string& frame);
@@ -119,9 +119,7 @@ private:
 [[nodiscard]] std::string store(const Generation&, const Unit&, ir::VariableId, const std::string& value);
 /// `f.T = 0;`; "" for clocks that nothing reads.
 [[nodiscard]] std::string clock_reset(const Generation&, const Unit&, ir::ClockId);
-/// Sending the event may have to wait: for another machine, or for the next cycle.
+/// Sending the event may have to wait, for another machine.
 [[nodiscard]] bool waits_to_send(const EventUse&);
-/// The member of Step that tells whether the output was made in this cycle.
-[[nodiscard]] std::string sent_flag(const EventPort&);
 
 }  // namespace robochart::cpp_emit

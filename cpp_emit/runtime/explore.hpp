@@ -85,8 +85,8 @@ inline void clear(rc_log& log) noexcept {
 template <class... Values>
 void write_record(rc_log& log, std::uint32_t output, Values... values) noexcept {
     static_assert(sizeof...(Values) <= ROBOCHART_MAX_ARGUMENTS);
-    if (log.count == ROBOCHART_MAX_RECORDS) {
-        log.overflow = 1;
+    if (log.count == log.capacity) {
+        log.overflow |= ROBOCHART_OVERFLOW_RECORDS;
         return;
     }
     rc_record record{};
@@ -98,7 +98,7 @@ void write_record(rc_log& log, std::uint32_t output, Values... values) noexcept 
 /// The way that the explorer wants; beyond the log's end only the overflow is noted.
 inline std::size_t recorded_way(rc_log& log, std::size_t count) noexcept {
     if (log.asked == ROBOCHART_MAX_CHOICES) {
-        log.overflow = 1;
+        log.overflow |= ROBOCHART_OVERFLOW_CHOICES;
         return 0;
     }
     const std::uint32_t place = log.asked++;

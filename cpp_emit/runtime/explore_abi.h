@@ -11,9 +11,8 @@
 extern "C" {
 #endif
 
-#define ROBOCHART_ABI_VERSION 3
+#define ROBOCHART_ABI_VERSION 4
 #define ROBOCHART_MAX_ARGUMENTS 8
-#define ROBOCHART_MAX_RECORDS 64
 #define ROBOCHART_MAX_CHOICES 32
 
 /* An input register: an event received from outside, or a shared variable written from outside. */
@@ -36,10 +35,16 @@ typedef struct rc_record {
     int64_t argument[ROBOCHART_MAX_ARGUMENTS];
 } rc_record;
 
+/* What did not fit: records beyond the capacity, choices beyond ROBOCHART_MAX_CHOICES. */
+#define ROBOCHART_OVERFLOW_RECORDS 1U
+#define ROBOCHART_OVERFLOW_CHOICES 2U
+
+/* The records are the caller's, who calls again with more of them where they were too few. */
 typedef struct rc_log {
     uint32_t count;
-    uint32_t overflow;       /* set when more than ROBOCHART_MAX_RECORDS were written */
-    rc_record record[ROBOCHART_MAX_RECORDS];
+    uint32_t overflow;       /* what did not fit, 0: all did */
+    uint32_t capacity;
+    rc_record* record;
     /* Probabilistic junctions: the k-th that the cycle passes takes way choice[k] if k < given, else way 0. `step` sets
      * asked, how many it passed, and ways[k], how many ways there were. */
     uint32_t given;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 
+#include "conformance/cycle_log.hpp"
 #include "conformance/test_suite.hpp"
 #include "tests/conformance/bench.hpp"
 #include "tests/conformance/support.hpp"
@@ -39,7 +40,7 @@ public:
         std::vector<rc_register> registers;
         for (const std::uint32_t r : machine_.inputs[static_cast<std::size_t>(symbol)])
             registers.push_back({r == 0 ? 0U : 1U, r == 0 ? 0U : r - 1});
-        rc_log log{};
+        CycleLog log;
         const rc_result result = code_.step(image_.data(), registers.data(), &log);
         std::vector<std::string> done;
         for (std::uint32_t r = 0; r < log.count; ++r) {

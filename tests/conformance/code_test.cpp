@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "conformance/cycle_log.hpp"
 #include "conformance/code_batch.hpp"
 #include "conformance/code_equality.hpp"
 #include "conformance/watchdog.hpp"
@@ -58,7 +59,7 @@ TEST(Watchdog, LeavesCodeThatReturnsAlone) {
     code.initial(watched.data());
     code.initial(plain.data());
     const std::vector<rc_register> registers(code.inputs);
-    rc_log one{}, other{};
+    CycleLog one, other;
     const Stepped stepped = watched_step(code, watched.data(), registers.data(), &one, Patience::short_);
     EXPECT_FALSE(stepped.endless);
     EXPECT_EQ(stepped.result, code.step(plain.data(), registers.data(), &other));

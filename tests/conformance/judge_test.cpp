@@ -143,14 +143,55 @@ TEST(Judge, TerminateEventIsHidden) {
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// R4: the same machine without its waits must drive twice in a cycle with both inputs.
-TEST(Judge, OutputNeededTwiceIsNotSchedulable) {
+// R4: the same machine without its waits drives twice in a cycle with both inputs. It can be run in cycles, though not in
+// cycles that make each output once; the code, which waits for the next cycle, differs.
+TEST(Judge, OutputsAreASequence) {
     const Result result = judge_turner(0, test::turner_model(false));
+    ASSERT_EQ(result.outcome, Outcome::differs);
+    EXPECT_THAT(result.reason, HasSubstr("ends its cycle although the model must go on"));
+    EXPECT_EQ(result.expected, "Turn()");
+    ASSERT_TRUE(result.register_cycles);
+    EXPECT_FALSE(result.register_cycles->holds);
+    EXPECT_THAT(result.register_cycles->reason, HasSubstr("Drive(2) a second time in one cycle"));
+    const std::vector<Cycle>& cycles = result.register_cycles->cycles;
+    ASSERT_EQ(cycles.size(), 1U);
+    EXPECT_THAT(cycles[0].inputs, ElementsAre("seeRobot", "seeWall"));
+    EXPECT_THAT(cycles[0].outputs, ElementsAre("Drive(2)", "Turn()"));
+}
+
+TEST(Judge, WithWaitsEachOutputIsMadeOnceACycle) {
+    const Result result = judge_turner(0);
+    ASSERT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    ASSERT_TRUE(result.register_cycles && result.deadlines);
+    EXPECT_TRUE(result.register_cycles->holds);
+    EXPECT_TRUE(result.deadlines->holds);
+}
+
+// Outputs without end in one cycle: no τ loop, as each is seen, and no cycle either.
+TEST(Judge, OutputsWithoutEndAreNotSchedulable) {
+    const Result result = judge_turner(0, {{0, "T::DriveCall.2", 0}, {0, "tock", 0}});
     ASSERT_EQ(result.outcome, Outcome::not_schedulable);
-    ASSERT_EQ(result.cycles.size(), 1U);
-    EXPECT_THAT(result.cycles[0].inputs, ElementsAre("seeRobot", "seeWall"));
-    EXPECT_THAT(result.cycles[0].outputs, ElementsAre("Drive(2)", "Turn()"));
-    EXPECT_THAT(result.reason, HasSubstr("Drive(2) a second time"));
+    EXPECT_THAT(result.reason, HasSubstr("infinitely much without time passing"));
+}
+
+// R7: where the model waits for an input with a deadline of 0, its time stops, and the code has to say so there and
+// nowhere else.
+TEST(Judge, DeadlinesOnInputsAreReportedByTheCode) {
+    const std::vector<Edge> waits{{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "T::seeRobot.in", 1}};
+    const Result silent = judge_turner(4, waits);
+    ASSERT_EQ(silent.outcome, Outcome::differs);
+    EXPECT_THAT(silent.reason, HasSubstr("misses a deadline and does not say so"));
+    EXPECT_EQ(silent.cycles.size(), 2U);
+    ASSERT_TRUE(silent.deadlines);
+    EXPECT_FALSE(silent.deadlines->holds);
+    EXPECT_EQ(silent.deadlines->cycles.size(), 2U);
+    const Result right = judge_turner(13, waits);
+    EXPECT_EQ(right.outcome, Outcome::conforms) << right.reason;
+    const std::vector<Edge> goes_on{{0, "T::DriveCall.2", 1}, {1, "tock", 1}, {1, "T::seeRobot.in", 1}};
+    const Result wrong = judge_turner(13, goes_on);
+    ASSERT_EQ(wrong.outcome, Outcome::differs);
+    EXPECT_THAT(wrong.reason, HasSubstr("the code misses a deadline"));
+    EXPECT_EQ(wrong.expected, "end of cycle");
 }
 
 // R7: a model that stops time by itself.

@@ -38,35 +38,6 @@ bool alike(const cpp_emit::Emission& a, const cpp_emit::Emission& b) {
                       [](const auto& one, const auto& other) { return one.text == other.text; });
 }
 
-/// L(G) where a missed deadline ends everything, as time does in the model.
-class StopsAtDeadlines final : public lts::TransitionSystem {
-public:
-    explicit StopsAtDeadlines(CodeSystem& code) : code_(code) {}
-    [[nodiscard]] std::size_t width() const override { return code_.width(); }
-    void initial(std::span<lts::Word> state) override { code_.initial(state); }
-    void successors(lts::StateView state, lts::SuccessorSink& sink) override {
-        Filter filter(sink, code_.events());
-        code_.successors(state, filter);
-    }
-    [[nodiscard]] const process::EventTable& events() const override { return code_.events(); }
-    [[nodiscard]] std::string describe(lts::StateView state) const override { return code_.describe(state); }
-
-private:
-    class Filter final : public lts::SuccessorSink {
-    public:
-        Filter(lts::SuccessorSink& to, const process::EventTable& events) : to_(to), events_(events) {}
-        void add(process::Event event, lts::StateView target, process::Event revealed) override {
-            if (event == process::tau || events_.name(event) != "code.deadline") to_.add(event, target, revealed);
-        }
-
-    private:
-        lts::SuccessorSink& to_;
-        const process::EventTable& events_;
-    };
-
-    CodeSystem& code_;
-};
-
 /// What told a mutant from the model.
 std::string means(const Result& result) {
     constexpr std::pair<const char*, const char*> words[] = {
@@ -76,7 +47,7 @@ std::string means(const Result& result) {
         {"misses a deadline", "deadline"},
         {"precondition", "precondition"},
         {"two results", "not a function"},
-        {"time stops", "schedulability"},
+        {"time stops", "where time stops"},
         {"ends its cycle", "refinement: something is missing"},
         {"writes", "refinement: something else is written"},
     };
@@ -87,8 +58,8 @@ std::string means(const Result& result) {
 
 }  // namespace
 
-Study::Study(Model& model, ir::ComponentRef component, Time time, cpp_emit::Strategy strategy)
-    : model_(model), component_(component), time_(time), strategy_(strategy), bench_(model, std::move(component)) {
+Study::Study(Model& model, ir::ComponentRef component, cpp_emit::Strategy strategy)
+    : model_(model), component_(component), strategy_(strategy), bench_(model, std::move(component)) {
     code_ = emit(cpp_emit::Fault::none, 0);
     std::string error;
     original_ = CodeBatch::build({&code_}, build_options(), error);
@@ -116,38 +87,12 @@ cpp_emit::Emission Study::emit(cpp_emit::Fault fault, std::uint32_t site) {
 
 Result Study::original() {
     if (original_code_ == nullptr) return {};
-    if (time_ == Time::may_stop) return refined(*original_code_);
     const Result result = schedulable(*graph_, *alphabet_, 1, limits());
     return result.outcome == Outcome::conforms ? refined(*original_code_) : result;
 }
 
 Result Study::refined(const rc_interface& code) {
-    return time_ == Time::may_stop ? refined_until_time_stops(code)
-                                   : refined_by(*graph_, *alphabet_, code, 1, limits());
-}
-
-/// Where the model's time stops, NF_c(M) stops; so must the code, and nowhere else.
-Result Study::refined_until_time_stops(const rc_interface& code) {
-    NormalFormSystem specification(*graph_, *alphabet_, 1, AfterTermination::stop);
-    CodeSystem system(code, *alphabet_, 1);
-    StopsAtDeadlines implementation(system);
-    const refine::Verdict verdict =
-        refine::refines(specification, implementation, refine::Model::failures_divergences, limits());
-    Result result;
-    result.reason = verdict.reason;
-    if (verdict.outcome == refine::Outcome::holds) result.outcome = Outcome::conforms;
-    if (result.outcome == Outcome::conforms) compare_faces(result, code, system, *alphabet_, limits());
-    if (!verdict.counterexample) return result;
-    result.outcome = Outcome::differs;
-    const refine::Counterexample& found = *verdict.counterexample;
-    const auto tocks = std::count_if(found.steps.begin(), found.steps.end(),
-                                     [&](const refine::Step& step) { return step.event == alphabet_->tock(); });
-    const bool last_tock = !found.steps.empty() && found.steps.back().event == alphabet_->tock();
-    const bool stops = found.kind == refine::ViolationKind::refusal && found.offered.empty();
-    result.cycles.resize(static_cast<std::size_t>(tocks) + (last_tock ? 0 : 1));
-    result.reason = stops || last_tock ? "the code and the model do not agree on where time stops"
-                                       : "the code writes what the model does not allow, or not what it must";
-    return result;
+    return refined_by(*graph_, *alphabet_, code, 1, limits());
 }
 
 std::vector<Study::Seeded> Study::seed(std::size_t sites, bool event_face_only) {

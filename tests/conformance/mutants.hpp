@@ -28,14 +28,9 @@ struct Mutant {
     std::string told;        ///< the difference
 };
 
-/// How time can go on in the model: in all its runs, or until a deadline passes that the environment decides on. Then
-/// the code has to say so just there.
-enum class Time { always_passes, may_stop };
-
 class Study {
 public:
-    Study(Model& model, ir::ComponentRef component, Time time = Time::always_passes,
-          cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic);
+    Study(Model& model, ir::ComponentRef component, cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic);
 
     /// What the unchanged code comes to: `conforms`, or the test is about something else.
     [[nodiscard]] Result original();
@@ -56,11 +51,9 @@ private:
     void judge(Mutant&, const rc_interface& code);
     void compare(Mutant&, const rc_interface& code);
     [[nodiscard]] Result refined(const rc_interface& code);
-    [[nodiscard]] Result refined_until_time_stops(const rc_interface& code);
 
     Model& model_;
     ir::ComponentRef component_;
-    Time time_;
     cpp_emit::Strategy strategy_;
     Bench bench_;
     cpp_emit::Emission code_;

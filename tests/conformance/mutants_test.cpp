@@ -18,7 +18,6 @@ namespace {
 using cpp_emit::Fault;
 using test::Fate;
 using test::Mutant;
-using test::Time;
 
 /// Conforms and does otherwise than the original: what the model leaves open, decided the other way.
 struct Open {
@@ -77,15 +76,14 @@ protected:
         test::Model model(folder);
         study(folder, test::Study(model, model.module()), sites);
     }
-    void try_machine(const std::string& folder, const std::string& machine, std::size_t sites,
-                     Time time = Time::always_passes) {
+    void try_machine(const std::string& folder, const std::string& machine, std::size_t sites) {
         test::Model model(folder);
-        study(folder, test::Study(model, model.machine(machine), time), sites);
+        study(folder, test::Study(model, model.machine(machine)), sites);
     }
     /// Faults of the event-driven face only: the models show little of what a cycle does.
-    void try_events(const std::string& folder, const std::string& machine, Time time, cpp_emit::Strategy strategy) {
+    void try_events(const std::string& folder, const std::string& machine, cpp_emit::Strategy strategy) {
         test::Model model(folder);
-        study(folder, test::Study(model, model.machine(machine), time, strategy), 3, true);
+        study(folder, test::Study(model, model.machine(machine), strategy), 3, true);
     }
 
     void study(const std::string& name, test::Study study, std::size_t sites, bool event_face_only = false) {
@@ -162,11 +160,11 @@ TEST_F(Mutants, AreKilledOrEquivalentOrAllowed) {
     try_machine(models + "words", "Words", 2);
     try_machine(models + "outside", "Outside", 1);
     try_machine(models + "blink", "Blink", 1);
-    try_machine(models + "missed", "Missed", 3, Time::may_stop);
+    try_machine(models + "missed", "Missed", 3);
     using cpp_emit::Strategy;
-    try_events(models + "reacts", "Reacts", Time::always_passes, Strategy::table);
-    if (all()) try_events(models + "reacts", "Reacts", Time::always_passes, Strategy::nested_switch);
-    try_events(models + "due", "Due", Time::may_stop, Strategy::automatic);
+    try_events(models + "reacts", "Reacts", Strategy::table);
+    if (all()) try_events(models + "reacts", "Reacts", Strategy::nested_switch);
+    try_events(models + "due", "Due", Strategy::automatic);
     if (HasFatalFailure()) return;
     expect_kills_of_every_kind();
     EXPECT_GE(whole_.mutants(), 350U);

@@ -10,6 +10,7 @@
 #include "checker/cspm/build.hpp"
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/lts/graph.hpp"
 #include "conformance/normal_form_system.hpp"
 #include "tests/conformance/bench.hpp"
 
@@ -89,7 +90,7 @@ struct Both {
           model(session.system(b::name("M"))),
           alphabet(small_interface(), session.event_table()),
           graph(*model, alphabet),
-          direct(graph, alphabet, cycle_length, AfterTermination::stop) {}
+          direct(graph, alphabet, cycle_length) {}
 
     void expect_equal(const std::string& what) {
         const auto one = refine::refines(*text, direct, refine::Model::failures_divergences, {});
@@ -120,6 +121,41 @@ TEST(NormalForm, TextAndSystemAgreeOnRandomModels) {
     }
 }
 
+/// Whether the event is possible in some state that can be reached.
+bool can_do(lts::TransitionSystem& system, process::Event event) {
+    const lts::Exploration all = lts::explore(system, [](std::size_t) {});
+    for (lts::StateIndex state = 0; state < all.graph.size(); ++state)
+        for (const lts::Edge& edge : all.graph.edges(state))
+            if (edge.event == event) return true;
+    return false;
+}
+
+/// Outputs::once finds a second output of a cycle exactly where the text of the normal form has a trace with one.
+TEST(NormalForm, RepeatedOutputsAreThoseOfTheTraces) {
+    unsigned repeating = 0;
+    for (unsigned seed = 2000; seed < 2100; ++seed) {
+        const std::string model = random_model(seed, seed % 2 == 0);
+        cspm::Script script = Both::with_normal_form(model, 1, Reading::fixed_order);
+        const cspm::Script once = read_script(
+            "ONCE(s) = registerRead?r -> ONCE(s) [] tock -> ONCE({}) [] SKIP\n"
+            "  [] not member(0, s) & registerWrite.wrote__xCall -> ONCE(union(s, {0}))\n"
+            "  [] not member(1, s) & registerWrite.wrote__y?v -> ONCE(union(s, {1}))\n");
+        script.decls.insert(script.decls.end(), once.decls.begin(), once.decls.end());
+        Both both(std::move(script), 1, "NF__");
+        const auto allowed = both.session.system(b::call("ONCE", {b::set({})}));
+        const bool repeats =
+            refine::refines(*allowed, *both.text, refine::Model::traces, {}).outcome == refine::Outcome::fails;
+        Frame frame;
+        frame.outputs = Outputs::once;
+        NormalFormSystem strict(both.graph, both.alphabet, 1, frame);
+        const bool marked = can_do(strict, strict.repeats());
+        EXPECT_EQ(marked, repeats) << model;
+        repeating += repeats ? 1U : 0U;
+    }
+    EXPECT_GT(repeating, 10U);
+    EXPECT_LT(repeating, 90U);
+}
+
 // Without termination: ORDER does not end.
 TEST(NormalForm, OneOrderOfReadingLosesNothing) {
     for (unsigned seed = 1000; seed < 1100; ++seed) {
@@ -144,7 +180,7 @@ TEST(NormalForm, TextAndSystemAgreeOnAggregation) {
     const auto modelled = session.system(bench.process());
     const Alphabet alphabet(interface, session.event_table());
     ModelGraph graph(*modelled, alphabet);
-    NormalFormSystem direct(graph, alphabet, 1, AfterTermination::stop);
+    NormalFormSystem direct(graph, alphabet, 1);
     const auto fd = refine::Model::failures_divergences;
     EXPECT_EQ(refine::refines(*text, direct, fd, {}).outcome, refine::Outcome::holds);
     EXPECT_EQ(refine::refines(direct, *text, fd, {}).outcome, refine::Outcome::holds);

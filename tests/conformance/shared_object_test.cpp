@@ -62,7 +62,7 @@ TEST(SharedObject, MissingInterface) {
 TEST(SharedObject, WrongVersion) {
     std::string error;
     EXPECT_FALSE(test::hand_made("turner", 12, error));
-    EXPECT_THAT(error, HasSubstr("version 4 where 3"));
+    EXPECT_THAT(error, HasSubstr("version 5 where 4"));
 }
 
 TEST(SharedObject, UndefinedSymbol) {

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "conformance/cycle_log.hpp"
 #include "conformance/batch.hpp"
 #include "conformance/code_system.hpp"
 #include "conformance/conform.hpp"
@@ -41,7 +42,7 @@ std::string state_after(const rc_interface& code, int cycles) {
     for (int cycle = 0; cycle < cycles; ++cycle) {
         std::vector<rc_register> registers(code.inputs);
         for (rc_register& each : registers) each.present = 1;
-        rc_log log{};
+        CycleLog log;
         EXPECT_EQ(code.step(state.data(), registers.data(), &log), RC_QUIESCENT);
     }
     return state_text(code, state.data());

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "conformance/cycle_log.hpp"
 #include "conformance/test_suite.hpp"
 #include "conformance/trace_check.hpp"
 #include "tests/conformance/bench.hpp"
@@ -77,7 +78,7 @@ public:
                 std::vector<rc_register> registers;
                 for (const std::uint32_t r : machine.inputs[symbol])
                     registers.push_back({r == 0 ? 0U : 1U, r == 0 ? 0U : r - 1});
-                rc_log log{};
+                CycleLog log;
                 const rc_result result = code.step(image.data(), registers.data(), &log);
                 const CycleStep& step = machine.steps[state][symbol];
                 const rc_result wanted = step.target == MachineOfCycles::over ? RC_TERMINATED : RC_QUIESCENT;

@@ -90,7 +90,7 @@ TEST(Traces, WrongExtraAndMisplacedOutputsAreRejected) {
              {"seeRobot? linearSpeed!0 angularSpeed!-5.02 tock", "linearSpeed!0"},            // wrong order
              {"seeWall? angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},        // without its cause
              {"angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},
-             {"seeRobot? angularSpeed!-5.02 linearSpeed!0 linearSpeed!0 tock", "linearSpeed!0"},  // R4: once a cycle
+             {"seeRobot? angularSpeed!-5.02 linearSpeed!0 linearSpeed!0 tock", "linearSpeed!0"},  // once too often
              {"angularSpeed!-0.75 linearSpeed!-10.88 tock", "angularSpeed!-0.75"}}) {
         Replay replay = aggregation();
         EXPECT_EQ(replay.check(std::string(start) + cycle + "\n").rejected, 1U) << cycle;

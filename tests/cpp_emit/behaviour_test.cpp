@@ -96,11 +96,11 @@ TEST(Urgency, ALoopWithTimeDoesNot) {
     }
 }
 
-TEST(Urgency, AnOutputHappensOnceACycle) {
-    // docs/conformance.md, A2: wanted a second time, it waits for the next cycle, and with it all that follows.
+TEST(Urgency, OutputsAreASequence) {
+    // docs/conformance.md, A2: any number in a cycle, in the order in which they are made.
     Machine m(std::string("event x : nat event y ") + start + "state A { entry x!1 ; x!2 ; y }");
-    EXPECT_THAT(m.cycle(), ElementsAre("x.out(1)"));
-    EXPECT_THAT(m.cycle(), ElementsAre("x.out(2)", "y.out"));
+    EXPECT_THAT(m.cycle(), ElementsAre("x.out(1)", "x.out(2)", "y.out"));
+    EXPECT_THAT(m.cycle(), IsEmpty());
 }
 
 // ---------------------------------------------------------------- order within a transition (semantics 3.4)
@@ -242,8 +242,7 @@ TEST(During, OfACompositeStartsWithItsFirstChildsEntry) {
         "state O { initial j state P { entry x(1) ; wait(1) ; x(2) } transition u0 { from j to P } during x(3) }",
         tell);
     EXPECT_THAT(m.cycle(), ElementsAre("xCall(1)"));
-    EXPECT_THAT(m.cycle(), ElementsAre("xCall(2)"));
-    EXPECT_THAT(m.cycle(), ElementsAre("xCall(3)"));  // once a cycle: a transition may cut it short
+    EXPECT_THAT(m.cycle(), ElementsAre("xCall(2)", "xCall(3)"));
 }
 
 // ---------------------------------------------------------------- time (R5)

@@ -15,6 +15,7 @@ namespace {
 
 /// Compiled with the exploration interface, in whose unnamed namespace it looks. Prints how many steps were compared.
 constexpr const char* driver = R"(
+#include <array>
 #include <cstdio>
 #include <cstring>
 #include <set>
@@ -41,7 +42,8 @@ std::string bytes(const State& state) {
 
 /// One event (none: only what needs none) without time, then a cycle without inputs in which only time passes.
 std::string dispatched(State& state, std::size_t event, const Registers& registers) {
-    rc_log log{};
+    std::array<rc_record, 64> records{};
+    rc_log log{0, 0, 64, records.data(), 0, 0, {}, {}};
     Log platform(log);
     robochart::StepResult result =
         event == registers.size()
@@ -63,7 +65,8 @@ int main() {
     unsigned long compared = 0;
     const auto visit = [&](const std::string& image, std::size_t event, const Registers& registers) {
         std::string once = image;
-        rc_log log{};
+        std::array<rc_record, 64> records{};
+        rc_log log{0, 0, 64, records.data(), 0, 0, {}, {}};
         const rc_result result = step_once(&once[0], registers.data(), &log);
         if (known.size() < 20000 && known.insert(once).second) open.push_back(once);
         // Variables written from outside are no events.

@@ -113,7 +113,8 @@ std::vector<std::string> Controller::cycle(const Registers& raised) {
         }
     }
     EXPECT_EQ(found, raised.size()) << "unknown input or value";
-    rc_log log{};
+    std::array<rc_record, 64> records{};
+    rc_log log{0, 0, 64, records.data(), 0, 0, {}, {}};
     result_ = interface_->step(state_.data(), registers.data(), &log);
     EXPECT_EQ(log.overflow, 0U);
     std::vector<std::string> texts;

@@ -80,6 +80,10 @@ rc_result step(void* memory, const rc_register* registers, rc_log* log) {
 #elif FAULT == 11
         return RC_TERMINATED;
 #endif
+#if FAULT == 13  // waits for seeRobot in every cycle, with a deadline of 0
+    } else if (state.at == driving) {
+        return robot ? RC_QUIESCENT : RC_DEADLINE;
+#endif
     } else if (state.at == driving && robot) {
 #if FAULT == 2
         state.extra = 0;
