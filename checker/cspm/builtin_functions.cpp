@@ -8,10 +8,8 @@
 
 namespace robochart::cspm {
 
-const Values& Evaluator::sequence(Value value, Span span) {
-    if (is_infinite(value)) fail("the sequence " + text(value) + " is infinite", span);
-    if (value->kind != Kind::sequence) fail("expected a sequence, found " + text(value), span);
-    return value->items;
+Values Evaluator::sequence(Value value, Span span) {
+    return share(written_out(value, span))->items;
 }
 
 const Values& Evaluator::map_items(Value value, Span span) {
@@ -63,7 +61,8 @@ Value Evaluator::builtin_value(Builtin which, const TimedSection* timed) {
 Value Evaluator::call_builtin(Value builtin, Values arguments, Span span) {
     const auto which = static_cast<Builtin>(builtin->number);
     const BuiltinName& name = builtin_name(which);
-    for (Value& argument : arguments) argument = share(force(argument));
+    if (!takes_by_need(which))
+        for (Value& argument : arguments) argument = share(force(argument));
     // relational_image(R)(x): the relation is kept in the built-in's items.
     if ((which == Builtin::relational_image || which == Builtin::relational_inverse_image) && !builtin->items.empty()) {
         arguments.insert(arguments.begin(), builtin->items[0]);
@@ -109,11 +108,8 @@ Value Evaluator::set_builtin(Builtin which, const Values& arguments, Span span) 
             return set_inter(arguments[0], arguments[1], span);
         case Builtin::diff:
             return set_diff(arguments[0], arguments[1], span);
-        case Builtin::union_all: {
-            Value result = store_.set({});
-            for (const Value each : elements(arguments[0], span)) result = set_union(result, each, span);
-            return result;
-        }
+        case Builtin::union_all:
+            return union_of_all(elements(arguments[0], span), span);
         case Builtin::inter_all: {
             Value result = nullptr;
             for (const Value each : elements(arguments[0], span)) {
@@ -123,16 +119,14 @@ Value Evaluator::set_builtin(Builtin which, const Values& arguments, Span span) 
         }
         case Builtin::member:
             return store_.boolean(member_of(arguments[0], arguments[1], span));
-        case Builtin::card:
-            return store_.integer(static_cast<std::int64_t>(elements(arguments[0], span).size()));
-        case Builtin::empty: {
-            const Value set = arguments[0];
-            if (set->kind == Kind::integers || set->kind == Kind::integers_from || set->kind == Kind::processes ||
-                set->kind == Kind::sequences_over) {
-                return store_.boolean(false);
-            }
-            return store_.boolean(elements(set, span).empty());
+        case Builtin::card: {
+            const auto size = size_of(arguments[0], span);
+            if (!size) fail("the set " + text(arguments[0]) + " is infinite", span);
+            if (*size >= largest_size) fail("the number does not fit in 64 bits", span);
+            return store_.integer(static_cast<std::int64_t>(*size));
         }
+        case Builtin::empty:
+            return store_.boolean(size_of(arguments[0], span) == 0);
         case Builtin::set:
             return store_.set(sequence(arguments[0], span));
         case Builtin::powerset:
@@ -145,40 +139,51 @@ Value Evaluator::set_builtin(Builtin which, const Values& arguments, Span span) 
 }
 
 Value Evaluator::sequence_builtin(Builtin which, const Values& arguments, Span span) {
-    const Value first = arguments[0];
-    if (is_infinite(first)) {
-        if (which == Builtin::head) return cut(first, span).head;
-        if (which == Builtin::tail) return cut(first, span).tail;
-        if (which == Builtin::null) return store_.boolean(false);
-    }
-    if (which == Builtin::elem && is_infinite(arguments[1]))
-        return store_.boolean(element_of_infinite(first, arguments[1], span));
+    if (which == Builtin::seq) return store_.sequence(elements(arguments[0], span));
+    if (which == Builtin::elem) return store_.boolean(element_by_need(forced(arguments[0]), forced(arguments[1]), span));
+    const Value first = forced(arguments[0]);
     switch (which) {
-        case Builtin::seq:
-            return store_.sequence(elements(first, span));
         case Builtin::length:
-            return store_.integer(static_cast<std::int64_t>(sequence(first, span).size()));
+            return store_.integer(static_cast<std::int64_t>(written_out(first, span)->items.size()));
         case Builtin::null:
-            return store_.boolean(sequence(first, span).empty());
-        case Builtin::head:
-            if (sequence(first, span).empty()) fail("head of an empty sequence", span);
-            return first->items[0];
-        case Builtin::tail:
-            if (sequence(first, span).empty()) fail("tail of an empty sequence", span);
-            return store_.sequence({first->items.begin() + 1, first->items.end()});
-        case Builtin::concat: {
-            Values items;
-            for (const Value each : sequence(first, span)) {
-                const Values& more = sequence(each, span);
-                items.insert(items.end(), more.begin(), more.end());
-            }
-            return store_.sequence(std::move(items));
+            return store_.boolean(first->kind == Kind::sequence ? first->items.empty() : !next(first, span));
+        case Builtin::head: {
+            if (first->kind == Kind::sequence && !first->items.empty()) return forced(first->items[0]);
+            const std::optional<Cut> cut = next(first, span);
+            if (!cut) fail("head of an empty sequence", span);
+            return forced(cut->head);
         }
-        default: {  // elem
-            const Values& items = sequence(arguments[1], span);
-            return store_.boolean(std::ranges::find(items, first) != items.end());
+        case Builtin::tail: {
+            const std::optional<Cut> cut = next(first, span);
+            if (!cut) fail("tail of an empty sequence", span);
+            return forced(cut->tail);
+        }
+        default: {  // concat
+            const Value parts = written_out(first, span);
+            Values items;
+            for (std::size_t i = 0; i < parts->items.size(); ++i) {
+                Value part = parts->items[i];
+                if (part->kind == Kind::thunk && static_cast<const Thunk&>(*part).result != nullptr) part = force(part);
+                if (part->kind != Kind::sequence) {
+                    // It waits or has no end: so does what comes after.
+                    Value rest = store_.sequence({});
+                    for (std::size_t k = parts->items.size(); k-- > i + 1;) rest = part_before(parts->items[k], rest);
+                    return append(store_.compound(Kind::sequence, 0, std::move(items)), part_before(part, rest));
+                }
+                count_step(span);
+                items.insert(items.end(), part->items.begin(), part->items.end());
+                if (items.size() > max_elements) fail("the sequence is too long", span);
+            }
+            return store_.compound(Kind::sequence, 0, std::move(items));
         }
     }
+}
+
+// part ^ rest, where the part may wait.
+Value Evaluator::part_before(Value part, Value rest) {
+    if (part->kind == Kind::sequence && rest->kind == Kind::sequence) return append(part, rest);
+    if (rest->kind == Kind::sequence && rest->items.empty()) return part;
+    return store_.compound(Kind::stream, -1, {part, rest});
 }
 
 namespace {
@@ -200,38 +205,43 @@ void put(Values& items, Value key, Value value) {
 
 }  // namespace
 
+// Keys have values, what they stand for may wait.
 Value Evaluator::map_builtin(Builtin which, const Values& arguments, Span span) {
-    const auto put_all = [&](Values items, Value pairs) {
-        for (const Value pair : sequence(pairs, span)) {
+    const auto put_all = [&](Values items, const Values& pairs) {
+        for (const Value each : pairs) {
+            count_step(span);
+            const Value pair = forced(each);
             if (pair->kind != Kind::tuple || pair->items.size() != 2) fail("expected pairs, found " + text(pair), span);
-            put(items, pair->items[0], pair->items[1]);
+            put(items, share(pair->items[0]), pair->items[1]);
         }
-        return store_.make(Kind::map, 0, std::move(items));
+        return store_.compound(Kind::map, 0, std::move(items));
     };
-    if (which == Builtin::map_from_list) return put_all({}, arguments[0]);
+    if (which == Builtin::map_from_list) return put_all({}, written_out(arguments[0], span)->items);
     if (which == Builtin::map_type) return store_.make(Kind::maps_over, 0, {arguments[0], arguments[1]});
-    Values items = map_items(arguments[0], span);
+    Values items = map_items(forced(arguments[0]), span);
     if (which == Builtin::map_update_multiple) {
         // Of pairs with one key the first counts, where mapFromList takes the last (libcspm, Evaluator).
-        Values pairs = sequence(arguments[1], span);
+        Values pairs = written_out(arguments[1], span)->items;
         std::reverse(pairs.begin(), pairs.end());
-        return put_all(std::move(items), store_.sequence(std::move(pairs)));
+        return put_all(std::move(items), pairs);
     }
     if (which == Builtin::map_to_list) {
         Values pairs;
-        for (std::size_t i = 0; i + 1 < items.size(); i += 2) pairs.push_back(store_.tuple({items[i], items[i + 1]}));
-        return store_.sequence(std::move(pairs));
+        for (std::size_t i = 0; i + 1 < items.size(); i += 2)
+            pairs.push_back(store_.compound(Kind::tuple, 0, {items[i], items[i + 1]}));
+        return store_.compound(Kind::sequence, 0, std::move(pairs));
     }
-    const std::size_t at = key_place(items, arguments[1]);
-    const bool found = at < items.size() && items[at] == arguments[1];
+    const Value key = share(arguments[1]);
+    const std::size_t at = key_place(items, key);
+    const bool found = at < items.size() && items[at] == key;
     switch (which) {
         case Builtin::map_lookup:
-            if (!found) fail("the key " + text(arguments[1]) + " is not in the map", span);
-            return items[at + 1];
+            if (!found) fail("the key " + text(key) + " is not in the map", span);
+            return forced(items[at + 1]);
         case Builtin::map_member:
             return store_.boolean(found);
         case Builtin::map_update:
-            put(items, arguments[1], arguments[2]);
+            put(items, key, arguments[2]);
             break;
         default:
             if (found) {
@@ -240,7 +250,7 @@ Value Evaluator::map_builtin(Builtin which, const Values& arguments, Span span) 
             }
             break;
     }
-    return store_.make(Kind::map, 0, std::move(items));
+    return store_.compound(Kind::map, 0, std::move(items));
 }
 
 // transpose(R), relational_image(R)(x), relational_inverse_image(R)(x).

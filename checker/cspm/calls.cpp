@@ -131,7 +131,13 @@ Value Evaluator::member(const GroupObject& group, int index, Span span) {
         throw;
     }
     group.running[at] = false;
-    if (group.shared) value = share(value);
+    if (group.shared && !value->shared) {
+        try {
+            value = share(value);
+        } catch (const EvaluationError&) {
+            return value;  // a part of it has no value; it is worked out again where it is asked for again
+        }
+    }
     group.known[at] = value;
     return value;
 }
@@ -154,9 +160,17 @@ Value Evaluator::global(int index, Span span) {
         const Value name = store_.make(Kind::function, 0, {}, &global.function);
         return global.known = store_.make(Kind::process, static_cast<std::int64_t>(call_term(name, {})), {});
     }
+    if (global.lazily != nullptr && global.lazily_entry == entry_number_) return global.lazily;
     if (global.running) fail("'" + global.function.name + "' is defined by itself", span);
     const Running running(global.running);
-    return global.known = share(global_constant(global));
+    const Value value = global_constant(global);
+    if (value->shared) return global.known = value;
+    try {
+        return global.known = share(value);
+    } catch (const EvaluationError&) {  // a part of it has no value; the others may be all that is asked for
+    }
+    global.lazily_entry = entry_number_;
+    return global.lazily = value;
 }
 
 Value Evaluator::global_constant(Global& global) {
@@ -189,7 +203,7 @@ bool Evaluator::match(const MatchCode& pattern, Value& value, Frame& frame) {
         frame[static_cast<std::size_t>(pattern.number)] = value;
         return true;
     }
-    const Value found = share(force(value));
+    const Value found = force(value);
     switch (pattern.kind) {
         case PatternKind::name: {
             const bool bare = found->kind == Kind::dot && found->items.size() == 1;
@@ -215,9 +229,8 @@ bool Evaluator::match(const MatchCode& pattern, Value& value, Frame& frame) {
             return match_sequence(pattern, found, frame);
         case PatternKind::set: {
             if (!is_set(found)) return false;
-            if (found->kind == Kind::integers || found->kind == Kind::integers_from) return false;
+            if (!has_size(found, pattern.args.size())) return false;
             const Values& items = elements(found, {});
-            if (items.size() != pattern.args.size()) return false;
             Value item = items.empty() ? nullptr : items[0];
             return items.empty() || match(pattern.args[0], item, frame);
         }
@@ -243,26 +256,22 @@ void concat_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts
 }  // namespace
 
 // <x, y> ^ rest takes elements off the front; a pattern that ends is not met by what does not end.
-bool Evaluator::match_infinite(const std::vector<const MatchCode*>& parts, Value value, Frame& frame) {
+bool Evaluator::match_stream(const std::vector<const MatchCode*>& parts, Value value, Frame& frame) {
     for (const MatchCode* part : parts) {
-        if (part->kind != PatternKind::sequence) {
-            if (part != parts.back()) fail("an infinite sequence has no end to match", {});
-            return match(*part, value, frame);
-        }
+        if (part->kind != PatternKind::sequence) return match(*part, value, frame);
         for (const MatchCode& each : part->args) {
-            Cut next = cut(value, {});
-            value = next.tail;
-            if (!match(each, next.head, frame)) return false;
+            std::optional<Cut> cut = next(value, {});
+            if (!cut || !match(each, cut->head, frame)) return false;
+            value = cut->tail;
         }
     }
-    return false;
+    return !next(value, {});
 }
 
 bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& frame) {
-    if (value->kind != Kind::sequence && !is_infinite(value)) return false;
+    if (value->kind != Kind::sequence && !is_stream(value)) return false;
     std::vector<const MatchCode*> parts;
     concat_parts(pattern, parts);
-    if (is_infinite(value)) return match_infinite(parts, value, frame);
     std::size_t fixed = 0;
     std::size_t open = 0;
     for (const MatchCode* part : parts) {
@@ -272,6 +281,11 @@ bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& fra
             ++open;
     }
     if (open > 1) fail("a sequence pattern has one part of open length at most", {});
+    if (is_stream(value)) {
+        if (open == 0 || parts.back()->kind != PatternKind::sequence) return match_stream(parts, value, frame);
+        if (is_infinite(value)) fail("an infinite sequence has no end to match", {});
+        value = written_out(value, {});
+    }
     const std::size_t size = value->items.size();
     if (open == 0 ? size != fixed : size < fixed) return false;
     std::size_t at = 0;
@@ -283,7 +297,7 @@ bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& fra
             }
         } else {
             const auto first = value->items.begin() + static_cast<std::ptrdiff_t>(at);
-            Value rest = store_.sequence({first, first + static_cast<std::ptrdiff_t>(size - fixed)});
+            Value rest = store_.compound(Kind::sequence, 0, {first, first + static_cast<std::ptrdiff_t>(size - fixed)});
             at += size - fixed;
             if (!match(*part, rest, frame)) return false;
         }
@@ -291,8 +305,6 @@ bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& fra
     return true;
 }
 
-// A dot pattern takes a value's fields one by one; a constructor in it opens the field it stands at, and the
-// last part takes all that is left (FDR manual: dot patterns).
 namespace {
 
 // How many fields a part of a dot pattern stands for, but for the last part, which takes what is left.

@@ -73,6 +73,7 @@ struct Code {
     const Group* group = nullptr;          ///< let
     TimedSection* timed = nullptr;         ///< inside a timed section
     std::uint32_t number = 0;              ///< prefix: identity
+    mutable std::uint8_t too_long = 0;     ///< how often its value was asked for too early and given up (promise)
 };
 
 struct FunctionClause {
@@ -128,6 +129,8 @@ struct Global {
     std::vector<int> heads;                            ///< datatype
     std::vector<std::pair<int, const Code*>> subtype;  ///< head, fields
     Value known = nullptr;
+    Value lazily = nullptr;          ///< the value where a part of it has none...
+    std::uint64_t lazily_entry = 0;  ///< ...in the answer to this question
     bool running = false;
 };
 

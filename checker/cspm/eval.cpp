@@ -1,6 +1,7 @@
 // Expressions to values, by need: arguments and let-bound constants wait until they are asked for.
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "checker/cspm/evaluator_internal.hpp"
 
@@ -22,9 +23,9 @@ Value Evaluator::eval(const Code& code, Frame& frame) {
         case ExprKind::name:
             return eval_name(code, frame);
         case ExprKind::tuple:
-            return store_.tuple(eval_all(code, frame));
+            return store_.compound(Kind::tuple, 0, promise_all(code, frame));
         case ExprKind::sequence:
-            return store_.sequence(eval_all(code, frame));
+            return store_.compound(Kind::sequence, 0, promise_all(code, frame));
         case ExprKind::set:
             return store_.set(eval_all(code, frame));
         case ExprKind::map:
@@ -33,6 +34,7 @@ Value Evaluator::eval(const Code& code, Frame& frame) {
         case ExprKind::set_range:
             return eval_range(code, frame);
         case ExprKind::sequence_comprehension:
+            return eval_sequence_comprehension(code, frame);
         case ExprKind::set_comprehension:
         case ExprKind::sequence_range_comprehension:
         case ExprKind::set_range_comprehension:
@@ -70,6 +72,13 @@ Values Evaluator::eval_all(const Code& code, Frame& frame) {
     Values result;
     result.reserve(code.args.size());
     for (const Code* arg : code.args) result.push_back(share(eval(*arg, frame)));
+    return result;
+}
+
+Values Evaluator::promise_all(const Code& code, Frame& frame) {
+    Values result;
+    result.reserve(code.args.size());
+    for (const Code* arg : code.args) result.push_back(promise(*arg, frame));
     return result;
 }
 
@@ -114,11 +123,32 @@ Value Evaluator::delay(const Code& code, Frame& frame) {
     return store_.thunk(code, frame);
 }
 
+// A part that may never be needed, evaluated at once if that succeeds soon. Where the bound is used up what is under way
+// is finished with parts that wait; where that is still too long, the whole waits.
+Value Evaluator::promise(const Code& code, Frame& frame) {
+    constexpr std::uint8_t often = 3;
+    if (code.constant != nullptr) return code.constant;
+    if (code.kind == ExprKind::name && code.reference == Reference::local)
+        return frame[static_cast<std::size_t>(code.slot)];
+    if (code.kind == ExprKind::lambda) return eval_lambda(code, frame);
+    if (steps_ >= promised_until_ || code.too_long >= often) return store_.thunk(code, frame);
+    const Speculation speculation(*this);
+    try {
+        return eval(code, frame);
+    } catch (const EvaluationError&) {  // found again where the value is needed
+    } catch (const GivenUp&) {
+        if (!speculation.outermost()) throw;
+        ++code.too_long;
+    }
+    return store_.thunk(code, frame);
+}
+
 // The shared object equal to a value: evaluates what the value captures.
 Value Evaluator::share(Value value) {
     if (value->shared) return value;
     if (value->kind == Kind::thunk) return share(force(value));
     count_step({});
+    if (value->kind == Kind::stream) return share_stream(value);
     Values items;
     items.reserve(value->items.size());
     for (const Value item : value->items) items.push_back(share(item));
@@ -167,8 +197,12 @@ Value Evaluator::eval_apply(const Code& code, Frame& frame) {
     Values arguments;
     arguments.reserve(code.args.size() - 1);
     const bool builtin = function->kind == Kind::builtin;
+    const bool by_need = builtin && takes_by_need(static_cast<Builtin>(function->number));
     for (std::size_t i = 1; i < code.args.size(); ++i) {
-        arguments.push_back(builtin ? share(eval(*code.args[i], frame)) : delay(*code.args[i], frame));
+        if (by_need)
+            arguments.push_back(promise(*code.args[i], frame));
+        else
+            arguments.push_back(builtin ? share(eval(*code.args[i], frame)) : delay(*code.args[i], frame));
     }
     return call(function, std::move(arguments), code.span);
 }
@@ -190,24 +224,24 @@ Value Evaluator::eval_operator(const Code& code, Frame& frame) {
             return store_.boolean(truth(*code.args[0], frame) && truth(*code.args[1], frame));
         case ExprKind::logical_or:
             return store_.boolean(truth(*code.args[0], frame) || truth(*code.args[1], frame));
-        case ExprKind::concat: {
-            const Value left = share(eval(*code.args[0], frame));
-            if (is_infinite(left)) return left;
-            const Value right = share(eval(*code.args[1], frame));
-            if (is_infinite(right)) return stream(sequence(left, code.span), right, nullptr, {});
-            Values items = sequence(left, code.span);
-            const Values& more = sequence(right, code.span);
-            if (items.size() + more.size() > max_elements) fail("the sequence is too long", code.span);
-            items.insert(items.end(), more.begin(), more.end());
-            return store_.sequence(std::move(items));
-        }
+        case ExprKind::concat:
+            return eval_concat(code, frame);
         case ExprKind::length: {
-            const Values& items = sequence(share(eval(*code.args[0], frame)), code.span);
-            return store_.integer(static_cast<std::int64_t>(items.size()));
+            const Value items = written_out(eval(*code.args[0], frame), code.span);
+            return store_.integer(static_cast<std::int64_t>(items->items.size()));
         }
         default:
             return eval_comparison(code, frame);
     }
+}
+
+// The right side may wait, whether it has an end or not.
+Value Evaluator::eval_concat(const Code& code, Frame& frame) {
+    const Value left = eval(*code.args[0], frame);
+    if (left->kind != Kind::sequence && !is_stream(left)) fail("expected a sequence, found " + text(left), code.span);
+    if (is_infinite(left)) return left;
+    if (left->kind == Kind::sequence && left->items.empty()) return eval(*code.args[1], frame);
+    return append(left, promise(*code.args[1], frame));
 }
 
 namespace {
@@ -254,13 +288,13 @@ Value Evaluator::eval_arithmetic(const Code& code, Frame& frame) {
 }
 
 Value Evaluator::eval_comparison(const Code& code, Frame& frame) {
-    const Value a = share(eval(*code.args[0], frame));
-    const Value b = share(eval(*code.args[1], frame));
+    Value a = eval(*code.args[0], frame);
+    Value b = eval(*code.args[1], frame);
+    if (code.kind == ExprKind::equal) return store_.boolean(equal_by_need(a, b, code.span));
+    if (code.kind == ExprKind::not_equal) return store_.boolean(!equal_by_need(a, b, code.span));
+    a = share(a);
+    b = share(b);
     switch (code.kind) {
-        case ExprKind::equal:
-            return store_.boolean(same(a, b, code.span));
-        case ExprKind::not_equal:
-            return store_.boolean(!same(a, b, code.span));
         case ExprKind::less_equal:
             return store_.boolean(less_equal(a, b, code.span));
         case ExprKind::greater_equal:
@@ -280,7 +314,7 @@ Value Evaluator::eval_map(const Code& code, Frame& frame) {
     Values result = map_items(builtin_value(Builtin::empty_map, nullptr), code.span);
     Value map = store_.make(Kind::map, 0, std::move(result));
     for (std::size_t i = 0; i + 1 < code.args.size(); i += 2) {
-        Values arguments{map, share(eval(*code.args[i], frame)), share(eval(*code.args[i + 1], frame))};
+        Values arguments{map, share(eval(*code.args[i], frame)), promise(*code.args[i + 1], frame)};
         map = map_builtin(Builtin::map_update, arguments, code.span);
     }
     return map;
@@ -312,7 +346,7 @@ void Evaluator::for_each(const Code& code, const std::vector<ClauseCode>& clause
         if (truth(*clause.value, frame)) for_each(code, clauses, from + 1, frame, use);
         return;
     }
-    generate(code, clauses, from, share(eval(*clause.value, frame)), frame, use);
+    generate(code, clauses, from, eval(*clause.value, frame), frame, use);
 }
 
 void Evaluator::generate(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Value source,
@@ -321,8 +355,11 @@ void Evaluator::generate(const Code& code, const std::vector<ClauseCode>& clause
     if (is_infinite(source))
         not_supported("a generator over an infinite sequence, other than the first of a sequence comprehension,",
                       clause.value->span);
-    const Values& items = source->kind == Kind::sequence ? source->items : elements(source, clause.value->span);
+    if (is_stream(source)) source = written_out(source, clause.value->span);
+    if (source->kind != Kind::sequence) source = explicit_set(share(source), clause.value->span);
+    const Values items = source->items;
     for (Value item : items) {
+        count_step(code.span);
         if (match(clause.pattern, item, frame)) for_each(code, clauses, from + 1, frame, use);
     }
 }
@@ -335,25 +372,67 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
     Value united = store_.set({});
     const Use collect_elements = [&](Frame& inside) {
         if (ranges && set) {
-            united = set_union(united, eval_range(code, inside), code.span);
+            const Value range = eval_range(code, inside);
+            if (range->kind == Kind::set)
+                items.insert(items.end(), range->items.begin(), range->items.end());
+            else
+                united = set_union(united, range, code.span);
         } else if (ranges) {
-            const Values& more = sequence(eval_range(code, inside), code.span);
+            const Values more = sequence(eval_range(code, inside), code.span);
             items.insert(items.end(), more.begin(), more.end());
         } else {
             for (const Code* arg : code.args) items.push_back(share(eval(*arg, inside)));
         }
         if (items.size() > max_elements) fail("more than 5000000 elements", code.span);
     };
-    if (!code.clauses.empty() && code.clauses[0].generator) {
-        const Value source = share(eval(*code.clauses[0].value, frame));
-        if (is_infinite(source) && code.kind == ExprKind::sequence_comprehension)
-            return stream({}, source, &code, frame);
-        generate(code, code.clauses, 0, source, frame, collect_elements);
-    } else {
-        for_each(code, code.clauses, 0, frame, collect_elements);
-    }
-    if (ranges && set) return united;
+    for_each(code, code.clauses, 0, frame, collect_elements);
+    if (ranges && set) return set_union(united, store_.set(std::move(items)), code.span);
     return set ? store_.set(std::move(items)) : store_.sequence(std::move(items));
+}
+
+// All elements at once, as far as that succeeds; what comes after waits, and so does everything where it has no end.
+Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
+    std::size_t first = 0;
+    for (; first < code.clauses.size() && !code.clauses[first].generator; ++first)
+        if (!truth(*code.clauses[first].value, frame)) return store_.sequence({});
+    if (first == code.clauses.size()) return store_.compound(Kind::sequence, 0, promise_all(code, frame));
+    const ClauseCode& clause = code.clauses[first];
+    Value source = eval(*clause.value, frame);
+    if (is_stream(source)) return stream(store_.sequence({}), source, {&code, first}, frame);
+    if (source->kind != Kind::sequence) source = explicit_set(share(source), clause.value->span);
+    const Values all = source->items;
+    Values items;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::size_t before = items.size();
+        try {
+            count_step(code.span);
+            Value item = all[i];
+            if (!match(clause.pattern, item, frame)) continue;
+            for_each(code, code.clauses, first + 1, frame, [&](Frame& inside) {
+                for (const Code* arg : code.args) items.push_back(promise(*arg, inside));
+            });
+        } catch (const EvaluationError&) {
+            if (steps_ > max_steps) throw;
+            items.resize(before);
+            const auto rest = all.begin() + static_cast<std::ptrdiff_t>(i);
+            return stream(store_.compound(Kind::sequence, 0, std::move(items)),
+                          store_.compound(Kind::sequence, 0, {rest, all.end()}), {&code, first}, frame);
+        }
+        if (items.size() > max_elements) fail("more than 5000000 elements", code.span);
+    }
+    return store_.compound(Kind::sequence, 0, std::move(items));
+}
+
+// The elements that the clauses from one on make.
+Value Evaluator::comprehension_from(const Code& code, std::size_t clause, Frame& frame) {
+    if (clause == code.clauses.size()) return store_.compound(Kind::sequence, 0, promise_all(code, frame));
+    const ClauseCode& next = code.clauses[clause];
+    if (!next.generator)
+        return truth(*next.value, frame) ? comprehension_from(code, clause + 1, frame) : store_.sequence({});
+    Value source = eval(*next.value, frame);
+    if (source->kind != Kind::sequence && !is_stream(source))
+        source = store_.sequence(elements(share(source), next.value->span));
+    return stream(store_.sequence({}), source, {&code, clause}, frame);
 }
 
 Value Evaluator::eval_productions(const Code& code, Frame& frame) {

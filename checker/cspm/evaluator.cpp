@@ -15,6 +15,7 @@ Evaluator::Evaluator(Program& program, ValueStore& store, process::EventTable& e
 void Evaluator::fail(const std::string& message, Span span) const {
     constexpr std::size_t shown = 30;
     std::vector<std::string> stack;
+    if (given_up_at_ != no_end) throw EvaluationError(message, span, {});  // may never be seen
     for (auto call = activations_.rbegin(); call != activations_.rend() && stack.size() < shown; ++call) {
         std::string line = call->function->name;
         if (call->arguments != nullptr && !call->arguments->empty()) {
@@ -34,7 +35,10 @@ void Evaluator::not_supported(const std::string& what, Span span) const {
 class Evaluator::Entry {
 public:
     explicit Entry(Evaluator& evaluator) : evaluator_(evaluator), base_(evaluator.stack_base_) {
-        if (evaluator_.entries_++ == 0) evaluator_.steps_ = 0;
+        if (evaluator_.entries_++ == 0) {
+            evaluator_.steps_ = 0;
+            ++evaluator_.entry_number_;
+        }
         if (base_ == nullptr) evaluator_.stack_base_ = static_cast<const char*>(__builtin_frame_address(0));
         calls_ = evaluator_.activations_.size();
     }
@@ -55,6 +59,7 @@ private:
 void Evaluator::count_step(Span span) {
     if (++steps_ > max_steps) fail("evaluation takes too long (2000000000 steps): runaway recursion?", span);
     if ((steps_ & 255U) == 0 && poll_) poll_();
+    if (steps_ > given_up_at_) throw GivenUp{};
     const char* here = static_cast<const char*>(__builtin_frame_address(0));
     if (static_cast<std::size_t>(stack_base_ - here) > deep_stack_bytes / 4 * 3) {
         fail("evaluation nests too deeply: runaway recursion?", span);

@@ -1,9 +1,14 @@
 // Evaluates code to values and processes. Processes are built lazily: a call becomes a term named by its
 // function and arguments, a prefix one named by its place in the script and the values it uses; both are
 // looked into only when the search asks (process/term.hpp, Definitions).
+//
+// Values are what FDR's lazy evaluator makes of them: parts of tuples, sequences and maps that nobody asks for need not
+// have a value. They are evaluated at once all the same, within a bound of work, and wait only where that fails
+// (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -26,7 +31,10 @@ public:
 
     // Entry points; each may be called from outside only.
     /// Called now and then while values are worked out; may throw to stop that. Empty: none.
-    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
+    void watch(std::function<void()> poll) {
+        store_.watch(poll);
+        poll_ = std::move(poll);
+    }
     /// Who is told of calls of some functions, before anything is evaluated.
     void observe(CallObserver observer) { observer_ = std::move(observer); }
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
@@ -49,6 +57,7 @@ private:
     };
     class Entry;
     class Calling;
+    class Speculation;
 
     // eval.cpp: expressions
     Value eval(const Code& code, Frame& frame);
@@ -61,13 +70,18 @@ private:
     Value eval_range(const Code& code, Frame& frame);
     Value eval_range_of(const Code& code, Frame& frame);
     Value eval_map(const Code& code, Frame& frame);
+    Value eval_sequence_comprehension(const Code& code, Frame& frame);
+    Value eval_concat(const Code& code, Frame& frame);
     Value eval_let(const Code& code, Frame& frame);
     Value eval_lambda(const Code& code, Frame& frame);
     Value eval_apply(const Code& code, Frame& frame);
     Value force(Value& value);
+    Value forced(Value value) { return force(value); }
     Value delay(const Code& code, Frame& frame);
+    Value promise(const Code& code, Frame& frame);
     Value share(Value value);
     Values eval_all(const Code& code, Frame& frame);
+    Values promise_all(const Code& code, Frame& frame);
     bool truth(const Code& code, Frame& frame);
     std::int64_t number(const Code& code, Frame& frame);
     void generate(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Value source,
@@ -93,7 +107,7 @@ private:
     Value datatype_set(const Global& global);
     Value subtype_set(const Global& global);
     bool match(const MatchCode& pattern, Value& value, Frame& frame);
-    bool match_infinite(const std::vector<const MatchCode*>& parts, Value value, Frame& frame);
+    bool match_stream(const std::vector<const MatchCode*>& parts, Value value, Frame& frame);
     bool match_sequence(const MatchCode& pattern, Value value, Frame& frame);
     bool match_dot(const MatchCode& pattern, Value value, Frame& frame);
 
@@ -110,10 +124,19 @@ private:
     Value set_diff(Value a, Value b, Span span);
     bool subset(Value a, Value b, Span span);
     bool same(Value a, Value b, Span span);
+    bool equal_by_need(Value a, Value b, Span span);
     bool less_equal(Value a, Value b, Span span);
     Value explicit_set(Value set, Span span);
+    /// How many elements; largest_size if more; none if there is no end of them.
+    std::optional<std::uint64_t> size_of(Value set, Span span);
+    bool has_size(Value set, std::size_t size);
+    bool can_be_listed(Value set, Span span);
+    Value united(const Values& sets, Span span);
+    Value without_listed(std::int64_t from, const Values& taken, Span span);
+    Value union_of_all(const Values& sets, Span span);
     Value subsets(Value set, Span span);
     Value maps(Value keys, Value values, Span span);
+    static constexpr std::uint64_t largest_size = std::uint64_t{1} << 63U;
     static bool is_set(Value value);
 
     // streams.cpp
@@ -121,11 +144,22 @@ private:
         Value head;
         Value tail;
     };
+    /// Generators of a comprehension from one on.
+    struct Comprehension {
+        const Code* code;
+        std::size_t clause;
+    };
+    static bool is_stream(Value sequence);
     static bool is_infinite(Value sequence);
-    Value stream(Values first, Value rest, const Code* comprehension, const Frame& frame);
-    /// The first element of an infinite sequence and the sequence of the others.
-    Cut cut(Value sequence, Span span);
-    bool element_of_infinite(Value element, Value sequence, Span span);
+    Value append(Value first, Value rest);
+    Value stream(Value first, Value source, Comprehension of, const Frame& frame);
+    Value comprehension_from(const Code& code, std::size_t clause, Frame& frame);
+    /// The first element of a sequence and the sequence of the others; none if it has none.
+    std::optional<Cut> next(Value sequence, Span span);
+    /// The sequence with all its elements in `items`.
+    Value written_out(Value sequence, Span span);
+    Value share_stream(Value value);
+    bool element_by_need(Value element, Value sequence, Span span);
 
     // dots.cpp
     Value head_value(int head);
@@ -151,6 +185,7 @@ private:
     Value call_builtin(Value builtin, Values arguments, Span span);
     Value set_builtin(Builtin which, const Values& arguments, Span span);
     Value sequence_builtin(Builtin which, const Values& arguments, Span span);
+    Value part_before(Value part, Value rest);
     Value map_builtin(Builtin which, const Values& arguments, Span span);
     Value process_builtin(Builtin which, Value builtin, const Values& arguments, Span span);
     process::RenamingId partial_order(const Values& arguments, Span span);
@@ -158,7 +193,7 @@ private:
     Value representatives(Value relation, Value set, Span span);
     Value relation_builtin(Builtin which, const Values& arguments, Span span);
     Value builtin_value(Builtin which, const TimedSection* timed);
-    const Values& sequence(Value value, Span span);
+    Values sequence(Value value, Span span);
     const Values& map_items(Value value, Span span);
 
     // processes.cpp
@@ -210,12 +245,14 @@ private:
     [[noreturn]] void fail(const std::string& message, Span span) const;
     [[noreturn]] void not_supported(const std::string& what, Span span) const;
 
+    static constexpr std::uint64_t no_end = ~std::uint64_t{0};
+
     Program& program_;
     ValueStore& store_;
     process::EventTable& events_;
     process::TermStore& terms_;
 
-    std::vector<const Code*> streams_;  // the comprehensions that infinite sequences come from
+    std::vector<Comprehension> streams_;  // those that sequences come from which are not written out
     Span prefix_place_;  // of the prefix whose events are asked for: a fault's place where there is no nearer one
     std::vector<Value> calls_;  // tuples: function, arguments...
     std::unordered_map<Value, std::uint32_t> call_index_;
@@ -233,6 +270,9 @@ private:
     std::vector<Activation> activations_;
     const char* stack_base_ = nullptr;
     std::uint64_t steps_ = 0;
+    std::uint64_t promised_until_ = no_end;  // steps at which no more values are asked for early...
+    std::uint64_t given_up_at_ = no_end;     // ...and at which those under way are given up
+    std::uint64_t entry_number_ = 0;
     std::function<void()> poll_;
     CallObserver observer_;
     unsigned entries_ = 0;

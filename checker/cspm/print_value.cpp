@@ -97,7 +97,8 @@ void Evaluator::print(Value value, std::string& out) const {
             out += "<" + std::to_string(value->number) + "..>";
             return;
         case Kind::stream:
-            for (const Value item : value->items[0]->items) print_items({item}, "", "", " ^ ", out);
+            if (value->items[0]->kind == Kind::sequence)
+                for (const Value item : value->items[0]->items) print_items({item}, "", "", " ^ ", out);
             out += "<...>";
             return;
         case Kind::processes:
@@ -110,6 +111,8 @@ void Evaluator::print(Value value, std::string& out) const {
             return print_items(value->items, "Seq(", ", ", ")", out);
         case Kind::subsets_of:
             return print_items(value->items, "Set(", ", ", ")", out);
+        case Kind::united:
+            return print_items(value->items, "Union({", ", ", "})", out);
         case Kind::maps_over:
             return print_items(value->items, "Map(", ", ", ")", out);
         case Kind::group:

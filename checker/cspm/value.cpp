@@ -72,7 +72,12 @@ Value ValueStore::text(const std::string& characters) {
 }
 
 Value ValueStore::set(Values items) {
-    const auto less = [](Value a, Value b) { return compare(a, b) < 0; };
+    constexpr std::uint32_t between_polls = 4096;
+    std::uint32_t compared = 0;
+    const auto less = [&](Value a, Value b) {
+        if (++compared % between_polls == 0 && poll_) poll_();
+        return compare(a, b) < 0;
+    };
     if (!std::ranges::is_sorted(items, less)) std::ranges::sort(items, less);
     items.erase(std::unique(items.begin(), items.end()), items.end());
     return sorted_set(std::move(items));
@@ -104,8 +109,20 @@ const GroupObject* ValueStore::shared_group(const Group& group, Values items, st
 }
 
 Value ValueStore::closure(const Function& function, Values items) {
-    temporary_closures_.push_back({Kind::function, false, 0, 0, &function, nullptr, std::move(items)});
-    return &temporary_closures_.back();
+    temporary_objects_.push_back({Kind::function, false, 0, 0, &function, nullptr, std::move(items)});
+    return &temporary_objects_.back();
+}
+
+Value ValueStore::compound(Kind kind, std::int64_t number, Values items) {
+    bool shared = true;
+    for (Value& item : items) {
+        if (item->kind == Kind::thunk && static_cast<const Thunk&>(*item).result != nullptr)
+            item = static_cast<const Thunk&>(*item).result;
+        shared = shared && item->shared;
+    }
+    if (shared) return make(kind, number, std::move(items));
+    temporary_objects_.push_back({kind, false, 0, number, nullptr, nullptr, std::move(items)});
+    return &temporary_objects_.back();
 }
 
 const GroupObject* ValueStore::group(const Group& group, Values items, std::size_t members) {
@@ -127,7 +144,7 @@ Value ValueStore::thunk(const Code& code, Values frame) {
 }
 
 void ValueStore::release() {
-    temporary_closures_.clear();
+    temporary_objects_.clear();
     temporary_groups_.clear();
     thunks_.clear();
 }

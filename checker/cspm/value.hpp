@@ -1,10 +1,11 @@
 // Values of CSPM's evaluator. Data are hash-consed: equal values are one object, so equality is a pointer
 // comparison; order among them is structural and never depends on addresses. Functions are a definition
-// with the values it captured. What is not yet evaluated (a thunk), or captures such, is temporary.
+// with the values it captured. What is not yet evaluated (a thunk), or captures or contains such, is temporary.
 #pragma once
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <unordered_set>
@@ -36,8 +37,9 @@ enum class Kind : std::uint8_t {
     sequences_over,  ///< Seq(items[0])
     subsets_of,      ///< Set(items[0])
     maps_over,       ///< Map(items[0], items[1])
+    united,          ///< sets that cannot all be listed, ascending, and then an explicit set if there is one
     sequence_from,   ///< <n..>
-    stream,          ///< another infinite sequence (streams.cpp)
+    stream,          ///< a sequence that is not written out, perhaps infinite (streams.cpp)
     group,           ///< the environment of a let's declarations
     thunk,
 };
@@ -77,6 +79,9 @@ class ValueStore {
 public:
     ValueStore();
 
+    /// Called now and then during long work; may throw to stop it. Empty: none.
+    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
+
     [[nodiscard]] Value integer(std::int64_t number);
     [[nodiscard]] Value boolean(bool truth) const { return truth ? true_ : false_; }
     [[nodiscard]] Value character(std::int64_t code) { return make(Kind::character, code, {}); }
@@ -92,6 +97,8 @@ public:
                              const Group* group = nullptr);
 
     // Temporary objects, until `release`.
+    /// A tuple, sequence, map or stream; shared where its items are.
+    [[nodiscard]] Value compound(Kind kind, std::int64_t number, Values items);
     [[nodiscard]] Value closure(const Function& function, Values items);
     [[nodiscard]] const GroupObject* group(const Group& group, Values items, std::size_t members);
     [[nodiscard]] Value thunk(const Code& code, Values frame);
@@ -111,10 +118,11 @@ private:
     std::deque<Object> objects_;
     std::deque<GroupObject> groups_;
     std::unordered_set<const Object*, Hash, Same> index_;
-    std::deque<Object> temporary_closures_;
+    std::deque<Object> temporary_objects_;
     std::deque<GroupObject> temporary_groups_;
     std::deque<Thunk> thunks_;
     std::vector<Value> small_integers_;
+    std::function<void()> poll_;
     Value true_ = nullptr;
     Value false_ = nullptr;
 };
