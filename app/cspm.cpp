@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "app/output.hpp"
+#include "app/run.hpp"
 #include "app/script.hpp"
 #include "app/script_report.hpp"
 #include "app/verbs.hpp"
@@ -46,14 +47,26 @@ std::string without_keyword(const std::string& assertion) {
     return assertion.rfind(keyword, 0) == 0 ? assertion.substr(keyword.size()) : assertion;
 }
 
+std::string text_of(const cspm::Decl& assertion) {
+    std::string text = without_keyword(cspm::print(cspm::Script{{std::make_shared<const cspm::Decl>(assertion)}}));
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text;
+}
+
+AssertionReport undecided(const cspm::Decl& assertion) {
+    AssertionReport report;
+    report.title = text_of(assertion);
+    report.reason = not_decided;
+    return report;
+}
+
 ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std::size_t number, const Options& options,
                        const diagnostics::SourceManager& sources) {
     ScriptAssertion report;
     report.number = number;
     report.place = sources.place(assertion.span);
     name_sides(assertion.assertion, report);
-    report.text = without_keyword(cspm::print(cspm::Script{{std::make_shared<const cspm::Decl>(assertion)}}));
-    while (!report.text.empty() && report.text.back() == '\n') report.text.pop_back();
+    report.text = text_of(assertion);
     try {
         report.result = session.check(assertion, limits(options, report.text));
         report.answer = answer(report.result.verdict.outcome);
@@ -149,11 +162,25 @@ bool wanted(const Options& options, std::size_t number) {
 /// Prints what has been decided at once, in the formats that allow it.
 void decide_all(const LoadedScript& loaded, cspm::Session& session, const Options& options, ScriptReport& script, Report& report) {
     const auto assertions = session.assertions();
-    report.summary += fmt::format("{}{} assertions", report.summary.empty() ? "" : ", ", assertions.size());
+    if (!options.assertion.empty() && std::stoull(options.assertion) > assertions.size())
+        throw UsageError(fmt::format("there is no assertion {}: {} has {}", options.assertion, script.path, assertions.size()));
+    if (assertions.empty() && script.prints.empty()) script.errors.push_back(fmt::format("{}: nothing to check: there are no assertions", script.path));
+    std::size_t at = report.assertions.size();
+    {
+        const auto edit = options.run->edit();
+        report.summary += fmt::format("{}{} assertions", report.summary.empty() ? "" : ", ", assertions.size());
+        for (std::size_t i = 0; i < assertions.size(); ++i)
+            if (wanted(options, i + 1)) report.assertions.push_back(undecided(*assertions[i]));
+    }
     for (std::size_t i = 0; i < assertions.size(); ++i) {
         if (!wanted(options, i + 1)) continue;
+        const diagnostics::Budget::Phase phase(options.run->budget(), fmt::format("deciding assertion {} of {}", i + 1, script.path));
         ScriptAssertion decided = decide(session, *assertions[i], i + 1, options, loaded.sources);
-        report.assertions.push_back(in_report(decided, session.event_table(), options));
+        {
+            AssertionReport one = in_report(decided, session.event_table(), options);
+            const auto edit = options.run->edit();
+            report.assertions[at++] = std::move(one);
+        }
         if (options.format == Format::plain) print("{}", refines_plain(decided, session.event_table(), options));
         if (options.format == Format::framed_json) {
             ScriptReport frame = script;
@@ -164,8 +191,6 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
         }
         finish_output();
     }
-    if (script.assertions.empty() && !options.assertion.empty() && options.format != Format::framed_json)
-        script.errors.push_back(fmt::format("there is no assertion {}: {} has {}", options.assertion, script.path, assertions.size()));
 }
 
 Exit worse(Exit a, Exit b) {
@@ -179,6 +204,8 @@ Exit worse(Exit a, Exit b) {
 /// One script; its part of the report over all is added.
 Exit decide_script(const std::string& path, const Options& options, Report& report) {
     LoadedScript loaded;
+    loaded.diagnostics.within(&options.run->budget());
+    const diagnostics::Budget::Phase phase(options.run->budget(), "reading " + path);
     load_script(path, loaded);
     show_findings(loaded, options);
     ScriptReport script;
@@ -196,6 +223,12 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
         show_prints(script, options);
         decide_all(loaded, session, options, script, report);
         if (options.format == Format::json) print("{}", refines_json(script, session.event_table(), options));
+    } catch (const diagnostics::LimitReached& limit) {
+        options.run->finish();
+        script.errors.emplace_back(limit.what());
+        report.limit = limit.what();
+        if (json) print("{}", refines_json(script, no_events, options));
+        return Exit::inconclusive;
     } catch (const cspm::EvaluationError& error) {
         script.errors.push_back(fmt::format("{}: {}", loaded.sources.place(error.span), error.what()));
         if (json) print("{}", refines_json(script, no_events, options));
@@ -240,13 +273,30 @@ void show_findings(const LoadedScript& loaded, const Options& options) {
 Exit run_cspm(const Options& options) {
     if (options.typecheck || options.types) return check_types(options);
     if (!options.exported.empty()) return export_process(options);
-    Report report;
+    const auto known = std::make_shared<Report>();
+    Report& report = *known;
     report.model = fmt::format("{}", fmt::join(options.inputs, " "));
     report.subject = "process";
+    options.run->last_word([known, &options](const std::string& why) {
+        known->limit = why;
+        ScriptReport script;
+        script.path = known->model;
+        script.errors.push_back(why);
+        const process::EventTable no_events;
+        const bool json = options.format == Format::json || options.format == Format::framed_json;
+        if (options.format == Format::text) print_text(render_text(*known, options));
+        else if (json) print_text(refines_json(script, no_events, options));
+        else print_error("robochart-verify: {}\n", why);
+        return known->exit();
+    });
     Exit exit = Exit::success;
-    for (const std::string& path : options.inputs) exit = worse(exit, decide_script(path, options, report));
+    for (const std::string& path : options.inputs) {
+        exit = worse(exit, decide_script(path, options, report));
+        if (!report.limit.empty()) break;
+    }
+    options.run->finish();
     if (options.format == Format::text && (exit != Exit::bad_input || !report.assertions.empty()))
-        print("{}", render_text(report, options));
+        print_text(render_text(report, options));
     return worse(exit, report.exit());
 }
 

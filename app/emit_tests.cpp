@@ -75,8 +75,9 @@ Exit emit_tests(Project& project, const Options& options) {
             written += told(made, options, component);
         } catch (const std::length_error& large) {
             refused = large.what();
-        } catch (const process::Interrupted& limit) {
-            refused = limit.what();
+        } catch (const diagnostics::LimitReached&) {
+            if (!options.quiet) print("{}", written);
+            throw;
         } catch (const cspm::EvaluationError& failed) {
             refused = failed.what();
         } catch (const conformance::AlphabetError& mismatch) {

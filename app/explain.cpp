@@ -70,7 +70,7 @@ Exit run_explain(const Options& options) {
     Exit exit = Exit::success;
     for (std::size_t i = 0; i < options.inputs.size(); ++i) {
         if (i > 0) print("\n");
-        if (!explain(options.inputs[i], color)) exit = Exit::bad_input;
+        if (!explain(options.inputs[i], color)) exit = Exit::usage;
     }
     return exit;
 }

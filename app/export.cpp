@@ -6,6 +6,7 @@
 
 #include "app/explored.hpp"
 #include "app/output.hpp"
+#include "app/run.hpp"
 #include "app/script.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/evaluation_error.hpp"
@@ -66,6 +67,7 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
     const auto system = session.system(process, bounds);
     std::size_t known = 0;
     const lts::Graph graph = explored(*system, bounds, known);
+    options.run->finish();
     if (format == "aut") lts::write_aut(graph, session.event_table(), std::cout);
     if (format == "dot") lts::write_dot(graph, session.event_table(), std::cout);
     if (format == "csp") write_script(loaded, process, graph, session.event_table());
@@ -85,7 +87,12 @@ Exit export_process(const Options& options) {
         print_error("robochart-verify: --export takes one script\n");
         return Exit::usage;
     }
+    options.run->last_word([&options](const std::string& why) {
+        print_error("robochart-verify: {} before all states of {} were known; nothing is written\n", why, options.exported[1]);
+        return Exit::inconclusive;
+    });
     LoadedScript loaded;
+    loaded.diagnostics.within(&options.run->budget());
     load_script(options.inputs.front(), loaded);
     if (!loaded.diagnostics.ok()) {
         show_findings(loaded, options);
@@ -96,10 +103,6 @@ Exit export_process(const Options& options) {
     } catch (const cspm::EvaluationError& error) {
         print_error("{}: {}\n", loaded.sources.place(error.span), error.what());
         return Exit::bad_input;
-    } catch (const process::Interrupted& limit) {
-        print_error("robochart-verify: {} before all states of {} were known; nothing is written\n",
-                   limit.what(), options.exported[1]);
-        return Exit::inconclusive;
     }
 }
 

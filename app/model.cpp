@@ -1,6 +1,7 @@
 // The verbs over models: read, then check, write and conform as asked, one report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -221,9 +222,9 @@ void check_conformance(Project& project, const Options& options, Report& report)
 Exit print_phase(Project& project, const Options& options) {
     if (options.print == "ast" || options.print == "model") {
         print("{}", frontend::dump(*project.model, project.sources, options.print == "model"));
-        return acceptable(project, options) ? Exit::success : Exit::bad_input;
+        return acceptable(project, options) ? Exit::success : refusal(project);
     }
-    if (!acceptable(project, options)) return Exit::bad_input;
+    if (!acceptable(project, options)) return refusal(project);
     if (options.print == "ir") {
         print("{}", ir::dump(project.system));
         return Exit::success;
@@ -237,6 +238,16 @@ Exit print_phase(Project& project, const Options& options) {
 
 namespace {
 
+/// A run that was to check something and had nothing to check does not pass for one that found everything in order.
+void note_nothing(const Options& options, Report& report) {
+    if (options.verb != Verb::check && options.verb != Verb::verify) return;
+    const auto decided = [](const AssertionReport& each) { return each.answer != Answer::no_check; };
+    if (std::any_of(report.assertions.begin(), report.assertions.end(), decided)) return;
+    report.unclaimed = report.assertions.empty() ? "nothing is claimed of the model: there are no assertions to check"
+                                                 : "nothing was checked: no assertion has a check in this semantics";
+    report.nothing_checked = options.verb == Verb::check && report.sizes.empty();
+}
+
 Exit run_verb(const Options& options, Report& report, std::unique_ptr<Project>& project) {
     project = load(options);
     if (!options.print.empty()) {
@@ -245,16 +256,17 @@ Exit run_verb(const Options& options, Report& report, std::unique_ptr<Project>& 
     }
     if (!acceptable(*project, options)) {
         show_diagnostics(*project, options);
-        return Exit::bad_input;
+        return refusal(*project);
     }
+    begin(*project, options, report);
     if (options.verb == Verb::emit_monitor) return emit_monitors(*project, options);
     if (options.verb == Verb::emit_tests) return emit_tests(*project, options);
     if (!options.traces.empty()) return conform_traces(*project, options);
-    begin(*project, options, report);
     const bool good = run_phases(*project, options, report);
     options.run->finish();
+    if (good) note_nothing(options, report);
     const bool accepted = show_diagnostics(*project, options);
-    if (!good || (options.format == Format::json && !accepted)) return Exit::bad_input;
+    if (!good || (options.format == Format::json && !accepted)) return refusal(*project);
     const Exit exit = print_report(report, options);
     return accepted ? exit : Exit::bad_input;
 }

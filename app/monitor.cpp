@@ -32,8 +32,6 @@ std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options
         return conformance::MonitorBuild::make(*model, bounds, project.sources);
     } catch (const std::length_error& large) {
         return refuse(large.what());
-    } catch (const process::Interrupted& limit) {
-        return refuse(limit.what());
     } catch (const cspm::EvaluationError& failed) {
         return refuse(failed.what());
     } catch (const conformance::AlphabetError& mismatch) {
@@ -131,7 +129,13 @@ Exit emit_monitors(Project& project, const Options& options) {
     if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
     std::string written;
     for (const ir::ComponentRef& component : components) {
-        const auto made = build(project, options, component, options.cycle);
+        std::unique_ptr<conformance::MonitorBuild> made;
+        try {
+            made = build(project, options, component, options.cycle);
+        } catch (const diagnostics::LimitReached&) {
+            if (!options.quiet) print("{}", written);
+            throw;
+        }
         if (made == nullptr) break;
         for (const auto& file : conformance::monitor_files(made->tables(), identifier(component.path))) {
             const std::string place = fmt::format("monitor/{}/{}", identifier(component.path), file.path);

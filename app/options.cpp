@@ -6,9 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 
 #include "app/progress.hpp"
 #include "app/rules.hpp"
@@ -27,9 +30,9 @@ Exit status:
    0  everything as claimed: every assertion holds as worded, the code conforms
    1  some assertion fails, some code does not conform, some file is not formatted (format --check),
       a simulation leaves its bands
-   2  the input is wrong
+   2  the input is wrong, there is nothing to check, or the output cannot be written
    3  inconclusive: a limit was reached, or interrupted; what is known is printed
-   4  wrong usage
+   4  wrong usage: unknown options, values out of their range, names of nothing
   70  a fault of this program: please report it)";
 
 struct VerbRow {
@@ -55,12 +58,91 @@ constexpr std::array<VerbRow, 13> verbs{{
     {Verb::lsp, "lsp", "", "serve an editor over standard input and output (Language Server Protocol)", ""},
 }};
 
-const CLI::AsSizeValue as_size(false);
+/// What a number given on the command line may be. One table for all of them: what a parser takes for a number (nan,
+/// -1, 1e300) is not yet one that means something.
+struct NumberRow {
+    const char* option;
+    enum class Kind { whole, seconds, size } kind;
+    std::uint64_t least, most;
+};
+constexpr std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max();
+constexpr std::array<NumberRow, 10> numbers{{
+    {"--memory", NumberRow::Kind::size, 1, std::uint64_t{1} << 62U},
+    {"--timeout", NumberRow::Kind::seconds, 0, 1'000'000'000},
+    {"--threads", NumberRow::Kind::whole, 0, 64},
+    {"--max-states", NumberRow::Kind::whole, 1, any_number},
+    {"--assertion", NumberRow::Kind::whole, 1, 1'000'000'000},
+    {"--cycle", NumberRow::Kind::whole, 1, 1000},
+    {"--walks", NumberRow::Kind::whole, 0, 1'000'000'000'000},
+    {"--trials", NumberRow::Kind::whole, 1, 100'000},
+    {"--seed", NumberRow::Kind::whole, 0, any_number},
+    {"--extra-states", NumberRow::Kind::whole, 0, 8},
+}};
+
+bool parse_whole(std::string_view text, std::uint64_t& value) {
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return code == std::errc() && end == text.data() + text.size();
+}
+
+/// "300M", "4GiB", "1048576": binary units, whatever their spelling.
+bool parse_size(std::string_view text, std::uint64_t& bytes) {
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    std::string unit(text.substr(digits));
+    std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
+    constexpr std::string_view letters = "kmgtpe";
+    std::size_t power = 0;
+    if (!unit.empty() && unit != "b") {
+        const std::size_t letter = letters.find(unit.front());
+        const std::string_view rest = std::string_view(unit).substr(1);
+        if (letter == std::string_view::npos || (!rest.empty() && rest != "b" && rest != "ib")) return false;
+        power = letter + 1;
+    }
+    if (!parse_whole(text.substr(0, digits), bytes) || bytes > (any_number >> (10 * power))) return false;
+    bytes <<= 10 * power;
+    return true;
+}
+
+std::string wanted_number(const NumberRow& row) {
+    if (row.kind == NumberRow::Kind::size) return "a size above 0 is wanted, as 300M or 4GiB";
+    const std::string range = row.most == any_number ? fmt::format("from {}", row.least) : fmt::format("from {} to {}", row.least, row.most);
+    return fmt::format("a {} {} is wanted", row.kind == NumberRow::Kind::seconds ? "number of seconds" : "whole number", range);
+}
+
+/// The check of this option's number, by its row; a size becomes its bytes.
+CLI::Validator number(std::string_view option) {
+    const auto row = *std::find_if(numbers.begin(), numbers.end(), [&](const NumberRow& each) { return each.option == option; });
+    return CLI::Validator([row](std::string& text) -> std::string {
+        std::uint64_t value = 0;
+        bool good = false;
+        if (row.kind == NumberRow::Kind::seconds) {
+            char* end = nullptr;
+            const double seconds = std::strtod(text.c_str(), &end);
+            const bool plain = text.find_first_not_of("0123456789.eE+-") == std::string::npos;  // no hexadecimals, nan, infinity
+            good = plain && !text.empty() && *end == '\0' && std::isfinite(seconds) && seconds >= static_cast<double>(row.least) &&
+                   seconds <= static_cast<double>(row.most);
+        } else {
+            good = (row.kind == NumberRow::Kind::size ? parse_size(text, value) : parse_whole(text, value)) && value >= row.least &&
+                   value <= row.most;
+        }
+        if (good && row.kind == NumberRow::Kind::size) text = std::to_string(value);
+        return good ? "" : fmt::format("{}: {}", text, wanted_number(row));
+    }, "");
+}
+
+/// A name that is given is not empty: an empty one would stand for all.
+const CLI::Validator named([](std::string& text) { return text.empty() ? std::string("the name is empty") : std::string(); }, "");
 
 void add_color(CLI::App& app, Options& o) {
     const std::map<std::string, Color> colors{
         {"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}};
     app.add_option("--color", o.color, "auto, always or never")->transform(CLI::CheckedTransformer(colors))->option_text("WHEN [auto]");
+}
+
+void add_limits(CLI::App& app, Options& o) {
+    app.add_option("--memory", o.memory_bytes, "memory bound of the program and its child processes, e.g. 4GiB; at most 3/4 of the machine's by default")
+        ->transform(number("--memory"))->option_text("SIZE [16GiB]");
+    app.add_option("--timeout", o.timeout_seconds, "time bound of the whole run in seconds; 0 for none")->check(number("--timeout"))->option_text("SECONDS [0]");
 }
 
 void add_validate(CLI::App& app, Options& o) {
@@ -69,6 +151,7 @@ void add_validate(CLI::App& app, Options& o) {
     app.add_option("--format", o.format, "text, json or sarif")->transform(CLI::CheckedTransformer(formats))->option_text("FORMAT [text]");
     app.add_flag("--fix", o.fix, "write mends that are certain to the files, then report what is left");
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong");
+    add_limits(app, o);
 }
 
 void add_format_choice(CLI::App& app, Options& o, bool script) {
@@ -94,11 +177,9 @@ void add_common(CLI::App& app, Options& o) {
     add_color(app, o);
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
     add_progress(app, o);
-    app.add_option("--memory", o.memory_bytes, "memory bound of the program while it checks, e.g. 4GiB; at most 3/4 of the machine's by default")
-        ->transform(as_size)->option_text("SIZE [16GiB]");
-    app.add_option("--timeout", o.timeout_seconds, "time bound of a check in seconds; 0 for none")->check(CLI::NonNegativeNumber)->option_text("SECONDS [0]");
-    app.add_option("--threads", o.threads, "threads of a check at most, where its space is wide; 0 for one a core")->check(CLI::Range(0U, 64U))->option_text("N [0]");
-    app.add_option("--max-states", o.max_states, "bound on states of a check")->check(CLI::PositiveNumber)->option_text("N [500000000]");
+    add_limits(app, o);
+    app.add_option("--threads", o.threads, "threads of a check at most, where its space is wide; 0 for one a core")->check(number("--threads"))->option_text("N [0]");
+    app.add_option("--max-states", o.max_states, "bound on states of a check")->check(number("--max-states"))->option_text("N [500000000]");
 }
 
 /// The code of a rule that warns, as the tables write it.
@@ -129,13 +210,13 @@ void add_model(CLI::App& app, Options& o) {
 }
 
 void add_checking(CLI::App& app, Options& o) {
-    app.add_option("--assertion", o.assertion, "only the assertion of this name")->option_text("NAME");
+    app.add_option("--assertion", o.assertion, "only the assertion of this name")->check(named)->option_text("NAME");
     app.add_flag("--trace", o.show_internal, "also print raw event traces of counterexamples");
 }
 
 void add_script(CLI::App& app, Options& o) {
     app.add_option("--assertion", o.assertion, "only this assertion of each script, counted from 1")
-        ->check(CLI::PositiveNumber)
+        ->check(number("--assertion"))
         ->option_text("N");
     app.add_flag("--typecheck", o.typecheck, "check names and types and stop");
     app.add_flag("--types", o.types, "print the type of every name and stop");
@@ -155,11 +236,11 @@ void add_times(CLI::App& app, Options& o) {
 }
 
 void add_code(CLI::App& app, Options& o) {
-    app.add_option("--component", o.component, "only this module, controller or machine")->option_text("NAME");
+    app.add_option("--component", o.component, "only this module, controller or machine")->check(named)->option_text("NAME");
     app.add_option_function<std::uint32_t>("--cycle", [&o](const std::uint32_t& units) {
            o.cycle = units;
            o.cycle_given = true;
-       }, "time units of one control cycle")->check(CLI::Range(1U, 1000U))->option_text("N [1]");
+       }, "time units of one control cycle")->check(number("--cycle"))->option_text("N [1]");
 }
 
 void add_strategy(CLI::App& app, Options& o) {
@@ -179,7 +260,7 @@ void add_out(CLI::App& app, Options& o) {
     app.add_option_function<std::string>("--out", [&o](const std::string& dir) {
            o.out = dir;
            o.out_given = true;
-       }, "folder for the files written")->option_text("DIR [out]");
+       }, "folder for the files written")->check(named)->option_text("DIR [out]");
 }
 
 void add_conform(CLI::App& app, Options& o) {
@@ -190,8 +271,9 @@ void add_conform(CLI::App& app, Options& o) {
         ->check(CLI::IsMember({"failures-divergences", "tick-tock"}))
         ->option_text("MODEL {failures-divergences,tick-tock}");
     app.add_flag("--all-choices", o.choices, "where the model leaves a choice, explore every one that the code could take, not only the first");
-    app.add_option("--walks", o.walks, "cycles of guided random walks where the whole is too large; 0 for none")->option_text("N [200000]");
+    app.add_option("--walks", o.walks, "cycles of guided random walks where the whole is too large; 0 for none")->check(number("--walks"))->option_text("N [200000]");
     app.add_option("--export", o.exported_code, "write all states of the code to this file, for other tools (.aut, .dot) or with the model for FDR (.csp)")
+        ->check(named)
         ->option_text("FILE");
 }
 
@@ -200,12 +282,13 @@ void add_simulate(CLI::App& app, Options& o) {
     add_color(app, o);
     add_progress(app, o);
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
-    app.add_option("--trials", o.trials, "number of trials, instead of the scenario's")->check(CLI::Range(1U, 100'000U))->option_text("N");
-    app.add_option("--seed", o.seed, "seed of the first trial, instead of the scenario's")->option_text("N");
-    app.add_option("--threads", o.threads, "trials at the same time at most; 0 for one a core")->check(CLI::Range(0U, 64U))->option_text("N [0]");
+    app.add_option("--trials", o.trials, "number of trials, instead of the scenario's")->check(number("--trials"))->option_text("N");
+    app.add_option("--seed", o.seed, "seed of the first trial, instead of the scenario's")->check(number("--seed"))->option_text("N");
+    app.add_option("--threads", o.threads, "trials at the same time at most; 0 for one a core")->check(number("--threads"))->option_text("N [0]");
+    add_limits(app, o);
     app.add_flag_callback("--no-pictures", [&o] { o.pictures = false; }, "write no tables and pictures");
     app.add_flag("--monitor", o.monitor, "stop a trial where a robot does what its model does not allow");
-    app.add_option("--log", o.log, "write what every robot read and did in every cycle, for `conform --traces`")->option_text("DIR");
+    app.add_option("--log", o.log, "write what every robot read and did in every cycle, for `conform --traces`")->check(named)->option_text("DIR");
     app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
     add_warnings(app, o);
     add_out(app, o);
@@ -217,6 +300,7 @@ void add_format(CLI::App& app, Options& o) {
     app.add_flag("--check", o.check, "write nothing; list the files that would change, exit 1 if there are any");
     app.add_flag("--diff", o.diff, "write nothing; show what would change");
     app.add_flag("--assertions", o.assertions, "read standard input (-) as an assertion file");
+    add_limits(app, o);
 }
 
 void add_options(CLI::App& app, const VerbRow& row, Options& o) {
@@ -239,7 +323,7 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::emit_monitor || row.verb == Verb::emit_tests || row.verb == Verb::conform) add_code(app, o);
     if (row.verb == Verb::emit_tests)
         app.add_option("--extra-states", o.extra_states, "states over control cycles that an implementation may have more than the model")
-            ->check(CLI::Range(0U, 8U))->option_text("M [0]");
+            ->check(number("--extra-states"))->option_text("M [0]");
     if (row.verb == Verb::conform) add_conform(app, o);
     if (row.verb == Verb::emit_cpp) add_target(app, o);
     if (row.verb == Verb::emit_cpp) add_strategy(app, o);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,12 @@ enum class Times { both, timed, untimed };
 
 /// What `--version` says behind the name.
 inline constexpr const char* program_version = "0.1.0";
+
+/// The command line asks for what there is not: exit code 4.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
 
 struct Options {
     Verb verb = Verb::verify;

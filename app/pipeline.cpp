@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 
@@ -11,8 +13,10 @@
 #include "app/run.hpp"
 #include "checker/cspm/types.hpp"
 #include "diagnostics/render.hpp"
+#include "frontend/names.hpp"
 #include "frontend/project.hpp"
 #include "semantics/lower.hpp"
+#include "semantics/rules.hpp"
 
 namespace robochart::app {
 namespace fs = std::filesystem;
@@ -41,6 +45,7 @@ bool lower_all(Project& project, const Options& options) {
     }
     const diagnostics::Budget::Phase instantiating(options.run->budget(), "making the model finite");
     project.instantiation = ir::instantiate(project.system, wanted, project.diagnostics);
+    check_names(project, options);
     return project.diagnostics.ok();
 }
 
@@ -96,6 +101,41 @@ std::vector<ir::ComponentRef> code_components(const ir::System& system, const st
         if (wanted.empty() ? chosen.empty() || chosen.front().kind == ref.kind : named) chosen.push_back(ref);
     }
     return chosen;
+}
+
+void check_names(Project& project, const Options& options) {
+    const auto unknown = [&](const char* option, const std::string& name, const char* what, std::vector<std::string> known) {
+        const std::string meant = frontend::nearest(name, known);
+        std::sort(known.begin(), known.end());
+        known.erase(std::unique(known.begin(), known.end()), known.end());
+        constexpr std::size_t few = 8;
+        const std::string help = !meant.empty() ? fmt::format("; did you mean '{}'?", meant)
+                                 : known.empty() ? "; it has none"
+                                 : known.size() <= few ? fmt::format("; there are {}", fmt::join(known, ", ")) : "";
+        project.diagnostics.report(rules::bad_option, {}, {fmt::format("{} {}: the model has no {} of this name{}", option, name, what, help)});
+    };
+    if (!options.component.empty() && code_components(project.system, options.component).empty()) {
+        std::vector<std::string> known;
+        for (const ir::ComponentRef& ref : all_components(project.system)) known.push_back(ref.path);
+        unknown("--component", options.component, "module, controller or state machine", std::move(known));
+    }
+    if (options.assertion.empty()) return;
+    std::vector<std::string> known;
+    for (const ir::Property& property : project.system.properties) known.push_back(property.name);
+    if (std::find(known.begin(), known.end(), options.assertion) == known.end())
+        unknown("--assertion", options.assertion, "assertion", std::move(known));
+}
+
+Exit refusal(const Project& project) {
+    const std::array about_options{&rules::bad_option,         &ir::rules::unknown_constant_option, &ir::rules::bad_constant_value,
+                                   &ir::rules::unknown_range_option, &ir::rules::bad_range,         &ir::rules::ranges_not_nested,
+                                   &ir::rules::range_too_large};
+    const std::vector<diagnostics::Diagnostic> all = project.diagnostics.sorted();
+    const auto about_the_model = [&](const diagnostics::Diagnostic& each) {
+        return each.rule->severity == diagnostics::Severity::error &&
+               std::find(about_options.begin(), about_options.end(), each.rule) == about_options.end();
+    };
+    return project.diagnostics.ok() || std::any_of(all.begin(), all.end(), about_the_model) ? Exit::bad_input : Exit::usage;
 }
 
 bool acceptable(const Project& project, const Options& options) {

@@ -34,6 +34,12 @@ struct Project {
 /// or the one of the name asked for (any kind). Empty with a diagnostic if there is none.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
 
+/// Reports what the options name and the model does not have: a component, an assertion. `diagnostics` has it.
+void check_names(Project&, const Options&);
+
+/// The exit code of a run that ends with errors: wrong usage where all of them are about the command line.
+[[nodiscard]] Exit refusal(const Project&);
+
 /// No errors, and no warnings where they are denied.
 [[nodiscard]] bool acceptable(const Project&, const Options&);
 

@@ -128,6 +128,7 @@ std::string closing(const Report& report) {
         const auto good = std::count_if(report.conformance.begin(), report.conformance.end(), [](const auto& c) { return c.result.outcome == conformance::Outcome::conforms; });
         parts.push_back(fmt::format("{} of {} controllers conform", good, report.conformance.size()));
     }
+    if (!report.unclaimed.empty()) parts.push_back(report.unclaimed);
     if (!report.limit.empty()) parts.push_back("inconclusive: " + report.limit);
     return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -149,7 +150,7 @@ Exit Report::exit() const {
     const auto code = [&](conformance::Outcome outcome) {
         return std::any_of(conformance.begin(), conformance.end(), [&](const auto& c) { return c.result.outcome == outcome; });
     };
-    if (any(Answer::error) || code(conformance::Outcome::not_generated)) return Exit::bad_input;
+    if (nothing_checked || any(Answer::error) || code(conformance::Outcome::not_generated)) return Exit::bad_input;
     if (any(Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::not_schedulable)) return Exit::failed;
     if (!limit.empty() || any(Answer::inconclusive) || code(conformance::Outcome::inconclusive)) return Exit::inconclusive;
     return Exit::success;
@@ -158,7 +159,8 @@ Exit Report::exit() const {
 std::string render_text(const Report& report, const Options& options) {
     std::string out;
     if (!options.quiet) {
-        out += fmt::format("{}: {} ({})\n", report.model, report.summary, duration(report.load_seconds));
+        out += report.summary.empty() ? report.model + "\n"
+                                      : fmt::format("{}: {} ({})\n", report.model, report.summary, duration(report.load_seconds));
         for (const std::string& note : report.notes) out += fmt::format("  {}\n", note);
     }
     std::size_t width = 0;

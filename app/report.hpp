@@ -76,6 +76,8 @@ struct Report {
     std::vector<SizeReport> sizes;
     std::vector<ConformanceReport> conformance;
     std::vector<FileReport> csp_files, cpp_files;
+    std::string unclaimed;                ///< said where no assertion was checked, though some were to be; "": some were
+    bool nothing_checked = false;         ///< and nothing else was done either
     std::string limit;                    ///< why the run ended before everything was looked at; "" if it did not
 
     [[nodiscard]] Exit exit() const;

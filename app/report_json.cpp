@@ -76,6 +76,7 @@ Json files(const std::vector<FileReport>& list) {
 std::string render_json(const Report& report) {
     Json json{{"schema", "robochart-verify/report/1"}, {"model", report.model}, {"summary", report.summary}, {"notes", report.notes},
               {"exit", static_cast<int>(report.exit())}};
+    if (!report.unclaimed.empty()) json["unclaimed"] = report.unclaimed;
     if (!report.limit.empty()) json["limit"] = report.limit;
     json["assertions"] = Json::array();
     for (const AssertionReport& a : report.assertions) json["assertions"].push_back(assertion(a));

@@ -21,10 +21,10 @@ using diagnostics::Severity;
 
 const diagnostics::Rule bad_option{"RC-A01", Severity::error, "{}",
                                    "The value given for an option of the command line does not fit: --const takes NAME=VALUE, "
-                                   "--range takes TYPE=LOW..HIGH with LOW at most HIGH, for example --range nat=0..4."};
+                                   "--range takes TYPE=LOW..HIGH with LOW at most HIGH, for example --range nat=0..4; "
+                                   "--component and --assertion name what the model has."};
 const diagnostics::Rule no_component{"RC-A02", Severity::error, "no component to generate code for: {}",
-                                     "C++ is generated for modules, controllers or state machines. The model has none, or none of the name "
-                                     "given with --component (its own name, or with its package: P::M)."};
+                                     "C++ is generated for modules, controllers or state machines. The model has none."};
 const diagnostics::Rule unwritable{"RC-A03", Severity::error, "{}",
                                    "A file could not be written, below the folder given with --out or, by `format`, in place: the folder "
                                    "cannot be made, the file or folder is not writable, or the disk is full. Files written before it are "

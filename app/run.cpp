@@ -152,6 +152,9 @@ int run_command(const char* program, int argc, const char* const* argv, const st
         return static_cast<int>(exit);
     } catch (const OutputError& error) {
         return static_cast<int>(error.report());
+    } catch (const UsageError& error) {
+        print_error("robochart-verify: {}\ntry: robochart-verify --help\n", error.what());
+        return static_cast<int>(Exit::usage);
     } catch (const std::bad_alloc&) {
         print_error_text("robochart-verify: there is no more memory\n");
         return static_cast<int>(Exit::inconclusive);

@@ -15,6 +15,7 @@
 #include "app/run.hpp"
 #include "app/verbs.hpp"
 #include "diagnostics/json.hpp"
+#include "frontend/syntax_rules.hpp"
 #include "simulation/report.hpp"
 #include "simulation/rules.hpp"
 #include "simulation/trace_log.hpp"
@@ -28,7 +29,7 @@ simulation::Scenario read(Project& project, const Options& options) {
     std::string error;
     const auto source = project.sources.load(options.inputs.front(), error);
     if (!source) {
-        project.diagnostics.report(rules::bad_option, {}, {error});
+        project.diagnostics.report(frontend::syntax::unreadable, {}, {options.inputs.front(), error});
         return {};
     }
     simulation::Scenario scenario = simulation::read_scenario(project.sources, *source, project.diagnostics);
@@ -167,7 +168,7 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     options.run->last_word([&options](const std::string& why) { return before_trials(options, why); });
     const auto simulation = load_simulation(options);
     Project& project = *simulation->project;
-    if (!acceptable(project, options)) return show_diagnostics(project, options), Exit::bad_input;
+    if (!acceptable(project, options)) return show_diagnostics(project, options), refusal(project);
     const auto controller = build(*simulation);
     if (controller == nullptr) return show_diagnostics(project, options), Exit::bad_input;
     simulation::RunOptions wanted;

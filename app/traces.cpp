@@ -9,11 +9,13 @@
 
 #include "app/output.hpp"
 #include "app/rules.hpp"
+#include "app/run.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/evaluation_error.hpp"
 #include "conformance/rules.hpp"
 #include "conformance/trace_check.hpp"
 #include "diagnostics/json.hpp"
+#include "frontend/syntax_rules.hpp"
 
 namespace robochart::app {
 namespace fs = std::filesystem;
@@ -74,7 +76,7 @@ public:
         const std::uint32_t cycle = options_.cycle_given ? options_.cycle : header.cycle;
         Entry& entry = entries_[{qualified(components.front()), cycle}];
         if (entry.checker == nullptr && entry.error.empty()) load(entry, components.front(), cycle);
-        if (!entry.error.empty()) project_.diagnostics.report(rules::bad_option, {}, {"--traces: " + entry.error});
+        if (!entry.error.empty()) project_.diagnostics.report(rules::no_monitor, {}, {qualified(components.front()), entry.error});
         return entry.checker.get();
     }
 
@@ -128,9 +130,11 @@ void report_fault(Project& project, const std::string& path, const conformance::
 
 void check_log(const std::string& path, Project& project, Checkers& checkers, Totals& totals) {
     std::error_code error;
-    std::ifstream in(path, std::ios::binary);
-    if (!in || fs::is_directory(path, error)) {
-        project.diagnostics.report(rules::bad_option, {}, {fmt::format("--traces {}: cannot be read", path)});
+    std::ifstream in;
+    // A log is read twice: what is no regular file cannot be.
+    if (fs::is_regular_file(path, error)) in.open(path, std::ios::binary);
+    if (!in.is_open()) {
+        project.diagnostics.report(frontend::syntax::unreadable, {}, {path, error ? error.message() : "it is not a regular file that may be read"});
         return;
     }
     conformance::TraceChecker* const checker = checkers.of(peek(path));
@@ -205,9 +209,23 @@ void print_json(const Totals& totals, Exit exit) {
 
 }  // namespace
 
+namespace {
+
+/// What the logs are of, where only the command line knows.
+std::string subject(const Options& options) { return options.component.empty() ? "the model" : options.component; }
+
+}  // namespace
+
 Exit conform_traces(Project& project, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     Totals totals;
+    options.run->last_word([&options](const std::string& why) {
+        Totals none;
+        none.limit = why;
+        if (options.format == Format::json) print_json(none, Exit::inconclusive);
+        else print_text(none, options);
+        return Exit::inconclusive;
+    });
     const std::vector<std::string> paths = logs(options, project.diagnostics);
     try {
         Checkers checkers(project, options);
@@ -215,11 +233,14 @@ Exit conform_traces(Project& project, const Options& options) {
     } catch (const process::Interrupted& limit) {
         totals.limit = limit.what();
     } catch (const cspm::EvaluationError& failed) {
-        project.diagnostics.report(rules::bad_option, {}, {fmt::format("the script of the model cannot be evaluated: {}", failed.what())});
+        project.diagnostics.report(rules::no_monitor, {}, {subject(options), fmt::format("the script of the model cannot be evaluated: {}", failed.what())});
     } catch (const conformance::AlphabetError& mismatch) {
-        project.diagnostics.report(rules::bad_option, {}, {mismatch.what()});
+        project.diagnostics.report(rules::no_monitor, {}, {subject(options), mismatch.what()});
     }
+    if (totals.runs == 0 && totals.limit.empty() && project.diagnostics.ok())
+        project.diagnostics.report(rules::bad_option, {}, {"--traces: there is nothing to compare, the logs have no runs"});
     totals.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    options.run->finish();
     const bool readable = show_diagnostics(project, options);
     if (options.format == Format::json && !readable) return Exit::bad_input;
     const Exit exit = readable ? exit_of(totals) : Exit::bad_input;

@@ -65,14 +65,23 @@ Result walked(Result bounded, cspm::Session& session, lts::TransitionSystem* com
     return result;
 }
 
+/// Where walks may follow, the search does not take all the time that is left.
+refine::Limits limits_of_search(const Options& options) {
+    refine::Limits limits = options.limits;
+    const auto now = std::chrono::steady_clock::now();
+    if (options.walks.cycles > 0 && limits.deadline && *limits.deadline > now)
+        limits.deadline = now + (*limits.deadline - now) * 3 / 4;
+    return limits;
+}
+
 Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
                const rc_interface& code, const Options& options) {
     std::unique_ptr<lts::TransitionSystem> model;
     Result result;
     try {
-        model = session.system(process, options.limits);
-        result = judge(*model, session.event_table(), interface, code, options.cycle_length, options.limits,
-                       options.relation);
+        const refine::Limits limits = limits_of_search(options);
+        model = session.system(process, limits);
+        result = judge(*model, session.event_table(), interface, code, options.cycle_length, limits, options.relation);
     } catch (const process::Interrupted& limit) {
         result.reason = fmt::format("the model was not compiled: {}", limit.what());
     }

@@ -278,6 +278,7 @@ std::string ExpressionWriter::let(const ir::Expr& expr) const {
 }
 
 std::string ExpressionWriter::write(const ir::Expr& expr) const {
+    generation_.inst.poll();
     const std::optional<ir::Expr> wrong = faulty(generation_, unit_, expr);
     return right(wrong ? *wrong : expr);
 }

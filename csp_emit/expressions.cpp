@@ -341,6 +341,7 @@ ExprPtr Translator::let(const ir::Expr& expr) const {
 }
 
 ExprPtr Translator::translate(const ir::Expr& expr) const {
+    project_.diagnostics.poll();
     switch (expr.kind) {
         case ExprKind::boolean:
         case ExprKind::integer:

@@ -1,14 +1,15 @@
 // Source texts: storage, reading files, and turning byte offsets into lines and columns.
 #include "diagnostics/source.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <utility>
 
 namespace robochart::diagnostics {
 
@@ -28,18 +29,41 @@ bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
-/// Why a path can't be read as a file; empty if nothing speaks against it.
-std::string refuse(const std::filesystem::path& path) {
-    std::error_code code;
-    const auto status = std::filesystem::status(path, code);
-    if (status.type() == std::filesystem::file_type::not_found) return "no such file";
-    if (status.type() == std::filesystem::file_type::directory) return "is a folder, not a file";
-    if (code) return code.message();
-    if (status.type() != std::filesystem::file_type::regular) return {};
-    const auto size = std::filesystem::file_size(path, code);
-    if (!code && size > SourceManager::max_bytes)
-        return fmt::format("too large: {} bytes, at most {} are read", size, SourceManager::max_bytes);
-    return {};
+/// An open file; -1 for none.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int get() const { return number_; }
+
+private:
+    int number_;
+};
+
+std::string too_large(std::uintmax_t bytes) {
+    return fmt::format("too large: {} bytes, at most {} are read", bytes, SourceManager::max_bytes);
+}
+
+/// Why what was opened can't be read as a file; empty if nothing speaks against it. What is not a regular file may have
+/// no end, or nothing to read for ever.
+std::string refuse(const struct stat& status) {
+    if (S_ISDIR(status.st_mode)) return "is a folder, not a file";
+    if (S_ISFIFO(status.st_mode)) return "is a pipe, not a regular file";
+    if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) return "is a device, not a regular file";
+    if (!S_ISREG(status.st_mode)) return "is not a regular file";
+    const auto size = static_cast<std::uintmax_t>(status.st_size);
+    return size > SourceManager::max_bytes ? too_large(size) : "";
+}
+
+/// What the system says of a file that cannot be opened.
+std::string cause_of_failure() {
+    if (errno == ENOENT) return "no such file";
+    if (errno == ENXIO) return "is a socket, or a pipe without a writer, not a regular file";
+    return std::strerror(errno);
 }
 
 }  // namespace
@@ -57,27 +81,25 @@ SourceId SourceManager::add(std::string path, std::string text) {
 }
 
 std::optional<SourceId> SourceManager::load(const std::string& path, std::string& error) {
-    error = refuse(path);
-    if (!error.empty()) return std::nullopt;
-    errno = 0;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) {
-        error = errno != 0 ? std::strerror(errno) : "cannot be opened";
+    // Without waiting: opening a pipe would otherwise last until somebody writes to it.
+    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+    struct stat status {};
+    if (file.get() < 0 || fstat(file.get(), &status) != 0) {
+        error = cause_of_failure();
         return std::nullopt;
     }
-    // Read in pieces, so that an endless special file is refused too.
+    error = refuse(status);
+    if (!error.empty()) return std::nullopt;
     std::string text;
     std::vector<char> buffer(1U << 16U);
-    while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), in.gcount() > 0) {
-        text.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
-        if (text.size() > max_bytes) {
-            error = fmt::format("too large: at most {} bytes are read", max_bytes);
-            return std::nullopt;
-        }
-    }
-    if (in.bad()) {
-        error = "cannot be read";
-        return std::nullopt;
+    for (;;) {
+        const ssize_t count = read(file.get(), buffer.data(), buffer.size());
+        if (count == 0) break;
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) error = std::strerror(errno);
+        else text.append(buffer.data(), static_cast<std::size_t>(count));
+        if (text.size() > max_bytes) error = too_large(text.size());  // it has grown, or its system gives no sizes
+        if (!error.empty()) return std::nullopt;
     }
     return add(path, std::move(text));
 }

@@ -42,7 +42,7 @@ public:
     /// Adds a text under a display path (not opened).
     SourceId add(std::string path, std::string text);
     /// Reads a file. On failure returns nothing and sets `error` to the cause in words
-    /// (missing, a folder, unreadable, too large). Any bytes are accepted here; readers judge them.
+    /// (missing, not a regular file, unreadable, too large). Any bytes are accepted here; readers judge them.
     std::optional<SourceId> load(const std::string& path, std::string& error);
     /// Puts another text in place of one, under the same id; views of the old text end. For editors.
     void replace(SourceId id, std::string text);

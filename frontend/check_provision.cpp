@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "frontend/checks.hpp"
@@ -16,10 +17,42 @@ namespace robochart::frontend {
 
 namespace {
 
+/// Declarations by name; those of one name in their order. Models have hundreds of operations and of parts that require
+/// them: nothing here looks through a list for a name.
+template <class Item>
+class Named {
+public:
+    Named() = default;
+    explicit Named(const std::vector<const Item*>& items) {
+        for (const Item* item : items) add(*item);
+    }
+    void add(const Item& item) { items_.emplace(item.name, &item); }
+    template <class Fits>
+    [[nodiscard]] bool any(std::string_view name, Fits fits) const {
+        const auto [begin, end] = items_.equal_range(name);
+        return std::any_of(begin, end, [&](const auto& entry) { return fits(*entry.second); });
+    }
+    template <class Use>
+    void each(std::string_view name, Use use) const {
+        const auto [begin, end] = items_.equal_range(name);
+        for (auto at = begin; at != end; ++at) use(*at->second);
+    }
+    /// The first of the name; null if there is none.
+    [[nodiscard]] const Item* first(std::string_view name) const {
+        const auto found = items_.lower_bound(name);
+        return found == items_.end() || found->first != name ? nullptr : found->second;
+    }
+
+private:
+    std::multimap<std::string_view, const Item*> items_;
+};
+
+using Variables = Named<Variable>;
+
 /// Same name, and what is written by the side that requires it fits: compat(required, provided).
-bool provides(const std::vector<const Variable*>& provided, const Variable& wanted, bool same_kind) {
-    return std::any_of(provided.begin(), provided.end(), [&](const Variable* v) {
-        return v->name == wanted.name && (!same_kind || v->kind == wanted.kind) && compatible(wanted.type, v->type);
+bool provides(const Variables& provided, const Variable& wanted, bool same_kind) {
+    return provided.any(wanted.name, [&](const Variable& v) {
+        return (!same_kind || v.kind == wanted.kind) && compatible(wanted.type, v.type);
     });
 }
 
@@ -35,18 +68,17 @@ std::string s(const Missing& missing) {
 }
 
 /// Points at what is required, and at what has the name but does not fit.
-void add_notes(diagnostics::Diagnostic& finding, const Missing& missing,
-               const std::vector<const Variable*>& provided = {}) {
+void add_notes(diagnostics::Diagnostic& finding, const Missing& missing, const Variables& provided = {}) {
     for (const Declaration* wanted : missing) {
         finding.notes.push_back({wanted->name_span, fmt::format("`{}` is required here", wanted->name)});
-        for (const Variable* other : provided)
-            if (other->name == wanted->name)
-                finding.notes.push_back({other->name_span, fmt::format("this {} has the name but does not fit: {}",
-                                                                       to_text(other->kind), to_string(other->type))});
+        provided.each(wanted->name, [&](const Variable& other) {
+            finding.notes.push_back({other.name_span, fmt::format("this {} has the name but does not fit: {}",
+                                                                  to_text(other.kind), to_string(other.type))});
+        });
     }
 }
 
-Missing missing_variables(const std::vector<const Variable*>& wanted, const std::vector<const Variable*>& provided,
+Missing missing_variables(const std::vector<const Variable*>& wanted, const Variables& provided,
                           bool same_kind = false) {
     Missing missing;
     for (const Variable* variable : wanted)
@@ -63,21 +95,18 @@ bool same_parameters(const std::vector<VariablePtr>& a, const std::vector<Variab
 
 /// Operations on offer: definitions and signatures.
 struct Offer {
-    std::vector<const Machine*> definitions;
-    std::vector<const OperationSignature*> signatures;
+    Named<Machine> definitions;
+    Named<OperationSignature> signatures;
 
     [[nodiscard]] bool has(const OperationSignature& wanted) const {
-        const auto fits = [&](const auto* offered) {
-            return offered->name == wanted.name && same_parameters(offered->parameters, wanted.parameters);
-        };
-        return std::any_of(definitions.begin(), definitions.end(), fits) ||
-               std::any_of(signatures.begin(), signatures.end(), fits);
+        const auto fits = [&](const auto& offered) { return same_parameters(offered.parameters, wanted.parameters); };
+        return definitions.any(wanted.name, fits) || signatures.any(wanted.name, fits);
     }
 };
 
 Offer offer_of(const Component& controller) {
-    Offer offer{defined_operations(controller), required_operations(controller)};
-    for (const auto& signature : controller.signatures) offer.signatures.push_back(signature.get());
+    Offer offer{Named(defined_operations(controller)), Named(required_operations(controller))};
+    for (const auto& signature : controller.signatures) offer.signatures.add(*signature);
     return offer;
 }
 
@@ -90,18 +119,37 @@ Missing missing_operations(const Context& part, const Offer& offer) {
 
 // ---------------------------------------------------------------- calls
 
-/// The definition in this controller of an operation called; null if it is the platform's.
-const Machine* definition(const Component& controller, std::string_view name) {
-    for (const Machine* defined : defined_operations(controller))
-        if (defined->name == name) return defined;
-    return nullptr;
-}
+/// A controller, and what is known of it for all of its parts.
+struct Surroundings {
+    explicit Surroundings(const Component& component)
+        : controller(component), offer(offer_of(component)), variables(visible_variables(component)) {}
+
+    const Component& controller;
+    const Offer offer;
+    const Variables variables;
+};
 
 /// A machine or operation that calls or requires operations: the part of its controller that runs it.
 struct Caller {
+    Caller(const Surroundings& around, const Declaration& part_of_it, const Machine& runs)
+        : surroundings(around),
+          controller(around.controller),
+          part(part_of_it),
+          machine(runs),
+          variables(visible_variables(runs)),
+          scope(scope_of(runs)) {}
+
+    const Surroundings& surroundings;
     const Component& controller;
     const Declaration& part;
     const Machine& machine;
+    const Variables variables;
+    const Scope scope;
+
+    /// The definition in this controller of an operation called; null if it is the platform's.
+    [[nodiscard]] const Machine* definition(std::string_view name) const {
+        return surroundings.offer.definitions.first(name);
+    }
 
     /// The machine may be defined elsewhere: says which reference brings it here.
     void add_context(diagnostics::Diagnostic& finding) const {
@@ -125,9 +173,9 @@ struct Lack {
     std::vector<const Clock*> clocks;
 };
 
-Lack lack_of(const Machine& caller, const Machine& operation) {
-    Lack lack{missing_variables(required_variables(operation), visible_variables(caller), true), {}, {}};
-    const Scope scope = scope_of(caller);
+Lack lack_of(const Caller& caller, const Machine& operation) {
+    Lack lack{missing_variables(required_variables(operation), caller.variables, true), {}, {}};
+    const Scope& scope = caller.scope;
     for (const Event* event : visible_events(operation)) {
         const auto found = scope.events.find(event->name);
         if (found == scope.events.end() || !event_fits(*event, *found->second)) lack.events.push_back(event);
@@ -144,14 +192,14 @@ Lack lack_of(const Machine& caller, const Machine& operation) {
 /// STM8 to STM10, at the first call.
 void check_call(const Caller& caller, const Stmt& call, const Machine& operation, Diagnostics& out) {
     const std::string& name = caller.machine.name;
-    const Lack lack = lack_of(caller.machine, operation);
+    const Lack lack = lack_of(caller, operation);
     if (!lack.variables.empty()) {
         auto& finding =
             out.report(rules::stm8, call.span, {name, operation.name, s(lack.variables), list(lack.variables)});
-        add_notes(finding, lack.variables, visible_variables(caller.machine));
+        add_notes(finding, lack.variables, caller.variables);
         caller.add_context(finding);
     }
-    const Scope scope = scope_of(caller.machine);
+    const Scope& scope = caller.scope;
     for (const Event* event : lack.events) {
         const auto same = scope.events.find(event->name);
         const bool typed_otherwise = same != scope.events.end();
@@ -171,7 +219,7 @@ void check_call(const Caller& caller, const Stmt& call, const Machine& operation
 /// The same for an operation that is required and never called: no harm yet.
 void check_required(const Caller& caller, const OperationSignature& wanted, const Machine& operation,
                     Diagnostics& out) {
-    const Lack lack = lack_of(caller.machine, operation);
+    const Lack lack = lack_of(caller, operation);
     Missing all = lack.variables;
     all.insert(all.end(), lack.events.begin(), lack.events.end());
     all.insert(all.end(), lack.clocks.begin(), lack.clocks.end());
@@ -187,12 +235,12 @@ void check_calls(const Caller& caller, Diagnostics& out) {
         walk(action, [&](const Stmt& statement) {
             if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
             if (!seen.insert(statement.declaration->name).second) return;
-            if (const Machine* defined = definition(caller.controller, statement.declaration->name))
+            if (const Machine* defined = caller.definition(statement.declaration->name))
                 check_call(caller, statement, *defined, out);
         });
     });
     for (const OperationSignature* wanted : required_operations(caller.machine))
-        if (const Machine* defined = definition(caller.controller, wanted->name);
+        if (const Machine* defined = caller.definition(wanted->name);
             defined != nullptr && seen.insert(wanted->name).second)
             check_required(caller, *wanted, *defined, out);
 }
@@ -200,37 +248,40 @@ void check_calls(const Caller& caller, Diagnostics& out) {
 // ---------------------------------------------------------------- controllers and modules
 
 void check_part(const Caller& caller, bool first, Diagnostics& out) {
-    const auto& [controller, part, machine] = caller;
-    const auto visible = visible_variables(controller);
+    const Machine& machine = caller.machine;
+    const std::string& controller = caller.controller.name;
+    const auto& visible = caller.surroundings.variables;
     const Missing variables = missing_variables(required_variables(machine), visible);
     if (!variables.empty())
-        add_notes(out.report(rules::c3, part.name_span, {controller.name, s(variables), machine.name, list(variables)}),
-                  variables, visible);
-    const Missing operations = missing_operations(machine, offer_of(controller));
+        add_notes(
+            out.report(rules::c3, caller.part.name_span, {controller, s(variables), machine.name, list(variables)}),
+            variables, visible);
+    const Missing operations = missing_operations(machine, caller.surroundings.offer);
     if (!operations.empty())
         add_notes(
-            out.report(rules::c4, part.name_span, {controller.name, s(operations), machine.name, list(operations)}),
+            out.report(rules::c4, caller.part.name_span, {controller, s(operations), machine.name, list(operations)}),
             operations);
     if (first) check_calls(caller, out);
 }
 
 void check_operation(const Caller& caller, bool first, Diagnostics& out) {
-    const auto& [controller, part, operation] = caller;
-    const Offer offer = offer_of(controller);
-    for (const OperationSignature* wanted : required_operations(operation))
-        if (!offer.has(*wanted))
-            out.report(rules::c4_operation, part.name_span, {operation.name, wanted->name, controller.name})
+    for (const OperationSignature* wanted : required_operations(caller.machine))
+        if (!caller.surroundings.offer.has(*wanted))
+            out.report(rules::c4_operation, caller.part.name_span,
+                       {caller.machine.name, wanted->name, caller.controller.name})
                 .notes.push_back({wanted->name_span, "it is required through this signature"});
     if (first) check_calls(caller, out);
 }
 
 void check_controller(const Component& controller, Diagnostics& out) {
+    const Surroundings surroundings(controller);
     std::set<const Machine*> seen;  // calls are the machine's, however many references lead to it
     for (const Declaration* part : controller.order) {
         const auto* machine = followed<Machine>(part);
         if (machine == nullptr) continue;
         const bool first = seen.insert(machine).second;
-        const Caller caller{controller, *part, *machine};
+        out.poll();
+        const Caller caller(surroundings, *part, *machine);
         machine->kind == DeclKind::operation ? check_operation(caller, first, out) : check_part(caller, first, out);
     }
 }
@@ -244,11 +295,11 @@ void check_module(const Component& module, Diagnostics& out) {
             ++platforms;
         }
     if (platforms != 1) return;  // M1 says so
-    const Offer offer{{}, provided_operations(*platform)};
+    const Offer offer{{}, Named(provided_operations(*platform))};
+    const Variables visible(offered_variables(*platform));
     for (const Declaration* part : module.order) {
         const auto* controller = followed<Component>(part);
         if (controller == nullptr || controller->kind != DeclKind::controller) continue;
-        const auto visible = offered_variables(*platform);
         const Missing variables = missing_variables(required_variables(*controller), visible);
         if (!variables.empty())
             add_notes(out.report(rules::m2_variables, part->name_span,

@@ -302,7 +302,10 @@ bool Lexer::too_long() {
 TokenStream Lexer::run() {
     if (!refuse_binary()) {
         if (starts("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
-        for (skip_space(); at_ < text_.size() && !too_long(); skip_space()) token();
+        for (skip_space(); at_ < text_.size() && !too_long(); skip_space()) {
+            out_.poll();
+            token();
+        }
     }
     add(TokenKind::end, at_);
     return std::move(stream_);

@@ -38,6 +38,7 @@ public:
         : file_(file), names_(names), written_by_(written_by), out_(out) {}
 
     void declaration(const Declaration& declaration) {
+        out_.poll();
         if (const auto* machine = dynamic_cast<const Machine*>(&declaration)) this->machine(*machine);
         const auto* context = dynamic_cast<const Context*>(&declaration);
         if (context == nullptr) return;

@@ -71,6 +71,7 @@ bool Parser::at_word(std::string_view word, std::size_t ahead) const {
 }
 
 Token Parser::advance() {
+    out_.poll();
     const Token token = peek();
     if (at_ + 1 < tokens_.size()) ++at_;
     return token;

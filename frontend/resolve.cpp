@@ -24,6 +24,7 @@ void check_inside(const Declaration& declaration, Diagnostics& out) {
 
 /// `whole`: every file was understood.
 void check(const Declaration& declaration, bool whole, Diagnostics& out) {
+    out.poll();
     if (!declaration.broken) check_inside(declaration, out);
     const auto* context = dynamic_cast<const Context*>(&declaration);
     if (context != nullptr && whole) check_component(*context, out);

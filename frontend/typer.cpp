@@ -18,6 +18,7 @@ std::string plural(std::size_t n) {
 }
 
 TypePtr Typer::type(Expr& expr, Surroundings& around) {
+    finder_.out().poll();
     expr.type = compute(expr, around);
     return expr.type;
 }

@@ -58,6 +58,7 @@ Values Carriers::tuples(const std::vector<Values>& columns) const {
         check(column.empty() ? 0 : result.size() * column.size());
         for (const auto& prefix : result)
             for (const auto& item : column) {
+                instantiation_.poll();
                 longer.push_back(prefix);
                 longer.back().parts.push_back(item);
             }
@@ -108,6 +109,7 @@ Values Carriers::subsets(const Values& base) const {
         check(result.size() * 2);
         const std::size_t half = result.size();
         for (std::size_t i = 0; i < half; ++i) {
+            instantiation_.poll();
             result.push_back(result[i]);
             result.back().parts.push_back(item);
         }
@@ -126,6 +128,7 @@ Values Carriers::functions(const Type& type) {
 }
 
 Values Carriers::of(TypeId id) {
+    instantiation_.poll();
     const Type& type = system_.types.at(id.index);
     switch (type.kind) {
         case TypeKind::boolean:
@@ -213,6 +216,7 @@ Value filled(std::int64_t count, const Value& item) {
 }  // namespace
 
 bool in_carrier(const System& system, const Instantiation& instantiation, TypeId id, const Value& value) {
+    instantiation.poll();
     const Type& type = system.types.at(id.index);
     switch (type.kind) {
         case TypeKind::boolean:
@@ -257,6 +261,7 @@ std::vector<Value> carrier(const System& system, const Instantiation& instantiat
 }
 
 Value default_value(const System& system, const Instantiation& instantiation, TypeId id) {
+    instantiation.poll();
     const Type& type = system.types.at(id.index);
     Value value;
     switch (type.kind) {

@@ -114,6 +114,7 @@ Value Evaluator::comparison(const Expr& expr) {
 }
 
 Value Evaluator::value(const Expr& expr) {
+    instantiation_.poll();
     switch (expr.kind) {
         case ExprKind::boolean:
         case ExprKind::integer:

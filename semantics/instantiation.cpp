@@ -196,6 +196,7 @@ void set_sizes(const InstantiationOptions& options, std::int64_t clocks, Instant
 
 Instantiation instantiate(const System& system, const InstantiationOptions& options, Diagnostics& diagnostics) {
     Instantiation instantiation;
+    instantiation.budget = diagnostics.budget();
     Literals literals = literals_of(system);
     const auto chosen = chosen_constants(system, options.constants, literals, diagnostics);
     Ranges ranges;

@@ -58,6 +58,12 @@ struct Instantiation {
     /// Constants without a value in the model, and those an option sets: qualified name as in CSP (`const_P_S_c`, see
     /// query.hpp) -> value. An entry here goes before the value in the model.
     std::map<std::string, Value> constants;
+    /// The limits within which it is worked with: what goes through carriers and evaluates polls here.
+    diagnostics::Budget* budget = nullptr;
+
+    void poll() const {
+        if (budget != nullptr) budget->poll();
+    }
 };
 
 /// RoboTool's defaults, widened by the model's literals and constants, then the user's options.

@@ -220,6 +220,7 @@ ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
 }
 
 ExprPtr Expressions::lower(const ast::Expr& source, TypeId expected) {
+    lowering_.diagnostics.poll();
     return coerce(lowering_, lower_form(source, expected), expected);
 }
 

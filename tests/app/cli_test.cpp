@@ -40,10 +40,10 @@ TEST(Cli, WrongUsageIsExit4) {
 
 TEST(Cli, MalformedOptionValuesAreSaid) {
     const std::string model = repository("corpus/aggregation");
-    EXPECT_EQ(run({"check", model, "--range", "nat=4..1"}).exit, 2);
+    EXPECT_EQ(run({"check", model, "--range", "nat=4..1"}).exit, 4);
     EXPECT_THAT(run({"check", model, "--range", "nat=x"}).err, AllOf(HasSubstr("RC-A01"), HasSubstr("TYPE=LOW..HIGH")));
     EXPECT_THAT(run({"check", model, "--const", "=3"}).err, HasSubstr("NAME=VALUE"));
-    EXPECT_EQ(run({"check", model, "--const", "NoSuchConstant=3"}).exit, 2);
+    EXPECT_EQ(run({"check", model, "--const", "NoSuchConstant=3"}).exit, 4);
 }
 
 TEST(Cli, WarningsCanBeLeftOutOrDenied) {
@@ -183,7 +183,7 @@ TEST(Cli, ALimitIsInconclusive) {
 
 TEST(Cli, ExplainKnowsRulesAndSuggests) {
     EXPECT_EQ(run({"explain", "J3"}).exit, 0);
-    EXPECT_EQ(run({"explain", "NOSUCHRULE"}).exit, 2);
+    EXPECT_EQ(run({"explain", "NOSUCHRULE"}).exit, 4);
 }
 
 TEST(Cli, ScriptsAreChecked) {

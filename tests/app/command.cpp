@@ -54,15 +54,18 @@ void redirect(const char* path, int flags, int to) {
     _exit(127);
 }
 
+using Become = std::function<void(const std::string& folder)>;
+
 /// `before` runs in the child, `meanwhile` in the parent.
-Ran run_between(const std::vector<std::string>& arguments, const std::string& input,
-                const std::function<void()>& before, const std::function<void(pid_t)>& meanwhile) {
+Ran run_child(const Become& become, const std::string& input, const std::function<void()>& before,
+              const std::function<void(pid_t)>& meanwhile) {
     const std::string folder = fresh_folder();
     std::ofstream(folder + "/stdin.txt", std::ios::binary) << input;
     const pid_t child = fork();
     if (child == 0) {
         before();
-        become(arguments, folder);
+        become(folder);
+        _exit(127);
     }
     meanwhile(child);
     int status = 0;
@@ -75,7 +78,24 @@ Ran run_between(const std::vector<std::string>& arguments, const std::string& in
     return ran;
 }
 
+Ran run_between(const std::vector<std::string>& arguments, const std::string& input,
+                const std::function<void()>& before, const std::function<void(pid_t)>& meanwhile) {
+    return run_child([&](const std::string& folder) { become(arguments, folder); }, input, before, meanwhile);
+}
+
 }  // namespace
+
+Ran run_shell(const std::string& commands) {
+    const auto shell = [&](const std::string& folder) {
+        if (chdir(folder.c_str()) != 0) _exit(126);
+        redirect("stdin.txt", O_RDONLY, STDIN_FILENO);
+        redirect("stdout.txt", O_WRONLY | O_CREAT, STDOUT_FILENO);
+        redirect("stderr.txt", O_WRONLY | O_CREAT, STDERR_FILENO);
+        setenv("verify", ROBOCHART_VERIFY, 1);
+        execl("/bin/sh", "sh", "-c", commands.c_str(), nullptr);
+    };
+    return run_child(shell, "", [] {}, [](pid_t) {});
+}
 
 Ran run(const std::vector<std::string>& arguments, const std::string& input) {
     return run_between(

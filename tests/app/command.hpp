@@ -21,6 +21,9 @@ struct Ran {
 /// The same with this much address space (RLIMIT_AS).
 [[nodiscard]] Ran run_with_address_space(const std::vector<std::string>& arguments, std::uint64_t bytes);
 
+/// A shell's commands in an empty temporary folder, where "$verify" is the command.
+[[nodiscard]] Ran run_shell(const std::string& commands);
+
 /// A file in a fresh temporary folder that lives as long as the object.
 class TemporaryFile {
 public:

@@ -2,6 +2,7 @@
 #include "diagnostics/source.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -42,6 +43,13 @@ TEST(SourceManager, SaysWhyAFileCannotBeRead) {
     EXPECT_EQ(error, "no such file");
     EXPECT_FALSE(sources.load(std::filesystem::temp_directory_path().string(), error).has_value());
     EXPECT_EQ(error, "is a folder, not a file");
+    EXPECT_FALSE(sources.load("/dev/zero", error).has_value());
+    EXPECT_EQ(error, "is a device, not a regular file");
+    const std::string pipe = (std::filesystem::temp_directory_path() / "robochart_source_pipe").string();
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_FALSE(sources.load(pipe, error).has_value());  // without waiting for a writer
+    EXPECT_EQ(error, "is a pipe, not a regular file");
+    std::filesystem::remove(pipe);
 }
 
 TEST(SourceManager, LoadsBytesAsTheyAre) {

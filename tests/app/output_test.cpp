@@ -1,0 +1,111 @@
+// What cannot be written is an error of the run, whichever verb writes it; and what is written goes where it was asked
+// for. The shell closes, fills and breaks standard output as users' pipelines do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr const char* machine =
+    "stm S {\n event e\n initial i\n state A { }\n transition t0 { from i to A }\n transition t1 { from A to A trigger e }\n}\n";
+constexpr const char* claim = "assertion A1 : S is deadlock-free\n";
+
+/// In a folder with a model and a script.
+std::string with_files(const std::string& commands) {
+    return std::string("cat > m.rct <<'EOF'\n") + machine + "EOF\ncat > m.assertions <<'EOF'\n" + claim +
+           "EOF\nprintf 'channel a\\nP = a -> P\\nassert P :[deadlock free [F]]\\n' > s.csp\n" +
+           "printf 'stm   S{initial i state A{} transition t{from i to A}}' > f.rct\n" + commands;
+}
+
+class EveryVerb : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(EveryVerb, SaysThatStandardOutputIsFull) {
+    const Ran ran = run_shell(with_files(std::string("\"$verify\" ") + GetParam() + " > /dev/full"));
+    EXPECT_EQ(ran.exit, 2) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("cannot write to standard output: No space left on device"));
+}
+
+TEST_P(EveryVerb, SaysThatStandardOutputIsClosed) {
+    const Ran ran = run_shell(with_files(std::string("\"$verify\" ") + GetParam() + " >&-"));
+    EXPECT_EQ(ran.exit, 2) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("cannot write to standard output: Bad file descriptor"));
+}
+
+TEST_P(EveryVerb, EndsQuietlyWhenItsReaderHasGone) {
+    // `true` reads nothing; the pause lets it go first. Exit code 2, since nobody has read the answer.
+    const Ran ran = run_shell(with_files(std::string("{ sleep 0.2; \"$verify\" ") + GetParam() + "; echo $? >&2; } | true"));
+    EXPECT_THAT(ran.err, HasSubstr("2\n"));
+    EXPECT_THAT(ran.err, AllOf(Not(HasSubstr("standard output")), Not(HasSubstr("internal"))));
+}
+
+TEST_P(EveryVerb, DoesNotMindThatStandardErrorIsClosed) {
+    const Ran ran = run_shell(with_files(std::string("\"$verify\" ") + GetParam() + " 2>&-"));
+    EXPECT_LT(ran.exit, 2) << ran.out;
+    EXPECT_THAT(ran.out, Not(IsEmpty()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Output, EveryVerb,
+                         ::testing::Values("--help", "--version", "check m.rct", "check --format json m.rct", "m.rct",
+                                           "emit csp m.rct", "emit cpp m.rct", "emit monitor m.rct", "emit tests m.rct", "conform m.rct",
+                                           "cspm s.csp", "cspm --format json s.csp", "cspm --format plain s.csp",
+                                           "cspm --format framed_json s.csp", "cspm --types s.csp", "cspm --typecheck s.csp",
+                                           "cspm --export aut P s.csp", "validate m.rct", "validate --format json m.rct",
+                                           "validate --format sarif m.rct", "format --check f.rct", "format --diff f.rct", "format - < f.rct",
+                                           "explain RC-A01", "explain", "check --print ast m.rct", "check --print ir m.rct",
+                                           "check --print script m.rct"),
+                         [](const auto& each) {
+                             std::string name;
+                             for (const char c : std::string(each.param)) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+                             return name;
+                         });
+
+TEST(Output, OfFilesStaysInItsFolder) {
+    // Predictable names of temporary files, links in the place of a file and of a folder.
+    const Ran ran = run_shell(with_files(R"(
+mkdir -p out/csp-gen/timed out/cpp away; echo mine > precious
+ln -s "$PWD/precious" out/csp-gen/timed/m.csp
+ln -s "$PWD/precious" out/csp-gen/timed/m.csp.part
+ln -s "$PWD/away" out/cpp/S
+"$verify" emit csp m.rct > /dev/null || echo "csp $?"
+"$verify" emit cpp m.rct > /dev/null; echo "cpp $?"
+cat precious; ls away; test -L out/csp-gen/timed/m.csp; echo "link $?")"));
+    EXPECT_EQ(ran.out, "cpp 2\nmine\nlink 1\n") << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("symbolic link"));
+}
+
+TEST(Output, OfRunsAtTheSameTimeIsWhole) {
+    const Ran ran = run_shell(with_files(R"(
+"$verify" emit csp m.rct --out one > /dev/null
+for i in 1 2 3 4 5 6; do "$verify" emit csp m.rct --out both > /dev/null & done; wait
+diff -r one both && find both -name '.*' -type f)"));
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, IsEmpty());
+}
+
+TEST(Output, ThatDoesNotFitOnTheDiskLeavesNothingHalfWritten) {
+    const Ran ran = run_shell(with_files(R"(
+(ulimit -f 8; "$verify" emit cpp m.rct > /dev/null; echo "exit $?")
+find . -name '.robochart-*')"));
+    EXPECT_EQ(ran.out, "exit 2\n");
+    EXPECT_THAT(ran.err, AllOf(HasSubstr("RC-A03"), HasSubstr("File too large")));
+}
+
+TEST(Output, OfFormatKeepsTheOldTextWhereTheNewOneDoesNotFit) {
+    const Ran ran = run_shell(R"(
+{ echo "stm S {"; i=0; while [ $i -lt 400 ]; do echo "event   e$i"; i=$((i+1)); done; echo "initial i state A {} transition t { from i to A } }"; } > big.rct
+cp big.rct before; chmod 640 big.rct
+(ulimit -f 2; "$verify" format big.rct; echo "exit $?")
+cmp big.rct before && ls -A | wc -l
+"$verify" format -q big.rct; cmp -s big.rct before || stat -c %a big.rct)");
+    EXPECT_EQ(ran.out, "exit 2\n4\n640\n") << ran.err;  // with the three files for standard streams: see run_shell
+}
+
+}  // namespace
+}  // namespace robochart::app::testing

@@ -1,0 +1,134 @@
+// Nothing selected, nothing to check, names of nothing, numbers out of their range: each says so and ends with an exit
+// code of its own, so that a script never takes "nothing was looked at" for "everything is in order".
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Row {
+    const char* name;
+    const char* arguments;
+    int exit;
+    const char* said;  ///< on standard output or error
+};
+
+// A folder with: a model with two assertions, one without, one without machines, a script with an assertion and one
+// without, an empty folder, pipes without a writer.
+constexpr const char* files = R"(
+mkdir claimed plain types empty logs
+echo 'stm Walker { event e const speed : nat initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger e } }' > claimed/m.rct
+echo 'assertion Moves : Walker is deadlock-free' > claimed/m.assertions
+echo 'timed assertion MovesInTime : Walker is deadlock-free' >> claimed/m.assertions
+echo 'stm Sitter { initial i state A { } transition t0 { from i to A } }' > plain/m.rct
+echo 'enumeration Colour { red blue }' > types/m.rct
+printf 'channel a\nP = a -> P\nassert P :[deadlock free [F]]\n' > s.csp
+printf 'channel a\nP = a -> P\n' > none.csp
+printf 'print 1 + 1\n' > prints.csp
+echo 'robochart-trace 1' > logs/none.trace
+mkfifo pipe.rct; mkdir piped; mkfifo piped/m.rct
+)";
+
+class Selection : public ::testing::TestWithParam<Row> {};
+
+TEST_P(Selection, IsSaid) {
+    const Row& row = GetParam();
+    const Ran ran = run_shell(std::string(files) + "timeout 60 \"$verify\" " + row.arguments);
+    EXPECT_EQ(ran.exit, row.exit) << row.arguments << "\n" << ran.out << ran.err;
+    EXPECT_THAT(ran.out + ran.err, HasSubstr(row.said)) << row.arguments;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Options, Selection,
+    ::testing::Values(
+        // Names.
+        Row{"KnownAssertion", "check claimed --assertion Moves", 0, "1 of 1 checks hold"},
+        Row{"UnknownAssertion", "check claimed --assertion Move", 4, "did you mean 'Moves'?"},
+        Row{"UnknownAssertionOfAll", "claimed --assertion nothing_like_it", 4, "the model has no assertion of this name; there are"},
+        Row{"AssertionOfAModelWithout", "check plain --assertion A", 4, "it has none"},
+        Row{"EmptyAssertion", "check claimed --assertion ''", 4, "the name is empty"},
+        Row{"AssertionOfTheOtherTime", "check claimed --untimed --assertion MovesInTime", 2, "nothing is claimed"},
+        Row{"UnknownComponentOfConform", "conform claimed --component Q", 4, "--component Q"},
+        Row{"MisspeltComponentOfConform", "conform claimed --component Walkr", 4, "did you mean 'Walker'?"},
+        Row{"UnknownComponentOfEmit", "emit cpp claimed --component Walkr", 4, "did you mean 'Walker'?"},
+        Row{"UnknownComponentOfMonitor", "emit monitor claimed --component Walkr", 4, "did you mean 'Walker'?"},
+        Row{"UnknownComponentOfTests", "emit tests claimed --component Walkr", 4, "did you mean 'Walker'?"},
+        Row{"EmptyComponent", "conform claimed --component ''", 4, "the name is empty"},
+        Row{"UnknownConstant", "check claimed --const sped=1", 4, "sped"},
+        Row{"ConstantWithoutValue", "check claimed --const speed", 4, "NAME=VALUE"},
+        Row{"ConstantOfAnotherType", "check claimed --const speed=fast", 4, "fast"},
+        Row{"UnknownRange", "check claimed --range natural=0..1", 4, "natural"},
+        Row{"EmptyRange", "check claimed --range nat=1..0", 4, "the range is empty"},
+        Row{"UnknownWarning", "check claimed --allow RC-XX", 4, "no code of a warning"},
+        Row{"UnknownPhase", "check claimed --print tokens", 4, "--print"},
+        Row{"UnknownTarget", "emit cpp claimed --target cobol", 4, "--target"},
+        Row{"UnknownStrategy", "emit cpp claimed --strategy luck", 4, "--strategy"},
+        Row{"UnknownRelation", "conform claimed --model traces", 4, "--model"},
+        Row{"UnknownExport", "conform claimed --export x.txt", 4, ".aut, .dot or .csp"},
+        Row{"UnknownRule", "explain RC-XX", 4, "no rule has the code"},
+        Row{"UnknownScriptExport", "cspm --export png P s.csp", 4, "the formats are"},
+        Row{"AssertionOutOfRange", "cspm --assertion 7 s.csp", 4, "there is no assertion 7"},
+        Row{"AssertionOutOfRangeJson", "cspm --format framed_json --assertion 7 s.csp", 4, "there is no assertion 7"},
+        // Nothing to do.
+        Row{"NoAssertions", "check plain", 2, "nothing is claimed"},
+        Row{"NoAssertionsJson", "check --format json plain", 2, "nothing is claimed"},
+        Row{"NoAssertionsButCore", "check plain --core --timed", 0, "checks hold"},
+        Row{"NoAssertionsButSizes", "check plain --sizes --untimed", 0, "nothing is claimed"},
+        Row{"NoAssertionsOfAll", "plain", 0, "nothing is claimed"},
+        Row{"NoComponentToConform", "conform types", 2, "no component"},
+        Row{"NoComponentToEmit", "emit cpp types", 2, "no component"},
+        Row{"NoComponentToMonitor", "emit monitor types", 2, "no component"},
+        Row{"NoComponentToTest", "emit tests types", 2, "no component"},
+        Row{"NoAssertionsInScript", "cspm none.csp", 2, "there are no assertions"},
+        Row{"NoAssertionsInScriptJson", "cspm --format json none.csp", 2, "there are no assertions"},
+        Row{"PrintsInScript", "cspm prints.csp", 0, "2"},
+        Row{"EmptyFolder", "check empty", 2, "empty"},
+        Row{"EmptyFolderToValidate", "validate empty", 2, "empty"},
+        Row{"EmptyFolderToFormat", "format empty", 2, "empty"},
+        Row{"NoFileToFormat", "format", 4, "required"},
+        Row{"NoSuchFile", "check nowhere.rct", 2, "no such file"},
+        Row{"NoRunsInLogs", "conform plain --traces logs", 2, "logs"},
+        Row{"NoLogs", "conform plain --traces empty", 4, "no .trace files"},
+        Row{"Pipe", "check pipe.rct", 2, "is a pipe"},
+        Row{"PipeInFolder", "validate piped", 2, "is a pipe"},
+        Row{"Device", "check /dev/zero", 2, "is a device"},
+        Row{"PipeToFormat", "format pipe.rct", 2, "is a pipe"},
+        Row{"PipeAsLog", "conform plain --traces pipe.rct", 2, "pipe.rct"},
+        Row{"PipeAsScript", "cspm pipe.rct", 2, "is a pipe"},
+        Row{"PipeAsScenario", "simulate pipe.rct", 2, "is a pipe"},
+        // Numbers.
+        Row{"TimeoutNone", "check claimed --timeout 0", 0, "checks hold"},
+        Row{"TimeoutParts", "check claimed --timeout 55.5", 0, "checks hold"},
+        Row{"TimeoutNan", "check claimed --timeout nan", 4, "--timeout"},
+        Row{"TimeoutInfinite", "check claimed --timeout inf", 4, "--timeout"},
+        Row{"TimeoutNegative", "check claimed --timeout -1", 4, "--timeout"},
+        Row{"TimeoutHuge", "check claimed --timeout 1e300", 4, "--timeout"},
+        Row{"TimeoutWord", "check claimed --timeout soon", 4, "--timeout"},
+        Row{"TimeoutEmpty", "check claimed --timeout ''", 4, "--timeout"},
+        Row{"TimeoutOfValidate", "validate claimed --timeout nan", 4, "--timeout"},
+        Row{"MemoryUnits", "check claimed --memory 2GiB", 0, "checks hold"},
+        Row{"MemoryLetter", "check claimed --memory 2000M", 0, "checks hold"},
+        Row{"MemoryNone", "check claimed --memory 0", 4, "--memory"},
+        Row{"MemoryNegative", "check claimed --memory -1GiB", 4, "--memory"},
+        Row{"MemoryHuge", "check claimed --memory 99999999TiB", 4, "--memory"},
+        Row{"MemoryWord", "check claimed --memory much", 4, "--memory"},
+        Row{"MemoryUnknownUnit", "check claimed --memory 3parsecs", 4, "--memory"},
+        Row{"Threads", "check claimed --threads 1000000", 4, "--threads"},
+        Row{"ThreadsNegative", "check claimed --threads -1", 4, "--threads"},
+        Row{"StatesNone", "check claimed --max-states 0", 4, "--max-states"},
+        Row{"StatesNegative", "check claimed --max-states -5", 4, "--max-states"},
+        Row{"StatesHuge", "check claimed --max-states 99999999999999999999999", 4, "--max-states"},
+        Row{"CycleNone", "conform claimed --cycle 0", 4, "--cycle"},
+        Row{"WalksNegative", "conform claimed --walks -1", 4, "--walks"},
+        Row{"TrialsNone", "simulate x --trials 0", 4, "--trials"},
+        Row{"SeedNegative", "simulate x --seed -1", 4, "--seed"},
+        Row{"ExtraStates", "emit tests claimed --extra-states 9", 4, "--extra-states"},
+        Row{"AssertionZero", "cspm --assertion 0 s.csp", 4, "--assertion"}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace robochart::app::testing
