@@ -70,8 +70,10 @@ void MachineEmitter::declare_channels(std::vector<DeclPtr>& decls) {
     mean("terminate", {MeaningKind::terminate, machine().name + " terminates", {}, machine().origin});
     ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
     for (const ir::Event& event : machine().events) channels.event(event);
-    for (const CellId cell : frames_[0].variables)
-        if (cells_[cell].shared) channels.variable(cells_[cell].channel, cells_[cell].type, true, machine().origin);
+    for (std::size_t i = 0; i < machine().variables.size(); ++i) {
+        const Cell& cell = cells_[frames_[0].variables[i]];
+        if (cell.shared) channels.variable(cell.channel, cell.type, true, machine().variables[i].origin);
+    }
     if (!transition_of_.empty()) {
         std::vector<cspm::Constructor> constructors;
         for (const auto& [place, name] : transition_of_) constructors.push_back(b::constructor(name));

@@ -136,11 +136,13 @@ std::shared_ptr<const OfferMeaning> MachineEmitter::offer(const Spot& spot, ir::
 std::shared_ptr<const OfferMeaning> MachineEmitter::offer(const Place& place) {
     const Item& item = place.head();
     const Frame& frame = frames_[place.owner->frame];
-    const bool store = item.kind == ItemKind::store;
-    if (store || item.stmt == nullptr) return nullptr;
+    if (item.stmt == nullptr) return nullptr;
     const ir::Stmt& stmt = *item.stmt;
+    const bool store = item.kind == ItemKind::store;
     std::string event;
-    if (stmt.kind == StmtKind::communicate)
+    if (store)
+        event = "set_" + cells_[frame.variables.at(item.variable.index)].channel;
+    else if (stmt.kind == StmtKind::communicate)
         event = frame.events.at(stmt.communication.event.index) +
                 (stmt.communication.kind == ir::CommKind::input ? ".in" : ".out");
     else if (stmt.kind == StmtKind::call)
@@ -148,7 +150,7 @@ std::shared_ptr<const OfferMeaning> MachineEmitter::offer(const Place& place) {
     else if (stmt.kind == StmtKind::assign)
         event = "set_" + cells_[frame.variables.at(stmt.variable.index)].channel;
     if (event.empty()) return nullptr;
-    auto& known = offers_[{place.owner->frame, "statement " + std::to_string(stmt.point)}];
+    auto& known = offers_[{place.owner->frame, (store ? "store " : "statement ") + std::to_string(stmt.point)}];
     if (!known) known = std::make_shared<const OfferMeaning>(OfferMeaning{event, item.label, stmt.origin});
     return known;
 }

@@ -18,6 +18,7 @@ using process::TermId;
 using refine::ViolationKind;
 
 constexpr std::size_t most_offers = 40;     // listed for one step
+constexpr std::size_t most_unfoldings = 20;
 constexpr std::size_t most_looked_at = 5000;  // alternatives, in all steps together
 
 /// One step of one component.
@@ -101,9 +102,17 @@ bool among(const std::vector<Event>& events, const Event& event) {
 
 // ---------------------------------------------------------------- steps
 
+/// What stands for a machine's first definition in front of it is looked through.
 const std::vector<Call>& Interpreter::calls_of(TermId term) {
     const auto [found, added] = calls_.try_emplace(term);
-    if (added) found->second = meanings_.calls(process::describe(context_.session.terms(), term));
+    if (!added) return found->second;
+    process::TermStore& terms = context_.session.terms();
+    for (std::size_t i = 0; i < most_unfoldings; ++i) {
+        found->second = meanings_.calls(process::describe(terms, term));
+        const TermId next = found->second.empty() ? terms.unfolded(term, 1) : term;
+        if (next == term) break;
+        term = next;
+    }
     return found->second;
 }
 
@@ -274,7 +283,7 @@ void Interpreter::fold_tocks() {
         Step* const last = folded.empty() ? nullptr : &folded.back();
         const bool goes_on = !loop_begins && last != nullptr && last->event.kind == Kind::tock &&
                              step.event.kind == Kind::tock && last->raw + last->count == step.raw &&
-                             last->hidden == step.hidden && step.changes.empty();
+                             last->hidden == step.hidden && last->changes.empty();
         if (!goes_on) {
             folded.push_back(std::move(step));
             continue;
@@ -282,6 +291,7 @@ void Interpreter::fold_tocks() {
         last->units += step.units;
         last->count += step.count;
         last->machines = std::move(step.machines);
+        last->changes = std::move(step.changes);
         for (Event& offered : step.offered)
             if (!among(last->offered, offered)) last->offered.push_back(std::move(offered));
         last->more_offered = std::max(last->more_offered, step.more_offered);
@@ -405,8 +415,9 @@ std::vector<Cause> Interpreter::causes() const {
         for (const Variable& each : machine.variables)
             if (!each.deadline.empty() && each.value && (*each.value == "0" || each.value->starts_with("-")))
                 result.push_back({fmt::format("the deadline of {} has run out", each.deadline), machine.component, each.place});
+    // Calls and writes are urgent.
     for (const Event& offered : run_.end.offered)
-        if (offered.kind == Kind::call)
+        if (offered.kind == Kind::call || offered.kind == Kind::assignment)
             result.push_back({fmt::format("{} waits for the environment, which may refuse it", offered.text),
                               offered.component, offered.place});
     const bool ended = std::find(told_.offered.begin(), told_.offered.end(), process::tick) != told_.offered.end();

@@ -83,6 +83,34 @@ bool unread(const std::string& value) {
     return value == "_" || value == "'_'";
 }
 
+/// Text, states and values that are the same in all of them.
+Call common(const std::vector<Call>& alternatives) {
+    Call result = alternatives.front();
+    if (alternatives.size() == 1) return result;
+    auto merged = std::make_shared<DefinitionMeaning>(*result.definition);
+    std::vector<std::string> texts;
+    for (const Call& each : alternatives) {
+        if (std::find(texts.begin(), texts.end(), each.definition->text) == texts.end())
+            texts.push_back(each.definition->text);
+        const auto& others = each.definition->active;
+        std::erase_if(merged->active, [&](const ir::Origin& state) {
+            return std::none_of(others.begin(), others.end(),
+                                [&](const ir::Origin& other) { return other.element == state.element; });
+        });
+        for (std::size_t i = 0; i < merged->parameters.size() && i < result.arguments.size(); ++i) {
+            const auto& names = each.definition->parameters;
+            const auto same = static_cast<std::size_t>(
+                std::find(names.begin(), names.end(), merged->parameters[i]) - names.begin());
+            const bool equal = same < each.arguments.size() && each.arguments[same] == result.arguments[i];
+            if (!equal) merged->parameters[i].clear();
+        }
+    }
+    merged->text = fmt::format("{}", fmt::join(texts, " or "));
+    merged->offers.clear();
+    result.definition = std::move(merged);
+    return result;
+}
+
 /// Whether `text` has the word "transition NAME".
 bool is_in_transition(const std::string& text, const std::string& name) {
     const std::string words = "transition " + name;
@@ -167,19 +195,28 @@ Event Meanings::event(const std::string& name, const Call& before, const std::ve
     return result;
 }
 
+std::optional<Call> Meanings::call(std::string_view text) const {
+    const auto bracket = text.find('(');
+    const auto found = provenance_.definitions.find(std::string(text.substr(0, bracket)));
+    if (found == provenance_.definitions.end()) return std::nullopt;
+    // The provenance outlives what is read from it.
+    Call known{{std::shared_ptr<void>(), &found->second}, {}};
+    if (bracket != std::string_view::npos && text.back() == ')')
+        for (const std::string& argument : split(text.substr(bracket + 1, text.size() - bracket - 2), ","))
+            known.arguments.emplace_back(trim(argument));
+    return known;
+}
+
 std::vector<Call> Meanings::calls(const std::string& description) const {
     std::vector<Call> result;
     for (const std::string& part : split(description, "‖")) {
-        std::string_view call = trim(part);
-        while (call.size() > 1 && call.front() == '(' && call.back() == ')') call = call.substr(1, call.size() - 2);
-        const auto bracket = call.find('(');
-        const auto found = provenance_.definitions.find(std::string(call.substr(0, bracket)));
-        if (found == provenance_.definitions.end()) continue;
-        Call known{&found->second, {}};
-        if (bracket != std::string_view::npos && call.back() == ')')
-            for (const std::string& argument : split(call.substr(bracket + 1, call.size() - bracket - 2), ","))
-                known.arguments.emplace_back(trim(argument));
-        result.push_back(std::move(known));
+        std::string_view text = trim(part);
+        const bool grouped = text.size() > 1 && text.front() == '(' && text.back() == ')';
+        if (grouped) text = text.substr(1, text.size() - 2);
+        std::vector<Call> alternatives;
+        for (const std::string& each : split(text, "⊓"))
+            if (auto known = call(trim(each))) alternatives.push_back(std::move(*known));
+        if (!alternatives.empty()) result.push_back(common(alternatives));
     }
     return result;
 }

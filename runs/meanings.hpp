@@ -1,6 +1,7 @@
 // Names of the script in the words of the model: events, and the definitions that a process is in.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,9 +14,10 @@
 
 namespace robochart::runs {
 
-/// A definition with its arguments, as the checker describes a process: "P::S::A__(0,1)".
+/// A definition with its arguments, as the checker describes a process: "P::S::A__(0,1)". In front of an internal
+/// choice between several it is what they have in common.
 struct Call {
-    const csp_emit::DefinitionMeaning* definition = nullptr;
+    std::shared_ptr<const csp_emit::DefinitionMeaning> definition;
     std::vector<std::string> arguments;
 };
 
@@ -40,6 +42,7 @@ public:
 
 private:
     [[nodiscard]] const csp_emit::EventMeaning* meaning(const std::string& name, std::string& arguments) const;
+    [[nodiscard]] std::optional<Call> call(std::string_view text) const;
 
     const csp_emit::Provenance& provenance_;
     const ir::System& system_;

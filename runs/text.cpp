@@ -33,6 +33,7 @@ private:
     [[nodiscard]] std::string who(const std::string& component) const;
     [[nodiscard]] std::vector<Line> lines(std::size_t begin, std::size_t end) const;
     [[nodiscard]] Line line(const Step& step) const;
+    [[nodiscard]] std::vector<Line> loop() const;
     [[nodiscard]] std::string machine(const Machine& machine) const;
     void add(const std::vector<Line>& lines);
     [[nodiscard]] const std::vector<Machine>& at_the_end() const;
@@ -61,12 +62,36 @@ std::string Writer::who(const std::string& component) const {
     return found == short_names_.end() ? last_of(component) : found->second;
 }
 
-/// Internal steps are told only where they change something; of a state it is enough that it has been reached.
-bool is_news(const Step& step, bool last) {
+/// Steps inside are told where they change something or show what a machine decides to do.
+bool is_news(const Step& step) {
     if (step.event.kind == Kind::tock) return false;
     if (!step.changes.empty() || !step.hidden) return true;
-    if (step.event.kind == Kind::entered) return last;
-    return step.event.kind != Kind::internal && step.event.kind != Kind::exited;
+    switch (step.event.kind) {
+        case Kind::internal:
+        case Kind::entered:
+        case Kind::exited:
+        case Kind::external_write:
+            return false;
+        default:
+            return true;
+    }
+}
+
+/// What is assigned at once when time has passed is no step of its own.
+std::vector<std::pair<std::string, std::string>> assigned(const Step& step) {
+    std::vector<std::pair<std::string, std::string>> result;
+    for (const Change& change : step.changes) {
+        const std::string text = fmt::format("{} = {}", change.name, change.after);
+        if (result.empty() || result.back().first != change.component)
+            result.emplace_back(change.component, text);
+        else
+            result.back().second += ", " + text;
+    }
+    return result;
+}
+
+std::string passing(std::int64_t units) {
+    return units == 1 ? "1 time unit passes" : fmt::format("{} time units pass", units);
 }
 
 Line Writer::line(const Step& step) const {
@@ -74,7 +99,7 @@ Line Writer::line(const Step& step) const {
     result.time = step.time.value_or(0);
     result.who = who(step.event.component);
     result.what = step.event.text;
-    const bool told = step.event.kind == Kind::input && !step.event.via.empty();
+    const bool told = step.event.kind == Kind::input && step.event.via.find(" -> ") != std::string::npos;
     if (told) result.what += fmt::format(" ({})", step.event.via);
     for (const Event& other : step.with) result.what += fmt::format("; {}: {}", who(other.component), other.text);
     // What the words say already is no news.
@@ -90,8 +115,13 @@ Line Writer::line(const Step& step) const {
 
 std::vector<Line> Writer::lines(std::size_t begin, std::size_t end) const {
     std::vector<Line> result;
-    for (std::size_t i = begin; i < end; ++i)
-        if (is_news(run_.steps[i], i + 1 == run_.steps.size())) result.push_back(line(run_.steps[i]));
+    for (std::size_t i = begin; i < end; ++i) {
+        const Step& step = run_.steps[i];
+        if (is_news(step)) result.push_back(line(step));
+        if (step.event.kind != Kind::tock) continue;
+        for (const auto& [component, values] : assigned(step))
+            result.push_back({step.time.value_or(0) + step.units, who(component), values, ""});
+    }
     return result;
 }
 
@@ -129,27 +159,30 @@ const std::vector<Machine>& Writer::at_the_end() const {
     return end == 0 ? run_.initial : run_.steps[end - 1].machines;
 }
 
+std::vector<Line> Writer::loop() const {
+    std::vector<Line> result = lines(*run_.loop_start, run_.steps.size());
+    std::int64_t units = 0;
+    for (std::size_t i = *run_.loop_start; i < run_.steps.size(); ++i) units += run_.steps[i].units;
+    if (units > 0) result.push_back({run_.time, "", passing(units), ""});
+    if (result.empty()) result.push_back({run_.time, "", "internal steps that change nothing", ""});
+    return result;
+}
+
 std::string Writer::write() {
     const std::size_t end = run_.loop_start.value_or(run_.steps.size());
     std::vector<Line> run = lines(0, end);
     const std::int64_t told = run.empty() ? 0 : run.back().time;
-    if (run_.time > told)
-        run.push_back({told, "", run_.time - told == 1 ? "1 time unit passes" : fmt::format("{} time units pass", run_.time - told), ""});
+    if (run_.time > told) run.push_back({told, "", passing(run_.time - told), ""});
     add(run);
-    if (run_.loop_start) {
-        out_ += fmt::format("{}then for ever:\n", indent_);
-        std::vector<Line> loop = lines(end, run_.steps.size());
-        std::int64_t units = 0;
-        for (std::size_t i = end; i < run_.steps.size(); ++i) units += run_.steps[i].units;
-        if (units > 0) loop.push_back({run_.time, "", units == 1 ? "1 time unit passes" : fmt::format("{} time units pass", units), ""});
-        if (loop.empty()) loop.push_back({run_.time, "", "internal steps that change nothing", ""});
-        add(loop);
-    }
     std::vector<std::string> places;
     for (const Machine& each : at_the_end()) places.push_back(machine(each));
     if (!places.empty()) {
         out_ += run_.timed ? fmt::format("{}now at t={}: ", indent_, run_.time) : fmt::format("{}now ", indent_);
         out_ += fmt::format("{}\n", fmt::join(places, "; "));
+    }
+    if (run_.loop_start) {
+        out_ += fmt::format("{}then for ever:\n", indent_);
+        add(loop());
     }
     out_ += fmt::format("{}why {}\n", indent_, run_.end.why);
     return std::move(out_);

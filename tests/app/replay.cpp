@@ -1,0 +1,365 @@
+// Descriptions of states are read here once more, apart from the code under test: all that the two share is what the
+// emission says of its names.
+#include "tests/app/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/verbs.hpp"
+#include "checker/cspm/session.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using nlohmann::json;
+using process::TermId;
+
+std::vector<std::string> apart(const std::string& text, const std::string& separator) {
+    std::vector<std::string> parts(1);
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (depth == 0 && !quoted && text.compare(i, separator.size(), separator) == 0) {
+            parts.emplace_back();
+            i += separator.size() - 1;
+            continue;
+        }
+        if (text[i] == '"') quoted = !quoted;
+        if (!quoted && std::string("({<").find(text[i]) != std::string::npos) ++depth;
+        if (!quoted && std::string(")}>").find(text[i]) != std::string::npos) --depth;
+        parts.back() += text[i];
+    }
+    for (std::string& part : parts) {
+        while (!part.empty() && part.front() == ' ') part.erase(0, 1);
+        while (!part.empty() && part.back() == ' ') part.pop_back();
+    }
+    return parts;
+}
+
+/// A raw event: "τ(a.1)" is a hidden one.
+struct Raw {
+    bool hidden = false;
+    std::string name;
+};
+
+Raw raw_event(const std::string& text) {
+    const std::string tau = "τ";
+    if (text.rfind(tau, 0) != 0) return {false, text};
+    if (text == tau) return {true, text};
+    return {true, text.substr(tau.size() + 1, text.size() - tau.size() - 2)};
+}
+
+/// Plain numbers and truth values are printed in the script as in the model.
+bool plain(const json& value) {
+    const std::string type = value.value("type", "");
+    return type == "nat" || type == "int" || type == "boolean";
+}
+
+class Replay {
+public:
+    Replay(const csp_emit::Emission& emission, cspm::Session& session, const csp_emit::Obligation& obligation,
+           const json& run, Replayed& sum)
+        : emission_(emission), session_(session), obligation_(obligation), run_(run), sum_(sum) {}
+
+    /// The faults of a replay against the process of this assertion.
+    std::vector<std::string> against(const cspm::ExprPtr& process);
+
+private:
+    using States = std::set<TermId>;
+    void fault(const std::string& text) {
+        if (faults_.size() < 5) faults_.push_back(obligation_.title + ": " + text);
+    }
+    States perform(const States& from, const Raw& event);
+    States instantiated(TermId start);
+    void step(const json& step, States& states);
+    void time_of(const json& step);
+    void values_of(const json& step, const std::string& name);
+    void offers_of(const json& step, const States& before);
+    [[nodiscard]] bool offered(const json& offer, const States& states);
+    void machines_of(const json& machines, States& states);
+    [[nodiscard]] bool waits_to_begin(const json& machine, const std::vector<std::string>& calls) const;
+    [[nodiscard]] bool fits(const json& machine, const std::vector<std::string>& calls) const;
+    [[nodiscard]] bool complete(const json& machines, const std::vector<std::string>& calls) const;
+    [[nodiscard]] std::vector<std::string> calls_of(TermId term);
+    void end(const States& states, const States& loop_start);
+    [[nodiscard]] const std::string& name(process::Event event) { return session_.event_table().name(event); }
+
+    const csp_emit::Emission& emission_;
+    cspm::Session& session_;
+    const csp_emit::Obligation& obligation_;
+    const json& run_;
+    Replayed& sum_;
+    std::vector<std::string> raw_;
+    std::int64_t time_ = 0;
+    std::size_t next_ = 0;  ///< the raw event that the next step begins with
+    std::vector<std::string> faults_;
+};
+
+Replay::States Replay::perform(const States& from, const Raw& event) {
+    States result;
+    for (const TermId state : from)
+        for (const process::Transition& each : session_.transitions(state)) {
+            const bool same = event.hidden ? each.event == process::tau && name(each.revealed) == event.name
+                                           : each.event != process::tau && name(each.event) == event.name;
+            if (same) result.insert(each.target);
+        }
+    return result;
+}
+
+/// The calls in a description, first definitions looked through.
+std::vector<std::string> Replay::calls_of(TermId term) {
+    return apart(process::describe(session_.terms(), session_.terms().unfolded(term, 20)), "‖");
+}
+
+/// It has not moved: a process around it, or in front of its first definition, stands for it. Of a compressed one
+/// (O__) the steps that it has made inside do not show.
+bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>& calls) const {
+    const std::string component = machine["component"].get<std::string>() + "::";
+    const bool initial = std::any_of(run_["initial"].begin(), run_["initial"].end(),
+                                     [&](const json& each) { return each == machine; });
+    return std::any_of(calls.begin(), calls.end(), [&](const std::string& call) {
+        const std::string name = call.substr(0, call.find('('));
+        const auto at = name.rfind("::");
+        const bool around = at != std::string::npos && component.rfind(name.substr(0, at + 2), 0) == 0;
+        return around && (initial || name.ends_with("O__"));
+    });
+}
+
+bool Replay::fits(const json& machine, const std::vector<std::string>& calls) const {
+    const std::string component = machine["component"];
+    const auto owner = [&](const std::string& call) {
+        const auto found = emission_.provenance.definitions.find(call.substr(0, call.find('(')));
+        return found != emission_.provenance.definitions.end() && found->second.component == component ? &found->second
+                                                                                                      : nullptr;
+    };
+    bool found = false;
+    std::set<std::pair<std::string, std::string>> values;  // several temporary ones may have one name
+    for (const std::string& call : calls) {
+        const csp_emit::DefinitionMeaning* const definition = owner(call);
+        if (definition == nullptr) continue;
+        if (!definition->memory) {
+            if (definition->text != machine["text"]) return false;
+            std::vector<std::string> active;
+            for (const ir::Origin& state : definition->active) active.push_back(state.element);
+            if (active != machine["active"].get<std::vector<std::string>>()) return false;
+            found = true;
+        }
+        const auto bracket = call.find('(');
+        if (bracket == std::string::npos) continue;
+        const auto arguments = apart(call.substr(bracket + 1, call.size() - bracket - 2), ",");
+        for (std::size_t i = 0; i < arguments.size() && i < definition->parameters.size(); ++i)
+            values.emplace(definition->parameters[i], arguments[i]);
+    }
+    if (!found) return waits_to_begin(machine, calls);
+    return std::all_of(machine["variables"].begin(), machine["variables"].end(), [&](const json& variable) {
+        const std::string name = variable["name"];
+        const auto has = [&](const std::string& value) { return values.contains({name, value}); };
+        if (variable["value"].is_null()) return has("_") || has("'_'");
+        if (!plain(variable) && variable.contains("type"))
+            return std::any_of(values.begin(), values.end(), [&](const auto& each) { return each.first == name; });
+        return has(variable["value"]);
+    });
+}
+
+/// Every machine that the script's state has is in the list.
+bool Replay::complete(const json& machines, const std::vector<std::string>& calls) const {
+    return std::all_of(calls.begin(), calls.end(), [&](const std::string& call) {
+        const auto found = emission_.provenance.definitions.find(call.substr(0, call.find('(')));
+        if (found == emission_.provenance.definitions.end()) return true;
+        return std::any_of(machines.begin(), machines.end(),
+                           [&](const json& machine) { return machine["component"] == found->second.component; });
+    });
+}
+
+/// Keeps the states that have the machines where the JSON has them.
+void Replay::machines_of(const json& machines, States& states) {
+    std::string seen;
+    const auto wrong = [&](TermId state) {
+        const auto calls = calls_of(state);
+        seen = process::describe(session_.terms(), state);
+        // What runs inside a compression has no state in the description of the whole.
+        // In front of an internal choice a machine is nowhere yet.
+        const bool compressed = seen.find(" state ") != std::string::npos || seen.find("bisim(") != std::string::npos ||
+                                seen.find("…") != std::string::npos || seen.find("⊓") != std::string::npos;
+        if (compressed) return false;
+        sum_.machines += machines.size();
+        return !complete(machines, calls) || !std::all_of(machines.begin(), machines.end(), [&](const json& machine) {
+            return machine["text"] == "terminated" || fits(machine, calls);
+        });
+    };
+    std::erase_if(states, wrong);
+    if (states.empty()) fault("no state has these machines: " + machines.dump() + "\n  but " + seen);
+}
+
+void Replay::time_of(const json& step) {
+    const bool timed = run_["timed"];
+    if (step.contains("time") != timed) return fault("a step with a time, or a timed one without");
+    if (timed && step["time"] != time_) fault(fmt::format("step {} at time {}, not {}", step["n"].dump(), time_, step["time"].dump()));
+}
+
+void Replay::values_of(const json& step, const std::string& name) {
+    if (!step.contains("values")) return;
+    std::string end;
+    for (const json& value : step["values"]) {
+        if (!plain(value)) return;
+        end += "." + value["value"].get<std::string>();
+    }
+    const bool there = name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    if (!there) fault(name + " has not the values " + step["values"].dump());
+}
+
+/// A transition is offered by its own hidden event; of others the values tell.
+bool Replay::offered(const json& offer, const States& states) {
+    std::set<std::string> keys;
+    for (const auto& [key, meaning] : emission_.provenance.events)
+        if (meaning.text == offer["text"] && meaning.component == offer.value("component", "")) keys.insert(key);
+    std::string end;
+    if (offer.contains("values"))
+        for (const json& value : offer["values"]) {
+            if (!plain(value)) return true;
+            end += "." + value["value"].get<std::string>();
+        }
+    for (const TermId state : states)
+        for (const process::Transition& each : session_.transitions(state)) {
+            const std::string& found = name(each.event == process::tau ? each.revealed : each.event);
+            if (offer["kind"] == "transition" ? keys.contains(found) : found.ends_with(end)) return true;
+        }
+    return false;
+}
+
+void Replay::offers_of(const json& step, const States& before) {
+    for (const json& offer : step["offered"])
+        if (!offered(offer, before)) fault("not offered: " + offer.dump());
+}
+
+void Replay::step(const json& step, States& states) {
+    ++sum_.steps;
+    ++sum_.kinds[step["kind"]];
+    const std::size_t first = step["raw"];
+    const std::size_t count = step["rawCount"];
+    if (count > 0 && first != next_) fault(fmt::format("raw event {} instead of {}", first, next_));
+    time_of(step);
+    std::int64_t units = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Raw event = raw_event(raw_.at(next_++));
+        if (i == 0) offers_of(step, states);
+        if (event.hidden != step["hidden"]) fault("hidden or not: " + raw_.at(next_ - 1));
+        states = perform(states, event);
+        if (states.empty()) return fault(fmt::format("the process cannot do {} (step {})", raw_.at(next_ - 1), step["n"].dump()));
+        if (event.name == "tock" || event.name == "tock'") ++units;
+        values_of(step, event.name);
+    }
+    time_ += units;
+    const bool passes = step["kind"] == "tock";
+    if (passes != (units > 0)) fault("time passes or not in step " + step["n"].dump() + ": " + step["text"].dump());
+    if (passes && step["units"] != units) fault("units of step " + step["n"].dump());
+    // A step inside a compression is none of the whole.
+    if (count > 0) machines_of(step["machines"], states);
+}
+
+void Replay::end(const States& states, const States& loop_start) {
+    const json& end = run_["end"];
+    const std::string kind = end["kind"];
+    const auto some = [&](const auto& test) { return std::any_of(states.begin(), states.end(), test); };
+    const bool loop = !run_["loopStart"].is_null();
+    if (loop && !some([&](TermId state) { return loop_start.contains(state); })) fault("the loop does not close");
+    if (loop) return;
+    for (const json& offer : end["offered"])
+        if (!offered(offer, states)) fault("not offered at the end: " + offer.dump());
+    if (kind == "deadlock" && !some([&](TermId state) { return session_.transitions(state).empty(); }))
+        fault("no deadlock");
+    if (kind == "timelock" && !some([&](TermId state) {
+            const auto list = session_.transitions(state);
+            return std::none_of(list.begin(), list.end(), [&](const auto& each) {
+                return each.event == process::tau || name(each.event) == "tock";
+            });
+        }))
+        fault("time can pass");
+    if (kind == "refusal" && end["required"].empty()) fault("nothing is required");
+    if (kind == "forbidden" && !end.contains("event")) fault("no event is forbidden");
+}
+
+std::vector<std::string> Replay::against(const cspm::ExprPtr& process) {
+    raw_ = run_["events"].get<std::vector<std::string>>();
+    const std::size_t loop = raw_.size();
+    for (const auto& each : run_["loopEvents"]) raw_.push_back(each);
+    States states{session_.process(process)};
+    States loop_start;
+    for (const json& each : run_["steps"]) {
+        if (!run_["loopStart"].is_null() && each["n"] == run_["loopStart"]) {
+            if (next_ != loop) fault("the loop begins elsewhere");
+            if (run_["timed"] == true && run_["time"] != time_) fault("time of the end");
+            loop_start = states;
+        }
+        step(each, states);
+        if (!faults_.empty()) return faults_;
+    }
+    if (next_ != raw_.size()) fault("steps are missing");
+    if (run_["loopStart"].is_null() && run_["timed"] == true && run_["time"] != time_) fault("time of the end");
+    end(states, loop_start);
+    return faults_;
+}
+
+/// One of the obligation's assertions has failed: the run is one of its process.
+std::vector<std::string> replay_one(const csp_emit::Emission& emission, cspm::Session& session,
+                                    const csp_emit::Obligation& obligation, const json& run, Replayed& sum) {
+    std::vector<std::string> faults{obligation.title + ": no assertion of it can fail with a run"};
+    for (const cspm::DeclPtr& assertion : obligation.assertions) {
+        const cspm::Assertion& asked = assertion->assertion;
+        if (asked.negated) continue;
+        const bool refinement = asked.kind == cspm::AssertionKind::refinement;
+        Replayed tally = sum;
+        faults = Replay(emission, session, obligation, run, tally)
+                     .against(refinement ? asked.implementation : asked.specification);
+        if (!faults.empty()) continue;
+        sum = tally;
+        return {};
+    }
+    return faults;
+}
+
+void replay_time(Project& project, const Options& options, csp_emit::Time time, const json& report, Replayed& sum) {
+    const csp_emit::Emission emission = emit_csp(project, options, time);
+    if (!project.diagnostics.ok()) return;
+    std::map<std::string, const json*> answers;
+    for (const json& each : report["assertions"]) answers[each["title"]] = &each;
+    cspm::Session session(emission.script);
+    for (const csp_emit::Obligation& obligation : emission.obligations) {
+        const auto found = answers.find(obligation.title);
+        if (found == answers.end()) continue;
+        ++sum.assertions;
+        if (!found->second->contains("counterexample")) continue;
+        const json& run = (*found->second)["counterexample"];
+        ++sum.counterexamples;
+        ++sum.endings[run["end"]["kind"]];
+        for (std::string& each : replay_one(emission, session, obligation, run, sum)) {
+            std::string where = options.inputs.front();
+            sum.faults.push_back(where + ": " + each);
+        }
+    }
+}
+
+}  // namespace
+
+void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) {
+    Options options;
+    options.verb = Verb::check;
+    options.inputs = inputs;
+    options.core = core;
+    // What takes long shows no other kind of step.
+    options.timeout_seconds = 2;
+    options.max_states = 20'000;
+    const auto project = load(options);
+    if (!project->diagnostics.ok()) return;
+    Report report;
+    check_assertions(*project, options, report);
+    if (!project->diagnostics.ok()) return;
+    const json parsed = json::parse(render_json(report));
+    for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed})
+        replay_time(*project, options, time, parsed, sum);
+}
+
+}  // namespace robochart::app::testing
