@@ -154,6 +154,7 @@ private:
         out_.line("#include <memory>");
         out_.line("#include <optional>");
         out_.line("#include <string>");
+        out_.line("#include <vector>");
         out_.gap();
         out_.line("#include <rclcpp/rclcpp.hpp>");
         std::set<std::string> messages{"string"};
@@ -180,8 +181,12 @@ private:
         out_.open(fmt::format("class {}Messages final : public {} {{", face_.cpp_name, face_.cpp_name));
         out_.label("public:");
         for (const auto& [topic, operation] : topics_.operations) {
-            out_.line(fmt::format("std::optional<std_msgs::msg::{}> made_{};", topic.message, topic.member));
+            out_.line(fmt::format("std::vector<std_msgs::msg::{}> made_{};", topic.message, topic.member));
             keep(topic, *operation);
+        }
+        for (const auto& [topic, event] : topics_.sent) {
+            out_.line(fmt::format("std::vector<std_msgs::msg::{}> made_sent_{};", topic.message, topic.member));
+            keep(topic, *event);
         }
         out_.close("};");
     }
@@ -194,9 +199,18 @@ private:
             several += fmt::format("{}static_cast<double>(a{})", i == 0 ? "" : ", ", i);
         }
         out_.open(fmt::format("void {}({}) override {{", operation.method, parameters));
-        out_.line(fmt::format("made_{}.emplace();", topic.member));
-        if (types.size() == 1) out_.line(fmt::format("made_{}->data = {};", topic.member, to_message(types[0], "a0")));
-        if (types.size() > 1) out_.line(fmt::format("made_{}->data = {{{}}};", topic.member, several));
+        out_.line(fmt::format("made_{}.emplace_back();", topic.member));
+        if (types.size() == 1)
+            out_.line(fmt::format("made_{}.back().data = {};", topic.member, to_message(types[0], "a0")));
+        if (types.size() > 1) out_.line(fmt::format("made_{}.back().data = {{{}}};", topic.member, several));
+        out_.close();
+    }
+
+    void keep(const Topic& topic, const FaceEvent& event) {
+        out_.open(fmt::format("void {}({}) override {{", event.method, topic.type ? type(*topic.type) + " a0" : ""));
+        out_.line(fmt::format("made_sent_{}.emplace_back();", topic.member));
+        if (topic.type)
+            out_.line(fmt::format("made_sent_{}.back().data = {};", topic.member, to_message(*topic.type, "a0")));
         out_.close();
     }
 
@@ -345,16 +359,13 @@ private:
     void publish() {
         out_.open(fmt::format("void {}::publish() {{", node_));
         for (const auto& [topic, operation] : topics_.operations) {
-            out_.line(fmt::format("if (robot_.made_{0}) out_{0}_->publish(*robot_.made_{0});", topic.member));
-            out_.line(fmt::format("robot_.made_{}.reset();", topic.member));
+            out_.line(fmt::format("for (const auto& made : robot_.made_{0}) out_{0}_->publish(made);", topic.member));
+            out_.line(fmt::format("robot_.made_{}.clear();", topic.member));
         }
         for (const auto& [topic, event] : topics_.sent) {
-            out_.open(fmt::format("if (robot_.{}) {{", event->flag));
-            out_.line(fmt::format("std_msgs::msg::{} message;", topic.message));
-            if (topic.type)
-                out_.line(fmt::format("message.data = {};", to_message(*topic.type, "robot_." + event->value)));
-            out_.line(fmt::format("sent_{}_->publish(message);", topic.member));
-            out_.close();
+            out_.line(
+                fmt::format("for (const auto& made : robot_.made_sent_{0}) sent_{0}_->publish(made);", topic.member));
+            out_.line(fmt::format("robot_.made_sent_{}.clear();", topic.member));
         }
         for (const auto& [topic, variable] : topics_.variables) {
             out_.open(fmt::format("if (!known_{0}_ || *known_{0}_ != robot_.{0}) {{", topic.member));

@@ -11,9 +11,9 @@
 extern "C" {
 #endif
 
-#define ROBOCHART_DRIVE_ABI_VERSION 1
+#define ROBOCHART_DRIVE_ABI_VERSION 2
 #define ROBOCHART_DRIVE_MAX_ARGUMENTS 8
-#define ROBOCHART_DRIVE_MAX_ACTIONS 64
+#define ROBOCHART_DRIVE_MAX_ACTIONS 1024
 
 /* A value of type real is `real`; booleans (0, 1), nat, int and indices of enumeration literals are `whole`. */
 typedef union rc_value {

@@ -13,7 +13,7 @@ namespace house::Door_core {
 /// Time units that pass between two cycles.
 inline constexpr std::uint32_t cycle_length = 1;
 /// Steps that one cycle may take before the model is taken to diverge.
-inline constexpr std::uint32_t step_bound = 1080;
+inline constexpr std::uint32_t step_bound = 100048;
 
 using robochart::advance_clock, robochart::advance_wait, robochart::duration;
 using robochart::divide, robochart::modulus, robochart::place_of, robochart::rounded_down;
@@ -23,8 +23,6 @@ enum class At : std::uint8_t {
     i,  ///< Door::i (door.rct:8)
     Closed,  ///< Door::Closed (door.rct:9)
     Open,  ///< Door::Open (door.rct:11)
-    enter_Open,  ///< enters Door::Open (door.rct:11)
-    take_t2,  ///< takes Door::t2 (door.rct:23)
 };
 
 /// The whole state of Door: a value without padding, equal states have equal bytes.
@@ -100,37 +98,82 @@ public:
 
     /// What a cycle with this event and no other input does before time passes.
     robochart::StepResult dispatch(Event event) noexcept {
-        [[maybe_unused]] const Inputs<Types> values = inputs_;
-        inputs_ = {};
-        switch (event) {
-            case Event::open:
-                inputs_.open.present = true;
-                break;
-            case Event::close:
-                inputs_.close.present = true;
-                break;
+        State<Types>& f = state_;
+        for (;;) {
+            switch (f.at) {
+                case At::Closed:
+                    switch (event) {
+                        case Event::open:
+                            // Door::t1 (door.rct:18)
+                            f.T = 0;
+                            taken(1);
+                            enter_Open(f);
+                            return robochart::StepResult::quiescent;
+                        default:
+                            return robochart::StepResult::quiescent;
+                    }
+                    break;
+                case At::Open:
+                    switch (event) {
+                        case Event::close:
+                            // Door::t2 (door.rct:23)
+                            if (Nat(f.T) >= Nat(2)) {
+                                taken(2);
+                                take_t2(f);
+                                return robochart::StepResult::quiescent;
+                            }
+                            return robochart::StepResult::quiescent;
+                        default:
+                            return robochart::StepResult::quiescent;
+                    }
+                    break;
+                ROBOCHART_UNLIKELY default:  // At::i
+                    // from Door::i (door.rct:8)
+                    f.T = 0;
+                    // Door::t0 (door.rct:14)
+                    taken(0);
+                    f.at = At::Closed;
+                    break;
+            }
         }
-        run(state_);
-        return this->result(finished(state_));
     }
 
-    /// What needs no event.
+    /// What the machine does before the first event. It does nothing later.
     robochart::StepResult begin() noexcept {
-        inputs_ = {};
-        run(state_);
-        return this->result(finished(state_));
+        [[maybe_unused]] State<Types>& f = state_;
+        if (f.at == At::i) {
+            f.T = 0;
+            // Door::t0 (door.rct:14)
+            taken(0);
+            f.at = At::Closed;
+        }
+        return robochart::StepResult::quiescent;
     }
 
-    /// A cycle without inputs.
+    /// A cycle without inputs, once the machine has begun.
     robochart::StepResult pass() noexcept {
-        inputs_ = {};
-        return cycle();
+        [[maybe_unused]] State<Types>& f = state_;
+        const robochart::StepResult result = robochart::StepResult::quiescent;
+        if (result == robochart::StepResult::quiescent) advance(f);
+        return result;
     }
 
 private:
     /// Tells a platform that has a method `taken` of a transition; Door_trace.hpp names them.
     void taken([[maybe_unused]] std::uint32_t transition) noexcept {
         if constexpr (robochart::Listens<Platform>::value) platform_.taken(transition);
+    }
+
+    /// Enters Door::Open (door.rct:11)
+    void enter_Open([[maybe_unused]] State<Types>& f) noexcept {
+        platform_.send_bell(Nat(1));
+        f.at = At::Open;
+    }
+
+    /// Action of Door::t2 (door.rct:23)
+    void take_t2([[maybe_unused]] State<Types>& f) noexcept {
+        platform_.send_bell(Nat(2));
+        f.at = At::Closed;
     }
 
     /// Actions and junctions of Door, until it settles or has to wait.
@@ -146,24 +189,6 @@ private:
                     taken(0);
                     f.at = At::Closed;
                     break;
-                // enters Door::Open (door.rct:11)
-                case At::enter_Open:
-                    if (send_bell_done_) {
-                        return moved;
-                    }
-                    send_bell_done_ = true;
-                    platform_.send_bell(Nat(1));
-                    f.at = At::Open;
-                    break;
-                // takes Door::t2 (door.rct:23)
-                case At::take_t2:
-                    if (send_bell_done_) {
-                        return moved;
-                    }
-                    send_bell_done_ = true;
-                    platform_.send_bell(Nat(2));
-                    f.at = At::Closed;
-                    break;
             }
             moved = true;
             if (!spend()) return true;
@@ -177,7 +202,7 @@ private:
             inputs_.open.present = false;
             f.T = 0;
             taken(1);
-            f.at = At::enter_Open;
+            enter_Open(f);
             return spend();
         }
         return false;
@@ -189,7 +214,7 @@ private:
         if (inputs_.close.present && Nat(f.T) >= Nat(2)) {
             inputs_.close.present = false;
             taken(2);
-            f.at = At::take_t2;
+            take_t2(f);
             return spend();
         }
         return false;
@@ -222,7 +247,6 @@ private:
     State<Types>& state_;
     Inputs<Types> inputs_;
     Platform& platform_;
-    bool send_bell_done_ = false;  ///< made in this cycle
 };
 
 /// The state before the first cycle, which runs the initial transition.
