@@ -1,12 +1,14 @@
 #include "app/pipeline.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <stdexcept>
 
 #include "app/output.hpp"
 #include "app/rules.hpp"
@@ -89,8 +91,15 @@ csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::
     wanted.core_assertions = options.core;
     csp_emit::Emission emission =
         csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources, project.diagnostics);
-    // What the user wrote in CSPM is held to FDR's rules of types; without it the script is ours, and in order.
-    if (project.diagnostics.ok() && !project.system.csp_blocks.empty()) (void)cspm::check_types(emission.script, project.diagnostics);
+    if (!project.diagnostics.ok()) return emission;
+    if (!emission.captured.empty())
+        throw std::logic_error(fmt::format("the script takes {} for something of the model's", fmt::join(emission.captured, ", ")));
+    // What is written or checked is held to FDR's rules of types. Where the user wrote none of it, a finding is a fault of ours.
+    (void)cspm::check_types(emission.script, project.diagnostics);
+    if (!project.diagnostics.ok() && project.system.csp_blocks.empty()) {
+        diagnostics::TextStyle style;
+        throw std::logic_error(fmt::format("the script does not type check:\n{}", diagnostics::render_text(project.sources, project.diagnostics, style)));
+    }
     return emission;
 }
 

@@ -27,7 +27,8 @@ struct Project {
 /// Reads the inputs and lowers them. Stops after the first phase with errors; `diagnostics` tells.
 [[nodiscard]] std::unique_ptr<Project> load(const Options&);
 
-/// The semantics in one time, type checked if the model has CSP blocks; diagnostics are added to the project's.
+/// The semantics in one time, type checked; diagnostics are added to the project's. Throws std::logic_error where the
+/// script is wrong and nothing of it is the user's.
 [[nodiscard]] csp_emit::Emission emit_csp(Project&, const Options&, csp_emit::Time);
 
 /// The components that C++ is made for: the modules, without any the controllers, without any the machines;

@@ -6,19 +6,18 @@ namespace robochart::conformance {
 
 namespace {
 
-std::string path_of(const ir::System& system, const ir::ComponentRef& ref) {
-    switch (ref.kind) {
-        case ir::ComponentKind::module:
-            return ref.definition < system.modules.size() ? system.modules[ref.definition].name : ref.path;
-        case ir::ComponentKind::controller:
-            return ref.definition < system.controllers.size() ? system.controllers[ref.definition].path : ref.path;
-        case ir::ComponentKind::machine:
-            return ref.definition < system.machines.size() ? system.machines[ref.definition].path : ref.path;
-        case ir::ComponentKind::operation:
-        case ir::ComponentKind::process:
-            break;
-    }
-    return ref.path;
+/// The same component under the names that it has in the system.
+ir::ComponentRef renamed(const ir::System& system, ir::ComponentRef ref) {
+    const auto take = [&](const auto& components, const auto& path) {
+        if (ref.definition >= components.size()) return;
+        ref.package = components[ref.definition].package;
+        ref.path = path(components[ref.definition]);
+    };
+    const auto path = [](const auto& component) { return component.path; };
+    if (ref.kind == ir::ComponentKind::module) take(system.modules, [](const ir::Module& module) { return module.name; });
+    if (ref.kind == ir::ComponentKind::controller) take(system.controllers, path);
+    if (ref.kind == ir::ComponentKind::machine) take(system.machines, path);
+    return ref;
 }
 
 }  // namespace
@@ -28,7 +27,7 @@ SafeModel safe_model(const ir::System& system, const ir::Instantiation& instanti
     csp_emit::SafeNames safe = csp_emit::safe_names(system, instantiation, diagnostics);
     SafeModel model{safe.changed ? std::move(safe.system) : system,
                     safe.changed ? std::move(safe.instantiation) : instantiation, component};
-    if (safe.changed) model.component.path = path_of(model.system, component);
+    if (safe.changed) model.component = renamed(model.system, component);
     model.system.csp_blocks.clear();
     model.system.properties.clear();
     return model;

@@ -85,6 +85,7 @@ public:
 private:
     bool timed() const { return project_.timed(); }
     std::string path(const ir::ComponentRef& ref) const { return qualified(ref.package, ref.path); }
+    std::string name_of(const ir::ComponentRef& process, const std::string& ending) const;
     const ComponentEmission* component(const ir::ComponentRef& ref) const;
     b::Exprs arguments(const ir::ComponentRef& ref, const ir::Property& property) const;
     ExprPtr process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const;
@@ -143,11 +144,20 @@ void Asserter::report_unused(const ir::Property& property) const {
             project_.diagnostics.report(rules::constant_without_use, property.origin.span, {property.name, name});
 }
 
+/// What a process of a CSP block, or what belongs to it, is called in the script.
+std::string Asserter::name_of(const ir::ComponentRef& process, const std::string& ending) const {
+    const std::string name = process.path + ending;
+    if (process.definition >= project_.system.csp_blocks.size()) return name;
+    const auto names = emitted_.names_of_blocks.find(project_.system.csp_blocks[process.definition].file);
+    if (names == emitted_.names_of_blocks.end()) return name;
+    const auto changed = names->second.find(name);
+    return changed == names->second.end() ? name : changed->second;
+}
+
 /// `P::X::D__(0, constants...)`; for a process of a CSP block its name.
 ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& property, const std::string& variant) const {
     if (ref.kind == ir::ComponentKind::process) {
-        const auto changed = emitted_.names_of_blocks.find(ref.path);
-        return b::name(changed == emitted_.names_of_blocks.end() ? ref.path : changed->second);
+        return b::name(name_of(ref, ""));
     }
     return b::call(path(ref) + "::" + variant, arguments(ref, property));
 }
@@ -213,7 +223,8 @@ ExprPtr Asserter::renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef
 }
 
 ExprPtr Asserter::alphabet(const ir::ComponentRef& ref) const {
-    return b::name(ref.kind == ir::ComponentKind::process ? ref.path + "__sem__events" : path(ref) + "::sem__events");
+    const bool process = ref.kind == ir::ComponentKind::process;
+    return b::name(process ? name_of(ref, "__sem__events") : path(ref) + "::sem__events");
 }
 
 /// Whether a CSP block of this time defines the alphabet of its process.

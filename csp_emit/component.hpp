@@ -76,8 +76,8 @@ struct Emitted {
     std::map<std::string, ComponentEmission> components;
     /// Machines by their path in the model and the operations defined where they run: what they are in all places.
     std::map<std::string, EmittedMachine> machines = {};
-    /// What names in CSP blocks have become, where they had to (apart.hpp).
-    std::map<std::string, std::string> names_of_blocks = {};
+    /// What names in the CSP blocks of each file have become, where they had to (apart.hpp).
+    std::map<std::string, std::map<std::string, std::string>> names_of_blocks = {};
 };
 
 }  // namespace robochart::csp_emit

@@ -166,27 +166,28 @@ std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std
     return result;
 }
 
-/// The declarations of the user's instantiations, but `transparent` lines that the library has too.
-std::vector<DeclPtr> user_instantiations(const Project& project, const std::vector<DeclPtr>& library) {
-    std::vector<DeclPtr> result;
+/// The blocks of this time, file by file; of the instantiations all but `transparent` lines that the library has too.
+std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<DeclPtr>& library) {
+    std::vector<FileBlocks> result;
     for (const ir::CspBlock& block : project.system.csp_blocks) {
-        if (!project.replaces_instantiations(block)) continue;
-        project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
-        append(result, declared_once(read_block(project, block), library));
+        if (!project.applies(block)) continue;
+        if (result.empty() || result.back().file != block.file) result.push_back({block.file, {}, {}});
+        FileBlocks& file = result.back();
+        const std::vector<DeclPtr> decls = read_block(project, block);
+        if (project.replaces_instantiations(block)) {
+            project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
+            append(file.instantiations, declared_once(decls, library));
+        } else {
+            append(file.others, decls);
+        }
     }
     return result;
 }
 
 /// The generated instantiations of all names that the user's leave out; of these the functions whose values are the
 /// finite reading's choice.
-void add_instantiations(const Project& project, const std::vector<DeclPtr>& theirs, std::vector<DeclPtr>& decls,
+void add_instantiations(const Project& project, const std::set<std::string>& given, std::vector<DeclPtr>& decls,
                         std::set<std::string>& bounded) {
-    std::set<std::string> given;
-    for (const DeclPtr& decl : theirs) {
-        given.insert(decl->names.begin(), decl->names.end());
-        if (decl->kind == cspm::DeclKind::value && !decl->patterns.empty())
-            for (const auto& pattern : decl->patterns.front()) given.insert(pattern->text);
-    }
     for (const DeclPtr& decl : instantiations(project)) {
         const std::string name = !decl->names.empty() ? decl->names.front() : decl->patterns.front().front()->text;
         if (given.count(name) != 0) continue;
@@ -197,23 +198,20 @@ void add_instantiations(const Project& project, const std::vector<DeclPtr>& thei
         if (!function.postconditions.empty()) bounded.erase(function_name(function));
 }
 
-/// The blocks of this time but the instantiations, in order.
-std::vector<DeclPtr> user_blocks(const Project& project) {
-    std::vector<DeclPtr> result;
-    for (const ir::CspBlock& block : project.system.csp_blocks)
-        if (project.applies(block) && !project.replaces_instantiations(block))
-            append(result, read_block(project, block));
-    return result;
-}
-
-void reserve(const UserNames& theirs, NameManager& names) {
-    for (const std::string& name : theirs.all) names.reserve(name);
-    for (const std::string& name : theirs.constructors) names.reserve(name);
-}
-
-std::string in(const cspm::NewNames& names, const std::string& name) {
-    const auto found = names.find(name);
-    return found == names.end() ? name : found->second;
+/// Every word of the blocks: a name of ours is none of them.
+void reserve(const Project& project, NameManager& names) {
+    const auto in_name = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
+    };
+    for (const ir::CspBlock& block : project.system.csp_blocks) {
+        const std::string& text = block.text;
+        for (auto at = text.begin(); at != text.end();) {
+            at = std::find_if(at, text.end(), in_name);
+            const auto end = std::find_if_not(at, text.end(), in_name);
+            if (at != end) names.reserve(std::string(at, end));
+            at = end;
+        }
+    }
 }
 
 void point_out_probabilities(const Project& project) {
@@ -239,20 +237,24 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     NameSurvey(project, names).all();
     point_out_probabilities(project);
     Emission result;
-    const std::vector<DeclPtr> blocks = user_blocks(project);
     const std::vector<DeclPtr> core = library(project);
-    const std::vector<DeclPtr> carriers = user_instantiations(project, core);
-    UserNames theirs = user_names(blocks);
-    theirs.constructors.merge(user_names(carriers).constructors);
-    reserve(theirs, names);
+    const std::vector<FileBlocks> files = user_blocks(project, core);
+    UserNames theirs;
+    for (const FileBlocks& file : files)
+        for (const auto* part : {&file.instantiations, &file.others})
+            theirs.constructors.merge(user_names(*part).constructors);
+    reserve(project, names);
     std::vector<DeclPtr> generated = data_definitions(project);
-    add_instantiations(project, carriers, generated, result.bounded);
+    add_instantiations(project, given_names(files, safe.for_blocks), generated, result.bounded);
     Emitted emitted;
     emit_components(project, names, emitted, generated);
     std::vector<DeclPtr> ours = core;
     append(ours, generated);
-    const cspm::NewNames new_names = new_names_of_ours(theirs, core, ours, names);
-    emitted.names_of_blocks = new_names_of_theirs(theirs, ours, names);
+    const cspm::NewNames new_names = new_names_of_ours(theirs, ours, names);
+    const std::vector<cspm::QualifiedNames> new_names_of_files =
+        new_names_of_theirs(files, safe.for_blocks, ours, names);
+    for (std::size_t i = 0; i < files.size(); ++i)
+        emitted.names_of_blocks[files[i].file] = new_names_of_files[i].plain;
     const std::string terminated = in(new_names, "r__");
     EventMeaning tock{MeaningKind::tock, "one time unit passes", {}, {}};
     if (project.timed()) {
@@ -262,17 +264,19 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     emitted.provenance.events[terminated] = {MeaningKind::terminate, "it has terminated", {}, {}};
     std::vector<DeclPtr>& definitions = result.definitions.decls;
     definitions = cspm::renamed(core, new_names);
-    append(definitions, carriers);
+    for (std::size_t i = 0; i < files.size(); ++i)
+        append(definitions, cspm::renamed(files[i].instantiations, new_names_of_files[i]));
     append(definitions, cspm::renamed(generated, new_names));
     result.script = result.definitions;
-    append(result.script.decls, cspm::renamed(declared_once(blocks, definitions), emitted.names_of_blocks));
+    for (std::size_t i = 0; i < files.size(); ++i)
+        append(result.script.decls, cspm::renamed(declared_once(files[i].others, result.script.decls), new_names_of_files[i]));
     result.obligations = obligations(project, names, emitted);
     for (Obligation& obligation : result.obligations) {
         obligation.preparation = cspm::renamed(obligation.preparation, new_names);
-        if (terminated != "r__") obligation.assertions = cspm::renamed(obligation.assertions, {{"r__", terminated}});
         append(result.script.decls, obligation.preparation);
         append(result.script.decls, obligation.assertions);
     }
+    result.captured = captured(cspm::renamed(ours, new_names));
     for (const auto& [path, component] : emitted.components)
         result.components.push_back(
             {path, default_process(project, path, component, "D__"), default_process(project, path, component, "O__")});

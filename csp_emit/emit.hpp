@@ -107,6 +107,7 @@ struct Emission {
     Provenance provenance;
     std::vector<ComponentProcesses> components;  ///< every one, nested ones too, by path
     std::set<std::string> bounded;               ///< functions whose value the finite reading may choose (bounds.hpp)
+    std::set<std::string> captured;              ///< always empty, or the script is wrong (apart.hpp)
 };
 
 struct Options {

@@ -74,7 +74,7 @@ ExprPtr Translator::name(const ir::Expr& expr) const {
             return scope_.trigger_value ? scope_.trigger_value
                                         : refused("a trigger's value outside its transition", expr);
         default:
-            return b::name(expr.text + "__q");  // bound variables cannot clash: no element ends so
+            return b::name(bound_name(expr.text));
     }
 }
 
@@ -296,13 +296,13 @@ ExprPtr Translator::function_value(const ir::Expr& expr) const {
 std::vector<cspm::Clause> Translator::generators(const ir::Expr& expr) const {
     std::vector<cspm::Clause> clauses;
     for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
-        clauses.push_back(b::generator(expr.bound_names[i] + "__q", type_set(project_, expr.bound_types.at(i))));
+        clauses.push_back(b::generator(bound_name(expr.bound_names[i]), type_set(project_, expr.bound_types.at(i))));
     return clauses;
 }
 
 ExprPtr Translator::bound_tuple(const ir::Expr& expr) {
     b::Exprs bound;
-    for (const std::string& name : expr.bound_names) bound.push_back(b::name(name + "__q"));
+    for (const std::string& name : expr.bound_names) bound.push_back(b::name(bound_name(name)));
     return tuple_or_one(bound);
 }
 
@@ -332,7 +332,7 @@ ExprPtr Translator::quantified(const ir::Expr& expr) const {
 /// The first bindings around a body. CSPM's own `let` is recursive; each value here sees only the bindings before it.
 ExprPtr Translator::bind_let(const ir::Expr& expr, std::size_t count, ExprPtr body) const {
     for (std::size_t i = count; i-- > 0;)
-        body = b::apply(b::lambda({b::variable(expr.bound_names.at(i) + "__q")}, body), {arg(expr, i)});
+        body = b::apply(b::lambda({b::variable(bound_name(expr.bound_names.at(i)))}, body), {arg(expr, i)});
     return body;
 }
 

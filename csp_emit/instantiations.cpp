@@ -155,7 +155,7 @@ b::Exprs with_preconditions(const Project& project, const ir::Expr& condition) {
 
 b::Patterns parameters_of(const ir::Function& function) {
     b::Patterns result;
-    for (const std::string& name : function.parameter_names) result.push_back(b::variable(name + "__q"));
+    for (const std::string& name : function.parameter_names) result.push_back(b::variable(bound_name(name)));
     return result;
 }
 
@@ -179,7 +179,7 @@ ExprPtr searched(const Project& project, const ir::Function& function) {
     const ExprPtr none = b::call("error", {b::string("no value satisfies the postcondition of " + function.name)});
     const ExprPtr first =
         b::if_(b::call("empty", {b::name("found__")}), none, b::call("head", {b::call("seq", {b::name("found__")})}));
-    return b::let_({b::function_decl("ok__", {b::variable("result__q")}, b::all_of(conditions))},
+    return b::let_({b::function_decl("ok__", {b::variable(bound_name("result"))}, b::all_of(conditions))},
                    b::if_(b::call("ok__", {constant}), constant, b::let_({b::value("found__", candidates)}, first)));
 }
 

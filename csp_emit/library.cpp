@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "checker/cspm/reader.hpp"
+#include "csp_emit/apart.hpp"
 #include "csp_emit/toolkits.hpp"
 
 namespace robochart::csp_emit {
@@ -105,6 +106,21 @@ bool uses_tick_tock(const ir::System& system) {
 
 std::string library_text(Time time) {
     return time == Time::timed ? std::string(common) + timed_part : std::string(common);
+}
+
+const std::set<std::string>& library_names() {
+    static const std::set<std::string> names = [] {
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics diagnostics;
+        const auto source = sources.add("<libraries>", library_text(Time::timed) + tick_tock_part + toolkit_text());
+        const auto decls = cspm::read(sources, source, diagnostics).decls;
+        std::set<std::string> result = user_names(decls).all;
+        for (const cspm::DeclPtr& decl : decls)
+            if (decl->kind == cspm::DeclKind::transparent || decl->kind == cspm::DeclKind::external)
+                result.insert(decl->names.begin(), decl->names.end());
+        return result;
+    }();
+    return names;
 }
 
 std::vector<cspm::DeclPtr> library(const Project& project) {

@@ -11,4 +11,7 @@ namespace robochart::csp_emit {
 /// The same as a tree.
 [[nodiscard]] std::vector<cspm::DeclPtr> library(const Project&);
 
+/// Everything that the libraries of both times declare at the top, the toolkits and the tick-tock model included.
+[[nodiscard]] const std::set<std::string>& library_names();
+
 }  // namespace robochart::csp_emit

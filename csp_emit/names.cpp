@@ -5,6 +5,9 @@
 #include <array>
 #include <cctype>
 
+#include "checker/cspm/builtins.hpp"
+#include "csp_emit/library.hpp"
+
 namespace robochart::csp_emit {
 namespace {
 
@@ -145,17 +148,32 @@ constexpr std::array reserved_names{"and",
 // Predefined functions that only the library and the instantiations call, which stand outside the modules.
 constexpr std::array only_at_top{"inter", "diff",       "Union",  "Inter", "set",    "seq",
                                  "head",  "tail",       "concat", "elem",  "length", "null",
-                                 "show",  "extensions", "Map",    "LSeq",  "Proc",   "productions"};
+                                 "show",  "extensions", "Map",    "productions"};
+
+bool relied_on(const std::string& name) {
+    return ends_as_ours(name) || std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
+}
 
 }  // namespace
 
-std::string NameManager::unique(const std::string& wanted) {
+std::string NameManager::unique(const std::string& name) {
+    // An identifier of CSPM begins with a letter.
+    const bool begins = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0;
+    const std::string wanted = begins ? name : "n" + name;
     if (taken_.insert(wanted).second) return wanted;
     int& suffix = last_suffix_.try_emplace(wanted, 1).first->second;
     for (;;) {
         const std::string result = wanted + "_" + std::to_string(++suffix);
         if (taken_.insert(result).second) return result;
     }
+}
+
+std::string bound_name(const std::string& name) {
+    return is_identifier(name) ? name + "__q" : "n" + name + "__r";
+}
+
+bool ends_as_ours(const std::string& name) {
+    return name.size() > 2 && (name.ends_with("__") || name.ends_with("__q") || name.ends_with("__r"));
 }
 
 std::string flatten(std::string_view name) {
@@ -176,18 +194,34 @@ std::string module_name(const ir::Machine& machine) {
     return machine.kind == ir::MachineKind::operation ? "OP_" + machine.name : machine.name;
 }
 
+bool is_identifier(const std::string& name) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const auto part = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+    return !name.empty() && letter(name.front()) && std::all_of(name.begin(), name.end(), part);
+}
+
 bool is_reserved(const std::string& name) {
-    // Names of our own parameters and processes end in two underscores.
-    const bool ours = name.size() > 2 && name.compare(name.size() - 2, 2, "__") == 0;
-    return ours || std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
+    return relied_on(name) || !is_identifier(name) || is_predefined(name) || library_names().contains(name);
 }
 
 bool is_reserved_inside(const std::string& name) {
-    return is_reserved(name) && std::find(only_at_top.begin(), only_at_top.end(), name) == only_at_top.end();
+    if (!is_identifier(name) || library_names().contains(name)) return true;
+    const cspm::BuiltinName* builtin = cspm::find_builtin(name);
+    if (builtin != nullptr && builtin->arguments < 0) return true;  // a value: it is told from an event by its name
+    return relied_on(name) && std::find(only_at_top.begin(), only_at_top.end(), name) == only_at_top.end();
+}
+
+bool is_predefined(const std::string& name) {
+    const cspm::BuiltinName* builtin = cspm::find_builtin(name);
+    return builtin != nullptr && (builtin->visibility == cspm::Visibility::always ||
+                                  builtin->visibility == cspm::Visibility::timed_sections);
 }
 
 void reserve_all(NameManager& names) {
     for (const char* name : reserved_names) names.reserve(name);
+    for (const std::string& name : library_names()) names.reserve(name);
+    for (int i = 0; i <= static_cast<int>(cspm::Builtin::dbisim); ++i)
+        names.reserve(std::string(cspm::builtin_name(static_cast<cspm::Builtin>(i)).name));
 }
 
 }  // namespace robochart::csp_emit

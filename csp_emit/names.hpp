@@ -17,8 +17,8 @@ class NameManager {
 public:
     void reserve(const std::string& name) { taken_.insert(name); }
     [[nodiscard]] bool taken(const std::string& name) const { return taken_.count(name) != 0; }
-    /// `wanted` itself or `wanted_2`, `wanted_3`...; the result is taken from now on.
-    [[nodiscard]] std::string unique(const std::string& wanted);
+    /// `name` itself or `name_2`, `name_3`..., behind an `n` if it does not begin with a letter; the result is taken from now on.
+    [[nodiscard]] std::string unique(const std::string& name);
 
 private:
     std::set<std::string> taken_;
@@ -31,10 +31,19 @@ private:
 [[nodiscard]] std::string qualified(const std::string& package, const std::string& name);
 /// The module of a machine: its name, or `OP_o` for an operation.
 [[nodiscard]] std::string module_name(const ir::Machine&);
-/// Keywords of CSPM, its predefined names and those of our library: no element at the top of the script may carry one.
+/// A letter, then letters, digits and underscores: the names that CSPM can write.
+[[nodiscard]] bool is_identifier(const std::string& name);
+/// Keywords of CSPM, its predefined names, those of our library and what is no identifier: no element at the top of the
+/// script may carry one.
 [[nodiscard]] bool is_reserved(const std::string& name);
 /// Those of them that mean something to what is written inside the modules of components.
 [[nodiscard]] bool is_reserved_inside(const std::string& name);
+/// The name in the script of a parameter or bound variable of the model's: no element ends so.
+[[nodiscard]] std::string bound_name(const std::string& name);
+/// Whether a name ends as those of our own parameters and processes, or of bound variables, do.
+[[nodiscard]] bool ends_as_ours(const std::string& name);
+/// What CSPM defines in every script, or in timed sections.
+[[nodiscard]] bool is_predefined(const std::string& name);
 /// The reserved names, so that a NameManager can avoid them.
 void reserve_all(NameManager&);
 

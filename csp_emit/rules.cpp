@@ -22,13 +22,19 @@ const Rule missing_in_caller{
 const Rule reserved_name{
     "RC-C04", Severity::note, "the name {} means something else in CSPM; in the script it is {}",
     "Events, states and components keep their names in the CSP script, for csp blocks to use. Keywords of CSPM and "
-    "functions that the script itself uses cannot be names there: a number is put behind the name. A csp block that "
-    "speaks of the element must do the same."};
+    "functions that the script itself uses cannot be names there: a number is put behind the name. A csp block speaks "
+    "of the element by the name that it has in the model; a block Instantiations that defines a function of such a "
+    "name defines the model's."};
 const Rule name_of_another{
     "RC-C09", Severity::note, "another element is called {} in the script; this one is {} there",
     "What RoboChart keeps apart shares one name space in CSPM: a state and an event of its machine, a function and an "
     "event, an event `set_x` and the channel on which variable x is written, an event `opCall` and the calls of op. "
     "The state, the type or function, or the event that looks like such a channel gets a number behind its name."};
+const Rule one_name_for_two{
+    "RC-C10", Severity::error, "{} and {} are both called {} in the script",
+    "A component is a module of the script under its package's and its own name, `::` of a package's name being `_`; "
+    "a constant is called after everything around it. Two elements of one name there would be taken for each other. "
+    "Rename one of them, or check the files apart if they do not belong together."};
 // RC-C05 is retired: exits that race with the store of a trigger's value run beside it.
 const Rule too_many_points{
     "RC-C06", Severity::error, "{} has more than {}",
@@ -51,9 +57,10 @@ const Rule probabilistic_choice{
     "happen may rest on a transition of probability 0."};
 
 std::span<const Rule* const> all() {
-    static constexpr std::array<const Rule*, 9> table{&unsupported,          &recursive_call,  &missing_in_caller,
-                                                      &reserved_name,        &too_many_points, &instantiations_replaced,
-                                                      &constant_without_use, &name_of_another, &probabilistic_choice};
+    static constexpr std::array<const Rule*, 10> table{
+        &unsupported,     &recursive_call,          &missing_in_caller,    &reserved_name,
+        &too_many_points, &instantiations_replaced, &constant_without_use, &name_of_another,
+        &one_name_for_two, &probabilistic_choice};
     return table;
 }
 

@@ -15,6 +15,7 @@ extern const diagnostics::Rule too_many_points;          // RC-C06
 extern const diagnostics::Rule instantiations_replaced;  // RC-C07
 extern const diagnostics::Rule constant_without_use;     // RC-C08
 extern const diagnostics::Rule name_of_another;          // RC-C09
+extern const diagnostics::Rule one_name_for_two;         // RC-C10
 extern const diagnostics::Rule probabilistic_choice;     // RC-C21
 
 /// Every rule above, in order of code.

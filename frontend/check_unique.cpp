@@ -110,11 +110,10 @@ void check_entry(const Names& names, const std::string& full, const std::vector<
     }
 }
 
-/// The csp blocks of all files are parts of one script. A name may stand for a timed and for an untimed process.
-void check_blocks(const Model& model, Diagnostics& out) {
+/// The csp blocks of a file are parts of one script. A name may stand for a timed and for an untimed process.
+void check_blocks(const File& file, Diagnostics& out) {
     std::map<std::string_view, std::vector<const CspBlock*>> blocks;
-    for (const auto& file : model.files)
-        for (const CspBlock& block : file->csp_blocks) blocks[block.name].push_back(&block);
+    for (const CspBlock& block : file.csp_blocks) blocks[block.name].push_back(&block);
     const auto meet = [](const CspBlock& a, const CspBlock& b) {
         return a.time == b.time || a.time == AssertionTime::both || b.time == AssertionTime::both;
     };
@@ -131,7 +130,7 @@ void check_blocks(const Model& model, Diagnostics& out) {
 }  // namespace
 
 void check_unique(const Model& model, const Names& names, Diagnostics& out) {
-    check_blocks(model, out);
+    for (const auto& file : model.files) check_blocks(*file, out);
     for (const auto& [full, declarations] : names.entries()) {
         check_entry(names, full, declarations, out);
         for (const Declaration* declaration : declarations) {

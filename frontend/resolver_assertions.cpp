@@ -174,10 +174,16 @@ const Declaration* AssertionResolver::in_some_package(const std::string& name) c
     return found;
 }
 
+/// The block of the file itself, else of another. Files are scopes of their own: several may have one of the name.
 const CspBlock* AssertionResolver::process(const std::string& name) const {
+    const auto in = [&](const File& file) {
+        const auto found = std::find_if(file.csp_blocks.begin(), file.csp_blocks.end(),
+                                        [&](const CspBlock& block) { return block.name == name; });
+        return found == file.csp_blocks.end() ? nullptr : &*found;
+    };
+    if (const CspBlock* block = in(*file_)) return block;
     for (const auto& file : model_.files)
-        for (const CspBlock& block : file->csp_blocks)
-            if (block.name == name) return &block;
+        if (const CspBlock* block = in(*file)) return block;
     return nullptr;
 }
 

@@ -410,7 +410,7 @@ struct ComponentRef {
     /// CSP module path without the package ("M::ctrl_ref0::stm_ref0", "S", "OP_move"); process: the name as written.
     std::string path;
     std::string package;               ///< "" if unnamed
-    std::uint32_t definition = no_id;  ///< index into System::modules, controllers or machines; none for processes
+    std::uint32_t definition = no_id;  ///< index into System::modules, controllers, machines or csp_blocks
 };
 
 enum class PropertyKind {

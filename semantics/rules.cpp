@@ -81,6 +81,14 @@ const Rule function_by_contract{
     "as "
     "RoboTool has it for every function without a definition; else the least value that does. A call for which no "
     "value does has no meaning: a check that meets it is inconclusive."};
+const Rule no_beginning{
+    "RC-S21", Severity::error, "{} {} has {} initial junctions, so nothing says where it begins",
+    "A composite state and an operation with nodes begin at their only initial junction. RoboChart's rule STM3 is a "
+    "warning for them; but without exactly one there is no meaning to check and no code to generate."};
+const Rule declared_twice{
+    "RC-S22", Severity::error, "{} has two {}s called {}",
+    "Where two declarations of one kind share a name, a reference means the first (RC-N03 warns). Semantics and code "
+    "know the members of a machine or component by their names, so they refuse it. Rename one of the two."};
 const Rule ambiguous_constant{
     "RC-S19", Severity::error,
     "operation {} requires constant {}, which its callers in {} provide with different values: {}",
@@ -88,7 +96,7 @@ const Rule ambiguous_constant{
     "their own, the operation would need one process for each; give it a parameter instead."};
 
 namespace {
-const std::array<const Rule*, 16> table{&unsupported_construct,
+const std::array<const Rule*, 18> table{&unsupported_construct,
                                         &recursive_operation,
                                         &number_too_large,
                                         &too_deep,
@@ -103,7 +111,9 @@ const std::array<const Rule*, 16> table{&unsupported_construct,
                                         &literal_outside_range,
                                         &function_without_definition,
                                         &ambiguous_constant,
-                                        &function_by_contract};
+                                        &function_by_contract,
+                                        &no_beginning,
+                                        &declared_twice};
 }  // namespace
 
 std::span<const Rule* const> all() {

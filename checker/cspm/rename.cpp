@@ -5,9 +5,26 @@
 namespace robochart::cspm {
 namespace {
 
+const std::string& in(const NewNames& names, const std::string& old) {
+    const auto found = names.find(old);
+    return found == names.end() ? old : found->second;
+}
+
+/// `A::b::c` in its parts; a `::` in front is an empty one.
+std::vector<std::string> parts_of(const std::string& name) {
+    std::vector<std::string> result;
+    std::size_t at = 0;
+    for (std::size_t end = name.find("::"); end != std::string::npos; end = name.find("::", at)) {
+        result.push_back(name.substr(at, end - at));
+        at = end + 2;
+    }
+    result.push_back(name.substr(at));
+    return result;
+}
+
 class Renaming {
 public:
-    explicit Renaming(const NewNames& names) : names_(names) {}
+    explicit Renaming(const QualifiedNames& names) : names_(names) {}
 
     [[nodiscard]] DeclPtr decl(const DeclPtr& old) const {
         auto result = std::make_shared<Decl>(*old);
@@ -32,9 +49,19 @@ public:
 
 private:
     [[nodiscard]] std::string name(const std::string& old) const {
-        const std::string first = old.substr(0, old.find("::"));
-        const auto found = names_.find(first);
-        return found == names_.end() ? old : found->second + old.substr(first.size());
+        if (old.find("::") == std::string::npos) return in(names_.plain, old);
+        std::vector<std::string> parts = parts_of(old);
+        const std::size_t first = parts.front().empty() ? 1 : 0;
+        const bool own = names_.modules.contains(parts[first]);
+        for (std::size_t i = first; i < parts.size(); ++i) {
+            if (own || parts.size() == first + 1)
+                parts[i] = in(names_.plain, parts[i]);
+            else
+                parts[i] = in(i == first ? names_.first : i + 1 == parts.size() ? names_.last : names_.inside, parts[i]);
+        }
+        std::string result = parts.front();
+        for (std::size_t i = 1; i < parts.size(); ++i) result += "::" + parts[i];
+        return result;
     }
 
     [[nodiscard]] PatternPtr pattern(const PatternPtr& old) const {
@@ -64,7 +91,7 @@ private:
         return result;
     }
 
-    const NewNames& names_;
+    const QualifiedNames& names_;
 };
 
 class Bound {
@@ -113,7 +140,11 @@ private:
 }  // namespace
 
 std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const NewNames& names) {
-    if (names.empty()) return decls;
+    return renamed(decls, QualifiedNames{names, names, {}, {}, {}});
+}
+
+std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const QualifiedNames& names) {
+    if (names.plain.empty() && names.first.empty() && names.inside.empty() && names.last.empty()) return decls;
     const Renaming renaming(names);
     std::vector<DeclPtr> result;
     for (const DeclPtr& each : decls) result.push_back(renaming.decl(each));

@@ -18,6 +18,15 @@ using NewNames = std::map<std::string, std::string>;
 /// there are no new names.
 [[nodiscard]] std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const NewNames& names);
 
+/// New names of plain names, and of the parts of qualified ones. What stands behind one of `modules`, which the
+/// declarations themselves have, is renamed as a plain name is.
+struct QualifiedNames {
+    NewNames plain;
+    NewNames first, inside, last;  ///< of `A::b::c`: A, b and c
+    std::set<std::string> modules;
+};
+[[nodiscard]] std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const QualifiedNames& names);
+
 /// Parameters of functions, lambdas and modules, variables of generators, inputs and local definitions. What stands
 /// there and is a channel or a constructor where the tree is used would be a pattern that matches only that.
 [[nodiscard]] std::set<std::string> bound_names(const std::vector<DeclPtr>& decls);

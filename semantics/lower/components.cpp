@@ -5,6 +5,7 @@
 
 #include "semantics/lower/machines.hpp"
 #include "semantics/query.hpp"
+#include "semantics/rules.hpp"
 
 namespace robochart::ir {
 namespace {
@@ -96,7 +97,17 @@ void ControllerLowering::declare() {
     if (!declared.clocks.empty()) lowering_.unsupported("a clock of controller " + source_.name, source_.name_span);
 }
 
+/// The parts of a component are known by their names.
+template <class Parts>
+void check_part(Lowering& lowering, const std::string& owner, const Parts& parts, const ast::Declaration& part) {
+    for (const auto& known : parts)
+        if (known.name == part.name)
+            lowering.diagnostics.report(rules::declared_twice, part.name_span, {owner, "part", part.name})
+                .notes.push_back({known.origin.span, "the first one"});
+}
+
 void ControllerLowering::machine(const Part& part, MachineId id) {
+    check_part(lowering_, controller_.path, controller_.machines, *part.place);
     MachineInstance instance;
     instance.name = part.place->name;
     instance.machine = id;
@@ -177,6 +188,7 @@ void ModuleLowering::part(const ast::Declaration& declaration) {
     }
     const auto id = lowering_.controllers.find(part.definition);
     if (id == lowering_.controllers.end()) return lowering_.unsupported(where, declaration.span);
+    check_part(lowering_, module_.name, module_.controllers, declaration);
     parts_[part.place] = static_cast<std::uint32_t>(module_.controllers.size());
     module_.controllers.push_back(
         {declaration.name, id->second, origin_of(module_.name + "::" + declaration.name, declaration.span)});

@@ -1,8 +1,10 @@
 // Variables, constants, events, clocks and operations of a context, its own and those of its interfaces.
 #include <algorithm>
+#include <map>
 
 #include "semantics/lower/machines.hpp"
 #include "semantics/lower/types.hpp"
+#include "semantics/rules.hpp"
 
 namespace robochart::ir {
 namespace {
@@ -30,6 +32,8 @@ private:
     void clock(const ast::Clock& source, const std::string& element, const ast::InterfaceClause* clause);
     void operation(const ast::OperationSignature& source, const std::string& element, const std::string& interface);
     void initial_values();
+    template <class Item>
+    void check_names(const std::vector<Item>& items, const std::string& kind);
     [[nodiscard]] VariableScope scope(const ast::InterfaceClause* clause) const;
 
     Lowering& lowering_;
@@ -135,12 +139,30 @@ void Collector::initial_values() {
                 lower_expression(lowering_, result_.names, *value, result_.variables[i].type);
 }
 
+/// Semantics and code know members by their names.
+template <class Item>
+void Collector::check_names(const std::vector<Item>& items, const std::string& kind) {
+    std::map<std::string, diagnostics::Span> named;
+    for (const Item& item : items) {
+        if constexpr (requires { item.scope; })
+            if (item.scope != VariableScope::required) continue;
+        const auto [first, added] = named.try_emplace(item.name, item.origin.span);
+        if (!added)
+            lowering_.diagnostics.report(rules::declared_twice, item.origin.span, {context_.name, kind, item.name})
+                .notes.push_back({first->second, "the first one"});
+    }
+}
+
 Declarations Collector::collect(const std::string& path, const std::vector<ast::VariablePtr>* parameters) {
     if (parameters != nullptr)
         for (const auto& item : *parameters) parameter(*item, path);
     members(context_, path, nullptr);
     for (const auto& clause : context_.interfaces) interface(clause);
     initial_values();
+    check_names(result_.events, "event");
+    check_names(result_.clocks, "clock");
+    check_names(result_.constants, "constant");
+    check_names(result_.variables, "shared variable");
     return std::move(result_);
 }
 

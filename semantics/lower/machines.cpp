@@ -2,6 +2,7 @@
 #include "semantics/lower/machines.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "semantics/lower/programs.hpp"
 #include "semantics/rules.hpp"
@@ -33,6 +34,8 @@ private:
     void nodes(const ast::NodeContainer& container, NodeId parent, std::size_t depth);
     NodeId node(const ast::State& source, NodeId parent);
     void collect(const ast::NodeContainer& container, const std::string& path);
+    void check_level(const std::vector<NodeId>& level, const std::string& kind, const std::string& name,
+                     diagnostics::Span span);
     void actions(const ast::State& source, Node& node);
     void transition(Pending& pending);
     void communication_and_guard(Pending& pending, Transition& transition);
@@ -215,10 +218,35 @@ void MachineLowering::event_uses() {
     });
 }
 
+/// A composite state or operation begins at one initial junction, and what is inside it has names of its own.
+void MachineLowering::check_level(const std::vector<NodeId>& level, const std::string& kind,
+                                  const std::string& name, diagnostics::Span span) {
+    std::size_t initials = 0;
+    std::map<std::string, diagnostics::Span> named;
+    for (const NodeId id : level) {
+        const Node& node = machine_.nodes[id.index];
+        if (node.kind == NodeKind::initial) ++initials;
+        if (node.kind != NodeKind::state && node.kind != NodeKind::final) continue;
+        const auto [first, added] = named.try_emplace(node.name, node.origin.span);
+        if (!added)
+            lowering_.diagnostics.report(rules::declared_twice, node.origin.span, {name, "state", node.name})
+                .notes.push_back({first->second, "the first one"});
+    }
+    if (level.empty() || initials == 1) return;
+    lowering_.diagnostics.report(rules::no_beginning, span,
+                                 {kind, name, initials == 0 ? "no" : std::to_string(initials)});
+}
+
 void MachineLowering::run() {
     declare();
     contracts();
     nodes(source_, {}, 0);
+    const bool operation = machine_.kind == MachineKind::operation;
+    check_level(machine_.top, operation ? "operation" : "state machine", machine_.name, source_.name_span);
+    for (const auto& [state, id] : states_)
+        if (machine_.nodes[id.index].kind == NodeKind::state)
+            check_level(machine_.nodes[id.index].children, "composite state", machine_.nodes[id.index].path,
+                        state->name_span);
     collect(source_, "");
     for (const auto& [state, id] : states_) {
         Node node = machine_.nodes[id.index];

@@ -2,6 +2,7 @@
 #include "semantics/lower/properties.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "diagnostics/one_line.hpp"
 #include "semantics/lower/expressions.hpp"
@@ -62,9 +63,12 @@ std::string wording_of(const diagnostics::SourceManager& sources, const ast::Ass
 
 class Properties {
 public:
-    Properties(Lowering& lowering, const ast::File& file) : lowering_(lowering), file_(file) {}
+    using Blocks = std::map<const ast::CspBlock*, std::uint32_t>;
+    Properties(Lowering& lowering, const ast::File& file, Blocks& blocks)
+        : lowering_(lowering), file_(file), blocks_(blocks) {}
 
-    void run();
+    void lower_blocks();
+    void lower_assertions();
 
 private:
     void assertion(const ast::Assertion& source);
@@ -79,6 +83,7 @@ private:
 
     Lowering& lowering_;
     const ast::File& file_;
+    Blocks& blocks_;  ///< where each stands in System::csp_blocks
 };
 
 /// The component that name resolution found for a name, or the csp block.
@@ -86,6 +91,7 @@ std::optional<FoundComponent> Properties::component(const ast::ComponentPath& pa
     if (path.process != nullptr) {
         FoundComponent process;
         process.ref.path = path.process->name;
+        if (const auto at = blocks_.find(path.process); at != blocks_.end()) process.ref.definition = at->second;
         return process;
     }
     auto found = component_at(lowering_, path);
@@ -207,18 +213,24 @@ void Properties::block(const ast::CspBlock& source) {
     block.text = source.text;
     block.text_span = source.text_span;
     block.file = lowering_.sources.path(file_.source);
+    blocks_[&source] = static_cast<std::uint32_t>(lowering_.system.csp_blocks.size());
     lowering_.system.csp_blocks.push_back(std::move(block));
 }
 
-void Properties::run() {
+void Properties::lower_blocks() {
     for (const auto& block : file_.csp_blocks) this->block(block);
+}
+
+void Properties::lower_assertions() {
     for (const auto& assertion : file_.assertions) this->assertion(assertion);
 }
 
 }  // namespace
 
 void lower_properties(Lowering& lowering) {
-    for (const auto* file : lowering.files) Properties(lowering, *file).run();
+    Properties::Blocks blocks;
+    for (const auto* file : lowering.files) Properties(lowering, *file, blocks).lower_blocks();
+    for (const auto* file : lowering.files) Properties(lowering, *file, blocks).lower_assertions();
 }
 
 }  // namespace robochart::ir

@@ -35,18 +35,21 @@ Emission Model::emit_with_memories(Time time, bool core) {
     return csp_emit::emit(system, instantiation, time, {core, 0}, sources, diagnostics);
 }
 
-std::unique_ptr<Model> model(const std::string& rct, const std::string& assertions) {
+std::unique_ptr<Model> model_of(const std::vector<std::pair<std::string, std::string>>& files) {
     auto result = std::make_unique<Model>();
     frontend::Model parsed;
-    parsed.files.push_back(
-        frontend::parse(result->sources, result->sources.add("model.rct", rct), false, result->diagnostics));
-    if (!assertions.empty())
-        parsed.files.push_back(frontend::parse(result->sources, result->sources.add("model.assertions", assertions),
-                                               true, result->diagnostics));
+    for (const auto& [path, text] : files)
+        parsed.files.push_back(frontend::parse(result->sources, result->sources.add(path, text),
+                                               path.ends_with(".assertions"), result->diagnostics));
     frontend::add_toolkits(result->sources, parsed, result->diagnostics);
     frontend::resolve(parsed, result->diagnostics);
     finish(*result, parsed);
     return result;
+}
+
+std::unique_ptr<Model> model(const std::string& rct, const std::string& assertions) {
+    if (assertions.empty()) return model_of({{"model.rct", rct}});
+    return model_of({{"model.rct", rct}, {"model.assertions", assertions}});
 }
 
 std::unique_ptr<Model> model_file(const std::string& path) {

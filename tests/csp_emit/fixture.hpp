@@ -26,6 +26,8 @@ struct Model {
 
 /// One .rct text and, if not empty, one .assertions text.
 [[nodiscard]] std::unique_ptr<Model> model(const std::string& rct, const std::string& assertions = "");
+/// Several files by their paths.
+[[nodiscard]] std::unique_ptr<Model> model_of(const std::vector<std::pair<std::string, std::string>>& files);
 /// One .rct file on its own.
 [[nodiscard]] std::unique_ptr<Model> model_file(const std::string& path);
 /// A file or folder.
