@@ -54,12 +54,12 @@ ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std:
     name_sides(assertion.assertion, report);
     report.text = without_keyword(cspm::print(cspm::Script{{std::make_shared<const cspm::Decl>(assertion)}}));
     while (!report.text.empty() && report.text.back() == '\n') report.text.pop_back();
-    const InterruptScope scope;
+    const refine::Limits bounds = limits(options, report.text);
     try {
-        report.result = session.check(assertion, limits(options, report.text));
+        report.result = session.check(assertion, bounds);
         report.answer = answer(report.result.verdict.outcome);
         if (report.result.verdict.counterexample && !options.brief)
-            report.behaviour = session.behaviour(*report.result.verdict.counterexample);
+            report.behaviour = session.behaviour(*report.result.verdict.counterexample, bounds);
         if (!report.result.verdict.reason.empty()) report.errors.push_back(report.result.verdict.reason);
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
@@ -115,14 +115,20 @@ Exit check_types(const Options& options) {
     return exit;
 }
 
-std::vector<ScriptPrint> print_statements(cspm::Session& session, const cspm::Script& script, const diagnostics::SourceManager& sources) {
+/// `stopped`: whether a limit left one without its value.
+std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedScript& loaded, const Options& options, bool& stopped) {
+    const cspm::Script& script = loaded.script;
+    const diagnostics::SourceManager& sources = loaded.sources;
     std::vector<ScriptPrint> result;
     for (const cspm::DeclPtr& statement : script.decls) {
         if (statement->kind != cspm::DeclKind::print) continue;
         ScriptPrint& printed = result.emplace_back();
         printed.expression = cspm::print(statement->body);
         try {
-            printed.value = session.evaluate(statement->body);
+            printed.value = session.evaluate(statement->body, limits(options, printed.expression));
+        } catch (const process::Interrupted& limit) {
+            printed.error = fmt::format("{}: {}", sources.place(statement->span), limit.what());
+            stopped = true;
         } catch (const cspm::EvaluationError& error) {
             printed.error = fmt::format("{}: {}", sources.place(error.span), error.what());
         }
@@ -191,9 +197,11 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
         if (json) fmt::print("{}", refines_json(script, no_events, options));
         return Exit::bad_input;
     }
+    bool stopped = false;
     try {
+        const InterruptScope scope;
         cspm::Session session(loaded.script);
-        script.prints = print_statements(session, loaded.script, loaded.sources);
+        script.prints = print_statements(session, loaded, options, stopped);
         show_prints(script, options);
         decide_all(loaded, session, options, script, report);
         if (options.format == Format::json) fmt::print("{}", refines_json(script, session.event_table(), options));
@@ -202,7 +210,8 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
         if (json) fmt::print("{}", refines_json(script, no_events, options));
     }
     for (const std::string& error : script.errors) fmt::print(stderr, "{}\n", error);
-    return script.errors.empty() ? Exit::success : Exit::bad_input;
+    if (!script.errors.empty()) return Exit::bad_input;
+    return stopped ? Exit::inconclusive : Exit::success;
 }
 
 /// Standard input; what it includes is looked for in the current folder.
