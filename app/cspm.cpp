@@ -67,11 +67,12 @@ ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std:
     report.place = sources.place(assertion.span);
     name_sides(assertion.assertion, report);
     report.text = text_of(assertion);
+    const refine::Limits bounds = limits(options, report.text);
     try {
-        report.result = session.check(assertion, limits(options, report.text));
+        report.result = session.check(assertion, bounds);
         report.answer = answer(report.result.verdict.outcome);
         if (report.result.verdict.counterexample && !options.brief)
-            report.behaviour = session.behaviour(*report.result.verdict.counterexample);
+            report.behaviour = session.behaviour(*report.result.verdict.counterexample, bounds);
         if (!report.result.verdict.reason.empty()) report.errors.push_back(report.result.verdict.reason);
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
@@ -127,14 +128,20 @@ Exit check_types(const Options& options) {
     return exit;
 }
 
-std::vector<ScriptPrint> print_statements(cspm::Session& session, const cspm::Script& script, const diagnostics::SourceManager& sources) {
+/// `stopped`: whether a limit left one without its value.
+std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedScript& loaded, const Options& options, bool& stopped) {
+    const cspm::Script& script = loaded.script;
+    const diagnostics::SourceManager& sources = loaded.sources;
     std::vector<ScriptPrint> result;
     for (const cspm::DeclPtr& statement : script.decls) {
         if (statement->kind != cspm::DeclKind::print) continue;
         ScriptPrint& printed = result.emplace_back();
         printed.expression = cspm::print(statement->body);
         try {
-            printed.value = session.evaluate(statement->body);
+            printed.value = session.evaluate(statement->body, limits(options, printed.expression));
+        } catch (const process::Interrupted& limit) {
+            printed.error = fmt::format("{}: {}", sources.place(statement->span), limit.what());
+            stopped = true;
         } catch (const cspm::EvaluationError& error) {
             printed.error = fmt::format("{}: {}", sources.place(error.span), error.what());
         }
@@ -217,9 +224,10 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
         if (json) print("{}", refines_json(script, no_events, options));
         return Exit::bad_input;
     }
+    bool stopped = false;
     try {
         cspm::Session session(loaded.script);
-        script.prints = print_statements(session, loaded.script, loaded.sources);
+        script.prints = print_statements(session, loaded, options, stopped);
         show_prints(script, options);
         decide_all(loaded, session, options, script, report);
         if (options.format == Format::json) print("{}", refines_json(script, session.event_table(), options));
@@ -234,7 +242,8 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
         if (json) print("{}", refines_json(script, no_events, options));
     }
     for (const std::string& error : script.errors) print_error("{}\n", error);
-    return script.errors.empty() ? Exit::success : Exit::bad_input;
+    if (!script.errors.empty()) return Exit::bad_input;
+    return stopped ? Exit::inconclusive : Exit::success;
 }
 
 /// Standard input; what it includes is looked for in the current folder.

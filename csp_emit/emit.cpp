@@ -214,6 +214,12 @@ void reserve(const Project& project, NameManager& names) {
     }
 }
 
+/// The name that the script has for one of ours.
+std::string in(const cspm::NewNames& names, const std::string& name) {
+    const auto found = names.find(name);
+    return found == names.end() ? name : found->second;
+}
+
 void point_out_probabilities(const Project& project) {
     for (const ir::Machine& machine : project.system.machines)
         for (const ir::Node& node : machine.nodes)

@@ -144,7 +144,13 @@ TermId Evaluator::process_apply(const Code& code, Frame& frame) {
     if (function->kind != Kind::function) return term(eval_apply(code, frame), code.span);
     const Function& definition = *function->function;
     Values arguments;
-    for (std::size_t i = 1; i < code.args.size(); ++i) arguments.push_back(share(eval(*code.args[i], frame)));
+    try {
+        for (std::size_t i = 1; i < code.args.size(); ++i) arguments.push_back(share(eval(*code.args[i], frame)));
+    } catch (const EvaluationError&) {
+        // A process is named by its arguments, so they have values; another function may not need all of them.
+        if (makes_process(definition)) throw;
+        return term(eval_apply(code, frame), code.span);
+    }
     std::size_t total = 0;
     for (const std::size_t group : definition.groups) total += group;
     const std::size_t given = function->items.size() - definition.environment;

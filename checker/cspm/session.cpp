@@ -140,8 +140,13 @@ struct Session::Impl {
     class Polling {
     public:
         Polling(Impl& impl, refine::Budget& budget) : impl_(impl) {
-            impl_.evaluator.watch([&budget] { budget.charge(); });
-            impl_.semantics.watch([&budget] { budget.charge(); });
+            // The evaluator asks seldom, since its steps are small.
+            constexpr std::uint64_t at_once = 1024;
+            impl_.evaluator.watch([&budget] { budget.charge(at_once); });
+            impl_.semantics.watch([this, &budget] {
+                budget.states(impl_.semantics.states_explored());
+                budget.charge();
+            });
         }
         Polling(const Polling&) = delete;
         Polling& operator=(const Polling&) = delete;
@@ -315,6 +320,22 @@ std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr, cons
 process::EventSet Session::events(const ExprPtr& expr) {
     const Impl::Ready ready = impl_->ready(expr);
     return impl_->evaluator.event_set(*ready.code, *ready.unit);
+}
+
+std::optional<process::Behaviour> Session::behaviour(const refine::Counterexample& told, const refine::Limits& limits) {
+    refine::Budget budget(limits);
+    const Impl::Polling polling(*impl_, budget);
+    try {
+        return behaviour(told);
+    } catch (const process::Interrupted&) {
+        return std::nullopt;
+    }
+}
+
+std::string Session::evaluate(const ExprPtr& expr, const refine::Limits& limits) {
+    refine::Budget budget(limits);
+    const Impl::Polling polling(*impl_, budget);
+    return evaluate(expr);
 }
 
 std::string Session::evaluate(const ExprPtr& expr) {

@@ -46,6 +46,8 @@ public:
     /// The run of a counterexample taken apart down to the components; the loop of a divergence follows the trace. None
     /// where its states are not terms.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&);
+    /// The same within limits; none where one is reached.
+    [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, const refine::Limits&);
 
     /// The same of a run given by its transitions.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(process::TermId initial,
@@ -63,6 +65,8 @@ public:
     [[nodiscard]] process::EventSet events(const ExprPtr&);
     /// An expression of any other type, printed as FDR's `print` does.
     [[nodiscard]] std::string evaluate(const ExprPtr&);
+    /// The same within limits; throws process::Interrupted where one is reached.
+    [[nodiscard]] std::string evaluate(const ExprPtr&, const refine::Limits&);
 
     [[nodiscard]] process::EventTable& event_table();
     [[nodiscard]] process::TermStore& terms();

@@ -31,6 +31,7 @@ struct OperationalSemantics::Impl final : KnownTransitions {
     Compressor* compressor;
     std::function<void()> poll;
     std::uint32_t machine_states = 0;
+    std::size_t states_explored = 0;
     int compressions_under_way = 0;
     std::vector<Progress> progress;
     std::deque<std::vector<Transition>> transitions;
@@ -117,6 +118,7 @@ Machine OperationalSemantics::Impl::explored(TermId operand) {
     };
     number(operand);
     for (std::size_t state = 0; state < machine.meaning.size(); ++state) {
+        states_explored = machine.meaning.size();
         if (poll) poll();
         const TermId term = machine.meaning[state];
         if (!knows(term)) compute(term);
@@ -140,9 +142,11 @@ std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
         machine = compressor->compress(fast ? *fast : explored(operand), Compression{terms[term].payload}, poll);
     } catch (...) {
         --compressions_under_way;
+        states_explored = 0;
         throw;
     }
     --compressions_under_way;
+    states_explored = 0;
     // A state's children: a term it stands for, the compressed term, and the first state unless it is that.
     std::vector<TermId> states;
     for (TermId meaning : machine.meaning) {
@@ -172,6 +176,10 @@ std::span<const Transition> OperationalSemantics::successors(TermId term) {
 
 TermStore& OperationalSemantics::terms() const {
     return impl_->terms;
+}
+
+std::size_t OperationalSemantics::states_explored() const {
+    return impl_->states_explored;
 }
 
 void OperationalSemantics::watch(std::function<void()> poll) {

@@ -50,6 +50,8 @@ public:
     [[nodiscard]] TermStore& terms() const;
     /// Called now and then while a compressed operand is explored; may throw to stop it. Empty: none.
     void watch(std::function<void()> poll);
+    /// Of the compressed operand that is explored now, the states known so far; 0 where none is.
+    [[nodiscard]] std::size_t states_explored() const;
 
 private:
     struct Impl;

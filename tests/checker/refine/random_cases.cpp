@@ -41,4 +41,8 @@ int wanted_checks(int otherwise) {
     return static_cast<int>(number_from("ROBOCHART_RANDOM_CHECKS", static_cast<std::uint64_t>(otherwise)));
 }
 
+int wanted_scripts(int otherwise) {
+    return static_cast<int>(number_from("ROBOCHART_RANDOM_SCRIPTS", static_cast<std::uint64_t>(otherwise)));
+}
+
 }  // namespace robochart::refine

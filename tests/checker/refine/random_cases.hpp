@@ -30,5 +30,7 @@ private:
 
 /// ROBOCHART_RANDOM_CHECKS, or the number given.
 [[nodiscard]] int wanted_checks(int otherwise);
+/// ROBOCHART_RANDOM_SCRIPTS, or the number given.
+[[nodiscard]] int wanted_scripts(int otherwise);
 
 }  // namespace robochart::refine
