@@ -51,7 +51,6 @@ std::string said(const Project& project, const cspm::EvaluationError& error) {
 /// One assertion of an obligation: its answer, with its counterexample where it fails.
 void decide_one(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion, AssertionReport& report) {
     report.answer = Answer::holds;
-    report.reason.clear();
     try {
         take(context, obligation, context.session.check(assertion, limits(context.options)).verdict, report);
     } catch (const cspm::EvaluationError& error) {
@@ -101,7 +100,7 @@ void announce(const Context& context, Report& report) {
 }
 
 /// A script that names what does not exist is bad input: reported once for all its claims.
-std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emission& emission, Time time, Report& report) {
+std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emission& emission, Time time, const Options& options, Report& report) {
     try {
         return std::make_unique<cspm::Session>(emission.script);
     } catch (const cspm::EvaluationError& error) {
@@ -109,6 +108,7 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
         one.title = fmt::format("the {} script", time == Time::timed ? "timed" : "untimed");
         one.answer = Answer::error;
         one.reason = said(project, error);
+        const auto edit = options.run->edit();
         report.assertions.push_back(std::move(one));
         return nullptr;
     }
@@ -117,7 +117,7 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
 void check_time(Project& project, const Options& options, Time time, Report& report) {
     const csp_emit::Emission emission = emit_csp(project, options, time);
     if (!project.diagnostics.ok() || (emission.obligations.empty() && !options.sizes)) return;
-    const std::unique_ptr<cspm::Session> session = open(project, emission, time, report);
+    const std::unique_ptr<cspm::Session> session = open(project, emission, time, options, report);
     if (!session) return;
     std::vector<BoundReport> bounds_met = report.bounds;
     BoundWatch bounds(project, emission, time, bounds_met);
@@ -129,7 +129,10 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
         if (!wanted(context, obligation)) continue;
         const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + obligation.title);
         AssertionReport one = report.assertions[at];
-        if (!obligation.assertions.empty()) decide(context, obligation, one);
+        if (!obligation.assertions.empty()) {
+            one.reason.clear();
+            decide(context, obligation, one);
+        }
         const auto edit = options.run->edit();
         report.assertions[at++] = std::move(one);
         report.bounds = bounds_met;

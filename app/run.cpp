@@ -112,6 +112,11 @@ void Run::end_at_once(int code) {
 
 namespace {
 
+/// No thread, process or memory can be had.
+bool exhausted(const std::system_error& error) {
+    return error.code() == std::errc::resource_unavailable_try_again || error.code() == std::errc::not_enough_memory;
+}
+
 /// The verb, within the run; what ends it early is said by the last word.
 Exit run_within(Run& run, const Options& options, const std::function<Exit(const Options&)>& verb) {
     try {
@@ -121,8 +126,7 @@ Exit run_within(Run& run, const Options& options, const std::function<Exit(const
     } catch (const std::bad_alloc&) {
         return run.stopped("there is no more memory");
     } catch (const std::system_error& error) {
-        // No thread, process or file can be had.
-        if (error.code() != std::errc::resource_unavailable_try_again && error.code() != std::errc::not_enough_memory) throw;
+        if (!exhausted(error)) throw;
         return run.stopped(error.what());
     }
 }
@@ -158,6 +162,10 @@ int run_command(const char* program, int argc, const char* const* argv, const st
     } catch (const std::bad_alloc&) {
         print_error_text("robochart-verify: there is no more memory\n");
         return static_cast<int>(Exit::inconclusive);
+    } catch (const std::system_error& error) {
+        const bool limit = exhausted(error);
+        print_error("{}: {}{}\n", program, limit ? "" : "an internal error: ", error.what());
+        return static_cast<int>(limit ? Exit::inconclusive : Exit::internal);
     } catch (const std::exception& error) {
         print_error("{}: an internal error: {}\nplease report it with the model that shows it\n", program, error.what());
         return static_cast<int>(Exit::internal);

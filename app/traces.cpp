@@ -242,8 +242,8 @@ Exit conform_traces(Project& project, const Options& options) {
     totals.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     options.run->finish();
     const bool readable = show_diagnostics(project, options);
-    if (options.format == Format::json && !readable) return Exit::bad_input;
-    const Exit exit = readable ? exit_of(totals) : Exit::bad_input;
+    if (options.format == Format::json && !readable) return refusal(project);
+    const Exit exit = readable ? exit_of(totals) : refusal(project);
     if (options.format == Format::json) print_json(totals, exit);
     else print_text(totals, options);
     return exit;

@@ -104,7 +104,7 @@ cp big.rct before; chmod 640 big.rct
 (ulimit -f 2; "$verify" format big.rct; echo "exit $?")
 cmp big.rct before && ls -A | wc -l
 "$verify" format -q big.rct; cmp -s big.rct before || stat -c %a big.rct)");
-    EXPECT_EQ(ran.out, "exit 2\n4\n640\n") << ran.err;  // with the three files for standard streams: see run_shell
+    EXPECT_EQ(ran.out, "exit 2\n5\n640\n") << ran.err;  // both files, and the three of the standard streams
 }
 
 }  // namespace
