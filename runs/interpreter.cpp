@@ -457,7 +457,7 @@ std::string Interpreter::why() const {
         case EndKind::deadlock:
             return run_.loop_start ? "nothing is possible any more but that time passes" : "nothing is possible any more";
         case EndKind::nondeterminism:
-            return fmt::format("{} may be accepted and may be refused after the same events", end.event ? end.event->text : "an event");
+            return fmt::format("{} may be accepted and may be refused after the same events; here it is refused", end.event ? end.event->text : "an event");
         case EndKind::reached:
             return "the state has been reached";
         case EndKind::terminated:

@@ -66,7 +66,7 @@ TEST(Told, ADivergenceShowsItsLoop) {
 
 TEST(Told, ADeadlockInTimeIsNoDivergence) {
     EXPECT_THAT(told("timed assertion A : Stops is deadlock-free"),
-                AllOf(HasSubstr("now in B"), HasSubstr("why nothing is possible any more but that time passes"),
+                AllOf(HasSubstr("now at t=0: in B"), HasSubstr("why nothing is possible any more but that time passes"),
                       Not(HasSubstr("internally"))));
 }
 
