@@ -157,6 +157,7 @@ Remembered MachineEmitter::memory_of(CellId id) {
     result.memory = context_.names.unique("Memory_" + cell.channel);
     mean("get_" + cell.channel, {MeaningKind::step, "read " + cell.meaning, {cell.type}, machine().origin});
     mean("setL_" + cell.channel, {MeaningKind::step, "store " + cell.meaning, {cell.type}, machine().origin});
+    mean("end__", {MeaningKind::step, "the memories of " + machine().name + " end", {}, machine().origin});
     DefinitionMeaning meaning{"the memory of " + cell.meaning, {cell.meaning}, {cell.type}, machine().origin};
     meaning.kinds = {ParameterKind::variable};
     meaning.component = context_.path;

@@ -54,6 +54,8 @@ std::vector<ir::OperationSignature> ModuleEmitter::calls() const {
 
 void ModuleEmitter::declare_channels(std::vector<DeclPtr>& decls) {
     decls.push_back(b::channel({"terminate"}));
+    emitted_.provenance.events[context_.path + "::terminate"] = {
+        MeaningKind::terminate, module().name + " terminates", {}, module().origin, context_.path};
     ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
     for (const ir::Event& event : platform().events) channels.event(event);
     for (const ir::OperationSignature& call : calls()) channels.call(call);

@@ -74,6 +74,7 @@ private:
     [[nodiscard]] EndKind end_kind() const;
     [[nodiscard]] bool time_passes_in_loop() const;
     [[nodiscard]] std::vector<Event> named(const process::EventSet& set) const;
+    [[nodiscard]] bool writes_are_urgent() const;
     [[nodiscard]] std::vector<Cause> causes() const;
     [[nodiscard]] std::string why() const;
     [[nodiscard]] std::vector<Event> refused() const;
@@ -409,15 +410,25 @@ EndKind Interpreter::end_kind() const {
     return EndKind::no_trace;
 }
 
+/// Where a composition shows writes, not in a machine on its own (semantics 3.10).
+bool Interpreter::writes_are_urgent() const {
+    const std::vector<Machine>& machines = last_machines();
+    return std::any_of(told_.offered.begin(), told_.offered.end(), [&](process::Event offered) {
+        const Event event = meanings_.event(name(offered));
+        return event.kind == Kind::assignment &&
+               std::none_of(machines.begin(), machines.end(),
+                            [&](const Machine& machine) { return machine.component == event.component; });
+    });
+}
+
 std::vector<Cause> Interpreter::causes() const {
     std::vector<Cause> result;
     for (const Machine& machine : last_machines())
         for (const Variable& each : machine.variables)
             if (!each.deadline.empty() && each.value && (*each.value == "0" || each.value->starts_with("-")))
                 result.push_back({fmt::format("the deadline of {} has run out", each.deadline), machine.component, each.place});
-    // Calls and writes are urgent.
     for (const Event& offered : run_.end.offered)
-        if (offered.kind == Kind::call || offered.kind == Kind::assignment)
+        if (offered.kind == Kind::call || (offered.kind == Kind::assignment && writes_are_urgent()))
             result.push_back({fmt::format("{} waits for the environment, which may refuse it", offered.text),
                               offered.component, offered.place});
     const bool ended = std::find(told_.offered.begin(), told_.offered.end(), process::tick) != told_.offered.end();
@@ -457,7 +468,7 @@ std::string Interpreter::why() const {
         case EndKind::deadlock:
             return run_.loop_start ? "nothing is possible any more but that time passes" : "nothing is possible any more";
         case EndKind::nondeterminism:
-            return fmt::format("{} may be accepted and may be refused after the same events", end.event ? end.event->text : "an event");
+            return fmt::format("{} may be accepted and may be refused after the same events; here it is refused", end.event ? end.event->text : "an event");
         case EndKind::reached:
             return "the state has been reached";
         case EndKind::terminated:

@@ -20,7 +20,7 @@ std::string last_of(const std::string& path) {
 
 struct Line {
     std::int64_t time = 0;
-    std::string who, what, notes;
+    std::string who, what, place;
 };
 
 class Writer {
@@ -108,8 +108,8 @@ Line Writer::line(const Step& step) const {
         const std::string text = fmt::format("{} = {}", change.name, change.after);
         if (!step.event.text.ends_with(text)) changes.push_back(text);
     }
-    if (!changes.empty()) result.notes += fmt::format("   [{}]", fmt::join(changes, ", "));
-    if (step.event.place) result.notes += fmt::format("   {}:{}", step.event.place->file, step.event.place->line);
+    if (!changes.empty()) result.what += fmt::format("   [{}]", fmt::join(changes, ", "));
+    if (step.event.place) result.place = fmt::format("{}:{}", step.event.place->file, step.event.place->line);
     return result;
 }
 
@@ -117,7 +117,10 @@ std::vector<Line> Writer::lines(std::size_t begin, std::size_t end) const {
     std::vector<Line> result;
     for (std::size_t i = begin; i < end; ++i) {
         const Step& step = run_.steps[i];
-        if (is_news(step)) result.push_back(line(step));
+        // What the checks for termination add behind a termination says no more.
+        const bool again = i > begin && step.event.kind == Kind::terminate && step.event.component.empty() &&
+                           run_.steps[i - 1].event.kind == Kind::terminate;
+        if (is_news(step) && !again) result.push_back(line(step));
         if (step.event.kind != Kind::tock) continue;
         for (const auto& [component, values] : assigned(step))
             result.push_back({step.time.value_or(0) + step.units, who(component), values, ""});
@@ -136,10 +139,10 @@ void Writer::add(const std::vector<Line>& lines) {
         out_ += indent_;
         if (run_.timed) out_ += fmt::format("t={:<4} ", each.time);
         if (names > 0) out_ += fmt::format("{:<{}}   ", each.who, names);
-        if (each.notes.empty())
+        if (each.place.empty())
             out_ += each.what;
         else
-            out_ += fmt::format("{:<{}}{}", each.what, std::min(words, widest_column), each.notes);
+            out_ += fmt::format("{:<{}}   {}", each.what, std::min(words, widest_column), each.place);
         out_ += '\n';
     }
 }

@@ -80,6 +80,8 @@ private:
     void offers_of(const json& step, const States& before);
     [[nodiscard]] bool offered(const json& offer, const States& states);
     void machines_of(const json& machines, States& states);
+    void note_compressed(TermId state);
+    [[nodiscard]] bool is_compressed(const json& machine) const;
     [[nodiscard]] bool waits_to_begin(const json& machine, const std::vector<std::string>& calls) const;
     [[nodiscard]] bool fits(const json& machine, const std::vector<std::string>& calls) const;
     [[nodiscard]] bool complete(const json& machines, const std::vector<std::string>& calls) const;
@@ -93,6 +95,7 @@ private:
     const json& run_;
     Replayed& sum_;
     std::vector<std::string> raw_;
+    std::set<std::string> compressed_;  ///< components, with `::` behind
     std::int64_t time_ = 0;
     std::size_t next_ = 0;  ///< the raw event that the next step begins with
     std::vector<std::string> faults_;
@@ -114,8 +117,7 @@ std::vector<std::string> Replay::calls_of(TermId term) {
     return apart(process::describe(session_.terms(), session_.terms().unfolded(term, 20)), "‖");
 }
 
-/// It has not moved: a process around it, or in front of its first definition, stands for it. Of a compressed one
-/// (O__) the steps that it has made inside do not show.
+/// It has not moved: a process around it, or in front of its first definition, stands for it.
 bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>& calls) const {
     const std::string component = machine["component"].get<std::string>() + "::";
     const bool initial = std::any_of(run_["initial"].begin(), run_["initial"].end(),
@@ -124,8 +126,22 @@ bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>&
         const std::string name = call.substr(0, call.find('('));
         const auto at = name.rfind("::");
         const bool around = at != std::string::npos && component.rfind(name.substr(0, at + 2), 0) == 0;
-        return around && (initial || name.ends_with("O__"));
+        return around && initial;
     });
+}
+
+/// What is inside a compression (O__) has steps that the whole does not show.
+void Replay::note_compressed(TermId state) {
+    for (const std::string& call : calls_of(state)) {
+        const std::string name = call.substr(0, call.find('('));
+        if (name.ends_with("::O__")) compressed_.insert(name.substr(0, name.size() - std::string("O__").size()));
+    }
+}
+
+bool Replay::is_compressed(const json& machine) const {
+    const std::string component = machine["component"].get<std::string>() + "::";
+    return std::any_of(compressed_.begin(), compressed_.end(),
+                       [&](const std::string& part) { return component.rfind(part, 0) == 0; });
 }
 
 bool Replay::fits(const json& machine, const std::vector<std::string>& calls) const {
@@ -187,7 +203,7 @@ void Replay::machines_of(const json& machines, States& states) {
         if (compressed) return false;
         sum_.machines += machines.size();
         return !complete(machines, calls) || !std::all_of(machines.begin(), machines.end(), [&](const json& machine) {
-            return machine["text"] == "terminated" || fits(machine, calls);
+            return is_compressed(machine) || fits(machine, calls);
         });
     };
     std::erase_if(states, wrong);
@@ -238,6 +254,8 @@ void Replay::offers_of(const json& step, const States& before) {
 void Replay::step(const json& step, States& states) {
     ++sum_.steps;
     ++sum_.kinds[step["kind"]];
+    if (step["kind"] == "event" && obligation_.property == ir::no_id)
+        fault("a step that is none of the model's: " + step["text"].dump());
     const std::size_t first = step["raw"];
     const std::size_t count = step["rawCount"];
     if (count > 0 && first != next_) fault(fmt::format("raw event {} instead of {}", first, next_));
@@ -288,6 +306,7 @@ std::vector<std::string> Replay::against(const cspm::ExprPtr& process) {
     for (const auto& each : run_["loopEvents"]) raw_.push_back(each);
     States states{session_.process(process)};
     States loop_start;
+    note_compressed(*states.begin());
     for (const json& each : run_["steps"]) {
         if (!run_["loopStart"].is_null() && each["n"] == run_["loopStart"]) {
             if (next_ != loop) fault("the loop begins elsewhere");

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/app/command.hpp"
 
@@ -11,6 +13,7 @@ namespace robochart::app::testing {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -66,8 +69,117 @@ TEST(Told, ADivergenceShowsItsLoop) {
 
 TEST(Told, ADeadlockInTimeIsNoDivergence) {
     EXPECT_THAT(told("timed assertion A : Stops is deadlock-free"),
-                AllOf(HasSubstr("now in B"), HasSubstr("why nothing is possible any more but that time passes"),
+                AllOf(HasSubstr("now at t=0: in B"), HasSubstr("why nothing is possible any more but that time passes"),
                       Not(HasSubstr("internally"))));
+}
+
+/// Two machines of a controller, the second of which waits for the first for ever once 22 time units have passed: the
+/// clock has counted 20, the wait 2.
+const char* const late = R"(
+interface V { var y : nat }
+interface K { event c }
+stm Slow { requires V clock C initial i state S { } state T { entry wait(2) ; y = 1 } state U { }
+  transition t0 { from i to S action # C }
+  transition t1 { from S to T condition since(C) >= 20 }
+  transition t2 { from T to U } }
+stm Other { uses K requires V initial i state S { } state T { entry c }
+  transition t0 { from i to S }
+  transition t1 { from S to T condition y == 1 } }
+robotic platform P { provides V }
+controller Both { requires V sref slow = Slow sref other = Other sref never = Never connection other on c to never on c }
+stm Never { uses K initial i state S { } transition t0 { from i to S } }
+module M { robotic platform P { provides V } cref both = Both }
+)";
+
+/// The first counterexample of the report of a claim about it.
+nlohmann::json of_late(const std::string& claim, std::string* text = nullptr) {
+    const TemporaryFile model("late.rct", late);
+    const std::string folder = std::filesystem::path(model.path()).parent_path().string();
+    std::ofstream(folder + "/late.assertions") << claim << "\n";
+    const Ran ran = run({"check", folder, "--format", "json"});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    if (text != nullptr) *text = run({"check", folder}).out;
+    const auto report = nlohmann::json::parse(ran.out, nullptr, false);
+    return report.is_discarded() ? nlohmann::json() : report["assertions"][0]["counterexample"];
+}
+
+// The check renames tock, so that deadlocks show: time passes all the same.
+TEST(Told, TimePassesWhateverTheCheckCallsIt) {
+    std::string text;
+    const auto run = of_late("timed assertion A : M is deadlock-free", &text);
+    EXPECT_THAT(text, AllOf(HasSubstr("t=20   slow    t1: S -> T"), HasSubstr("t=22   slow    write y = 1"),
+                            HasSubstr("t=22   other   t1: S -> T"), HasSubstr("now at t=22: slow: in U"),
+                            HasSubstr("then for ever:\n                 t=22   1 time unit passes"), Not(HasSubstr("tock"))));
+    EXPECT_EQ(run["schema"], "robochart-verify/run/1");
+    EXPECT_EQ(run["time"], 22);
+    EXPECT_EQ(run["end"]["kind"], "deadlock");
+    std::vector<std::pair<int, int>> passing;
+    for (const auto& step : run["steps"])
+        if (step["kind"] == "tock") passing.emplace_back(step["time"].get<int>(), step["units"].get<int>());
+    EXPECT_THAT(passing, ElementsAre(std::pair(0, 20), std::pair(20, 2), std::pair(22, 1)));
+    EXPECT_EQ(run["steps"].back()["n"], run["loopStart"]);
+}
+
+TEST(Told, EveryStepNamesItsMachineItsElementAndItsPlace) {
+    const auto run = of_late("timed assertion A : M is deadlock-free");
+    const auto find = [&](const std::string& text, const std::string& component) {
+        for (const auto& step : run["steps"])
+            if (step["text"] == text && step.value("component", "") == component) return step;
+        ADD_FAILURE() << text;
+        return nlohmann::json();
+    };
+    const auto fired = find("t1: S -> T", "M::both::slow");
+    EXPECT_EQ(fired["kind"], "transition");
+    EXPECT_EQ(fired["element"], "Slow::t1");
+    EXPECT_EQ(fired["line"], 6);
+    EXPECT_EQ(fired["column"], 3);
+    EXPECT_EQ(fired["endLine"], 6);
+    EXPECT_EQ(fired["hidden"], true);
+    EXPECT_EQ(run["events"][fired["raw"].get<std::size_t>()],
+              "τ(M::both::slow::internal__.M::both::slow::TID_t1)");
+    for (const auto& machine : fired["machines"]) {
+        if (machine["component"] == "M::both::slow") {
+            EXPECT_EQ(machine["active"], nlohmann::json::array({"Slow::T"}));
+        }
+    }
+    const auto written = find("write y = 1", "M::both::slow");
+    EXPECT_EQ(written["kind"], "assignment");
+    EXPECT_EQ(written["via"], "entry action of T");
+    EXPECT_EQ(written["values"], nlohmann::json::array({{{"value", "1"}, {"type", "nat"}}}));
+    const auto heard = find("others write y = 1", "M::both::other");
+    EXPECT_EQ(heard["kind"], "externalWrite");
+    EXPECT_EQ(heard["element"], "V::y");
+    EXPECT_EQ(heard["changes"],
+              nlohmann::json::array({{{"component", "M::both::other"}, {"name", "y"}, {"before", "0"}, {"after", "1"}}}));
+}
+
+// While nothing has happened, each of the machines could begin.
+TEST(Told, WhatElseWasPossibleIsThere) {
+    const auto run = of_late("timed assertion A : M is deadlock-free");
+    std::set<std::string> begin{run["steps"][0]["component"]};
+    for (const auto& offer : run["steps"][0]["offered"]) {
+        EXPECT_EQ(offer["kind"], "transition");
+        begin.insert(offer["component"]);
+    }
+    EXPECT_THAT(begin, ElementsAre("M::both::never", "M::both::other", "M::both::slow"));
+}
+
+TEST(Told, ATimelockHasItsCause) {
+    const auto run = of_late("timed assertion A : M is timelock-free");
+    EXPECT_EQ(run["time"], 22);
+    EXPECT_EQ(run["end"]["kind"], "timelock");
+    ASSERT_EQ(run["end"]["causes"].size(), 1U);
+    EXPECT_EQ(run["end"]["causes"][0]["text"], "write y = 1 waits for the environment, which may refuse it");
+    EXPECT_EQ(run["end"]["causes"][0]["line"], 4);
+    EXPECT_EQ(run["end"]["refused"][0]["kind"], "tock");
+}
+
+TEST(Told, UntimedRunsHaveNoTime) {
+    std::string text;
+    const auto run = of_late("untimed assertion A : M is deadlock-free", &text);
+    EXPECT_THAT(text, Not(HasSubstr("t=")));
+    EXPECT_FALSE(run.contains("time"));
+    for (const auto& step : run["steps"]) EXPECT_FALSE(step.contains("time"));
 }
 
 TEST(Told, ReachabilityShowsThePath) {

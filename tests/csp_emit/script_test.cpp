@@ -295,6 +295,72 @@ TEST(Provenance, IsThereForEveryPlaceOfAMachine) {
               std::vector<std::string>{"holds"});
 }
 
+/// The channels of modules, by their qualified names.
+void collect_channels(const std::vector<cspm::DeclPtr>& decls, const std::string& path, std::vector<std::string>& out) {
+    for (const cspm::DeclPtr& decl : decls) {
+        const std::string inside = decl->kind == cspm::DeclKind::module ? path + decl->names.front() + "::" : path;
+        if (decl->kind == cspm::DeclKind::channel && !path.empty())
+            for (const std::string& name : decl->names) out.push_back(path + name);
+        collect_channels(decl->decls, inside, out);
+        collect_channels(decl->exports, inside, out);
+    }
+}
+
+// What a counterexample cannot name it cannot tell: no event of a component is without its meaning.
+TEST(Provenance, HasAMeaningForEveryChannelOfEveryComponent) {
+    const auto m = model(R"(
+        interface V { var v : nat }
+        interface O { op(n : nat) far(n : nat) }
+        robotic platform P { provides V provides O event out : nat }
+        module M {
+            robotic platform R { provides V provides O event out : nat event e }
+            cref C1 = C
+            connection C1 on out to R on out (_async)
+            connection R on e to C1 on e (_async)
+        }
+        controller C {
+            requires V requires O event out : nat event e
+            sref S1 = S sref S2 = S
+            connection S1 on a to S2 on b
+            connection S1 on out to C on out
+            connection C on e to S1 on e
+        }
+        stm S {
+            requires V requires O event a : nat event b : nat event out : nat event e clock T var x : nat
+            initial i
+            junction j
+            state A {
+                entry x = x + 1 ; a ! x
+                during far(x)
+                exit v = 1
+                initial i
+                state B { entry wait(1) }
+                transition t0 { from i to B }
+            }
+            final f
+            transition t0 { from i to A }
+            transition t1 { from A to j trigger b ? x condition x > 0 }
+            transition t2 { from j to A condition since(T) > 2 action # T ; out ! x }
+            transition t3 { from j to f condition since(T) <= 2 }
+        })");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    for (const bool memories : {false, true})
+        for (const Time time : {Time::untimed, Time::timed}) {
+            Options options;
+            options.share_modules = false;  // so that every place has its channels
+            if (memories) options.states_of_a_process = 0;
+            const Emission emission = emit(m->system, m->instantiation, time, options, m->sources, m->diagnostics);
+            std::vector<std::string> channels;
+            collect_channels(emission.definitions.decls, "", channels);
+            EXPECT_GT(channels.size(), 40U);
+            for (const std::string& channel : channels) {
+                const auto known = emission.provenance.events.lower_bound(channel);
+                const bool there = known != emission.provenance.events.end() && known->first.rfind(channel, 0) == 0;
+                EXPECT_TRUE(there) << channel;
+            }
+        }
+}
+
 TEST(Rules, ConstantsWithoutAValueAreRefused) {
     const auto m = model("stm S { const c:real = 1 / 0 initial i state A { } transition t0 { from i to A } }");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
