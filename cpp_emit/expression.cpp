@@ -273,7 +273,7 @@ std::string ExpressionWriter::membership(const ir::Expr& expr) const {
 std::string ExpressionWriter::let(const ir::Expr& expr) const {
     std::string text = "[&] {";
     for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
-        text += fmt::format(" const auto bound_{} = {};", identifier(expr.bound_names[i]), write(*expr.args[i]));
+        text += fmt::format(" [[maybe_unused]] const auto bound_{} = {};", identifier(expr.bound_names[i]), write(*expr.args[i]));
     return text + fmt::format(" return {}; }}()", write_as(*expr.args.back(), expr.type));
 }
 

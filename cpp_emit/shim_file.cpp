@@ -173,15 +173,19 @@ private:
                 return cpp_value(generation_.system, generation_.inst, id, value, spelling());
             };
             out_.open(fmt::format("{} {}({}) const noexcept {{", type(function.result), hook.method, parameters));
+            ir::Value otherwise = ir::default_value(generation_.system, generation_.inst, function.result);
             for (const FunctionValue& row : values_of(generation_.system, generation_.inst, hook.id)) {
+                if (row.arguments.empty()) {  // there is but one value
+                    otherwise = row.result;
+                    break;
+                }
                 std::vector<std::string> equal;
                 for (std::size_t i = 0; i < row.arguments.size(); ++i)
                     equal.push_back(fmt::format("a{} == {}", i, text(function.parameters[i], row.arguments[i])));
                 out_.line(
                     fmt::format("if ({}) return {};", fmt::join(equal, " && "), text(function.result, row.result)));
             }
-            const ir::Value value = ir::default_value(generation_.system, generation_.inst, function.result);
-            out_.line(fmt::format("return {};", text(function.result, value)));
+            out_.line(fmt::format("return {};", text(function.result, otherwise)));
             out_.close();
         }
     }

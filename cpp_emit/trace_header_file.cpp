@@ -269,7 +269,7 @@ private:
         std::vector<std::string> known;
         for (const StoredVariable& each : generation_.component.variables)
             if (each.input == variable.input && each.stored()) known.push_back("state." + each.path + " == value");
-        out_.line(fmt::format("if ({}) return;", fmt::join(known, " && ")));
+        if (!known.empty()) out_.line(fmt::format("if ({}) return;", fmt::join(known, " && ")));
         for (std::size_t i = 0; i < registers_.size(); ++i)
             if (registers_[i].member == variable.input)
                 out_.line(fmt::format("tracer.text({});", quoted(inputs_[i] + "?")));

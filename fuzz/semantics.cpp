@@ -9,6 +9,7 @@
 #include "conformance/batch.hpp"
 #include "cpp_emit/emit.hpp"
 #include "csp_emit/emit.hpp"
+#include "diagnostics/budget.hpp"
 #include "frontend/library.hpp"
 #include "frontend/project.hpp"
 #include "fuzz/findings.hpp"
@@ -34,10 +35,13 @@ class Phases {
 public:
     /// The first promise that is broken; "" if none is.
     std::string run(std::string_view bytes) {
+        findings_.within(&budget_);
         read(bytes);
         frontend::add_toolkits(sources_, model_, findings_);
         frontend::resolve(model_, findings_);
         if (!findings_.ok()) return refusal();
+        for (const diagnostics::Diagnostic& finding : findings_.sorted())
+            names_are_unique_ = names_are_unique_ && finding.rule->code != std::string_view("RC-N03");
         const ir::System system = ir::lower(model_, sources_, findings_);
         if (!findings_.ok()) return refusal();
         const ir::Instantiation instantiation = ir::instantiate(system, {}, findings_);
@@ -71,11 +75,13 @@ private:
 
     std::string script(const ir::System& system, const ir::Instantiation& instantiation, csp_emit::Time time) {
         Diagnostics found;
+        found.within(&budget_);
         const csp_emit::Emission emission = csp_emit::emit(system, instantiation, time, {true}, sources_, found);
         if (!found.ok()) return check_findings(sources_, found);
         Diagnostics types;
         cspm::check_types(emission.script, types);
-        if (!types.ok() && system.csp_blocks.empty())
+        // What is declared twice has been warned of, and the type checker may refuse it in the end.
+        if (!types.ok() && system.csp_blocks.empty() && names_are_unique_)
             return "a script of ours is refused by the type checker:\n" + diagnostics_of(types);
         return types.ok() ? decide(emission) : "";
     }
@@ -117,6 +123,7 @@ private:
                     {ir::ComponentKind::machine, system.machines[i].name, system.machines[i].package, i});
         for (const ir::ComponentRef& component : components) {
             Diagnostics found;
+            found.within(&budget_);
             const auto candidate = conformance::candidate(system, instantiation, component, {}, sources_, found);
             if (!candidate && found.errors() == 0) return component.path + " has no code, and no error says why";
             if (const std::string complaint = check_findings(sources_, found); !complaint.empty()) return complaint;
@@ -124,6 +131,9 @@ private:
         return {};
     }
 
+    diagnostics::Budget budget_{{2ULL << 30U, std::chrono::steady_clock::now() + std::chrono::seconds(10), {}},
+                                "fuzzing"};
+    bool names_are_unique_ = true;
     SourceManager sources_;
     Diagnostics findings_;
     frontend::Model model_;
@@ -135,6 +145,8 @@ std::string run_semantics(std::string_view bytes) {
     try {
         return Phases().run(bytes);
     } catch (const std::bad_alloc&) {
+        return {};
+    } catch (const diagnostics::LimitReached&) {
         return {};
     } catch (const std::exception& error) {
         return std::string("internal error: ") + error.what();

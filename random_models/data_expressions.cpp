@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "random_models/data.hpp"
+#include "random_models/hostile.hpp"
 
 namespace robochart::random_models {
 
@@ -84,6 +85,7 @@ std::string Expressions::literal_text(const DataType& type) {
         case Form::real:
             return flag ? decimal() : number();
         case Form::string:
+            if (shape_.hostile) return std::string(random_.pick(hostile_strings()));
             return flag ? "\"left \\\"turn\\\"\"" : "'go'";
         case Form::given:
             return type.labels[0] + "()";

@@ -13,7 +13,7 @@ namespace {
 using namespace robochart::random_models;
 
 constexpr const char* usage =
-    "usage: random_models_tool --out DIR [--seed N] [--lines N] [--files N] [--shape untimed|timed|whole]\n"
+    "usage: random_models_tool --out DIR [--seed N] [--lines N] [--files N] [--shape untimed|timed|whole|hostile]\n"
     "Without --lines: one module. With --lines: modules until there are about so many lines, in --files files.\n";
 
 int fail(const std::string& message) {
@@ -38,11 +38,12 @@ int main(int count, char** words) {
     }
     const std::string shape_name = options["--shape"];
     if (count % 2 == 0 || options["--out"].empty()) return fail("an option lacks its value, or --out is missing");
-    if (shape_name != "whole" && shape_name != "timed" && shape_name != "untimed")
+    if (shape_name != "whole" && shape_name != "timed" && shape_name != "untimed" && shape_name != "hostile")
         return fail("unknown shape " + shape_name);
-    const Shape shape = shape_name == "whole"   ? Shape::whole_language()
-                        : shape_name == "timed" ? Shape::timed_core()
-                                                : Shape::untimed_core();
+    const Shape shape = shape_name == "whole"     ? Shape::whole_language()
+                        : shape_name == "timed"   ? Shape::timed_core()
+                        : shape_name == "hostile" ? Shape::with_hostile_words()
+                                                  : Shape::untimed_core();
     const Project project = numbers["--lines"] == 0
                                 ? well_formed(numbers["--seed"], shape)
                                 : sized(numbers["--seed"], numbers["--lines"], numbers["--files"], shape);

@@ -1,9 +1,8 @@
 // See names.hpp.
 #include "random_models/names.hpp"
 
-#include <algorithm>
-
 #include "frontend/lexer.hpp"
+#include "random_models/hostile.hpp"
 
 namespace robochart::random_models {
 
@@ -13,12 +12,30 @@ std::string Names::next(Counts& counts, std::string_view stem) {
 }
 
 std::string Names::fresh(std::string_view stem) {
+    if (shape_.hostile && random_.chance(50))
+        if (std::string word = hostile(); !word.empty()) return word;
     const std::vector<std::string_view>& reserved = frontend::reserved_words();
     if (shape_.escaped_names && used_words_ < reserved.size() && random_.chance(2)) {
         const std::string_view word = reserved[used_words_++];
         if (word.front() != '_') return "^" + std::string(word);
     }
     return next(used_, stem);
+}
+
+std::string Names::hostile() {
+    constexpr int attempts = 4;
+    for (int i = 0; i < attempts; ++i) {
+        const std::string word(random_.pick(hostile_names()));
+        if (used_hostile_.insert(word).second) return word;
+    }
+    return {};
+}
+
+std::string Names::package(std::size_t file) {
+    std::string plain = "Part" + std::to_string(file);
+    if (!shape_.hostile) return plain;
+    const std::string word = hostile();
+    return word.empty() ? plain : random_.chance(30) ? plain + "::" + word : word;
 }
 
 std::string Names::local(std::string_view stem) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,8 @@ public:
     std::string fresh(std::string_view stem);
     /// A name that only the component at hand uses. Others may have the same where the shape repeats names.
     std::string local(std::string_view stem);
+    /// A name for the package of a file, with qualifiers where names are hostile.
+    std::string package(std::size_t file);
     /// Another component begins: names that are local to others may come again.
     void begin_component() { used_here_.clear(); }
 
@@ -28,8 +31,12 @@ private:
 
     Random& random_;
     const Shape& shape_;
+    /// A word of another language that is not used yet; "" if there is none.
+    std::string hostile();
+
     std::size_t used_words_ = 0;
     Counts used_, used_here_;
+    std::set<std::string, std::less<>> used_hostile_;
 };
 
 }  // namespace robochart::random_models

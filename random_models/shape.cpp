@@ -41,4 +41,17 @@ Shape Shape::whole_language() {
     return shape;
 }
 
+Shape Shape::with_hostile_words() {
+    Shape shape = timed_core();
+    shape.hostile = shape.escaped_names = true;
+    shape.files = {1, 3};
+    shape.defined_operations = {0, 2};
+    shape.probabilistic = shape.chance_expressions = shape.qualified_names = shape.nested_operations = true;
+    shape.constants = {0, 2};
+    Data& data = shape.data;
+    data.strings = data.given = data.records = data.products = data.sequences = data.sets = true;
+    data.constructors = data.functions = data.binders = true;
+    return shape;
+}
+
 }  // namespace robochart::random_models

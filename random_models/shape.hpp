@@ -90,6 +90,7 @@ struct Shape {
     bool packages = true;          ///< named packages and imports
     bool qualified_names = false;  ///< `P::X` where `X` would do
     bool escaped_names = false;    ///< `^end` and other reserved words as names
+    bool hostile = false;          ///< names that mean something in CSPM or C++, and strings that end strings there
     bool assertions = true;        ///< a file of claims about each module
     bool comments = false;         ///< and `diagram`
 
@@ -99,6 +100,8 @@ struct Shape {
     [[nodiscard]] static Shape timed_core();
     /// Everything that a model without errors may contain.
     [[nodiscard]] static Shape whole_language();
+    /// Small models with names and strings of the other languages that they are translated to.
+    [[nodiscard]] static Shape with_hostile_words();
 };
 
 }  // namespace robochart::random_models

@@ -19,10 +19,6 @@ struct Draft {
     std::set<std::size_t> imports;
 };
 
-std::string package_of(std::size_t file) {
-    return "Part" + std::to_string(file);
-}
-
 std::size_t line_count(const std::string& text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
@@ -85,13 +81,16 @@ bool refers(const std::string& text, std::size_t at) {
 class ProjectBuilder {
 public:
     ProjectBuilder(std::uint64_t seed, const Shape& shape, std::size_t files)
-        : random_(seed), shape_(shape), names_(random_, shape), drafts_(files) {}
+        : random_(seed), shape_(shape), names_(random_, shape), drafts_(files) {
+        for (std::size_t file = 0; file < files; ++file) packages_.push_back(names_.package(file));
+    }
 
     void add_system();
     [[nodiscard]] std::size_t lines() const { return lines_; }
     Project finish();
 
 private:
+    [[nodiscard]] const std::string& package_of(std::size_t file) const { return packages_[file]; }
     std::vector<std::size_t> choose_files();
     void add_claims(const System& system, const std::vector<std::size_t>& files);
     std::string comment();
@@ -101,6 +100,7 @@ private:
     const Shape& shape_;
     Names names_;
     std::vector<Draft> drafts_;
+    std::vector<std::string> packages_;
     std::string claims_;
     std::set<std::size_t> claimed_;  ///< files whose modules the claims are about
     std::size_t claim_count_ = 0;

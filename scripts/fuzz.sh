@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 seconds="${1:-600}"
 shift || true
 targets=("$@")
-[ "${#targets[@]}" -gt 0 ] || targets=(model assertions script editor stream)
+[ "${#targets[@]}" -gt 0 ] || targets=(model assertions script semantics editor stream)
 
 cmake --preset fuzz >/dev/null
 cmake --build --preset fuzz --target "${targets[@]/#/fuzz_}" random_models_tool
@@ -40,6 +40,7 @@ generated() {
     build/fuzz/random_models/random_models_tool --out "$random/$seed" --seed "$seed" >/dev/null
   done
   gather model rct "$random"
+  gather semantics rct "$random"
   gather assertions assertions "$random"
   local program
   for program in build/{release,clang,dev,asan}/app/robochart-verify; do
@@ -72,6 +73,7 @@ sessions() {
 }
 
 gather model rct corpus tests/frontend/fixtures frontend/library
+gather semantics rct corpus tests/app/agreeing tests/conformance/models tests/cpp_emit/models
 gather assertions assertions corpus tests/frontend/fixtures
 gather script csp editors/vscode/tests
 for target in "${targets[@]}"; do

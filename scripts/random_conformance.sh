@@ -1,10 +1,79 @@
 #!/usr/bin/env bash
 # Random models from a seed on: C++ is generated for each, compiled with warnings as errors, explored over all inputs and
-# compared with the model's semantics; prints what came of them. Builds the tests of the room in release form first.
+# compared with the model's semantics; prints what came of them, and each cause of a disagreement with a small model.
+# Builds the tests of the component in release form first.
 # Arguments: how many models (default 100000), the first seed (default 0), the compiler (default c++).
+# ROBOCHART_MODELS says which models: widened (default), core, hostile (tests/conformance/random_shapes.hpp);
+# ROBOCHART_JOBS how many processes work (default: one a processor). Seeds are done in ranges of 500; what is done is kept
+# below build/random_conformance for the program as it is, so that a run that was interrupted goes on where it stood.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+models="${1:-100000}"
+first="${2:-0}"
+export ROBOCHART_COMPILER="${3:-c++}"
+export ROBOCHART_MODELS="${ROBOCHART_MODELS:-widened}"
+jobs="${ROBOCHART_JOBS:-$(nproc)}"
+range=500
+
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
 cmake --build --preset release --target tests_conformance > /dev/null
-ROBOCHART_SEEDS="${1:-100000}" ROBOCHART_FIRST_SEED="${2:-0}" ROBOCHART_COMPILER="${3:-c++}" \
-  exec build/release/tests/conformance/tests_conformance --gtest_filter='RandomModels.Conform'
+built=build/release/tests/conformance/tests_conformance
+version="$(sha256sum "$built" | cut -c1-12)"
+export results="build/random_conformance/$ROBOCHART_MODELS-$(basename "$ROBOCHART_COMPILER")-$version"
+mkdir -p "$results"
+export program="$results/program"  # a build in the meantime changes nothing here
+[ -x "$program" ] || cp "$built" "$program"
+
+# One range: its report stands under its name once it is whole.
+one_range() {
+  local from="$1" count="$2" report="$results/$1-$2.report"
+  [ ! -f "$report" ] || return 0
+  rm -f "$report.part"
+  ROBOCHART_SEEDS="$count" ROBOCHART_FIRST_SEED="$from" ROBOCHART_REPORT="$report.part" nice "$program" \
+    --gtest_filter='RandomModels.Campaign' > "$report.log" 2>&1 || true
+  if [ -f "$report.part" ] && grep -q '^whole$' "$report.part"; then
+    mv "$report.part" "$report" && rm -f "$report.log"
+  else
+    echo "seeds $from to $((from + count - 1)): the program ended early, see $report.log" >&2
+  fi
+}
+export -f one_range
+
+ranges() {
+  local from="$first" end=$((first + models)) count
+  while [ "$from" -lt "$end" ]; do
+    count=$((end - from < range ? end - from : range))
+    echo "$from $count"
+    from=$((from + count))
+  done
+}
+ranges | xargs -P "$jobs" -L 1 bash -c 'one_range "$0" "$1"'
+
+wanted=()
+missing=0
+while read -r from count; do
+  if [ -f "$results/$from-$count.report" ]; then wanted+=("$results/$from-$count.report"); else missing=$((missing + 1)); fi
+done < <(ranges)
+if [ "${#wanted[@]}" -eq 0 ]; then
+  echo "nothing was done" >&2
+  exit 1
+fi
+
+cat "${wanted[@]}" | awk '
+  /^smallest$/ { quoted = 1; next }
+  /^end$/ { quoted = 0; next }
+  quoted { next }
+  $1 == "models" || $1 == "conforming" || $1 == "cycles" { sum[$1] += $2 }
+  $1 == "outcome" || $1 == "construct" { count = $2; kind = $1; $1 = ""; $2 = ""; sub(/^ +/, ""); each[kind, $0] += count; names[kind, $0] = $0; kinds[kind, $0] = kind }
+  END {
+    printf "%d models, %d conform in %d cycles\n", sum["models"], sum["conforming"], sum["cycles"]
+    for (i in each) if (kinds[i] == "outcome") printf "%8d %s\n", each[i], names[i] | "sort -k2"
+    close("sort -k2")
+    for (i in each) if (kinds[i] == "construct") printf "%8d conforming models with: %s\n", each[i], names[i] | "sort -k5"
+    close("sort -k5")
+  }'
+# Disagreements, and for each cause in a range one small model.
+awk '/^smallest$/ { quoted = 1; print ""; next } /^end$/ { quoted = 0; next } quoted { print } !quoted && /^disagreement / { print }' "${wanted[@]}"
+disagreements="$(cat "${wanted[@]}" | awk '/^smallest$/ { q = 1 } /^end$/ { q = 0 } !q && /^disagreement /' | wc -l)"
+echo "$disagreements disagreements; $missing ranges are not done"
+[ "$disagreements" -eq 0 ] && [ "$missing" -eq 0 ]

@@ -12,5 +12,7 @@ namespace robochart::conformance::test {
 [[nodiscard]] std::set<std::string> constructs(const ir::System&);
 /// All that the random models must have.
 [[nodiscard]] std::set<std::string> claimed_constructs();
+/// The same of those of the widened shape.
+[[nodiscard]] std::set<std::string> widened_constructs();
 
 }  // namespace robochart::conformance::test

@@ -53,6 +53,13 @@ std::string difference(const Result& result) {
     return text;
 }
 
+std::string without_blank_lines(const std::string& text) {
+    std::string out;
+    for (const char c : text)
+        if (c != '\n' || !out.ends_with('\n')) out += c;
+    return out;
+}
+
 /// Disagreements of one kind: both do not compile, or both differ.
 std::string kind_of(const std::string& disagreement) {
     return disagreement.starts_with("error: ") ? "error" : disagreement.empty() ? "" : "differs";
@@ -157,7 +164,8 @@ std::string Campaign::shrunk(const Disagreement& found, std::size_t budget) cons
     const auto fails = [&](const random_models::Project& project) { return kind_of(disagreement(project)) == kind; };
     const random_models::Project small =
         random_models::shrink(random_models::well_formed(found.seed, shape_of_(found.seed)), fails, budget);
-    return fmt::format("seed {}: {}\n{}", found.seed, disagreement(small), random_models::listing(small));
+    return fmt::format("seed {}: {}\n{}", found.seed, disagreement(small),
+                       without_blank_lines(random_models::listing(small)));
 }
 
 }  // namespace robochart::conformance::test

@@ -68,4 +68,10 @@ Shape widened_shape(std::uint64_t seed) {
     return shape;
 }
 
+Shape hostile_shape(std::uint64_t seed) {
+    Shape shape = widened_shape(seed);
+    shape.hostile = shape.escaped_names = shape.data.strings = true;
+    return shape;
+}
+
 }  // namespace robochart::conformance::test

@@ -56,13 +56,21 @@ std::string resolved(const Project& project) {
     return std::regex_replace(frontend::dump(loaded->model, loaded->sources, true), place, "");
 }
 
-TEST(RoundTrip, PrintingKeepsTheMeaningOfModels) {
+void expect_printing_keeps_the_meaning(const Shape& shape) {
     for (const std::uint64_t seed : seeds(100)) {
-        const Project project = well_formed(seed);
+        const Project project = well_formed(seed, shape);
         const Project again = printed(project);
         ASSERT_EQ(resolved(again), resolved(project)) << "seed " << seed << "\n" << listing(project);
         ASSERT_EQ(printed(again), again) << "seed " << seed;
     }
+}
+
+TEST(RoundTrip, PrintingKeepsTheMeaningOfModels) {
+    expect_printing_keeps_the_meaning(Shape::whole_language());
+}
+
+TEST(RoundTrip, PrintingKeepsHostileNamesAndStrings) {
+    expect_printing_keeps_the_meaning(Shape::with_hostile_words());
 }
 
 }  // namespace

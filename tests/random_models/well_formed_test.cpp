@@ -29,6 +29,10 @@ TEST(WellFormed, TheWholeLanguageHasNoErrors) {
     expect_no_errors(Shape::whole_language(), 300);
 }
 
+TEST(WellFormed, HostileWordsMakeNoErrors) {
+    expect_no_errors(Shape::with_hostile_words(), 300);
+}
+
 /// The syntax of many models of a shape.
 std::string syntax_of(const Shape& shape) {
     std::string all;
