@@ -77,6 +77,38 @@ TEST(Refines, ResultsAreNumbersAsWorded) {
     EXPECT_EQ(object["event_map"]["2"], "✓");
 }
 
+// Parts that take no step, beside one that does, in every format: a compressed part has a run of its own, so the run's
+// last event is none of its.
+TEST(Refines, PartsThatTakeNoStepAreTold) {
+    const TemporaryFile script("idle.csp", R"(transparent normal, sbisim
+channel a, b
+assert STOP [T= normal(STOP) [] a -> STOP
+assert RUN({b}) [T= sbisim(a -> STOP) ||| sbisim(b -> STOP)
+assert b -> STOP [T= normal(b -> STOP) ||| (b -> a -> STOP)
+assert normal(b -> STOP) ||| sbisim(STOP) :[deadlock free [F]]
+D = a -> D
+assert sbisim(b -> STOP) ||| (normal(D) \ {a}) :[divergence free]
+)");
+    const Json object = refines(script.path(), {"--reveal-taus"});
+    ASSERT_EQ(object["results"].size(), 5U);
+    const auto part = [&](int result, std::size_t which) -> Json {
+        const Json whole = object["results"][static_cast<std::size_t>(result)]["counterexamples"][0]["implementation_behaviour"];
+        return whole["child_behaviours"][which];
+    };
+    const auto events = [&](const Json& behaviour) { return named(object, behaviour["trace"]); };
+    const auto offence = [&](const Json& behaviour) { return named(object, Json::array({behaviour["error_event"]})).front(); };
+    EXPECT_EQ(offence(part(0, 0)), "0") << "normal(STOP) did nothing, then nothing else than a";
+    EXPECT_THAT(events(part(0, 0)["child_behaviours"][0]), IsEmpty());
+    EXPECT_EQ(offence(part(0, 1)), "a");
+    EXPECT_EQ(offence(part(1, 0)["child_behaviours"][0]), "a") << "inside the compression too";
+    EXPECT_EQ(offence(part(1, 1)["child_behaviours"][0]), "0");
+    for (const char* format : {"plain", "text", "framed_json", "json"}) {
+        const Ran ran = run({"cspm", script.path(), "--format", format, "--split"});
+        EXPECT_EQ(ran.exit, 1) << format << ran.err;
+        EXPECT_FALSE(ran.out.empty());
+    }
+}
+
 TEST(Refines, ATraceCounterexampleIsSplit) {
     const TemporaryFile script("failing.csp", failing);
     const Json object = refines(script.path(), {"--assertion", "1", "--reveal-taus"});
