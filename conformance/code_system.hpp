@@ -61,6 +61,12 @@ public:
                                           const std::vector<process::Event>& writes);
     [[nodiscard]] std::string print(std::uint32_t image) const;
 
+    /// The tree of an image's readings: for each reading of the next register the node below, behind the last one the
+    /// result. Of equal trees there is one, so a register that makes no difference has equal nodes below.
+    [[nodiscard]] std::uint32_t root(std::uint32_t image);
+    [[nodiscard]] std::vector<std::uint32_t> below(std::uint32_t node) const { return nodes_[node]; }
+    [[nodiscard]] const CycleResult& result(std::uint32_t number) const { return results_[number]; }
+
     /// The images that a cycle was begun in so far, in the order in which they were first.
     [[nodiscard]] const std::vector<std::uint32_t>& begun() const { return begun_; }
     [[nodiscard]] std::vector<unsigned char> bytes(std::uint32_t image) const;
@@ -86,7 +92,6 @@ private:
     struct Found;
     void look_behind(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const;
     [[nodiscard]] Bytes fresh_state(unsigned char fill) const;
-    [[nodiscard]] std::uint32_t root(std::uint32_t image);
     std::uint32_t tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read);
     std::uint32_t intern_node(std::size_t level, Node);
     [[nodiscard]] std::uint32_t run(const Bytes& from, const std::vector<rc_register>& registers);

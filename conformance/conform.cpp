@@ -11,6 +11,7 @@
 #include "conformance/export.hpp"
 #include "conformance/judge.hpp"
 #include "conformance/normal_form.hpp"
+#include "conformance/partial_readings.hpp"
 #include "conformance/safe_model.hpp"
 #include "conformance/shared_object.hpp"
 #include "conformance/walks.hpp"
@@ -74,6 +75,19 @@ refine::Limits limits_of_search(const Options& options) {
     return limits;
 }
 
+/// Where the valuations of all registers in all states were too many: only those on which something depends.
+void partially(Result& result, lts::TransitionSystem& model, cspm::Session& session, const Interface& interface,
+               const rc_interface& code, const Options& options) {
+    const Alphabet alphabet(interface, session.event_table());
+    ModelGraph graph(model, alphabet);
+    Result partial = judge_partially(graph, alphabet, code, options.cycle_length, limits_of_search(options));
+    if (partial.outcome == Outcome::inconclusive) return;
+    partial.schedulability = result.schedulability;
+    partial.register_cycles = std::move(result.register_cycles);
+    if (result.deadlines) partial.deadlines = std::move(result.deadlines);
+    result = std::move(partial);
+}
+
 Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
                const rc_interface& code, const Options& options) {
     std::unique_ptr<lts::TransitionSystem> model;
@@ -87,6 +101,9 @@ Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Inter
     }
     const bool wanted = !options.limits.interrupted || !options.limits.interrupted();
     if (result.outcome != Outcome::inconclusive || !wanted) return result;
+    if (model && options.relation == Relation::failures_divergences)
+        partially(result, *model, session, interface, code, options);
+    if (result.outcome != Outcome::inconclusive) return result;
     return walked(std::move(result), session, model.get(), process, interface, code, options);
 }
 

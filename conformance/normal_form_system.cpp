@@ -22,6 +22,8 @@ enum Phase : lts::Word {
     repeated,  ///< Outputs::once; pending: the report of the second one
     missed,    ///< Deadlines::mark and idle; model_state: where M waits
 };
+/// What a register holds that was not read (Frame::unread).
+constexpr lts::Word not_read = 0xffffffffU;
 /// Model state after M's own ✓, before `terminate`.
 constexpr lts::Word gone = 0xffffffffU;
 
@@ -55,7 +57,12 @@ NormalFormSystem::NormalFormSystem(ModelGraph& model, const Alphabet& alphabet, 
       repeats_(alphabet.events().intern("model.repeats")),
       deadline_(alphabet.events().intern("model.deadline")),
       inputs_(alphabet.interface().inputs.size()),
-      mask_words_(frame.outputs == Outputs::once ? (alphabet.interface().outputs.size() + 31) / 32 : 0) {}
+      mask_words_(frame.outputs == Outputs::once ? (alphabet.interface().outputs.size() + 31) / 32 : 0) {
+    for (std::size_t i = 0; frame.unread && i < inputs_; ++i) {
+        unread_.push_back(alphabet.events().intern(fmt::format("model.unread.{}", i)));
+        asks_.push_back(alphabet.events().intern(fmt::format("model.asks.{}", i)));
+    }
+}
 
 std::size_t NormalFormSystem::width() const {
     return fields + mask_words_ + inputs_;
@@ -150,18 +157,20 @@ void NormalFormSystem::read(Move& move) {
     const auto input = static_cast<std::uint32_t>(at);
     const lts::Word state = move.from[model_state];
     const bool heard = state != gone && model_->hears(state)[input];
-    for (std::uint32_t r = 0; r < alphabet_->interface().inputs[input].readings(); ++r) {
+    const auto found = [&](lts::Word reading, process::Event event) {
         std::vector<lts::Word>& next = move.restart();
-        next[fields + mask_words_ + input] = heard ? r : 0;
+        next[fields + mask_words_ + input] = heard ? reading : 0;
         next[progress] = at + 1;
         if (at + 1 == inputs_) {
             next[phase] = acting;
             next[progress] = 0;
         }
-        const process::Event event = alphabet_->read(input, r);
         move.stands = false;
         move.sink.add(event, next, event);
-    }
+    };
+    for (std::uint32_t r = 0; r < alphabet_->interface().inputs[input].readings(); ++r)
+        found(r, alphabet_->read(input, r));
+    if (frame_.unread) found(not_read, unread_[input]);
 }
 
 void NormalFormSystem::model_moves(Move& move) {
@@ -199,7 +208,12 @@ void NormalFormSystem::model_step(Move& move, const ModelEdge& edge) {
 // A1: only what was read in this cycle, once. A3: not before all registers are read. H: invisible.
 void NormalFormSystem::input(Move& move, const ModelEdge& edge) {
     lts::Word& held = move.next[fields + mask_words_ + edge.role.index];
-    if (move.from[phase] != acting || held != edge.role.reading) return;
+    if (move.from[phase] != acting) return;
+    if (held == not_read) {
+        move.stands = false;
+        move.sink.add(asks_[edge.role.index], move.from, asks_[edge.role.index]);
+    }
+    if (held != edge.role.reading) return;
     held = 0;
     move.next[model_state] = edge.target;
     move.silent(edge.event);

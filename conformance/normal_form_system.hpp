@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "checker/lts/transition_system.hpp"
 #include "conformance/model_graph.hpp"
@@ -36,6 +37,9 @@ struct Frame {
     Outputs outputs = Outputs::sequence;
     Deadlines deadlines = Deadlines::stop;
     bool writes_hidden = false;  ///< then outputs without end are a divergence
+    /// A register may also be left unread, which is the event `unread`. Where its reading would decide something, the
+    /// event `asks` is possible, and what else is possible says nothing.
+    bool unread = false;
 };
 
 /// Why nothing follows a state of NF_c(M).
@@ -63,6 +67,9 @@ public:
     /// The events of Outputs::once and Deadlines::mark.
     [[nodiscard]] process::Event repeats() const { return repeats_; }
     [[nodiscard]] process::Event deadline() const { return deadline_; }
+    /// The events of Frame::unread.
+    [[nodiscard]] process::Event unread(std::uint32_t input) const { return unread_[input]; }
+    [[nodiscard]] process::Event asks(std::uint32_t input) const { return asks_[input]; }
     /// The states of M behind it, as M tells them; "" after termination.
     [[nodiscard]] std::string describe_model(lts::StateView state) const;
 
@@ -86,6 +93,7 @@ private:
     Frame frame_;
     process::Event repeats_;
     process::Event deadline_;
+    std::vector<process::Event> unread_, asks_;
     std::size_t inputs_;
     std::size_t mask_words_;
 };

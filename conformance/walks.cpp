@@ -7,21 +7,18 @@
 #include <array>
 #include <chrono>
 #include <random>
-#include <unordered_map>
 #include <unordered_set>
 
-#include "checker/refine/budget.hpp"
-#include "checker/refine/normal_form.hpp"
 #include "conformance/code_system.hpp"
 #include "conformance/cycle_log.hpp"
-#include "conformance/normal_form_system.hpp"
+#include "conformance/follower.hpp"
 #include "conformance/watchdog.hpp"
 
 namespace robochart::conformance {
 
 namespace {
 
-using Node = refine::NormalForm::Node;
+using Node = Follower::Node;
 using Readings = std::vector<std::uint32_t>;  ///< of one cycle, one a register: 0 absent, else 1 + its value
 using Bytes = std::vector<unsigned char>;
 
@@ -32,40 +29,29 @@ struct Position {
     Node node = 0;
 };
 
-/// Where code and model part.
-struct Parting {
-    Outcome outcome = Outcome::differs;
-    std::string reason;
-    std::string expected;
-};
-
 class Walker {
 public:
     Walker(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code, std::uint32_t cycle_length,
            const refine::Limits& limits)
         : alphabet_(alphabet),
           code_(code),
-          cycle_length_(cycle_length),
-          system_(model, alphabet, cycle_length),
-          budget_(limits),
-          form_(system_, budget_) {}
+          follower_(model, alphabet, cycle_length, limits) {}
 
     [[nodiscard]] Position start() {
-        Position position{Bytes(code_.state_size), form_.initial()};
+        Position position{Bytes(code_.state_size), follower_.start()};
         code_.initial(position.image.data());
         return position;
     }
 
     /// One cycle; nothing: both went the same way, or the code has terminated (`over`).
     std::optional<Parting> cycle(Position& at, const Readings& readings, Cycle* told = nullptr) {
-        over_ = false;
         std::vector<rc_register> registers;
         for (const std::uint32_t reading : readings)
             registers.push_back({reading == 0 ? 0U : 1U, reading == 0 ? 0U : reading - 1});
         for (std::uint32_t i = 0; i < readings.size(); ++i) {
             const process::Event read = alphabet_.read(i, readings[i]);
             if (told != nullptr && readings[i] != 0) told->inputs.push_back(alphabet_.tell(read));
-            if (auto parting = follow(at.node, read, true)) return parting;
+            if (auto parting = follower_.follow(at.node, read, true)) return parting;
         }
         CycleLog log;
         const Bytes before = at.image;
@@ -80,131 +66,19 @@ public:
             const process::Event write =
                 alphabet_.write(record.output, {record.argument, record.argument + record.count});
             if (told != nullptr) told->outputs.push_back(alphabet_.tell(write));
-            if (auto parting = follow(at.node, write, false)) return parting;
+            if (auto parting = follower_.follow(at.node, write, false)) return parting;
         }
-        return finish(at, outcome, log.overflow != 0);
+        return follower_.finish(at.node, outcome, log.overflow != 0);
     }
 
-    [[nodiscard]] bool over() const { return over_; }
-    [[nodiscard]] std::size_t nodes() const { return form_.size(); }
+    [[nodiscard]] bool over() const { return follower_.over(); }
+    [[nodiscard]] std::size_t nodes() const { return follower_.nodes(); }
     [[nodiscard]] std::string print(const Bytes& image) const { return state_text(code_, image.data()); }
 
 private:
-    /// `cut`: the code did more than is logged, of which nothing is said.
-    std::optional<Parting> finish(Position& at, rc_result outcome, bool cut) {
-        if (auto stops = model_stops(at.node)) return stops;
-        over_ = cut || outcome != RC_QUIESCENT;
-        if (cut) return std::nullopt;
-        switch (outcome) {
-            case RC_PRECONDITION:
-                return differs(at, "the code calls an operation outside its precondition");
-            case RC_DEADLINE:
-                if (may_refuse(at.node, std::nullopt)) return std::nullopt;
-                return differs(at, "the code misses a deadline");
-            case RC_STEP_BOUND:
-                if (endless(at.node)) return Parting{Outcome::not_schedulable, endless_model, ""};
-                return Parting{Outcome::differs, "the code's cycle does not end: its step bound is reached",
-                               "an end of the cycle"};
-            case RC_TERMINATED:
-                return follow(at.node, process::tick, false);
-            case RC_QUIESCENT:
-                break;
-        }
-        for (std::uint32_t t = 0; t < cycle_length_; ++t)
-            if (auto parting = follow(at.node, alphabet_.tock(), false)) return parting;
-        return std::nullopt;
-    }
-
-    Parting differs(const Position& at, std::string reason) {
-        return {Outcome::differs, std::move(reason), allowed(at.node)};
-    }
-
-    /// Whether a stable state behind the node offers nothing but this event (or nothing at all), or there is no stable
-    /// one: acceptances are minimal.
-    bool may_refuse(Node node, std::optional<process::Event> but) {
-        const auto& acceptances = form_.acceptances(node);
-        const auto fits = [&](const process::EventSet& wanted) {
-            return wanted.empty() || (but && wanted.size() == 1 && wanted.front() == *but);
-        };
-        return std::any_of(acceptances.begin(), acceptances.end(), fits);
-    }
-
-    /// L(G) offers this event alone (or all readings of a register). NF_c(M) must allow it, and may not insist on
-    /// others.
-    std::optional<Parting> follow(Node& node, process::Event event, bool read) {
-        if (auto stops = model_stops(node)) return stops;
-        const auto next = form_.after(node, event);
-        const bool insists = !read && !form_.acceptances(node).empty() && !may_refuse(node, event);
-        if (!next || insists)
-            return Parting{
-                Outcome::differs,
-                event == alphabet_.tock()
-                    ? "the code ends its cycle where the model goes on"
-                    : fmt::format("the code does {}, which the model does not allow here", alphabet_.tell(event)),
-                allowed(node)};
-        node = *next;
-        return std::nullopt;
-    }
-
-    /// Of a model that cannot be run in cycles nothing is asked behind the place where it shows: what the code does
-    /// there is no fault of the code.
-    std::optional<Parting> model_stops(Node node) {
-        if (form_.diverges(node)) return Parting{Outcome::not_schedulable, endless_model, ""};
-        const auto& acceptances = form_.acceptances(node);
-        const bool stuck = std::any_of(acceptances.begin(), acceptances.end(), [](const auto& a) { return a.empty(); });
-        if (!stuck) return std::nullopt;
-        for (const lts::StateView state : form_.states(node))
-            if (system_.standstill(state) == Standstill::other)
-                return Parting{Outcome::not_schedulable, "the model can neither go on nor let time pass", ""};
-        return std::nullopt;
-    }
-
-    /// Whether outputs can follow each other without end, before time passes.
-    bool endless(Node from) {
-        std::unordered_map<Node, bool> open;  // whether the node is on the path; never iterated
-        struct Place {
-            Node node;
-            process::EventSet events;
-            std::size_t next = 0;
-        };
-        std::vector<Place> path{{from, form_.initials(from)}};
-        open[from] = true;
-        while (!path.empty()) {
-            Place& at = path.back();
-            if (at.next == at.events.size()) {
-                open[at.node] = false;
-                path.pop_back();
-                continue;
-            }
-            const process::Event event = at.events[at.next++];
-            if (alphabet_.cycle_role(event).kind != CycleRole::Kind::write) continue;
-            const auto next = form_.after(at.node, event);
-            if (!next) continue;
-            const auto [place, fresh] = open.emplace(*next, true);
-            if (!fresh && place->second) return true;
-            if (fresh) path.push_back({*next, form_.initials(*next)});
-        }
-        return false;
-    }
-
-    static constexpr const char* endless_model = "the model does infinitely much without time passing";
-
-    std::string allowed(Node node) {
-        std::string text;
-        std::size_t count = 0;
-        for (const process::Event event : form_.initials(node))
-            if (count++ < 6) text += (text.empty() ? "" : " or ") + alphabet_.tell(event);
-        if (count > 6) text += fmt::format(" or {} others", count - 6);
-        return text.empty() ? "nothing" : text;
-    }
-
     const Alphabet& alphabet_;
     const rc_interface& code_;
-    std::uint32_t cycle_length_;
-    NormalFormSystem system_;
-    refine::Budget budget_;
-    refine::NormalForm form_;
-    bool over_ = false;
+    Follower follower_;
 };
 
 /// Something new was met here; walks go on from it.
