@@ -172,7 +172,9 @@ void Family::spread(const Call& call, std::size_t parameter) {
     Names kept;
     const Names& names = passed(call, parameter, kept);
     mark(live_, call.caller, names);
-    if (within) mark(within_, call.caller, names);
+    // What gives the parameter a value is read here, before the operation returns, wherever the parameter is read.
+    const bool given = call.given.count(parameter) != 0;
+    if (within || given) mark(within_, call.caller, names);
 }
 
 /// Whether the parameter is read in what is called, or behind this call.

@@ -23,9 +23,9 @@ const std::vector<std::string_view>& hostile_names() {
         "int32_t", "errno", "stdin", "EOF", "NULL", "NAN", "INFINITY", "BUFSIZ", "EXIT_SUCCESS", "SEEK_SET", "RAND_MAX",
         "INT_MAX", "UINT8_MAX", "assert_", "M_PI", "HUGE_VAL", "unix", "linux", "signbit", "robochart", "Nat", "Real",
         "Boolean", "Types", "State", "Inputs", "Outputs", "Platform", "Controller", "Step", "inputs", "outputs",
-        "state_", "platform", "value", "values", "it", "core", "explore", "reset", "init", "spend", "pick", "wait_",
-        "since_", "none", "other", "self", "data", "size", "begin", "make", "at", "index", "Checking", "Module0_core",
-        "Carrier", "NatCarrier", "Finite", "Logged", "rc_interface", "robochart_explore",
+        "state_", "value", "values", "it", "core", "explore", "reset", "init", "spend", "pick", "wait_", "since_",
+        "none", "other", "self", "data", "size", "begin", "make", "at", "index", "Checking", "Module0_core", "Carrier",
+        "NatCarrier", "Finite", "Logged", "rc_interface", "robochart_explore",
         // Elsewhere.
         "con", "nul", "aux", "CMakeLists", "all", "clean", "test", "install", "package_", "a", "A", "ID", "id", "Self"};
     return names;

@@ -134,7 +134,6 @@ private:
         const bool junction = target.kind == NodeKind::junction;
         note(junction && source.kind == NodeKind::initial, "initial node to a junction");
         note(junction && source.kind == NodeKind::junction, "junction to a junction");
-        note(transition.trigger && transition.trigger->predicate, "condition in a trigger");
         note(transition.deadline && transition.guard, "deadline under a guard");
         if (transition.probability)
             note(true,
@@ -244,7 +243,6 @@ std::set<std::string> widened_constructs() {
                   "clock passed on by an operation",
                   "clock provided by a machine",
                   "clock provided by an operation",
-                  "condition in a trigger",
                   "constant without a value",
                   "controller twice",
                   "deadline under a guard",

@@ -19,7 +19,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::size_t at_once = 50;
+constexpr std::size_t at_once = 100;
 constexpr std::chrono::seconds patience{4};
 
 std::string causes(const diagnostics::Diagnostics& findings) {

@@ -3,6 +3,7 @@
 // ROBOCHART_REPORT=FILE has a line for each count written there (scripts/random_conformance.sh).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -36,7 +37,17 @@ void expect_everything(const Tally& tally) {
         EXPECT_GT(tally.constructs.count(word), 0U) << word << " is in no model that conforms";
 }
 
+double seconds(int who) {
+    rusage used{};
+    getrusage(who, &used);
+    const auto in_seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+    };
+    return in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
+}
+
 void print(const Tally& tally) {
+    fmt::print("{:.0f} CPU seconds here, {:.0f} in compilers\n", seconds(RUSAGE_SELF), seconds(RUSAGE_CHILDREN));
     fmt::print("{} models, {} conform in {} cycles\n", tally.models, tally.conforming, tally.cycles);
     for (const auto& [outcome, count] : tally.outcomes) fmt::print("{:8} {}\n", count, outcome);
     std::string used;

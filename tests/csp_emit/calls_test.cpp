@@ -76,6 +76,35 @@ TEST(Calls, KeepTheCallersVariablesAndStartTheirOwnAnew) {
 }
 
 // Constant k is read behind the first call only: behind the other one it is no parameter any more.
+/// What an operation computes is read behind the call alone, in a condition: what it computes it from matters inside.
+TEST(Calls, GiveTheCallersVariableWhatIsComputedInside) {
+    const std::string reading = R"(
+        uses V
+        initial i state A { entry op(2) ; if x == 2 then a else b end } transition t0 { from i to A })";
+    for (const Time time : {Time::untimed, Time::timed}) {
+        const std::string after = time == Time::timed
+                                      ? "Spec = C::s::a.out -> Rest [] tock -> Spec\nRest = tock -> Rest"
+                                      : "Spec = C::s::a.out -> STOP";
+        EXPECT_EQ(same(with_operations(R"(
+            operation op(p : nat) { requires V var own : nat = 2 initial i final f
+                transition t { from i to f action x = own } }
+            operation inner(q : nat) { initial i final f transition t { from i to f } }
+        )",
+                                       reading),
+                       time, "C::s::D__(0)", after),
+                  "holds");
+        EXPECT_EQ(same(with_operations(R"(
+            operation op(p : nat) { requires V requires I initial i final f
+                state W { entry inner(p) } transition t0 { from i to W } transition t1 { from W to f } }
+            operation inner(q : nat) { requires V initial i final f state W { }
+                transition t0 { from i to W } transition t1 { from W to f action x = q } }
+        )",
+                                       reading),
+                       time, "C::s::D__(0)", after),
+                  "holds");
+    }
+}
+
 TEST(Calls, KeepConstantsWhereTheyAreRead) {
     EXPECT_EQ(same(with_operations(steps, R"(
         const k : nat = 2
