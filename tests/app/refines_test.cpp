@@ -109,6 +109,31 @@ assert sbisim(b -> STOP) ||| (normal(D) \ {a}) :[divergence free]
     }
 }
 
+// Where hanging was the fault: each of these ends by its limit, with what is known by then.
+TEST(Refines, LimitsEndEveryPhase) {
+    const TemporaryFile prints("prints.csp", R"(print 1 + 1
+print card({(x, y, z) | x <- {0..200}, y <- {0..200}, z <- {0..100}})
+f(0) = 1
+f(n) = f(n - 1) + f(n - 1)
+print f(60)
+print 2 + 2
+)");
+    const Json told = refines(prints.path(), {"--timeout", "1"});
+    EXPECT_EQ(told["print_statement_results"][0]["result"], "2");
+    EXPECT_EQ(run({"cspm", prints.path(), "--timeout", "1"}).exit, 3);
+    const TemporaryFile endless("endless.csp", R"(transparent normal
+channel a, b, c
+P(n) = a -> P(n + 1) [] b -> normal(a -> b -> STOP) [] c -> (P(n) ||| P(n + 1))
+assert normal(P(0)) :[deadlock free [F]]
+assert P(0) ||| P(1) :[deadlock free [F]]
+N(n) = [] x : {0..40} @ a -> N(n + x)
+assert ([|{a}|] x : {0..30} @ N(x)) :[deadlock free [F]]
+)");
+    const Json stopped = refines(endless.path(), {"--timeout", "1", "--max-states", "20000"});
+    ASSERT_EQ(stopped["results"].size(), 3U);
+    for (const Json& each : stopped["results"]) EXPECT_TRUE(each["result"].is_null()) << each;
+}
+
 TEST(Refines, ATraceCounterexampleIsSplit) {
     const TemporaryFile script("failing.csp", failing);
     const Json object = refines(script.path(), {"--assertion", "1", "--reveal-taus"});

@@ -1,5 +1,9 @@
 // Scripts that are wrong, with the finding and its line; a right neighbour stands beside most. Bad input of size.
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include <string>
 
@@ -32,6 +36,30 @@ TEST_P(Finding, IsTheOnlyOne) {
     Reading reading(std::string(GetParam().script) + "\n");
     ASSERT_TRUE(reading.ok()) << GetParam().script << "\n" << reading.report();
     EXPECT_EQ(findings(reading), GetParam().at) << GetParam().script << "\n" << reading.report();
+}
+
+// The clauses of one function stand in one file: those of an included one define the name again.
+TEST(Findings, ClausesDoNotJoinAcrossAnInclude) {
+    const auto folder = std::filesystem::temp_directory_path() / ("robochart-include-" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    const auto write = [&](const char* name, const char* text) {
+        std::ofstream(folder / name) << text;
+        return (folder / name).string();
+    };
+    write("clauses.csp", "f(x) = 1\n");
+    write("other.csp", "g(x) = 2\n");
+    const auto found = [](const std::string& path) {
+        diagnostics::SourceManager sources;
+        diagnostics::Diagnostics diagnostics;
+        const Script script = read_file(sources, path, diagnostics);
+        if (diagnostics.ok()) check_types(script, diagnostics);
+        return diagnostics.ok() ? "" : std::string(diagnostics.sorted().front().rule->code);
+    };
+    EXPECT_EQ(found(write("before.csp", "f(0) = 5\ninclude \"clauses.csp\"\n")), "CSPM-T02");
+    EXPECT_EQ(found(write("after.csp", "include \"clauses.csp\"\nf(0) = 5\n")), "CSPM-T02");
+    EXPECT_EQ(found(write("alone.csp", "include \"clauses.csp\"\nv = f(0)\n")), "");
+    EXPECT_EQ(found(write("beside.csp", "f(0) = 5\nf(x) = 1\ninclude \"other.csp\"\nv = f(g(1))\n")), "");
+    std::filesystem::remove_all(folder);
 }
 
 INSTANTIATE_TEST_SUITE_P(
