@@ -29,7 +29,7 @@ echo 'enumeration Colour { red blue }' > types/m.rct
 printf 'channel a\nP = a -> P\nassert P :[deadlock free [F]]\n' > s.csp
 printf 'channel a\nP = a -> P\n' > none.csp
 printf 'print 1 + 1\n' > prints.csp
-echo 'robochart-trace 1' > logs/none.trace
+printf 'robochart-trace 1\ncomponent Sitter\ncycle 1\n' > logs/none.trace
 mkfifo pipe.rct; mkdir piped; mkfifo piped/m.rct
 )";
 
