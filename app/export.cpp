@@ -1,6 +1,7 @@
 // `cspm SCRIPT --export FORMAT PROCESS`: all states of a process, for other tools and for FDR.
 #include <fmt/ostream.h>
 
+#include <cerrno>
 #include <iostream>
 #include <memory>
 
@@ -68,10 +69,12 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
     std::size_t known = 0;
     const lts::Graph graph = explored(*system, bounds, known);
     options.run->finish();
+    errno = 0;
     if (format == "aut") lts::write_aut(graph, session.event_table(), std::cout);
     if (format == "dot") lts::write_dot(graph, session.event_table(), std::cout);
     if (format == "csp") write_script(loaded, process, graph, session.event_table());
     std::cout.flush();
+    if (!std::cout) throw OutputError(errno);
     return Exit::success;
 }
 

@@ -11,7 +11,7 @@
 namespace robochart::app {
 
 OutputError::OutputError(int cause)
-    : std::runtime_error(fmt::format("cannot write to standard output: {}", std::strerror(cause))), reader_gone_(cause == EPIPE) {}
+    : std::runtime_error(fmt::format("cannot write to standard output: {}", std::strerror(cause != 0 ? cause : EIO))), reader_gone_(cause == EPIPE) {}
 
 Exit OutputError::report() const {
     if (!reader_gone_) print_error("robochart-verify: {}\n", what());

@@ -124,6 +124,13 @@ std::vector<std::string> command_line(const BuildOptions& options, const fs::pat
     return command;
 }
 
+/// A compiler that the system gave too little memory has found nothing wrong with the code.
+bool lacked_memory(const std::string& said) {
+    const auto says = [&](const char* words) { return said.find(words) != std::string::npos; };
+    return says("memory exhausted") || says("out of memory") || says("annot allocate memory") || says("Killed signal") ||
+           says("std::bad_alloc");
+}
+
 bool compile(const BuildOptions& options, const fs::path& folder, const std::vector<std::string>& sources,
              const std::string& target, std::string& error) {
     std::vector<std::string> command = command_line(options, folder, sources, target);
@@ -138,6 +145,8 @@ bool compile(const BuildOptions& options, const fs::path& folder, const std::vec
     }
     std::error_code ignored;
     fs::remove(log, ignored);
+    if (status > 0 && lacked_memory(said))
+        throw diagnostics::LimitReached(fmt::format("{} was given no more memory", options.compiler));
     if (status > 0) error = fmt::format("{} failed with status {}:\n{}", options.compiler, status, said);
     return status == 0;
 }

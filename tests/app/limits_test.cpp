@@ -32,7 +32,7 @@ std::string large_quantifier() {
     return "stm S {\n initial i\n state A { }\n transition t0 { from i to A condition forall " + names + " @ aa + bb >= 0 }\n}\n";
 }
 
-/// Four modes in each of many machines of a controller.
+/// Machines of two modes, side by side in a controller: 2^count states.
 std::string many_machines(int count) {
     std::string text;
     std::string refs;
@@ -40,7 +40,7 @@ std::string many_machines(int count) {
         const std::string n = std::to_string(i);
         text += "stm S" + n + " {\n event e\n initial i\n state A {} state B {}\n transition t0 { from i to A }\n"
                 " transition t1 { from A to B trigger e }\n transition t2 { from B to A trigger e }\n}\n";
-        refs += " sref s" + n + " = S" + n + "\n";
+        refs += " event e" + n + "\n sref s" + n + " = S" + n + "\n connection C on e" + n + " to s" + n + " on e\n";
     }
     return text + "controller C {\n" + refs + "}\n";
 }
@@ -51,7 +51,7 @@ struct Hard {
     const char* arguments;  ///< the model is m.rct
 };
 
-class Limits : public ::testing::TestWithParam<Hard> {};
+class HardWork : public ::testing::TestWithParam<Hard> {};
 
 std::string in_time(const Hard& hard, const std::string& more) {
     // The shell's own limit makes the test end where the command does not.
@@ -59,25 +59,25 @@ std::string in_time(const Hard& hard, const std::string& more) {
            hard.arguments + " " + more + "; code=$?; ls tmp; exit $code";
 }
 
-TEST_P(Limits, OfTimeEndIt) {
+TEST_P(HardWork, OfTimeEndIt) {
     const Ran ran = run_shell(in_time(GetParam(), "--timeout 2 m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out + ran.err, HasSubstr("the time limit was reached"));
     EXPECT_THAT(ran.out, Not(HasSubstr("robochart-")));  // nothing is left in the folder for temporary files
 }
 
-TEST_P(Limits, OfMemoryOrTimeEndIt) {
-    const Ran ran = run_shell(in_time(GetParam(), "--memory 100M --timeout 20 m.rct"));
+TEST_P(HardWork, OfMemoryOrTimeEndIt) {
+    const Ran ran = run_shell(in_time(GetParam(), "--memory 100M --timeout 6 m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out + ran.err, HasSubstr("limit"));
 }
 
-TEST_P(Limits, OfTheSystemEndIt) {
-    const Ran ran = run_shell("ulimit -v 1500000; " + in_time(GetParam(), "--timeout 20 m.rct"));
+TEST_P(HardWork, OfTheSystemEndIt) {
+    const Ran ran = run_shell("ulimit -v 1500000; " + in_time(GetParam(), "--timeout 6 m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
 }
 
-TEST_P(Limits, SignalsEndItWithAReport) {
+TEST_P(HardWork, SignalsEndItWithAReport) {
     const Hard& hard = GetParam();
     const Ran ran = run_shell("cat > m.rct <<'END'\n" + hard.model +
                               "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n timeout -s KILL 60 \"$verify\" " + hard.arguments +
@@ -87,32 +87,32 @@ TEST_P(Limits, SignalsEndItWithAReport) {
     EXPECT_THAT(ran.out, Not(HasSubstr("robochart-")));
 }
 
-TEST_P(Limits, TheReportIsJsonWhereItIsWanted) {
+TEST_P(HardWork, TheReportIsJsonWhereItIsWanted) {
     const Ran ran = run_shell(in_time(GetParam(), "--format json --timeout 2 m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, AllOf(HasSubstr("\"schema\": \"robochart-verify/report/1\""), HasSubstr("limit was reached")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Phases, Limits,
+INSTANTIATE_TEST_SUITE_P(LimitedPhases, HardWork,
                          ::testing::Values(Hard{"Carriers", doubling_records(22), "check --core"},
                                            Hard{"CarriersOfCode", doubling_records(22), "conform"},
                                            Hard{"Values", large_quantifier(), "check --core"},
                                            Hard{"Composition", many_machines(40), "conform --walks 0"}),
                          [](const auto& each) { return std::string(each.param.name); });
 
-TEST(Limits, AreOfTheWholeRunNotOfEachCheck) {
+TEST(RunLimits, AreOfTheWholeRunNotOfEachCheck) {
     // Ten assertions, each of which alone would take its two seconds.
     std::string claims;
     for (int i = 0; i < 10; ++i) claims += "assertion A" + std::to_string(i) + " : C is deterministic\n";
-    const Hard hard{"", many_machines(16), "check"};
+    const Hard hard{"", many_machines(30), "check"};
     const Ran ran = run_shell("cat > m.assertions <<'END'\n" + claims + "END\n" + in_time(hard, "--timeout 2 --untimed m.rct") +
                               "");
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, AllOf(HasSubstr("A0"), HasSubstr("A9"), HasSubstr("10 inconclusive")));
 }
 
-TEST(Limits, WhatWasKnownBeforeIsReported) {
-    const std::string model = many_machines(16) + "stm Small { initial i state A { } transition t0 { from i to A } }\n";
+TEST(RunLimits, WhatWasKnownBeforeIsReported) {
+    const std::string model = many_machines(30) + "stm Small { initial i state A { } transition t0 { from i to A } }\n";
     const Hard hard{"", model, "check"};
     const Ran ran = run_shell("cat > m.assertions <<'END'\nassertion First : Small is deterministic\nassertion Second : C is deterministic\nEND\n" +
                               in_time(hard, "--timeout 3 --untimed m.rct"));
@@ -120,8 +120,8 @@ TEST(Limits, WhatWasKnownBeforeIsReported) {
     EXPECT_THAT(ran.out, AllOf(HasSubstr("holds        First"), HasSubstr("inconclusive Second")));
 }
 
-TEST(Limits, TheSecondSignalEndsTheRunAtOnce) {
-    const Ran ran = run_shell(R"(printf 'channel a : {0..99}\nP(n) = a?x -> P((n*x+1) % 1000003)\nassert P(1) :[deterministic [FD]]\n' > s.csp
+TEST(RunLimits, TheSecondSignalEndsTheRunAtOnce) {
+    const Ran ran = run_shell(R"(printf 'channel a : {0..99}\nP(n) = a?x -> P((n*x+1) %% 1000003)\nassert P(1) :[deterministic [FD]]\n' > s.csp
 mkdir tmp; export TMPDIR=$PWD/tmp
 "$verify" cspm s.csp > out & sleep 1; kill -INT $!; kill -INT $!; wait $!; echo "exit $?"; ls tmp)");
     EXPECT_THAT(ran.out, ::testing::AnyOf("exit 3\n", "exit 130\n")) << ran.err;

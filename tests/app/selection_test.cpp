@@ -29,7 +29,7 @@ echo 'enumeration Colour { red blue }' > types/m.rct
 printf 'channel a\nP = a -> P\nassert P :[deadlock free [F]]\n' > s.csp
 printf 'channel a\nP = a -> P\n' > none.csp
 printf 'print 1 + 1\n' > prints.csp
-echo 'robochart-trace 1' > logs/none.trace
+printf 'robochart-trace 1\ncomponent Sitter\ncycle 1\n' > logs/none.trace
 mkfifo pipe.rct; mkdir piped; mkfifo piped/m.rct
 )";
 
@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
     Options, Selection,
     ::testing::Values(
         // Names.
-        Row{"KnownAssertion", "check claimed --assertion Moves", 0, "1 of 1 checks hold"},
+        Row{"KnownAssertion", "check claimed --assertion Moves", 0, "2 of 2 checks hold"},
         Row{"UnknownAssertion", "check claimed --assertion Move", 4, "did you mean 'Moves'?"},
         Row{"UnknownAssertionOfAll", "claimed --assertion nothing_like_it", 4, "the model has no assertion of this name; there are"},
         Row{"AssertionOfAModelWithout", "check plain --assertion A", 4, "it has none"},

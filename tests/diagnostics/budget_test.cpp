@@ -77,16 +77,19 @@ TEST(Budget, CountsTheMemoryOfAProcessAndItsChildren) {
     EXPECT_GT(resident_bytes(), 1U << 20U);
     const pid_t child = fork();
     if (child == 0) {
+        setpgid(0, 0);
         if (fork() == 0) {
             std::vector<char> block(64U << 20U, 1);
             pause();
+            _exit(0);
         }
         pause();
+        _exit(0);
     }
     std::uint64_t bytes = 0;
     for (int i = 0; i < 500 && bytes < (64U << 20U); ++i, usleep(20'000)) bytes = resident_bytes_of_tree(child);
     EXPECT_GE(bytes, 64U << 20U);
-    kill(child, SIGKILL);
+    kill(-child, SIGKILL);  // the child's child too
     waitpid(child, nullptr, 0);
 }
 
