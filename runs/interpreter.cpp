@@ -68,7 +68,7 @@ private:
     std::vector<Machine> machines_at(const std::vector<std::optional<TermId>>& leaves);
     static std::vector<Change> changes(const std::vector<Machine>& before, const std::vector<Machine>& after);
     std::vector<Event> offers_at(TermId term);
-    std::optional<Event> offer(TermId term, const process::Transition& transition);
+    Event offer(TermId term, const process::Transition& transition);
     void add_offers(std::size_t raw, Step& step);
 
     [[nodiscard]] EndKind end_kind() const;
@@ -236,7 +236,7 @@ void Interpreter::add_step(std::size_t raw, bool shown, Event event, std::vector
 
 /// From the movers; false where the states of the run are not terms.
 bool Interpreter::read_apart() {
-    const auto behaviour = context_.session.behaviour(told_);
+    const auto behaviour = context_.session.behaviour(told_, false);
     if (!behaviour) return false;
     const Timeline line = timeline(*behaviour, told_.steps.size() + told_.loop.size());
     run_.initial = machines_at(line.initial);
@@ -306,17 +306,14 @@ void Interpreter::fold_tocks() {
 
 // ---------------------------------------------------------------- offers
 
-std::optional<Event> Interpreter::offer(TermId term, const process::Transition& transition) {
-    const auto behaviour = context_.session.behaviour(term, {transition});
-    const std::string& whole = name_of(transition.event, transition.revealed);
-    if (!behaviour) return meanings_.event(whole);
-    const Timeline line = timeline(*behaviour, 1);
-    const std::vector<std::optional<TermId>>* before = &line.initial;
-    for (const Moment& moment : line.moments) {
-        if (moment.shown) return happens(moves_of(moment, *before), whole).first;
-        before = &moment.leaves;
+Event Interpreter::offer(TermId term, const process::Transition& transition) {
+    std::vector<Move> moves;
+    for (const process::Move& each : context_.session.moves(term, transition)) {
+        Move move{name_of(each.step.event, each.step.revealed), calls_of(each.part), {}};
+        move.after = meanings_.calls(process::describe(context_.session.terms(), each.step.target));
+        moves.push_back(std::move(move));
     }
-    return meanings_.event(whole);
+    return happens(moves, name_of(transition.event, transition.revealed)).first;
 }
 
 /// What else the run could have done in front of this step; looked up once for each state.
@@ -326,7 +323,7 @@ void Interpreter::add_offers(std::size_t raw, Step& step) {
     if (added)
         for (const process::Transition& each : context_.session.transitions(term)) {
             if (++looked_at_ > most_looked_at) break;
-            if (auto event = offer(term, each)) found->second.emplace_back(each, std::move(*event));
+            found->second.emplace_back(each, offer(term, each));
         }
     const refine::Step& taken = raw_step(raw);
     for (const auto& [transition, event] : found->second) {
@@ -352,12 +349,13 @@ std::vector<Event> Interpreter::named(const process::EventSet& set) const {
 }
 
 std::vector<Event> Interpreter::offered_at_the_end() {
-    if (told_.terms.empty() || run_.loop_start) return named(told_.offered);
+    // The state behind a forbidden event has not been looked into.
+    if (told_.terms.empty() || told_.kind == ViolationKind::trace || run_.loop_start) return named(told_.offered);
     std::vector<Event> result;
     for (const process::Transition& each : context_.session.transitions(told_.terms.back())) {
         if (each.event == process::tau || ++looked_at_ > most_looked_at) continue;
-        const auto event = offer(told_.terms.back(), each);
-        if (event && !among(result, *event)) result.push_back(*event);
+        Event event = offer(told_.terms.back(), each);
+        if (!among(result, event)) result.push_back(std::move(event));
     }
     return result;
 }

@@ -268,7 +268,7 @@ AssertionResult Session::check(const Decl& assertion, const refine::Limits& limi
     return result;
 }
 
-std::optional<process::Behaviour> Session::behaviour(const refine::Counterexample& told) {
+std::optional<process::Behaviour> Session::behaviour(const refine::Counterexample& told, bool offers) {
     if (told.terms.empty()) return std::nullopt;
     std::vector<process::Transition> run;
     const auto append = [&run](const std::vector<refine::Step>& steps, const std::vector<process::TermId>& reached) {
@@ -277,13 +277,8 @@ std::optional<process::Behaviour> Session::behaviour(const refine::Counterexampl
     };
     append(told.steps, told.terms);
     append(told.loop, told.loop_terms);
-    return behaviour(told.terms.front(), run);
-}
-
-std::optional<process::Behaviour> Session::behaviour(process::TermId initial,
-                                                     const std::vector<process::Transition>& run) {
     try {
-        return process::behaviour(impl_->semantics, initial, run);
+        return process::behaviour(impl_->semantics, told.terms.front(), run, offers);
     } catch (const EvaluationError&) {
         // Inside a compression terms are looked at that nothing has asked for: the verdict does without them.
     } catch (const process::SemanticsError&) {
@@ -299,6 +294,10 @@ std::vector<process::Transition> Session::transitions(process::TermId term) {
     } catch (const process::SemanticsError&) {
     }
     return {};
+}
+
+std::vector<process::Move> Session::moves(process::TermId term, const process::Transition& step) {
+    return process::moves(impl_->semantics, term, step);
 }
 
 process::TermId Session::process(const ExprPtr& expr) {

@@ -44,16 +44,14 @@ public:
     void observe(CallObserver observer);
 
     /// The run of a counterexample taken apart down to the components; the loop of a divergence follows the trace. None
-    /// where its states are not terms.
-    [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&);
+    /// where its states are not terms. Without `offers` no state behind the run's is looked into.
+    [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, bool offers = true);
     /// The same within limits; none where one is reached.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, const refine::Limits&);
-
-    /// The same of a run given by its transitions.
-    [[nodiscard]] std::optional<process::Behaviour> behaviour(process::TermId initial,
-                                                              const std::vector<process::Transition>& run);
     /// What a term can do; nothing where its definitions cannot be evaluated.
     [[nodiscard]] std::vector<process::Transition> transitions(process::TermId term);
+    /// One of these taken apart: what each component does in it.
+    [[nodiscard]] std::vector<process::Move> moves(process::TermId term, const process::Transition& step);
 
     /// An expression in the script's global scope as a process.
     [[nodiscard]] process::TermId process(const ExprPtr&);

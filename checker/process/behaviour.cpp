@@ -74,14 +74,16 @@ std::optional<std::vector<Transition>> run_inside(OperationalSemantics& semantic
 
 class Splitter {
 public:
-    Splitter(OperationalSemantics& semantics, std::size_t length, Work& work)
+    Splitter(OperationalSemantics& semantics, std::size_t length, Work& work, bool offers)
         : semantics_(semantics),
           terms_(semantics.terms()),
           length_(length),
+          offers_(offers),
           work_(work),
           most_parts_(std::min(most_parts, most_entries / (length + 1))) {}
 
     Behaviour part(TermId initial, const Steps& steps, int depth);
+    void moves(TermId term, const Transition& step, int depth, std::vector<Move>& result);
 
 private:
     struct Segment {
@@ -109,6 +111,9 @@ private:
     void end(Behaviour& behaviour, TermId last) {
         behaviour.offered.clear();
         behaviour.state = describe(terms_, last);
+        if (offers_) offer(behaviour, last);
+    }
+    void offer(Behaviour& behaviour, TermId last) {
         for (const Transition& each : semantics_.successors(last)) {
             if (each.event == tau) behaviour.stable = false;
             if (each.event != tau && (behaviour.offered.empty() || behaviour.offered.back() != each.event))
@@ -130,6 +135,7 @@ private:
     OperationalSemantics& semantics_;
     TermStore& terms_;
     std::size_t length_;
+    bool offers_;
     Work& work_;
     std::size_t most_parts_;
 };
@@ -165,7 +171,8 @@ Splitter::Segment Splitter::component(TermId from, const Steps& steps, std::size
     while (segment.next < steps.size()) {
         note(segment.behaviour, steps[segment.next]);
         segment.end = steps[segment.next++].transition.target;
-        segment.goes_on = !to_the_end && worth_taking_apart(segment.end);
+        const bool known = offers_ || segment.next < steps.size();
+        segment.goes_on = known && !to_the_end && worth_taking_apart(segment.end);
         if (segment.goes_on) break;
     }
     return segment;
@@ -184,14 +191,14 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
         if (step.transition.event != tau) events.push_back(step.transition.event);
         if (step.transition.event != tau) shown.push_back(step.index);
     }
-    end(segment.behaviour, segment.end);
+    offer(segment.behaviour, segment.end);  // of a machine, whose states are all known
     const TermId operand = term.children.front();
     const auto inside = run_inside(semantics_, operand, events, segment.behaviour, work_);
     if (!inside) return segment;
     segment.behaviour.op = name_of(Compression{term.payload});
     Steps own;
     for (const Transition& each : *inside) own.push_back({own.size(), each});
-    Behaviour within = Splitter(semantics_, own.size(), work_).part(operand, own, depth + 1);
+    Behaviour within = Splitter(semantics_, own.size(), work_, offers_).part(operand, own, depth + 1);
     for (std::size_t i = 0, done = 0; i < inside->size(); ++i) {
         within.shown_by.push_back(done < shown.size() ? shown[done] : length_ == 0 ? 0 : length_ - 1);
         if ((*inside)[i].event != tau) ++done;
@@ -239,6 +246,18 @@ Splitter::Segment Splitter::operation(TermId from, const Steps& steps, std::size
     }
     segment.goes_on = handed_over;
     return segment;
+}
+
+void Splitter::moves(TermId term, const Transition& step, int depth, std::vector<Move>& result) {
+    const TermId now = unfolded(term);
+    const bool apart = depth <= deepest_parts && terms_[now].op != Op::compress && worth_taking_apart(now);
+    const auto derived = apart ? derivation(semantics_, now, step) : std::nullopt;
+    if (!derived) {
+        result.push_back({term, step});
+        return;
+    }
+    for (const auto& [operand, transition] : derived->moves)
+        moves(Term(terms_[now]).children[operand], transition, depth + 1, result);
 }
 
 Behaviour Splitter::part(TermId initial, const Steps& steps, int depth) {
@@ -318,11 +337,18 @@ std::vector<Event> Behaviour::events(bool with_taus) const {
     return result;
 }
 
-Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run) {
+Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run, bool offers) {
     Steps steps;
     for (const Transition& each : run) steps.push_back({steps.size(), each});
     Work work;
-    return Splitter(semantics, run.size(), work).part(initial, steps, 0);
+    return Splitter(semantics, run.size(), work, offers).part(initial, steps, 0);
+}
+
+std::vector<Move> moves(OperationalSemantics& semantics, TermId term, const Transition& step) {
+    Work work;
+    std::vector<Move> result;
+    Splitter(semantics, 1, work, false).moves(term, step, 0, result);
+    return result;
 }
 
 }  // namespace robochart::process

@@ -39,6 +39,16 @@ struct Behaviour {
 
 /// Takes a run of `initial` apart. Each step's transition must be one of the semantics. A run that is large beyond
 /// reading (parts, nesting) is taken apart only so far.
-[[nodiscard]] Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run);
+/// Without `offers` what the parts offer at the end is left out, and no state behind the run's is looked into.
+[[nodiscard]] Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run,
+                                  bool offers = true);
+
+/// What one component does in a step of the whole.
+struct Move {
+    TermId part;      ///< the component in front of it
+    Transition step;  ///< its own
+};
+/// One transition of a term taken apart. Looks at no state behind it.
+[[nodiscard]] std::vector<Move> moves(OperationalSemantics& semantics, TermId term, const Transition& step);
 
 }  // namespace robochart::process
