@@ -62,6 +62,7 @@ void write_asides(std::string& out, const conformance::Result& r) {
         out += fmt::format("               runs in register cycles: {}\n", once.holds ? "yes" : fmt::format("no, {}", once.reason));
         write_cycles(out, once.cycles);
     }
+    if (!r.register_cycles && r.outcome == conformance::Outcome::conforms) out += "               runs in register cycles: not decided\n";
     if (!r.deadlines || r.deadlines->holds) return;
     out += fmt::format("               may miss a deadline: yes, {}\n", r.deadlines->reason);
     write_cycles(out, r.deadlines->cycles);

@@ -141,7 +141,6 @@ void not_schedulable(Result& result, const refine::Counterexample& found, const 
 Aside found_aside(std::string reason, const refine::Counterexample& found, const Alphabet& alphabet,
                   std::uint32_t cycle_length) {
     Run run = tell_run(found.steps, alphabet, cycle_length);
-    run.cycles.back().state = last_state(found);
     return {false, std::move(reason), std::move(run.cycles)};
 }
 
