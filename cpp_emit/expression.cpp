@@ -273,7 +273,8 @@ std::string ExpressionWriter::membership(const ir::Expr& expr) const {
 std::string ExpressionWriter::let(const ir::Expr& expr) const {
     std::string text = "[&] {";
     for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
-        text += fmt::format(" [[maybe_unused]] const auto bound_{} = {};", identifier(expr.bound_names[i]), write(*expr.args[i]));
+        text += fmt::format(" [[maybe_unused]] const auto bound_{} = {};", identifier(expr.bound_names[i]),
+                            write(*expr.args[i]));
     return text + fmt::format(" return {}; }}()", write_as(*expr.args.back(), expr.type));
 }
 
@@ -303,7 +304,7 @@ std::string ExpressionWriter::right(const ir::Expr& expr) const {
         case ExprKind::since_entry:
             return fmt::format("Nat({})", clock(clock_of(*unit_.machine, expr)));
         case ExprKind::negate:
-            return "-" + operand(*expr.args[0]);
+            return "-" + (numeric(kind(expr)) ? operand_as(*expr.args[0], kind(expr)) : operand(*expr.args[0]));
         case ExprKind::logical_not:
             return "!" + operand(*expr.args[0]);
         case ExprKind::iff:

@@ -115,6 +115,31 @@ TEST(Regressions, ADuringActionWaitsToRepeatAWriteThatIsSeen) {
         "module M { robotic platform P { provides V } cref c = C }\n");
 }
 
+TEST(Regressions, AFunctionWithoutParametersHasOneValue) {
+    expect_conforming("function two() : nat { postcondition result == 2 }\n" +
+                      machine("", "state A { entry move(two() == 2) }"));
+}
+
+TEST(Regressions, AVariableOfLetNeedNotBeRead) {
+    expect_conforming(machine("", "state A { entry move(let b == x @ true) }"));
+}
+
+TEST(Regressions, ANegatedNaturalNumberIsAnInteger) {
+    expect_conforming(machine("const k : nat = 2 var z : int", "state A { entry z = -k; move(z == -2) }"));
+}
+
+/// The operation's own variable is read inside alone, what is computed from it behind the call alone.
+TEST(Regressions, AnOperationComputesFromItsInitialValues) {
+    expect_conforming(
+        "interface V { var v : boolean } interface Ops { op() }\n"
+        "operation op() { requires V var own : boolean = false initial i final f\n"
+        "transition t { from i to f action v = own } }\n"
+        "controller C { event out opref o = op sref m = S connection m on out to C on out }\n"
+        "stm S { requires Ops uses V event out initial i state A { entry op(); if v then out end }\n"
+        "transition t0 { from i to A } }\n"
+        "module M { robotic platform P { event out } cref c = C connection c on out to P on out (_async) }\n");
+}
+
 /// Both places lead to an entry; the second is of the row that the first leads to.
 TEST(Regressions, EntriesOfMatricesAreAssigned) {
     expect_conforming(
