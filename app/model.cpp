@@ -1,6 +1,7 @@
 // The verbs over models: read, then check, write and conform as asked, one report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -18,12 +19,19 @@ namespace {
 
 std::string count(std::size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
-std::string summary(const ir::System& system) {
-    std::size_t operations = 0;
-    for (const ir::Machine& machine : system.machines) operations += machine.kind == ir::MachineKind::operation ? 1U : 0U;
-    return fmt::format("{}, {}, {}, {}, {}", count(system.modules.size(), "module"), count(system.controllers.size(), "controller"),
-                       count(system.machines.size() - operations, "state machine"), count(operations, "operation"),
-                       count(system.properties.size(), "assertion"));
+std::string summary(const std::vector<Part>& parts) {
+    std::size_t modules = 0, controllers = 0, machines = 0, operations = 0, assertions = 0;
+    for (const Part& part : parts) {
+        const ir::System& system = part.project->system;
+        assertions += system.properties.size();
+        if (part.again) continue;
+        modules += system.modules.size();
+        controllers += system.controllers.size();
+        for (const ir::Machine& machine : system.machines)
+            ++(machine.kind == ir::MachineKind::operation ? operations : machines);
+    }
+    return fmt::format("{}, {}, {}, {}, {}", count(modules, "module"), count(controllers, "controller"), count(machines, "state machine"),
+                       count(operations, "operation"), count(assertions, "assertion"));
 }
 
 std::string range(const std::vector<std::int64_t>& carrier) {
@@ -38,6 +46,19 @@ std::vector<std::string> notes(const ir::Instantiation& i) {
     const ir::Instantiation usual;
     if (i.sequence_bound != usual.sequence_bound) result.back() += fmt::format(", sequences of at most {}", i.sequence_bound);
     if (i.given_size != usual.given_size) result.back() += fmt::format(", given types of {}", i.given_size);
+    return result;
+}
+
+/// The finite reading, once where all parts have the same.
+std::vector<std::string> notes(const std::vector<Part>& parts) {
+    std::vector<std::string> result;
+    const bool same = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+        return notes(part.project->instantiation) == notes(parts.front().project->instantiation);
+    });
+    for (const Part& part : parts) {
+        for (const std::string& note : notes(part.project->instantiation)) result.push_back(same ? note : fmt::format("{}: {}", part.project->name, note));
+        if (same) break;
+    }
     return result;
 }
 
@@ -121,16 +142,16 @@ cpp_emit::Strategy strategy_of(const std::string& name) {
 Report begin(const Project& project, const Options& options) {
     Report report;
     report.model = fmt::format("{}", fmt::join(options.inputs, " "));
-    report.summary = summary(project.system);
     report.load_seconds = project.seconds;
-    report.notes = notes(project.instantiation);
     return report;
 }
 
-bool run_phases(Project& project, const Options& options, Report& report) {
+/// `again`: code and conformance of its components are those of a part before it.
+bool run_phases(Project& project, const Options& options, bool again, Report& report) {
     const bool all = options.verb == Verb::verify;
     if (all || options.verb == Verb::check) check_assertions(project, options, report);
     if ((all || options.verb == Verb::emit_csp) && !write_csp(project, options, report)) return false;
+    if (again) return project.diagnostics.ok();
     if ((all || options.verb == Verb::emit_cpp) && !write_cpp(project, options, report)) return false;
     if (all || options.verb == Verb::conform) check_conformance(project, options, report);
     return project.diagnostics.ok();
@@ -213,7 +234,47 @@ Exit print_phase(Project& project, const Options& options) {
     return Exit::success;
 }
 
+namespace {
+
+/// The components of a part; the component asked for, if one is, must be in one of the parts.
+bool has_wanted(const Project& project, const Options& options) {
+    return options.component.empty() || !code_components(project.system, options.component).empty();
+}
+
+/// A verb whose answer is a report, over all parts of the project.
+Exit run_parts(std::vector<Part>& parts, const Options& options) {
+    const bool some = std::any_of(parts.begin(), parts.end(), [&](const Part& part) { return has_wanted(*part.project, options); });
+    Report report = begin(*parts.front().project, options);
+    report.summary = summary(parts);
+    report.notes = notes(parts);
+    bool good = true, accepted = true;
+    for (Part& part : parts) {
+        if (some && !has_wanted(*part.project, options)) continue;
+        Options wanted = options;
+        if (part.again) wanted.core = false;
+        good = good && run_phases(*part.project, wanted, part.again, report);
+        accepted = show_diagnostics(*part.project, options) && accepted;
+        if (!good) break;
+    }
+    const bool json = options.format == Format::json;
+    if (!good || (json && !accepted)) return Exit::bad_input;
+    fmt::print("{}", json ? render_json(report) : render_text(report, options));
+    return accepted ? report.exit() : Exit::bad_input;
+}
+
+}  // namespace
+
 Exit run_model(const Options& options) {
+    const bool whole = !options.print.empty() || options.verb == Verb::emit_monitor || options.verb == Verb::emit_tests || !options.traces.empty();
+    if (!whole) {
+        std::vector<Part> parts = load_parts(options);
+        for (const Part& part : parts)
+            if (!acceptable(*part.project, options)) {
+                show_diagnostics(*part.project, options);
+                return Exit::bad_input;
+            }
+        return run_parts(parts, options);
+    }
     const auto project = load(options);
     if (!options.print.empty()) {
         show_diagnostics(*project, options);
@@ -225,14 +286,7 @@ Exit run_model(const Options& options) {
     }
     if (options.verb == Verb::emit_monitor) return emit_monitors(*project, options);
     if (options.verb == Verb::emit_tests) return emit_tests(*project, options);
-    if (!options.traces.empty()) return conform_traces(*project, options);
-    Report report = begin(*project, options);
-    const bool good = run_phases(*project, options, report);
-    const bool accepted = show_diagnostics(*project, options);
-    const bool json = options.format == Format::json;
-    if (!good || (json && !accepted)) return Exit::bad_input;
-    fmt::print("{}", json ? render_json(report) : render_text(report, options));
-    return accepted ? report.exit() : Exit::bad_input;
+    return conform_traces(*project, options);
 }
 
 }  // namespace robochart::app

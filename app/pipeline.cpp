@@ -4,17 +4,20 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include "app/rules.hpp"
 #include "checker/cspm/types.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project.hpp"
+#include "frontend/units.hpp"
 #include "semantics/lower.hpp"
 
 namespace robochart::app {
@@ -30,7 +33,7 @@ std::string project_name(const std::string& input) {
 
 bool lower_all(Project& project, const Options& options) {
     for (const std::string& code : options.allowed) project.diagnostics.allow(code);
-    project.model = frontend::load_project(project.sources, options.inputs, project.diagnostics);
+    if (!project.model) project.model = frontend::load_project(project.sources, options.inputs, project.diagnostics);
     if (!acceptable(project, options)) return false;
     project.system = ir::lower(*project.model, project.sources, project.diagnostics);
     if (!project.diagnostics.ok()) return false;
@@ -76,6 +79,44 @@ std::unique_ptr<Project> load(const Options& options) {
     lower_all(*project, options);
     project->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return project;
+}
+
+namespace {
+
+/// The part that these files are, under a name that no other part has.
+std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const Options& options, std::set<std::string>& names) {
+    auto part = std::make_unique<Project>();
+    std::vector<std::string> paths;
+    for (const std::size_t file : unit.files) paths.push_back(whole.sources.path(whole.model->files[file]->source));
+    const auto model = std::find_if(paths.begin(), paths.end(), [](const std::string& path) { return path.ends_with(".rct"); });
+    const std::string name = project_name(unit.again ? paths.back() : model == paths.end() ? paths.front() : *model);
+    part->name = name;
+    for (int number = 2; !names.insert(part->name).second; ++number) part->name = fmt::format("{}_{}", name, number);
+    for (const std::string& code : options.allowed) part->diagnostics.allow(code);
+    part->model = frontend::load_files(part->sources, paths, part->diagnostics);
+    lower_all(*part, options);
+    return part;
+}
+
+}  // namespace
+
+std::vector<Part> load_parts(const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    auto whole = std::make_unique<Project>();
+    whole->name = project_name(options.inputs.front());
+    for (const std::string& code : options.allowed) whole->diagnostics.allow(code);
+    whole->model = frontend::load_project(whole->sources, options.inputs, whole->diagnostics);
+    const std::vector<frontend::Unit> units = whole->diagnostics.ok() ? frontend::units(*whole->model) : std::vector<frontend::Unit>{};
+    std::vector<Part> result;
+    if (units.size() < 2) {
+        lower_all(*whole, options);
+        result.push_back({std::move(whole), false});
+    } else {
+        std::set<std::string> names;
+        for (const frontend::Unit& unit : units) result.push_back({part_of(*whole, unit, options, names), unit.again});
+    }
+    result.front().project->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
 }
 
 csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::Time time) {

@@ -27,6 +27,14 @@ struct Project {
 /// Reads the inputs and lowers them. Stops after the first phase with errors; `diagnostics` tells.
 [[nodiscard]] std::unique_ptr<Project> load(const Options&);
 
+/// The project, part by part: what does not belong together is made finite apart (frontend/units.hpp). One part where it
+/// all does, or where reading it fails.
+struct Part {
+    std::unique_ptr<Project> project;
+    bool again = false;  ///< its components are in a part before it too
+};
+[[nodiscard]] std::vector<Part> load_parts(const Options&);
+
 /// The semantics in one time, type checked; diagnostics are added to the project's. Throws std::logic_error where the
 /// script is wrong and nothing of it is the user's.
 [[nodiscard]] csp_emit::Emission emit_csp(Project&, const Options&, csp_emit::Time);
