@@ -8,6 +8,7 @@
 #include "app/sizes.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "frontend/syntax_rules.hpp"
 #include "runs/interpreter.hpp"
 
 namespace robochart::app {
@@ -43,9 +44,24 @@ void take(const Context& context, const csp_emit::Obligation& obligation, const 
     }
 }
 
-std::string said(const Project& project, const cspm::EvaluationError& error) {
+/// The element of the model that a call of the script stands for: `S::A__(0,1)` for the place of S in A.
+const csp_emit::DefinitionMeaning* meaning_of(const csp_emit::Emission& emission, const std::string& call) {
+    const auto found = emission.provenance.definitions.find(call.substr(0, call.find('(')));
+    return found == emission.provenance.definitions.end() ? nullptr : &found->second;
+}
+
+/// What cannot be evaluated, with its place; where the place is not the model's or a block's, with that of the element in
+/// whose definition it is.
+std::string said(const Project& project, const csp_emit::Emission& emission, const cspm::EvaluationError& error) {
     const std::string place = project.sources.place(error.span);
-    return place.empty() ? error.what() : fmt::format("{}: {}", place, error.what());
+    std::string text = place.empty() ? error.what() : fmt::format("{}: {}", place, error.what());
+    for (const std::string& call : error.stack)
+        if (const csp_emit::DefinitionMeaning* meaning = meaning_of(emission, call)) {
+            const std::string element = meaning->origin.element.empty() ? meaning->text : meaning->origin.element;
+            const std::string at = project.sources.place(meaning->origin.span);
+            return fmt::format("{} ({}, {}{}{})", text, element, meaning->text, at.empty() ? "" : ", ", at);
+        }
+    return text;
 }
 
 /// One assertion of an obligation: its answer, with its counterexample where it fails.
@@ -55,7 +71,7 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
         take(context, obligation, context.session.check(assertion, limits(context.options)).verdict, report);
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
-        report.reason = said(context.project, error);
+        report.reason = said(context.project, context.emission, error);
     } catch (const std::bad_alloc&) {
         report.answer = Answer::inconclusive;
         report.reason = "out of memory";
@@ -107,7 +123,7 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
         AssertionReport one;
         one.title = fmt::format("the {} script", time == Time::timed ? "timed" : "untimed");
         one.answer = Answer::error;
-        one.reason = said(project, error);
+        one.reason = said(project, emission, error);
         const auto edit = options.run->edit();
         report.assertions.push_back(std::move(one));
         return nullptr;
@@ -140,9 +156,25 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
     if (options.sizes) measure_sizes(*session, emission, time, options, report);
 }
 
+/// Assertions of other tools (RC-P33): said, and no success.
+void report_foreign(const Project& project, const Options& options, Report& report) {
+    for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted()) {
+        if (finding.rule != &frontend::syntax::foreign_assertion) continue;
+        if (!options.assertion.empty() && finding.arguments.front() != options.assertion) continue;
+        AssertionReport one;
+        one.title = finding.arguments.front();
+        one.place = project.sources.place(finding.span);
+        one.answer = Answer::error;
+        one.reason = fmt::format("{}: {}", one.place, finding.message());
+        const auto edit = options.run->edit();
+        report.assertions.push_back(std::move(one));
+    }
+}
+
 }  // namespace
 
 void check_assertions(Project& project, const Options& options, Report& report) {
+    report_foreign(project, options, report);
     if (options.times != Times::timed) check_time(project, options, Time::untimed, report);
     if (options.times != Times::untimed && project.diagnostics.ok()) check_time(project, options, Time::timed, report);
 }

@@ -21,12 +21,19 @@ namespace {
 
 std::string count(std::size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
-std::string summary(const ir::System& system) {
-    std::size_t operations = 0;
-    for (const ir::Machine& machine : system.machines) operations += machine.kind == ir::MachineKind::operation ? 1U : 0U;
-    return fmt::format("{}, {}, {}, {}, {}", count(system.modules.size(), "module"), count(system.controllers.size(), "controller"),
-                       count(system.machines.size() - operations, "state machine"), count(operations, "operation"),
-                       count(system.properties.size(), "assertion"));
+std::string summary(const std::vector<Part>& parts) {
+    std::size_t modules = 0, controllers = 0, machines = 0, operations = 0, assertions = 0;
+    for (const Part& part : parts) {
+        const ir::System& system = part.project->system;
+        assertions += system.properties.size();
+        if (part.again) continue;
+        modules += system.modules.size();
+        controllers += system.controllers.size();
+        for (const ir::Machine& machine : system.machines)
+            ++(machine.kind == ir::MachineKind::operation ? operations : machines);
+    }
+    return fmt::format("{}, {}, {}, {}, {}", count(modules, "module"), count(controllers, "controller"), count(machines, "state machine"),
+                       count(operations, "operation"), count(assertions, "assertion"));
 }
 
 std::string range(const std::vector<std::int64_t>& carrier) {
@@ -41,6 +48,19 @@ std::vector<std::string> notes(const ir::Instantiation& i) {
     const ir::Instantiation usual;
     if (i.sequence_bound != usual.sequence_bound) result.back() += fmt::format(", sequences of at most {}", i.sequence_bound);
     if (i.given_size != usual.given_size) result.back() += fmt::format(", given types of {}", i.given_size);
+    return result;
+}
+
+/// The finite instantiation, once where all parts have the same.
+std::vector<std::string> notes(const std::vector<Part>& parts) {
+    std::vector<std::string> result;
+    const bool same = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+        return notes(part.project->instantiation) == notes(parts.front().project->instantiation);
+    });
+    for (const Part& part : parts) {
+        for (const std::string& note : notes(part.project->instantiation)) result.push_back(same ? note : fmt::format("{}: {}", part.project->name, note));
+        if (same) break;
+    }
     return result;
 }
 
@@ -127,11 +147,11 @@ cpp_emit::Strategy strategy_of(const std::string& name) {
 }
 
 /// What the report begins with. Before, it knows its model's name.
-void begin(const Project& project, const Options& options, Report& report) {
+void begin(const std::vector<Part>& parts, const Options& options, Report& report) {
     const auto edit = options.run->edit();
-    report.summary = summary(project.system);
-    report.load_seconds = project.seconds;
-    report.notes = notes(project.instantiation);
+    report.summary = summary(parts);
+    report.load_seconds = parts.front().project->seconds;
+    report.notes = notes(parts);
 }
 
 /// The report as it stands, whoever prints it.
@@ -140,10 +160,12 @@ Exit print_report(const Report& report, const Options& options) {
     return report.exit();
 }
 
-bool run_phases(Project& project, const Options& options, Report& report) {
+/// `code`: whether code is made of its components, and they are not in a part before it.
+bool run_phases(Project& project, const Options& options, bool code, Report& report) {
     const bool all = options.verb == Verb::verify;
     if (all || options.verb == Verb::check) check_assertions(project, options, report);
     if ((all || options.verb == Verb::emit_csp) && !write_csp(project, options, report)) return false;
+    if (!code) return project.diagnostics.ok();
     if ((all || options.verb == Verb::emit_cpp) && !write_cpp(project, options, report)) return false;
     if (all || options.verb == Verb::conform) check_conformance(project, options, report);
     return project.diagnostics.ok();
@@ -248,27 +270,66 @@ void note_nothing(const Options& options, Report& report) {
     report.nothing_checked = options.verb == Verb::check && report.sizes.empty();
 }
 
-Exit run_verb(const Options& options, Report& report, std::unique_ptr<Project>& project) {
-    project = load(options);
-    if (!options.print.empty()) {
-        show_diagnostics(*project, options);
-        return print_phase(*project, options);
+/// Whether a part has what the verb is about. Of several parts one may have types alone: no code is made of it.
+bool concerns(const Part& part, const std::vector<Part>& parts, const Options& options) {
+    const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::conform;
+    const bool some = !code_components(part.project->system, options.component).empty();
+    return some || (options.component.empty() && (!code || parts.size() == 1));
+}
+
+/// A verb whose answer is a report, over all parts of the project.
+Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& report) {
+    begin(parts, options, report);
+    const Project* stopped = nullptr;  // the part that could not go on
+    for (const Part& part : parts) {
+        if (!concerns(part, parts, options)) continue;
+        Options wanted = options;
+        if (part.again) wanted.core = false;
+        const bool code = !part.again && (parts.size() == 1 || !code_components(part.project->system, options.component).empty());
+        if (!run_phases(*part.project, wanted, code, report)) stopped = part.project.get();
+        if (stopped != nullptr) break;
     }
-    if (!acceptable(*project, options)) {
-        show_diagnostics(*project, options);
-        return refusal(*project);
-    }
-    begin(*project, options, report);
-    if (options.verb == Verb::emit_monitor) return emit_monitors(*project, options);
-    if (options.verb == Verb::emit_tests) return emit_tests(*project, options);
-    if (!options.traces.empty()) return conform_traces(*project, options);
-    const bool good = run_phases(*project, options, report);
     options.run->finish();
-    if (good) note_nothing(options, report);
-    const bool accepted = show_diagnostics(*project, options);
-    if (!good || (options.format == Format::json && !accepted)) return refusal(*project);
+    if (stopped == nullptr) note_nothing(options, report);
+    bool accepted = true;
+    for (const Part& part : parts)
+        if (accepted || options.format != Format::json) accepted = show_diagnostics(*part.project, options) && accepted;
+    if (stopped != nullptr) return refusal(*stopped);
+    if (options.format == Format::json && !accepted) return Exit::bad_input;
     const Exit exit = print_report(report, options);
     return accepted ? exit : Exit::bad_input;
+}
+
+/// A verb whose answer is not a report: over the project as a whole.
+Exit run_whole(const std::vector<Part>& parts, const Options& options, Report& report) {
+    Project& project = *parts.front().project;
+    if (!options.print.empty()) {
+        show_diagnostics(project, options);
+        return print_phase(project, options);
+    }
+    if (!acceptable(project, options)) {
+        show_diagnostics(project, options);
+        return refusal(project);
+    }
+    begin(parts, options, report);
+    if (options.verb == Verb::emit_monitor) return emit_monitors(project, options);
+    if (options.verb == Verb::emit_tests) return emit_tests(project, options);
+    return conform_traces(project, options);
+}
+
+Exit run_verb(const Options& options, Report& report, std::vector<Part>& parts) {
+    const bool whole = !options.print.empty() || options.verb == Verb::emit_monitor || options.verb == Verb::emit_tests || !options.traces.empty();
+    if (whole) {
+        parts.push_back({load(options), false});
+        return run_whole(parts, options, report);
+    }
+    parts = load_parts(options);
+    for (const Part& part : parts)
+        if (!acceptable(*part.project, options)) {
+            show_diagnostics(*part.project, options);
+            return refusal(*part.project);
+        }
+    return run_parts(parts, options, report);
 }
 
 }  // namespace
@@ -280,12 +341,13 @@ Exit run_model(const Options& options) {
         report->limit = why;
         return print_report(*report, options);
     });
-    std::unique_ptr<Project> project;
+    std::vector<Part> parts;
     try {
-        return run_verb(options, *report, project);
+        return run_verb(options, *report, parts);
     } catch (const diagnostics::LimitReached&) {
         options.run->finish();
-        if (project != nullptr && options.format == Format::text) show_diagnostics(*project, options);
+        if (options.format == Format::text)
+            for (const Part& part : parts) show_diagnostics(*part.project, options);
         throw;
     }
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include "app/output.hpp"
@@ -17,6 +18,8 @@
 #include "diagnostics/render.hpp"
 #include "frontend/names.hpp"
 #include "frontend/project.hpp"
+#include "frontend/syntax_rules.hpp"
+#include "frontend/units.hpp"
 #include "semantics/lower.hpp"
 #include "semantics/rules.hpp"
 
@@ -31,24 +34,38 @@ std::string project_name(const std::string& input) {
     return stem.empty() || stem == "." || stem == ".." ? "model" : stem;
 }
 
-bool lower_all(Project& project, const Options& options) {
+/// What the phases of a project share: its budget, and the warnings that are not wanted.
+void prepare(Project& project, const Options& options) {
     for (const std::string& code : options.allowed) project.diagnostics.allow(code);
-    const diagnostics::Budget::Phase phase(options.run->budget(), "reading the model");
     project.diagnostics.within(&options.run->budget());
-    project.model = frontend::load_project(project.sources, options.inputs, project.diagnostics);
+}
+
+bool lower(Project& project, const Options& options) {
+    const diagnostics::Budget::Phase phase(options.run->budget(), "reading the model");
     if (!acceptable(project, options)) return false;
     project.system = ir::lower(*project.model, project.sources, project.diagnostics);
-    if (!project.diagnostics.ok()) return false;
+    return project.diagnostics.ok();
+}
+
+bool make_finite(Project& project, const Options& options) {
     std::string error;
     const ir::InstantiationOptions wanted = instantiation_options(options, error);
     if (!error.empty()) {
         project.diagnostics.report(rules::bad_option, {}, {error});
         return false;
     }
-    const diagnostics::Budget::Phase instantiating(options.run->budget(), "making the model finite");
+    const diagnostics::Budget::Phase phase(options.run->budget(), "making the model finite");
     project.instantiation = ir::instantiate(project.system, wanted, project.diagnostics);
-    check_names(project, options);
     return project.diagnostics.ok();
+}
+
+std::unique_ptr<Project> read(const Options& options) {
+    auto project = std::make_unique<Project>();
+    project->name = project_name(options.inputs.front());
+    prepare(*project, options);
+    const diagnostics::Budget::Phase phase(options.run->budget(), "reading the model");
+    project->model = frontend::load_project(project->sources, options.inputs, project->diagnostics);
+    return project;
 }
 
 ir::ComponentRef component(ir::ComponentKind kind, std::size_t index, const std::string& package, const std::string& name) {
@@ -76,13 +93,74 @@ std::vector<ir::ComponentRef> all_components(const ir::System& system) {
 
 }  // namespace
 
+namespace {
+
+using Time = std::chrono::steady_clock::time_point;
+
+double seconds_since(Time start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+
+void check_names(const std::vector<Part>& parts, const Options& options);
+
+/// One project as its only part.
+std::vector<Part> single(std::unique_ptr<Project> project, const Options& options) {
+    std::vector<Part> parts;
+    parts.push_back({std::move(project), false});
+    Project& only = *parts.front().project;
+    if (lower(only, options) && make_finite(only, options)) check_names(parts, options);
+    return parts;
+}
+
+/// The part that these files are, under a name that no other part has.
+std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const Options& options, std::set<std::string>& names) {
+    auto part = std::make_unique<Project>();
+    std::vector<std::string> paths;
+    for (const std::size_t file : unit.files) paths.push_back(whole.sources.path(whole.model->files[file]->source));
+    const auto model = std::find_if(paths.begin(), paths.end(), [](const std::string& path) { return path.ends_with(".rct"); });
+    const std::string name = project_name(unit.again ? paths.back() : model == paths.end() ? paths.front() : *model);
+    part->name = name;
+    for (int number = 2; !names.insert(part->name).second; ++number) part->name = fmt::format("{}_{}", name, number);
+    prepare(*part, options);
+    part->model = frontend::load_files(part->sources, paths, part->diagnostics);
+    return part;
+}
+
+/// The options for a part: constants of other parts are not its own. What no part has is left to the first, which says so.
+Options options_for(const std::vector<Part>& parts, std::size_t part, const Options& options) {
+    Options result = options;
+    std::erase_if(result.constants, [&](const std::string& text) {
+        const std::string name = text.substr(0, text.find('='));
+        const auto has = [&](const Part& each) { return ir::names_constant(each.project->system, name); };
+        return !has(parts[part]) && (part > 0 || std::any_of(parts.begin(), parts.end(), has));
+    });
+    return result;
+}
+
+}  // namespace
+
 std::unique_ptr<Project> load(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
-    auto project = std::make_unique<Project>();
-    project->name = project_name(options.inputs.front());
-    lower_all(*project, options);
-    project->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return project;
+    std::vector<Part> parts = single(read(options), options);
+    parts.front().project->seconds = seconds_since(start);
+    return std::move(parts.front().project);
+}
+
+std::vector<Part> load_parts(const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    std::unique_ptr<Project> whole = read(options);
+    const std::vector<frontend::Unit> units = whole->diagnostics.ok() ? frontend::units(*whole->model) : std::vector<frontend::Unit>{};
+    std::vector<Part> parts;
+    if (units.size() < 2) {
+        parts = single(std::move(whole), options);
+    } else {
+        std::set<std::string> names;
+        for (const frontend::Unit& unit : units) parts.push_back({part_of(*whole, unit, options, names), unit.again});
+        bool good = true;
+        for (const Part& part : parts) good = lower(*part.project, options) && good;
+        for (std::size_t i = 0; good && i < parts.size(); ++i) good = make_finite(*parts[i].project, options_for(parts, i, options));
+        if (good) check_names(parts, options);
+    }
+    parts.front().project->seconds = seconds_since(start);
+    return parts;
 }
 
 csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::Time time) {
@@ -112,7 +190,10 @@ std::vector<ir::ComponentRef> code_components(const ir::System& system, const st
     return chosen;
 }
 
-void check_names(Project& project, const Options& options) {
+namespace {
+
+/// What the options name exists in some part; else the first part says so.
+void check_names(const std::vector<Part>& parts, const Options& options) {
     const auto unknown = [&](const char* option, const std::string& name, const char* what, std::vector<std::string> known) {
         const std::string meant = frontend::nearest(name, known);
         std::sort(known.begin(), known.end());
@@ -121,19 +202,25 @@ void check_names(Project& project, const Options& options) {
         const std::string help = !meant.empty() ? fmt::format("; did you mean '{}'?", meant)
                                  : known.empty() ? "; it has none"
                                  : known.size() <= few ? fmt::format("; there are {}", fmt::join(known, ", ")) : "";
-        project.diagnostics.report(rules::bad_option, {}, {fmt::format("{} {}: the model has no {} of this name{}", option, name, what, help)});
+        parts.front().project->diagnostics.report(rules::bad_option, {},
+                                                  {fmt::format("{} {}: the model has no {} of this name{}", option, name, what, help)});
     };
-    if (!options.component.empty() && code_components(project.system, options.component).empty()) {
-        std::vector<std::string> known;
-        for (const ir::ComponentRef& ref : all_components(project.system)) known.push_back(ref.path);
-        unknown("--component", options.component, "module, controller or state machine", std::move(known));
+    std::vector<std::string> components, assertions;
+    bool found = options.component.empty();
+    for (const Part& part : parts) {
+        const ir::System& system = part.project->system;
+        found = found || !code_components(system, options.component).empty();
+        for (const ir::ComponentRef& ref : all_components(system)) components.push_back(ref.path);
+        for (const ir::Property& property : system.properties) assertions.push_back(property.name);
+        for (const diagnostics::Diagnostic& finding : part.project->diagnostics.sorted())
+            if (finding.rule == &frontend::syntax::foreign_assertion) assertions.push_back(finding.arguments.front());
     }
-    if (options.assertion.empty()) return;
-    std::vector<std::string> known;
-    for (const ir::Property& property : project.system.properties) known.push_back(property.name);
-    if (std::find(known.begin(), known.end(), options.assertion) == known.end())
-        unknown("--assertion", options.assertion, "assertion", std::move(known));
+    if (!found) unknown("--component", options.component, "module, controller or state machine", std::move(components));
+    if (!options.assertion.empty() && std::find(assertions.begin(), assertions.end(), options.assertion) == assertions.end())
+        unknown("--assertion", options.assertion, "assertion", std::move(assertions));
 }
+
+}  // namespace
 
 Exit refusal(const Project& project) {
     const std::array about_options{&rules::bad_option,         &ir::rules::unknown_constant_option, &ir::rules::bad_constant_value,

@@ -24,8 +24,17 @@ struct Project {
     double seconds = 0;               ///< reading, resolving, lowering
 };
 
-/// Reads the inputs and lowers them. Stops after the first phase with errors; `diagnostics` tells.
+/// Reads the inputs, lowers them and makes them finite, as one. Stops after the first phase with errors; `diagnostics` has
+/// them, and what the options name and the model does not have.
 [[nodiscard]] std::unique_ptr<Project> load(const Options&);
+
+/// The project, part by part: what does not belong together is made finite apart (frontend/units.hpp). One part where it
+/// all does, or where reading it fails. What the options name has to be in some part.
+struct Part {
+    std::unique_ptr<Project> project;
+    bool again = false;  ///< its components are in a part before it too
+};
+[[nodiscard]] std::vector<Part> load_parts(const Options&);
 
 /// The semantics in one time, type checked; diagnostics are added to the project's. Throws std::logic_error where the
 /// script is wrong and nothing of it is the user's.
@@ -34,9 +43,6 @@ struct Project {
 /// The components that C++ is made for: the modules, without any the controllers, without any the machines;
 /// or the one of the name asked for (any kind). Empty with a diagnostic if there is none.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
-
-/// Reports what the options name and the model does not have: a component, an assertion. `diagnostics` has it.
-void check_names(Project&, const Options&);
 
 /// The exit code of a run that ends with errors: wrong usage where all of them are about the command line.
 [[nodiscard]] Exit refusal(const Project&);

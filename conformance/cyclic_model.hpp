@@ -24,6 +24,9 @@ public:
 
     [[nodiscard]] const Alphabet& alphabet() const { return *alphabet_; }
     [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }
+    /// The interface under the names that its parts have in the model and in generated code, where the script has others
+    /// (csp_emit/safe_names.hpp); in the same order.
+    [[nodiscard]] const Interface& outside() const { return outside_; }
     [[nodiscard]] const Boundary& boundary() const { return boundary_; }
     [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
@@ -38,6 +41,7 @@ private:
 
     const ir::System* system_ = nullptr;
     const ir::Instantiation* instantiation_ = nullptr;
+    Interface outside_;
     std::uint32_t cycle_length_ = 1;
     csp_emit::Emission script_;
     Boundary boundary_;
@@ -47,9 +51,5 @@ private:
     std::unique_ptr<ModelGraph> graph_;
     std::unique_ptr<NormalFormSystem> normal_form_;
 };
-
-/// The model alone: CSP blocks belong to assertions, and one that replaces the instantiation would make the model range
-/// over other values than the code.
-[[nodiscard]] ir::System without_blocks(const ir::System&);
 
 }  // namespace robochart::conformance

@@ -128,7 +128,7 @@ public:
         number_states();
         fill();
         channels();
-        build_->component_ = model_.interface().component;
+        build_->component_ = model_.outside().component;
         MonitorTables& tables = build_->tables_;
         tables.component = build_->component_.c_str();
         tables.cycle_length = model_.cycle_length();
@@ -191,8 +191,8 @@ private:
 
     void channels() {
         const Interface& interface = model_.interface();
-        const auto inputs = shown_names(interface.inputs);
-        const auto outputs = shown_names(interface.outputs);
+        const auto inputs = shown_names(model_.outside().inputs);
+        const auto outputs = shown_names(model_.outside().outputs);
         for (std::uint32_t i = 0; i < interface.inputs.size(); ++i) {
             MonitorBuild::Channel& channel = begin(interface.inputs[i].name, inputs[i]);
             if (model_.boundary().input_types[i]) add_values(channel, *model_.boundary().input_types[i]);

@@ -42,8 +42,8 @@ class Wording {
 public:
     explicit Wording(const CyclicModel& model)
         : model_(model),
-          inputs_(shown_names(model.interface().inputs)),
-          outputs_(shown_names(model.interface().outputs)) {}
+          inputs_(shown_names(model.outside().inputs)),
+          outputs_(shown_names(model.outside().outputs)) {}
 
     [[nodiscard]] std::string reads(const std::vector<std::uint32_t>& readings) const {
         std::string text;

@@ -60,7 +60,7 @@ bool LoggedEvent::inside() const {
 }
 
 TraceAlphabet::TraceAlphabet(const CyclicModel& model) : model_(&model) {
-    const Interface& interface = model.interface();
+    const Interface& interface = model.outside();
     inputs_ = cpp_emit::trace_names(full_names(interface.inputs));
     outputs_ = cpp_emit::trace_names(full_names(interface.outputs));
     input_ids_ = numbered(full_names(interface.inputs), inputs_);

@@ -169,12 +169,14 @@ std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std
 /// The blocks of this time, file by file; of the instantiations all but `transparent` lines that the library has too.
 std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<DeclPtr>& library) {
     std::vector<FileBlocks> result;
+    std::set<std::string> instantiations;
     for (const ir::CspBlock& block : project.system.csp_blocks) {
         if (!project.applies(block)) continue;
         if (result.empty() || result.back().file != block.file) result.push_back({block.file, {}, {}});
         FileBlocks& file = result.back();
         const std::vector<DeclPtr> decls = read_block(project, block);
         if (project.replaces_instantiations(block)) {
+            if (!instantiations.insert(block.text).second) continue;  // two files that agree
             project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
             append(file.instantiations, declared_once(decls, library));
         } else {
@@ -247,10 +249,14 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     const std::vector<FileBlocks> files = user_blocks(project, core);
     UserNames theirs;
     for (const FileBlocks& file : files)
-        for (const auto* part : {&file.instantiations, &file.others})
-            theirs.constructors.merge(user_names(*part).constructors);
+        for (const auto* part : {&file.instantiations, &file.others}) {
+            UserNames more = user_names(*part);
+            theirs.constructors.merge(more.constructors);
+            theirs.all.merge(more.all);
+        }
     reserve(project, names);
     std::vector<DeclPtr> generated = data_definitions(project);
+    append(generated, record_functions(project, theirs.all));
     add_instantiations(project, given_names(files, safe.for_blocks), generated, result.bounded);
     Emitted emitted;
     emit_components(project, names, emitted, generated);

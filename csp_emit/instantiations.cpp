@@ -228,6 +228,34 @@ std::vector<DeclPtr> data_definitions(const Project& project) {
     return decls;
 }
 
+std::vector<DeclPtr> record_functions(const Project& project, const std::set<std::string>& declared) {
+    std::vector<DeclPtr> decls;
+    std::set<std::string> taken = declared;
+    for (const ir::Function& function : project.system.functions) taken.insert(function_name(function));
+    const auto add = [&](const std::string& name, const b::Patterns& parameters, const ExprPtr& body) {
+        if (!project.mentions(name) || !taken.insert(name).second) return;
+        decls.push_back(b::function_decl(name, parameters, body));
+    };
+    for (const ir::Type& type : project.system.types) {
+        if (type.kind != ir::TypeKind::record) continue;
+        b::Patterns variables;
+        b::Exprs values;
+        for (std::size_t i = 0; i < type.labels.size(); ++i) {
+            variables.push_back(b::variable("x" + std::to_string(i + 1) + "__"));
+            values.push_back(b::name("x" + std::to_string(i + 1) + "__"));
+        }
+        const cspm::PatternPtr whole = variables.size() == 1 ? variables.front() : b::tuple_pattern(variables);
+        for (std::size_t i = 0; i < type.labels.size(); ++i) {
+            const std::string name = type_name(type) + "_" + type.labels[i];
+            b::Exprs changed = values;
+            changed[i] = b::name("v__");
+            add(name, {whole}, values[i]);
+            add("update_" + name, {whole, b::variable("v__")}, changed.size() == 1 ? changed.front() : b::tuple(changed));
+        }
+    }
+    return decls;
+}
+
 std::vector<DeclPtr> instantiations(const Project& project) {
     std::vector<DeclPtr> decls;
     add_carriers(project, decls);

@@ -95,6 +95,69 @@ exports
 endmodule
 )";
 
+// What only csp blocks use: there where one names it.
+const char* const further_common = R"(
+-- injective sequences of at most n__ elements
+ILSeq(s__,0) = {<>}
+ILSeq(s__,n__) = let shorter__ = ILSeq(s__,n__-1)
+                 within union(shorter__,{<x__>^y__ | x__ <- s__, y__ <- shorter__, not elem(x__,y__)})
+-- the greatest number of a set, at least 0; the least, of numbers that are not above it
+calc_type_max(s__) = calc_type_seq_max(seq(s__),0)
+calc_type_seq_max(<>,m__) = m__
+calc_type_seq_max(<x__>^y__,m__) = calc_type_seq_max(y__,if x__ > m__ then x__ else m__)
+calc_type_min(s__) = calc_type_seq_min(seq(s__),calc_type_max(s__))
+calc_type_seq_min(<>,m__) = m__
+calc_type_seq_min(<x__>^y__,m__) = calc_type_seq_min(y__,if x__ < m__ then x__ else m__)
+)";
+
+const char* const further_timed = R"(
+-- p__ for d__ time units, then it is cut off; q__ if nothing has happened after d__ time units
+Timed(OneStep) {
+  TimedInterrupt(p__,d__) = timed_priority(p__ /+Events+\ RT__(d__))
+  TimeOut(p__,d__,q__) = (p__ /+Events+\ ((TimedInterrupt(Some__,d__) ; STOP) ; RUN(Events))) [] (WAIT(d__) ; q__)
+}
+TimedInterrupt_1(p__) = (USTOP [+ {tock} +] p__) /\ (tock -> TSKIP)
+TimedInterruptSeq(e__,d__,q__) =
+  let from__(n__) = if n__ < d__ then TimeOut_1(e__ -> SKIP,from__(n__+1)) else q__
+  within from__(0)
+-- anything may happen, also that time stops
+TCHAOS(s__) = CHAOS(s__) /\ (USTOP |~| tock -> TCHAOS(s__))
+-- every event for d__ time units
+RT__(d__) = if d__ > 0 then RUN(diff(Events,{tock})) /\ tock -> RT__(d__-1) else SKIP
+Some__ = [] x__ : Events @ x__ -> SKIP
+DoClockReset(s__) = ||| c__ : s__ @ c__ -> SKIP
+)";
+
+/// Place i of a tuple of n: `tuple3_2((x1__,x2__,x3__)) = x2__`.
+std::string tuple_parts() {
+    std::string result;
+    for (int n = 2; n <= 5; ++n)
+        for (int i = 1; i <= n; ++i) {
+            std::string parts;
+            for (int k = 1; k <= n; ++k) parts += (k > 1 ? ",x" : "x") + std::to_string(k) + "__";
+            result += "tuple" + std::to_string(n) + "_" + std::to_string(i) + "((" + parts + ")) = x" +
+                      std::to_string(i) + "__\n";
+        }
+    return result;
+}
+
+bool blocks_name(const ir::System& system, std::initializer_list<const char*> names) {
+    return std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(), [&](const ir::CspBlock& block) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const char* name) { return block.text.find(name) != std::string::npos; });
+    });
+}
+
+/// What a csp block names of RoboTool's library beyond what generated scripts need.
+std::string further_text(const ir::System& system, Time time) {
+    std::string result;
+    if (blocks_name(system, {"ILSeq", "calc_type_"})) result += further_common;
+    if (blocks_name(system, {"tuple"})) result += tuple_parts();
+    if (time == Time::timed && blocks_name(system, {"TimedInterrupt", "TimeOut", "TCHAOS", "RT__", "Some__", "DoClockReset"}))
+        result += further_timed;
+    return result;
+}
+
 bool uses_tick_tock(const ir::System& system) {
     return std::any_of(system.properties.begin(), system.properties.end(),
                        [](const auto& property) { return property.model == ir::PropertyModel::tick_tock; }) ||
@@ -112,7 +175,8 @@ const std::set<std::string>& library_names() {
     static const std::set<std::string> names = [] {
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics diagnostics;
-        const auto source = sources.add("<libraries>", library_text(Time::timed) + tick_tock_part + toolkit_text());
+        const auto source = sources.add("<libraries>", library_text(Time::timed) + further_common + further_timed + tuple_parts() +
+                                                     tick_tock_part + toolkit_text());
         const auto decls = cspm::read(sources, source, diagnostics).decls;
         std::set<std::string> result = user_names(decls).all;
         for (const cspm::DeclPtr& decl : decls)
@@ -124,7 +188,7 @@ const std::set<std::string>& library_names() {
 }
 
 std::vector<cspm::DeclPtr> library(const Project& project) {
-    std::string text = library_text(project.time);
+    std::string text = library_text(project.time) + further_text(project.system, project.time);
     if (project.timed() && uses_tick_tock(project.system)) text += tick_tock_part;
     const auto source = project.sources.add("<library of generated scripts>", text);
     auto decls = cspm::read(project.sources, source, project.diagnostics).decls;

@@ -42,13 +42,20 @@ bool larger_than(const cspm::Expr& expr, std::size_t& nodes) {
 MachineEmitter::MachineEmitter(MachineContext context, Emitted& emitted)
     : context_(std::move(context)), emitted_(emitted) {}
 
+/// An operation without a body: `SKIP |~| STOP`, with `terminates` `SKIP`. In time both let time pass, as in timed
+/// sections of CSPM.
+ExprPtr MachineEmitter::without_body() const {
+    const ExprPtr skip = timed() ? b::name("TSKIP") : b::skip();
+    const ExprPtr stop = timed() ? b::call("RUN", {b::set({b::name("tock")})}) : b::stop();
+    return machine().terminates ? skip : b::internal_choice({skip, stop});
+}
+
 ComponentEmission MachineEmitter::emit() {
     std::vector<const ir::Machine*> chain;
     collect_constants(machine(), chain);
     open_frame(machine(), 0, "");
     const bool bodiless = machine().kind == ir::MachineKind::operation && !machine().initial.valid();
-    ExprPtr initial = bodiless ? machine().terminates ? b::skip() : b::internal_choice({b::skip(), b::stop()})
-                               : go(start(), initial_values());
+    ExprPtr initial = bodiless ? without_body() : go(start(), initial_values());
     std::vector<cspm::DeclPtr> definitions = point_definitions(initial);
     ComponentEmission result;
     definitions.insert(definitions.begin(), clock_limits_.begin(), clock_limits_.end());

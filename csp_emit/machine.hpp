@@ -96,6 +96,7 @@ private:
     void too_large(const std::string& what);
     ExprPtr body(const Point& point);
     std::vector<Function> explore();
+    [[nodiscard]] cspm::ExprPtr without_body() const;
     void check_initial(const std::vector<std::string>& needed) const;
     Candidates candidates() const;
     Arguments arguments(const Values& values) const;

@@ -241,9 +241,12 @@ ExprPtr MachineEmitter::start_wait(const Place& place, const ir::Stmt& stmt, con
         return real && scale != 1 ? b::binary(Op::divide, value, b::number(scale)) : value;
     };
     if (stmt.kind == ir::StmtKind::wait) return wait_for(place, stmt, units(*stmt.value), rest, values);
-    return b::replicated(Op::replicated_internal,
-                         {b::generator("d__", b::set_range(units(*stmt.value), units(*stmt.upper)))},
-                         wait_for(place, stmt, b::name("d__"), rest, values));
+    // The place is told where the interval is empty.
+    cspm::Expr chosen = *b::replicated(Op::replicated_internal,
+                                       {b::generator("d__", b::set_range(units(*stmt.value), units(*stmt.upper)))},
+                                       wait_for(place, stmt, b::name("d__"), rest, values));
+    chosen.span = stmt.origin.span;
+    return std::make_shared<const cspm::Expr>(std::move(chosen));
 }
 
 ExprPtr MachineEmitter::wait_for(const Place& place, const ir::Stmt& stmt, const ExprPtr& units, const Program& rest,

@@ -49,7 +49,7 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
     if (names_.is_lost(name)) return nullptr;
     if (const Declaration* other = find_other_kind(names_, place, name)) {
         diagnostics::Diagnostic& finding =
-            out_.report(rules::ambiguous_kind, name.span,
+            out_->report(rules::ambiguous_kind, name.span,
                         {shorten(name.text()), std::string(to_text(other->kind)), std::string(what)});
         finding.notes.push_back({other->name_span, "it is declared here"});
         return nullptr;
@@ -68,7 +68,7 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
 }
 
 std::vector<std::string> Finder::candidates(const Kinds& kinds) const {
-    return out_.errors() < diagnostics::Diagnostics::max_kept ? names_.candidates(kinds) : std::vector<std::string>();
+    return out_->errors() < diagnostics::Diagnostics::max_kept ? names_.candidates(kinds) : std::vector<std::string>();
 }
 
 diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_view what, std::string_view where,
@@ -80,8 +80,8 @@ diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_
         return untold_;
     }
     diagnostics::Diagnostic& finding =
-        out_.report(rules::unknown_name, name.span, {std::string(what), shorten(name.text()), std::string(where)});
-    if (out_.errors() > diagnostics::Diagnostics::max_kept) return finding;
+        out_->report(rules::unknown_name, name.span, {std::string(what), shorten(name.text()), std::string(where)});
+    if (out_->errors() > diagnostics::Diagnostics::max_kept) return finding;
     const std::string& written = name.parts.back();
     std::string meant = what == "type" && name.parts.size() == 1 ? core_meant(written) : std::string();
     const bool is_core = !meant.empty();

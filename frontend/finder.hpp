@@ -14,7 +14,7 @@ namespace robochart::frontend {
 
 class Finder {
 public:
-    Finder(const Names& names, diagnostics::Diagnostics& out) : names_(names), out_(out) {}
+    Finder(const Names& names, diagnostics::Diagnostics& out) : names_(names), out_(&out) {}
 
     /// A name of the project; reported if there is none.
     const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds, std::string_view what);
@@ -30,16 +30,18 @@ public:
     template <class Map>
     [[nodiscard]] std::vector<std::string> keys(const Map& map) const {
         std::vector<std::string> result;
-        if (out_.errors() >= diagnostics::Diagnostics::max_kept) return result;
+        if (out_->errors() >= diagnostics::Diagnostics::max_kept) return result;
         for (const auto& entry : map) result.emplace_back(entry.first);
         return result;
     }
     [[nodiscard]] const Names& names() const { return names_; }
-    [[nodiscard]] diagnostics::Diagnostics& out() { return out_; }
+    [[nodiscard]] diagnostics::Diagnostics& out() { return *out_; }
+    /// Reports to another place from now on; returns the place so far.
+    diagnostics::Diagnostics& redirect(diagnostics::Diagnostics& out) { return *std::exchange(out_, &out); }
 
 private:
     const Names& names_;
-    diagnostics::Diagnostics& out_;
+    diagnostics::Diagnostics* out_;
     std::set<std::pair<diagnostics::SourceId, std::string>> told_;  ///< unknown names reported: kind, name, place
     diagnostics::Diagnostic untold_;                                ///< takes the notes of what is not reported
 };

@@ -241,6 +241,8 @@ private:
     void csp_block(File& file, AssertionTime time);
     void verbatim(File& file);
     void hyphenated_word(std::string_view first, std::string_view second);
+    [[nodiscard]] bool at_foreign_assertion() const;
+    void foreign_assertion(File& file);
     [[nodiscard]] bool at_assertion_member() const;
     [[nodiscard]] bool at_property_word() const;
 

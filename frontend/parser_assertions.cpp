@@ -38,7 +38,28 @@ bool Parser::at_property_word() const {
     return peek(ahead).is(form->second);
 }
 
+/// `sleec assertion …`: of another tool.
+bool Parser::at_foreign_assertion() const {
+    return peek().kind == TokenKind::identifier && !at_word("timed") && !at_word("untimed") && !at_word("assertion") &&
+           !at_word("csp") && at_word("assertion", 1) && peek(2).kind == TokenKind::identifier;
+}
+
+/// Kept as text, up to the next member, and said to be of no kind that is checked here.
+void Parser::foreign_assertion(File& file) {
+    const Span begin = peek().span;
+    const std::string word(peek().text);
+    advance();
+    advance();
+    const std::string name(peek().text);
+    while (!at_end() && !at_assertion_member()) advance();
+    const Span span = since(begin);
+    report(syntax::foreign_assertion, {begin.source, begin.begin, span.end}, {name, word});
+    quiet_until_ = 0;
+    file.verbatim.emplace_back(sources_.text(source_).substr(span.begin, span.end - span.begin));
+}
+
 bool Parser::at_assertion_member() const {
+    if (at_foreign_assertion()) return true;
     if (at("import") || at("package") || at_property_word()) return true;
     if (at_word("timed") || at_word("untimed")) return at_word("assertion", 1) || at_word("csp", 1);
     return (at_word("assertion") || at_word("csp")) && peek(1).kind == TokenKind::identifier;
@@ -57,6 +78,7 @@ void Parser::assertion_member(File& file) {
         const AssertionTime time = accept_word("timed")     ? AssertionTime::timed
                                    : accept_word("untimed") ? AssertionTime::untimed
                                                             : AssertionTime::both;
+        if (time == AssertionTime::both && at_foreign_assertion()) return foreign_assertion(file);
         if (neural_construct()) return;
         if (at_word("assertion")) return assertion(file, time);
         if (at_word("csp")) return csp_block(file, time);

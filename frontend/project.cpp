@@ -180,6 +180,15 @@ void update_toolkits(SourceManager& sources, Model& model, Diagnostics& out) {
     add_toolkits(sources, model, out);
 }
 
+std::unique_ptr<Model> load_files(SourceManager& sources, const std::vector<std::string>& paths, Diagnostics& out) {
+    auto model = std::make_unique<Model>();
+    for (const std::string& each : paths)
+        if (auto file = read(sources, each, out)) model->files.push_back(std::move(file));
+    add_toolkits(sources, *model, out);
+    resolve(*model, out);
+    return model;
+}
+
 std::unique_ptr<Model> load_project(SourceManager& sources, const std::vector<std::string>& inputs, Diagnostics& out) {
     auto model = std::make_unique<Model>();
     const std::vector<fs::path> paths = files_of_inputs(inputs, out);

@@ -38,6 +38,10 @@ void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnosti
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::vector<std::string>& paths,
                                                   diagnostics::Diagnostics&);
 
+/// The same for these files and no others.
+[[nodiscard]] std::unique_ptr<Model> load_files(diagnostics::SourceManager&, const std::vector<std::string>& paths,
+                                                diagnostics::Diagnostics&);
+
 /// The model as indented text, one node a line, for `--print ast` (before) and `--print model` (after resolution:
 /// targets and types shown).
 [[nodiscard]] std::string dump(const Model&, const diagnostics::SourceManager&, bool resolved);

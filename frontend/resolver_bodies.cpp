@@ -13,8 +13,24 @@ namespace robochart::frontend {
 void Resolver::function_body(File& file, Function& function) {
     Surroundings around{{&file, &function}, nullptr, &function, nullptr, {}};
     for (const VariablePtr& parameter : function.parameters) around.bound.push_back(parameter.get());
+    // RoboTool does not look at contracts: a wrong one is left out, whole, and the function counts as undefined.
+    diagnostics::Diagnostics found;
+    diagnostics::Diagnostics& out = finder_.redirect(found);
     for (const ExprPtr& condition : function.preconditions) typer_.boolean(condition, around, "a precondition");
     for (const ExprPtr& condition : function.postconditions) typer_.boolean(condition, around, "a postcondition");
+    finder_.redirect(out);
+    for (const diagnostics::Diagnostic& finding : found.sorted()) {
+        if (finding.rule->severity == diagnostics::Severity::error) {
+            out.report(rules::wrong_contract, finding.span, {function.name, finding.message()}).notes = finding.notes;
+        } else {
+            diagnostics::Diagnostic& again = out.report(*finding.rule, finding.span, finding.arguments);
+            again.notes = finding.notes;
+            again.fixes = finding.fixes;
+        }
+    }
+    if (found.ok()) return;
+    for (const auto* conditions : {&function.preconditions, &function.postconditions})
+        for (const ExprPtr& condition : *conditions) condition->type = nullptr;
 }
 
 void Resolver::context_body(File& file, Context& context) {

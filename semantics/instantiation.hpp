@@ -70,6 +70,8 @@ struct Instantiation {
 /// Bad options (unknown constant, empty range) are reported.
 [[nodiscard]] Instantiation instantiate(const System&, const InstantiationOptions&, diagnostics::Diagnostics&);
 
+/// Whether an option's name for a constant, "NAME" or the end of "P::S::NAME", is one of the system.
+[[nodiscard]] bool names_constant(const System&, const std::string& option);
 /// All values of a type in ascending order; the first is not necessarily the default. Throws std::length_error above
 /// `limit`.
 [[nodiscard]] std::vector<Value> carrier(const System&, const Instantiation&, TypeId, std::size_t limit = 1U << 20U);

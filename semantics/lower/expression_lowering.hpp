@@ -38,6 +38,7 @@ private:
     ExprPtr application(const ast::Expr& source, ExprPtr function);
     ExprPtr member(const ast::Expr& source);
     ExprPtr index(const ast::Expr& source);
+    ExprPtr default_of(const ast::Expr& source, TypeId type);
     ExprPtr record(const ast::Expr& source);
     ExprPtr matrix(const ast::Expr& source);
     ExprPtr cast(const ast::Expr& source);

@@ -124,6 +124,45 @@ ExprPtr Expressions::index(const ast::Expr& source) {
     return share(std::move(expr));
 }
 
+/// The default value of a type as an expression (semantics 3.6); null where it has no literal: functions, given types.
+ExprPtr Expressions::default_of(const ast::Expr& source, TypeId id) {
+    const Type type = lowering_.system.type(id);
+    Expr expr;
+    expr.span = source.span;
+    expr.type = id;
+    switch (type.kind) {
+        case TypeKind::boolean:
+            return make_boolean(true, source.span);
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real: {
+            expr.kind = ExprKind::integer;
+            expr.type = nat_type;
+            return coerce(lowering_, share(std::move(expr)), id);
+        }
+        case TypeKind::enumeration:
+            if (!type.literal_args.empty() && !type.literal_args.front().empty()) return nullptr;
+            expr.kind = ExprKind::enum_literal;
+            expr.text = type.labels.front();
+            return share(std::move(expr));
+        case TypeKind::set:
+        case TypeKind::sequence:
+            expr.kind = type.kind == TypeKind::set ? ExprKind::set : ExprKind::sequence;
+            return share(std::move(expr));
+        case TypeKind::record:
+        case TypeKind::product:
+            expr.kind = type.kind == TypeKind::record ? ExprKind::record : ExprKind::tuple;
+            for (const TypeId part : type.args) {
+                expr.args.push_back(default_of(source, part));
+                if (!expr.args.back()) return nullptr;
+            }
+            return share(std::move(expr));
+        default:
+            return nullptr;
+    }
+}
+
+/// A field that is left out has its type's default.
 ExprPtr Expressions::record(const ast::Expr& source) {
     Expr expr = start(source, ExprKind::record);
     const Type type = lowering_.system.type(expr.type);
@@ -131,8 +170,11 @@ ExprPtr Expressions::record(const ast::Expr& source) {
         const auto binding = std::find_if(source.bindings.begin(), source.bindings.end(), [&](const ast::Binding& b) {
             return b.variable && b.variable->name == type.labels[i];
         });
-        if (binding == source.bindings.end() || !binding->value)
-            return refuse(source, "a record without its field " + type.labels[i]);
+        if (binding == source.bindings.end() || !binding->value) {
+            expr.args.push_back(default_of(source, type.args[i]));
+            if (!expr.args.back()) return refuse(source, "a record without its field " + type.labels[i]);
+            continue;
+        }
         expr.args.push_back(lower(*binding->value, type.args[i]));
     }
     return share(std::move(expr));

@@ -15,7 +15,18 @@ bool generic(const frontend::TypePtr& type) {
     return type->form == frontend::TypeForm::variable || std::any_of(type->args.begin(), type->args.end(), generic);
 }
 
+/// Whether typing has found the contract wrong (RC-T36): then there is none.
+bool contract_is_wrong(const frontend::Function& source) {
+    const auto wrong = [](const auto& condition) { return !condition->type; };
+    return std::any_of(source.preconditions.begin(), source.preconditions.end(), wrong) ||
+           std::any_of(source.postconditions.begin(), source.postconditions.end(), wrong);
+}
+
 void lower_conditions(Lowering& lowering, const frontend::Function& source, Function& function) {
+    if (contract_is_wrong(source)) {
+        lowering.diagnostics.report(rules::function_without_definition, source.name_span, {source.name});
+        return;
+    }
     Names names;
     for (const auto& condition : source.preconditions)
         function.preconditions.push_back(lower_expression(lowering, names, *condition, boolean_type));

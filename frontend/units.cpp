@@ -1,0 +1,185 @@
+// See units.hpp. Union of sets with path halving (Tarjan, van Leeuwen 1984).
+#include "frontend/units.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "frontend/occurrences.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+class Groups {
+public:
+    explicit Groups(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
+
+    std::size_t of(std::size_t file) {
+        while (parents_[file] != file) file = parents_[file] = parents_[parents_[file]];
+        return file;
+    }
+    void join(std::size_t a, std::size_t b) {
+        const std::size_t first = of(a), second = of(b);
+        parents_[std::max(first, second)] = std::min(first, second);
+    }
+
+private:
+    std::vector<std::size_t> parents_;
+};
+
+bool in_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// The words in front of `::`.
+std::set<std::string> first_parts(const std::string& text) {
+    std::set<std::string> result;
+    for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::", at + 2)) {
+        std::size_t begin = at;
+        while (begin > 0 && in_name(text[begin - 1])) --begin;
+        if (begin < at) result.insert(text.substr(begin, at - begin));
+    }
+    return result;
+}
+
+std::string flattened(std::string text) {
+    for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::")) text.replace(at, 2, "_");
+    return text;
+}
+
+class Units {
+public:
+    explicit Units(const Model& model) : model_(model), groups_(model.files.size()) {
+        for (std::size_t i = 0; i < model.files.size(); ++i) {
+            const File& file = *model.files[i];
+            if (file.is_library) continue;
+            files_[file.source] = i;
+            if (!file.package.empty()) packages_[file.package.text()].push_back(i);
+            for (const auto& declaration : file.declarations) declared_[declaration->name].push_back(i);
+        }
+    }
+
+    std::vector<std::vector<std::size_t>> find() {
+        for (const auto& [name, files] : packages_)
+            for (const std::size_t file : files) tie(files.front(), file);
+        references();
+        for (const auto& [source, i] : files_) {
+            imports(i);
+            blocks(i);
+        }
+        loose_assertions();
+        std::map<std::size_t, std::vector<std::size_t>> result;
+        for (std::size_t i = 0; i < model_.files.size(); ++i)
+            if (!model_.files[i]->is_library) result[groups_.of(i)].push_back(i);
+        std::vector<std::vector<std::size_t>> groups;
+        for (auto& [first, files] : result) groups.push_back(std::move(files));
+        return groups;
+    }
+
+private:
+    void tie(std::size_t a, std::size_t b) {
+        if (a == b) return;
+        groups_.join(a, b);
+        tied_.insert(a);
+        tied_.insert(b);
+    }
+
+    void references() {
+        for (const Occurrence& occurrence : occurrences(model_)) {
+            if (occurrence.target == nullptr || occurrence.declares) continue;
+            const auto from = files_.find(occurrence.span.source);
+            const auto to = files_.find(occurrence.target->span.source);
+            if (from != files_.end() && to != files_.end()) tie(from->second, to->second);
+        }
+    }
+
+    void imports(std::size_t file) {
+        for (const Import& import : model_.files[file]->imports) {
+            QualifiedName package = import.name;
+            for (; !package.empty(); package.parts.pop_back())
+                if (const auto found = packages_.find(package.text()); found != packages_.end()) {
+                    tie(file, found->second.front());
+                    break;
+                }
+        }
+    }
+
+    /// Nothing in a block is resolved: its names tie it to all that are called so.
+    void blocks(std::size_t file) {
+        for (const CspBlock& block : model_.files[file]->csp_blocks)
+            for (const std::string& name : first_parts(block.text)) {
+                if (const auto found = declared_.find(name); found != declared_.end())
+                    for (const std::size_t other : found->second) tie(file, other);
+                for (const auto& [package, files] : packages_)
+                    if (flattened(package) == name) tie(file, files.front());
+            }
+    }
+
+    void loose_assertions() {
+        for (const auto& [source, i] : files_)
+            if (model_.files[i]->is_assertions && !tied_.contains(i))
+                for (const auto& [other, k] : files_) groups_.join(i, k);
+    }
+
+    const Model& model_;
+    Groups groups_;
+    std::map<diagnostics::SourceId, std::size_t> files_;
+    std::map<std::string, std::vector<std::size_t>> packages_, declared_;
+    std::set<std::size_t> tied_;
+};
+
+}  // namespace
+
+namespace {
+
+/// The instantiations of an assertion file as text; "" if it has none.
+std::string instantiations(const File& file) {
+    std::string result;
+    for (const CspBlock& block : file.csp_blocks)
+        if (replaces_instantiations(block))
+            result += std::to_string(static_cast<int>(block.time)) + " " + block.text + "\n";
+    return result;
+}
+
+/// A group, once for each of its instantiations.
+void split(const Model& model, const std::vector<std::size_t>& group, std::vector<Unit>& result) {
+    std::map<std::string, std::vector<std::size_t>> by_text;
+    std::vector<std::string> order;
+    std::vector<std::size_t> models;
+    for (const std::size_t file : group) {
+        if (!model.files[file]->is_assertions) {
+            models.push_back(file);
+            continue;
+        }
+        std::string text = instantiations(*model.files[file]);
+        if (!by_text.contains(text)) order.push_back(text);
+        by_text[text].push_back(file);
+    }
+    if (by_text.size() < 2 || (by_text.size() == 2 && by_text.contains(""))) {
+        result.push_back({group, false});
+        return;
+    }
+    for (const std::string& text : order) {
+        Unit unit{models, text != order.front()};
+        unit.files.insert(unit.files.end(), by_text.at(text).begin(), by_text.at(text).end());
+        std::sort(unit.files.begin(), unit.files.end());
+        result.push_back(std::move(unit));
+    }
+}
+
+}  // namespace
+
+std::vector<Unit> units(const Model& model) {
+    std::vector<Unit> result;
+    for (const std::vector<std::size_t>& group : Units(model).find()) split(model, group, result);
+    return result;
+}
+
+bool replaces_instantiations(const CspBlock& block) {
+    return block.name == "Instantiations" || block.name == "instantiations";
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,119 @@
+// Several models in one folder, assertions of other tools, and errors of evaluation, as a user runs `check`.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "command.hpp"
+
+namespace robochart::app {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::run;
+using testing::TemporaryFile;
+
+/// A folder with these files, gone with the object.
+class Folder {
+public:
+    explicit Folder(const std::vector<std::pair<std::string, std::string>>& files)
+        : marker_("marker", ""), path_(fs::path(marker_.path()).parent_path() / "models") {
+        fs::create_directories(path_);
+        for (const auto& [name, text] : files) std::ofstream(path_ / name) << text;
+    }
+    ~Folder() { fs::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] std::string path(const std::string& name = "") const { return name.empty() ? path_.string() : (path_ / name).string(); }
+
+private:
+    TemporaryFile marker_;
+    fs::path path_;
+};
+
+/// The lines of a report that say what holds.
+std::string verdicts(const std::string& out) {
+    std::istringstream lines(out);
+    std::string line, result;
+    while (std::getline(lines, line))
+        for (const char* word : {"holds", "FAILS", "error", "inconclusive"})
+            if (line.find(std::string("  ") + word) == 0) result += std::string(word) + " " + line.substr(line.find_first_not_of(' ', 14), 20) + "\n";
+    return result;
+}
+
+// One counts in hundredths, the other in whole numbers: with one scale for both, the 2 of the second would be no real.
+TEST(Project, OfSeveralModelsDecidesEachAsAlone) {
+    const Folder folder({{"fine.rct", "stm Fine { event o : real var x : real = 0.25 initial i state A { entry o ! x } transition t { from i to A } }"},
+                         {"fine.assertions", "csp FineSpec csp-begin\nFineSpec = Fine::o.out!25 -> STOP\ncsp-end\nuntimed assertion Fine1 : Fine equals FineSpec\n"},
+                         {"whole.rct", "stm Whole { event o : real var x : real = 1 initial i state A { entry o ! (x + 1) } transition t { from i to A } }"},
+                         {"whole.assertions", "csp WholeSpec csp-begin\nWholeSpec = Whole::o.out!2 -> STOP\ncsp-end\nuntimed assertion Whole1 : Whole equals WholeSpec\n"}});
+    std::string alone;
+    for (const char* name : {"fine.rct", "whole.rct"}) {
+        const auto ran = run({"check", folder.path(name)});
+        EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+        alone += verdicts(ran.out);
+    }
+    const auto together = run({"check", folder.path()});
+    EXPECT_EQ(together.exit, 0) << together.out << together.err;
+    EXPECT_EQ(verdicts(together.out), alone);
+    EXPECT_THAT(together.out, HasSubstr("2 state machines"));
+    EXPECT_THAT(together.out, HasSubstr("2 of 2 checks hold"));
+    const auto one = run({"check", folder.path(), "--assertion", "Whole1"});
+    EXPECT_THAT(one.out, HasSubstr("1 of 1 checks hold"));
+    EXPECT_EQ(run({"emit", "csp", folder.path(), "--out", folder.path("out")}).exit, 0);
+    EXPECT_TRUE(fs::exists(folder.path("out/csp-gen/fine.csp")));
+    EXPECT_TRUE(fs::exists(folder.path("out/csp-gen/timed/whole_assertions.csp")));
+}
+
+TEST(Project, EachAssertionFileHasItsInstantiations) {
+    const auto given = [](const std::string& name, int value) {
+        const std::string number = std::to_string(value);
+        return "csp Instantiations csp-begin\nnametype core_nat = {0..3}\nconst_S_k = " + number + "\ncsp-end\ncsp Spec csp-begin\nSpec = S::o.out!" +
+               number + " -> STOP\ncsp-end\nuntimed assertion " + name + " : S equals Spec\n";
+    };
+    const Folder folder({{"m.rct", "stm S { event o : nat const k : nat initial i state A { entry o ! k } transition t { from i to A } }"},
+                         {"one.assertions", given("One", 1)},
+                         {"three.assertions", given("Three", 3)}});
+    const auto ran = run({"check", folder.path()});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("2 of 2 checks hold"));
+    EXPECT_THAT(ran.out, HasSubstr("1 state machine,"));
+}
+
+TEST(Project, AssertionsOfOtherToolsAreSaidNotChecked) {
+    const Folder folder({{"m.rct", "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to A trigger e } }"},
+                         {"m.assertions", "untimed assertion A : S is deadlock-free\nsleec assertion R : S conforms to Rule1\nuntimed assertion B : S is deterministic\n"}});
+    const auto ran = run({"check", folder.path()});
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("m.assertions:2"));
+    EXPECT_THAT(ran.out, HasSubstr("`sleec assertion` is of another tool"));
+    EXPECT_THAT(ran.out, HasSubstr("2 of 3 checks hold"));
+    EXPECT_EQ(run({"check", folder.path(), "--assertion", "A"}).exit, 0);
+    EXPECT_EQ(run({"validate", folder.path()}).exit, 0);
+}
+
+TEST(Project, WhatCannotBeEvaluatedHasElementAndPlace) {
+    const TemporaryFile interval("m.rct", "stm S { event e initial i\nstate A { entry skip ; wait([5, 1]) }\ntransition t0 { from i to A } transition t { from A to A trigger e } }\n");
+    const auto ran = run({"check", interval.path(), "--core", "--timed"});
+    EXPECT_NE(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("m.rct:2: |~| over an empty set"));
+}
+
+TEST(Project, IsRefusedWhereAScriptWouldBeWrong) {
+    const TemporaryFile composite("m.rct", "stm S { initial i\nstate s { state inner { } }\ntransition t { from i to s } }\n");
+    for (const char* verb : {"check", "conform"}) {
+        const auto ran = run({verb, composite.path()});
+        EXPECT_EQ(ran.exit, 2) << ran.out;
+        EXPECT_THAT(ran.err, HasSubstr("RC-S21"));
+        EXPECT_THAT(ran.err, HasSubstr("m.rct:2"));
+    }
+    const TemporaryFile block("m.rct", "stm S { event card initial i state A { } transition t { from i to A } transition u { from A to A trigger card } }\n");
+    EXPECT_EQ(run({"emit", "csp", block.path(), "--out", fs::path(block.path()).parent_path().string() + "/out"}).exit, 0);
+}
+
+}  // namespace
+}  // namespace robochart::app
