@@ -146,8 +146,10 @@ std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first
 /// they have been found lately.
 void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t first, std::size_t end) {
     const std::optional<StateIndex> vertex = note_taus_ ? tau_vertex(pair) : std::nullopt;
+    constexpr std::size_t between_counts = 4096;  // one pair may lead to any number
     std::uint32_t found = 0;
     for (std::size_t i = first; i < end; ++i) {
+        if ((i - first) % between_counts == between_counts - 1) budget_.states(pairs_.size());
         const lts::StateStore::Insertion insertion = enter(expansion.row(i), expansion.hash(i));
         if (insertion.fresh) ++found;
         if (vertex && expansion.by_tau(i)) back_taus_.note(*vertex, insertion.index);
