@@ -72,8 +72,8 @@ TEST(Cli, WarningsCanBeLeftOutOrDenied) {
 
 TEST(Cli, AnUnknownComponentIsSaid) {
     const Ran ran = run({"conform", repository("corpus/aggregation"), "--component", "NoSuch"});
-    EXPECT_EQ(ran.exit, 2);
-    EXPECT_THAT(ran.err, AllOf(HasSubstr("RC-A02"), HasSubstr("NoSuch")));
+    EXPECT_EQ(ran.exit, 4);
+    EXPECT_THAT(ran.err, AllOf(HasSubstr("RC-A01"), HasSubstr("NoSuch")));
 }
 
 TEST(Cli, AnUnwritableFolderIsSaid) {

@@ -77,7 +77,7 @@ TEST(CodeExport, AldebaranHasEveryTransition) {
 
 TEST(CodeExport, OptionsThatDoNotFitAreSaid) {
     const auto ending = run({"conform", repository("corpus/aggregation"), "--export", "code.txt"});
-    EXPECT_EQ(ending.exit, 2);
+    EXPECT_EQ(ending.exit, 4);
     EXPECT_THAT(ending.err, HasSubstr(".aut, .dot or .csp"));
     const auto large = run({"conform", repository("corpus/aggregation"), "--export", "code.aut", "--max-states", "3"});
     EXPECT_EQ(large.exit, 2);
