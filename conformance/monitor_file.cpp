@@ -10,13 +10,7 @@ namespace robochart::conformance {
 namespace {
 
 std::string literal(const char* text) {
-    if (text == nullptr) return "nullptr";
-    std::string result = "\"";
-    for (; *text != '\0'; ++text) {
-        if (*text == '"' || *text == '\\') result += '\\';
-        result += static_cast<unsigned char>(*text) < 0x20U ? ' ' : *text;
-    }
-    return result + '"';
+    return text == nullptr ? "nullptr" : diagnostics::cpp_string(text);
 }
 
 /// "in S1 (corpus/a.rct:56)" without the folder: generated text does not depend on where the model lies.

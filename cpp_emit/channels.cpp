@@ -73,8 +73,7 @@ private:
         for (const Running& outer : place.calls) {
             const auto& lenders = running.unit->lenders;
             if (std::find(lenders.begin(), lenders.end(), outer.unit->number) != lenders.end())
-                out_.line(
-                    fmt::format("[[maybe_unused]] {}{} = {};", reference, lent_frame(*outer.unit), outer.frame));
+                out_.line(fmt::format("[[maybe_unused]] {}{} = {};", reference, lent_frame(*outer.unit), outer.frame));
         }
     }
 

@@ -1,5 +1,10 @@
 #include "cpp_emit/code_writer.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
 namespace robochart::cpp_emit {
 
 namespace {
@@ -9,7 +14,27 @@ constexpr std::size_t line_width = 120;
 
 }  // namespace
 
+namespace {
+
+/// The last defence: names are made identifiers and foreign text literals before.
+void require_code(std::string_view text) {
+    const bool printable = std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F; });
+    if (!printable) throw std::logic_error("a line of generated code holds foreign text: " + diagnostics::shown(text));
+}
+
+}  // namespace
+
+void CodeWriter::line_with_doc(std::string_view text, const diagnostics::ForeignText& behind) {
+    require_code(text);
+    put(fmt::format("{}  ///< {}", text, diagnostics::comment_text(behind)));
+}
+
 void CodeWriter::line(std::string_view text) {
+    require_code(text);
+    put(text);
+}
+
+void CodeWriter::put(std::string_view text) {
     if (!text.empty()) {
         text_.append(depth_ * indent_width, ' ');
         text_ += text;
@@ -56,10 +81,10 @@ void CodeWriter::wrapped(std::string_view prefix, std::string_view text) {
     while (text.size() > width) {
         const std::size_t blank = text.rfind(' ', width);
         if (blank == std::string_view::npos || blank == 0) break;
-        line(std::string(prefix) + std::string(text.substr(0, blank)));
+        put(std::string(prefix) + std::string(text.substr(0, blank)));
         text.remove_prefix(blank + 1);
     }
-    line(std::string(prefix) + std::string(text));
+    put(std::string(prefix) + std::string(text));
 }
 
 }  // namespace robochart::cpp_emit

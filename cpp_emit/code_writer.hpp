@@ -4,8 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "diagnostics/escape.hpp"
+
 namespace robochart::cpp_emit {
 
+/// Lines are C++: text of the project's own, identifiers (names.hpp) and literals (diagnostics/escape.hpp). A line that
+/// holds what none of them can (a control character or one beyond ASCII) is an internal error. Comments take any text.
 class CodeWriter {
 public:
     explicit CodeWriter(std::size_t depth = 0) : depth_(depth) {}
@@ -21,9 +25,11 @@ public:
     /// "} else {": ends a block and opens the next.
     void reopen(std::string_view text);
     /// `/// text`, wrapped at the line width.
-    void doc(std::string_view text) { wrapped("/// ", text); }
+    void doc(const diagnostics::ForeignText& text) { wrapped("/// ", diagnostics::comment_text(text)); }
     /// `// text`, wrapped at the line width.
-    void comment(std::string_view text) { wrapped("// ", text); }
+    void comment(const diagnostics::ForeignText& text) { wrapped("// ", diagnostics::comment_text(text)); }
+    /// `text  ///< behind`, in one line.
+    void line_with_doc(std::string_view text, const diagnostics::ForeignText& behind);
     /// Lines that are indented already.
     void raw(std::string_view lines);
     /// An empty line between parts; never two in a row, none at the beginning of a block.
@@ -34,6 +40,7 @@ public:
 
 private:
     void wrapped(std::string_view prefix, std::string_view text);
+    void put(std::string_view text);
 
     std::string text_;
     std::size_t depth_ = 0;

@@ -17,7 +17,8 @@ namespace {
 using diagnostics::Diagnostics;
 
 /// Names that generated State, Inputs and platform classes use themselves.
-const std::set<std::string> state_names = {"at", "wait", "leaving", "filler", "State", "Inputs", "At", "Types"};
+const std::set<std::string> state_names = {"at",    "wait",  "leaving", "filler", "kept", "State", "Inputs",   "At",
+                                           "Event", "Types", "Real",    "Nat",    "Int",  "std",   "robochart"};
 
 template <class Item>
 const Item* find_named(const std::vector<Item>& items, const std::string& name) {
@@ -195,7 +196,8 @@ private:
         unit.root = root;
         find_owners(unit);
         const auto& units = component_.units;
-        const auto known = std::find_if(units.begin(), units.end(), [&](const Unit& each) { return alike(each, unit); });
+        const auto known =
+            std::find_if(units.begin(), units.end(), [&](const Unit& each) { return alike(each, unit); });
         if (known != units.end()) return known->number;
         component_.unit_places.push_back(units.size());  // settled below
         unit.definitions.resize(machine.operations.size());
@@ -229,15 +231,17 @@ private:
     static bool alike(const Unit& known, const Unit& unit) {
         const auto same = [&](const std::vector<Owner>& left, const std::vector<Owner>& right) {
             const auto own = [](const Unit& of, const Owner& owner) { return owner.unit == of.number; };
-            return std::equal(left.begin(), left.end(), right.begin(), right.end(), [&](const Owner& a, const Owner& b) {
-                return own(known, a) ? own(unit, b) && a.place == b.place : a == b;
-            });
+            return std::equal(left.begin(), left.end(), right.begin(), right.end(),
+                              [&](const Owner& a, const Owner& b) {
+                                  return own(known, a) ? own(unit, b) && a.place == b.place : a == b;
+                              });
         };
         return known.part == unit.part && known.id == unit.id && same(known.variable_owners, unit.variable_owners) &&
                same(known.clock_owners, unit.clock_owners);
     }
 
-    /// What an operation requires is its caller's of that name, and so on outwards (semantics 3.8); all else is its own.
+    /// What an operation requires is its caller's of that name, and so on outwards (semantics 3.8); all else is its
+    /// own.
     void find_owners(Unit& unit) {
         const ir::Machine& machine = *unit.machine;
         const Unit* const caller = unit.root ? nullptr : &open_.back();
@@ -249,9 +253,9 @@ private:
             if (caller != nullptr && required && found == nullptr)
                 missing(machine, "variable", machine.variables[place].name, machine.variables[place].origin);
             unit.variable_owners.push_back(
-                found == nullptr ? Owner{unit.number, place}
-                                 : caller->variable_owners[static_cast<std::size_t>(
-                                       found - caller->machine->variables.data())]);
+                found == nullptr
+                    ? Owner{unit.number, place}
+                    : caller->variable_owners[static_cast<std::size_t>(found - caller->machine->variables.data())]);
         }
         for (std::uint32_t place = 0; place < machine.clocks.size(); ++place) {
             const ir::Clock& clock = machine.clocks[place];
@@ -293,9 +297,9 @@ private:
 
     /// The rules STM8 and STM10 of the language say so before.
     void missing(const ir::Machine& operation, const char* what, const std::string& name, const ir::Origin& origin) {
-        diagnostics_.report(rules::unsupported_expr, origin.span,
-                            {std::string("the ") + what + " '" + name + "', which its caller does not have,",
-                             operation.name});
+        diagnostics_.report(
+            rules::unsupported_expr, origin.span,
+            {std::string("the ") + what + " '" + name + "', which its caller does not have,", operation.name});
     }
 
     // ---- variables
@@ -482,13 +486,15 @@ private:
     }
 
     void name_everything() {
-        NameScope platform(std::set<std::string>{"Log", "log_", "Platform", "machine", "choose", "taken", "pick",
-                                                 "Traced", "tracer_"});
+        NameScope platform(std::set<std::string>{"Log", "log_", "Platform", "machine", "choose", "taken", "pick", "std",
+                                                 "Traced", "tracer_", "robochart", "core", "Real", "Nat", "Int",
+                                                 "platform_", "Types", "Inputs", "State"});
         for (auto& call : component_.calls) call.method = platform.unique(call.signature->name);
         for (auto& call : component_.modelled) call.method = platform.unique("replaces_" + call.signature->name);
         for (auto& function : component_.functions)
             function.method = platform.unique(system_.functions[function.id.index].name);
         std::set<std::string> taken = state_names;
+        for (const Unit& unit : component_.units) take_thread_members(unit, taken);
         for (const ir::TypeId type : component_.enumerations) taken.insert(declared_name(system_.type(type)));
         NameScope inputs(taken);
         NameScope state(taken);
@@ -503,10 +509,18 @@ private:
         NameScope writers;
         taken_ = taken;
         for (auto& entry : component_.variables) name_variable(entry, state, frames, inputs, platform, writers);
-        NameScope types(std::set<std::string>{"State", "Inputs", "Step", "At", "Real", "Nat", "Int"});
+        NameScope types = core_type_scope(component_);
+        for (const ir::TypeId type : component_.enumerations) types.take(declared_name(system_.type(type)));
         for (auto& unit : component_.units) name_unit(unit, component_.composed() ? frames[unit.part] : state, types);
         name_channels();
         mark_clocks_read();
+    }
+
+    /// The members that the threads of a machine may have for its states (machine_code.cpp).
+    static void take_thread_members(const Unit& unit, std::set<std::string>& taken) {
+        for (const ir::Node& node : unit.machine->nodes)
+            for (const char* prefix : {"during_", "entering_", "history_", "wait_"})
+                taken.insert(prefix + identifier(node.path));
     }
 
     void name_variable(StoredVariable& entry, NameScope& state, std::vector<NameScope>& frames, NameScope& inputs,

@@ -162,10 +162,10 @@ struct Component {
     std::string cpp_name;
     std::string package;
     ir::Origin origin;
-    std::vector<Part> parts;        ///< the machines, in textual order
-    std::vector<Unit> units;        ///< part by part; callees before callers; each part's machine last
+    std::vector<Part> parts;               ///< the machines, in textual order
+    std::vector<Unit> units;               ///< part by part; callees before callers; each part's machine last
     std::vector<std::size_t> unit_places;  ///< by Unit::number -> units
-    std::vector<EventPort> events;  ///< at the boundary
+    std::vector<EventPort> events;         ///< at the boundary
     std::vector<Buffer> buffers;
     std::vector<StoredVariable> variables;
     std::vector<PlatformCall> calls;
@@ -191,7 +191,8 @@ struct Component {
     [[nodiscard]] const EventUse& event(const Unit&, ir::EventId) const;
     /// An event of a part; null if its machine does not use it.
     [[nodiscard]] const EventUse* event(const Peer&) const;
-    /// The machine's or shared variable behind a unit's variable; null: an operation's, Unit::variable_owners has whose.
+    /// The machine's or shared variable behind a unit's variable; null: an operation's, Unit::variable_owners has
+    /// whose.
     [[nodiscard]] const StoredVariable* stored(const Unit&, ir::VariableId) const;
     [[nodiscard]] const PlatformCall& call(const Unit&, ir::OperationId) const;
     [[nodiscard]] const ModelledCall& modelled_call(ir::MachineId definition) const;
@@ -199,6 +200,9 @@ struct Component {
     /// The unit whose state holds a clock, and its number there.
     [[nodiscard]] std::pair<const Unit*, ir::ClockId> clock(const Unit&, ir::ClockId) const;
 };
+
+/// Names for what a core declares for its machines: none of its own things, nor of what is a member somewhere.
+[[nodiscard]] NameScope core_type_scope(const Component&);
 
 /// Follows the reference and collects the above. Reports what can't be generated; nothing on errors.
 [[nodiscard]] std::optional<Component> resolve(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,

@@ -5,6 +5,17 @@
 
 namespace robochart::cpp_emit {
 
+NameScope core_type_scope(const Component& component) {
+    NameScope scope(own_type_names());
+    for (const Unit& unit : component.units) {
+        for (const ir::Variable& variable : unit.machine->variables) scope.take(identifier(variable.name));
+        for (const ir::Clock& clock : unit.machine->clocks) scope.take(identifier(clock.name));
+        for (const ir::Event& event : unit.machine->events) scope.take(identifier(event.name));
+    }
+    for (const Part& part : component.parts) scope.take(identifier(part.name));
+    return scope;
+}
+
 const EventUse& Component::event(const Unit& of, ir::EventId id) const {
     return *event(Peer{of.part, of.machine->events[id.index].name});
 }

@@ -10,6 +10,8 @@
 
 namespace robochart::cpp_emit {
 
+using diagnostics::cpp_string;
+
 namespace {
 
 class ReadingWriter {
@@ -58,7 +60,7 @@ private:
             std::vector<TypeMember> given;
             std::copy_if(all.begin(), all.end(), std::back_inserter(given),
                          [&](const TypeMember& member) { return member.literal == literal; });
-            out_.open(fmt::format("if (word == {} || word == \"{}\") {{", quoted(type.labels[literal]), literal));
+            out_.open(fmt::format("if (word == {} || word == \"{}\") {{", cpp_string(type.labels[literal]), literal));
             out_.line(is_struct(type) ? fmt::format("value.kind = {}::Kind::{};", name, literal_name(type, literal))
                                       : fmt::format("value = {}::{};", name, literal_name(type, literal)));
             out_.line("return " + (given.empty() ? "true" : parts_read(given, true)) + ";");
@@ -87,7 +89,7 @@ public:
         : generation_(generation), core_(core), face_(face), out_(out), asks_(console_asks(generation)) {}
 
     void write() {
-        out_.open(fmt::format("class Console final : public {}::{} {{", face_.name_space, face_.cpp_name));
+        out_.open(fmt::format("class Console final : public ::{}::{} {{", face_.name_space, face_.cpp_name));
         out_.label("public:");
         each_class(face_, [&](const FaceClass& part) {
             for (const FaceOperation& operation : part.operations)
@@ -121,7 +123,7 @@ private:
         for (std::size_t i = 0; i < operation.signature->parameters.size(); ++i) {
             parameters +=
                 fmt::format("{}{} a{}", i == 0 ? "" : ", ",
-                            deployed_type(generation_, core_.name_space, operation.signature->parameters[i]), i);
+                            deployed_type(generation_, "::" + core_.name_space, operation.signature->parameters[i]), i);
             shown += fmt::format("{} << robochart::show_value(a{})", i == 0 ? "" : " << \", \"", i);
         }
         out_.open(fmt::format("void {}({}) override {{", operation.method, parameters));

@@ -27,16 +27,6 @@ Carried carried(ir::TypeKind kind) {
     }
 }
 
-/// A string literal; the model's file may have any name.
-std::string literal(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += static_cast<unsigned char>(c) < 0x20U ? ' ' : c;
-    }
-    return result + '"';
-}
-
 /// A port with what the emitted text needs.
 struct Channel {
     Port port;
@@ -145,7 +135,7 @@ private:
         out_.gap();
         out_.line("namespace {");
         out_.gap();
-        out_.line(fmt::format("namespace core = {};", core_.name_space));
+        out_.line(fmt::format("namespace core = ::{};", core_.name_space));
         out_.line("using Types = robochart::Deployment;");
         out_.line("using Real = Types::Real;");
         out_.line("using Nat = Types::Nat;");
@@ -281,7 +271,7 @@ private:
         out_.open(fmt::format("switch (static_cast<const State*>(controller)->{}at) {{", first_part()));
         for (const Enumerator& value : root_places().values)
             out_.line(fmt::format("case core::{}::{}: return {};", root_places().name, value.name,
-                                  literal(value.comment.empty() ? value.name : value.comment)));
+                                  diagnostics::cpp_string(value.comment.empty() ? diagnostics::ForeignText(value.name) : value.comment)));
         out_.close();
         out_.line("return \"?\";");
         out_.close();

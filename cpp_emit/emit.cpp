@@ -43,12 +43,20 @@ void add_exploration(const Generation& generation, const Core& core, Emission& e
 
 }  // namespace
 
-std::string Generation::place(std::string_view element, diagnostics::Span span) const {
-    if (options.sources == nullptr || !span.known()) return std::string(element);
-    std::string where = options.sources->place(span);
-    const std::size_t folder = where.rfind('/');
-    if (folder != std::string::npos) where.erase(0, folder + 1);
-    return fmt::format("{} ({})", element, where);
+diagnostics::ForeignText Generation::place(std::string_view element, diagnostics::Span span) const {
+    const diagnostics::ForeignText known = line(span);
+    return known.empty() ? diagnostics::ForeignText(element) : element + (" (" + known + ")");
+}
+
+diagnostics::ForeignText Generation::line(diagnostics::Span span) const {
+    if (options.sources == nullptr || !span.known()) return {};
+    return file(span) + ":" + std::to_string(options.sources->position(span.source, span.begin).line);
+}
+
+diagnostics::ForeignText Generation::file(diagnostics::Span span) const {
+    if (options.sources == nullptr || !span.known()) return {};
+    const std::string& path = options.sources->path(span.source);
+    return path.substr(path.rfind('/') + 1);
 }
 
 Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,

@@ -273,7 +273,7 @@ std::string ExpressionWriter::membership(const ir::Expr& expr) const {
 std::string ExpressionWriter::let(const ir::Expr& expr) const {
     std::string text = "[&] {";
     for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
-        text += fmt::format(" [[maybe_unused]] const auto bound_{} = {};", identifier(expr.bound_names[i]),
+        text += fmt::format(" [[maybe_unused]] const auto {} = {};", bound_identifier(expr.bound_names[i]),
                             write(*expr.args[i]));
     return text + fmt::format(" return {}; }}()", write_as(*expr.args.back(), expr.type));
 }
@@ -362,7 +362,7 @@ std::string ExpressionWriter::right(const ir::Expr& expr) const {
         case ExprKind::is_in:
             return (generation_.mutation.hits(Fault::set_operation_wrong, &unit_, &expr) ? "!" : "") + membership(expr);
         case ExprKind::string:
-            return fmt::format("{}::of({})", type_text(expr.type), quoted(expr.text));
+            return fmt::format("{}::of({})", type_text(expr.type), diagnostics::cpp_string(expr.characters));
         case ExprKind::set_range:
         case ExprKind::range:
             return range(expr);
@@ -387,7 +387,7 @@ std::string ExpressionWriter::right(const ir::Expr& expr) const {
         case ExprKind::call:
             return call(expr);
         case ExprKind::bound:
-            return "bound_" + identifier(expr.text);
+            return bound_identifier(expr.text);
         case ExprKind::let:
             return let(expr);
         default:

@@ -19,9 +19,9 @@ std::string ExpressionWriter::any(const ir::Expr& expr, std::size_t from, const 
     const ir::TypeId type = expr.bound_types.at(from);
     const std::string inner = any(expr, from + 1, visit);
     const std::string body = from + 1 == expr.bound_names.size() ? inner : fmt::format("return {};", inner);
-    return fmt::format("{}([&]([[maybe_unused]] const {}& bound_{}) {{ {} }})",
-                       generation_.component.carrier(type).method, type_text(type), identifier(expr.bound_names[from]),
-                       body);
+    return fmt::format("{}([&]([[maybe_unused]] const {}& {}) {{ {} }})",
+                       generation_.component.carrier(type).method, type_text(type),
+                       bound_identifier(expr.bound_names[from]), body);
 }
 
 /// Of all, some or one of the values that satisfy the predicate the body holds.
@@ -38,7 +38,7 @@ std::string ExpressionWriter::quantified(const ir::Expr& expr) const {
 std::string ExpressionWriter::bound_values(const ir::Expr& expr, ir::TypeId type) const {
     std::string names;
     for (const std::string& name : expr.bound_names)
-        names += fmt::format("{}bound_{}", names.empty() ? "" : ", ", identifier(name));
+        names += (names.empty() ? "" : ", ") + bound_identifier(name);
     return expr.bound_names.size() == 1 ? names : fmt::format("{}::make({})", type_text(type), names);
 }
 
@@ -100,8 +100,8 @@ std::string ExpressionWriter::beta_reduced(const ir::Expr& lambda, const std::ve
     std::string parameters, values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const char* const comma = i == 0 ? "" : ", ";
-        parameters += fmt::format("{}[[maybe_unused]] const {}& bound_{}", comma, type_text(lambda.bound_types.at(i)),
-                                  identifier(lambda.bound_names[i]));
+        parameters += fmt::format("{}[[maybe_unused]] const {}& {}", comma, type_text(lambda.bound_types.at(i)),
+                                  bound_identifier(lambda.bound_names[i]));
         values += comma + arguments[i];
     }
     const ir::TypeId result = generation_.system.type(lambda.type).args.at(1);

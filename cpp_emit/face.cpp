@@ -14,12 +14,18 @@ public:
     explicit FaceMaker(const Generation& generation) : system_(generation.system), component_(generation.component) {}
 
     Face make() {
-        NameScope classes(std::set<std::string>{component_.cpp_name + "_core"});
+        NameScope classes(own_type_names());
+        for (const std::string& name : own_member_names()) classes.take(name);
+        classes.take(component_.cpp_name + "_core");
         face_.name_space = package_namespace(component_.package);
         face_.cpp_name = classes.unique(component_.composed() ? component_.name : component_.root().machine->name);
         face_.own.cpp_name = face_.cpp_name;
         for (const Unit& unit : component_.units)
             for (const std::string& interface : unit.machine->interfaces) add_base(interface, classes);
+        for (const FaceClass& base : face_.bases) members_.take(base.cpp_name);
+        members_.take(face_.cpp_name);
+        members_.take(face_.cpp_name + "Node");  // ros2_node.cpp
+        members_.take(component_.cpp_name + "_core");
         operations();
         functions();
         events();
@@ -131,10 +137,7 @@ private:
     const ir::System& system_;
     const Component& component_;
     Face face_;
-    NameScope members_{{"step",       "MakeTransition", "CheckInEvent", "reset",          "state",    "States",
-                        "name",       "isFinal",        "core",         "terminated",     "Platform", "SetTracer",
-                        "RunHeader",  "tracer",         "choose",       "pick",           "raise",    "print",
-                        "show_value", "read_value",     "Console",      "console_choices"}};
+    NameScope members_{own_member_names()};
 };
 
 }  // namespace

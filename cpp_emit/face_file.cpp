@@ -20,17 +20,18 @@ std::string deployed_value(const Generation& generation, const Core& core, ir::T
 
 std::string parameters(const Generation& generation, const Core& core, const ir::OperationSignature& signature,
                        bool unused) {
+    const std::vector<std::string> names = parameter_identifiers(signature.parameter_names);
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < signature.parameters.size(); ++i)
         texts.push_back(fmt::format("{}{} {}", unused ? "[[maybe_unused]] " : "",
                                     deployed_type(generation, core.relative, signature.parameters[i]),
-                                    NameScope().unique(signature.parameter_names[i])));
+                                    names.at(i)));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 void write_operation(const Generation& generation, const Core& core, CodeWriter& out, const FaceOperation& operation) {
     out.gap();
-    const std::string place = generation.place(operation.signature->origin);
+    const diagnostics::ForeignText place = generation.place(operation.signature->origin);
     const std::string list = parameters(generation, core, *operation.signature, true);
     if (operation.modelled) {
         out.doc(place + ", as the model defines it. Override it and return true to do it differently.");
@@ -42,11 +43,12 @@ void write_operation(const Generation& generation, const Core& core, CodeWriter&
 }
 
 std::string function_parameters(const Generation& generation, const Core& core, const ir::Function& function) {
+    const std::vector<std::string> names = parameter_identifiers(function.parameter_names);
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < function.parameters.size(); ++i)
         texts.push_back(fmt::format("[[maybe_unused]] {} {}",
                                     deployed_type(generation, core.relative, function.parameters[i]),
-                                    NameScope().unique(function.parameter_names[i])));
+                                    names.at(i)));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -66,8 +68,7 @@ void write_functions(const Generation& generation, const Core& core, const Face&
 void write_function_hooks(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
     for (const FaceFunction& each : face.functions) {
         const ir::Function& function = generation.system.functions[each.hook->id.index];
-        std::vector<std::string> arguments;
-        for (const auto& name : function.parameter_names) arguments.push_back(NameScope().unique(name));
+        const std::vector<std::string> arguments = parameter_identifiers(function.parameter_names);
         out.gap();
         out.open(fmt::format("{} {}({}) const noexcept {{", deployed_type(generation, core.relative, function.result),
                              each.hook->method, function_parameters(generation, core, function)));
@@ -96,9 +97,10 @@ void write_event_method(const Generation& generation, const Core& core, CodeWrit
 void write_members(const Generation& generation, const Core& core, CodeWriter& out, const FaceClass& face) {
     for (const FaceVariable& variable : face.variables) {
         const ir::Variable& declared = *variable.stored->variable;
-        out.line(fmt::format("{} {} = {};  ///< {}", deployed_type(generation, core.relative, declared.type),
-                             variable.member, deployed_value(generation, core, declared.type, variable.stored->initial),
-                             generation.place(declared.origin)));
+        out.line_with_doc(
+            fmt::format("{} {} = {};", deployed_type(generation, core.relative, declared.type), variable.member,
+                        deployed_value(generation, core, declared.type, variable.stored->initial)),
+            generation.place(declared.origin));
     }
     for (const FaceEvent& event : face.events) {
         const char* use = event.sent ? "sent in the last cycle" : "raise it before a cycle, which lowers it again";
@@ -146,8 +148,7 @@ void write_platform(const Generation& generation, const Core& core, const Face& 
     each_class(face, [&](const FaceClass& part) {
         for (const FaceOperation& operation : part.operations) {
             const auto& signature = *operation.signature;
-            std::vector<std::string> arguments;
-            for (const auto& name : signature.parameter_names) arguments.push_back(NameScope().unique(name));
+            const std::vector<std::string> arguments = parameter_identifiers(signature.parameter_names);
             out.gap();
             out.open(fmt::format("{} {}({}) const noexcept {{", operation.modelled ? "bool" : "void",
                                  operation.core_method, parameters(generation, core, signature, false)));
@@ -327,7 +328,7 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.line(fmt::format("namespace {} {{", face.name_space));
     out.gap();
     const Component& component = generation.component;
-    out.doc(component.composed() ? fmt::format("The machines of {}, side by side", generation.place(component.origin))
+    out.doc(component.composed() ? "The machines of " + generation.place(component.origin) + ", side by side"
                                  : "State machine " + generation.place(component.root().machine->origin));
     out.open(fmt::format("class {}{} {{", face.cpp_name, base_list(face)));
     out.label("public:");
@@ -358,8 +359,8 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.line("#endif");
     out.gap();
     for (const FaceTimer& timer : face.timers)
-        out.line(
-            fmt::format("robochart::Timer {};  ///< clock {}", timer.member, generation.place(timer.clock->origin)));
+        out.line_with_doc(fmt::format("robochart::Timer {};", timer.member),
+                          "clock " + generation.place(timer.clock->origin));
     out.gap();
     write_members(generation, core, out, face.own);
     write_functions(generation, core, face, out);

@@ -15,9 +15,13 @@ struct Generation {
     const Component& component;
     Mutation& mutation;
 
-    /// "S1 (aggregation.rct:83)", or the element alone if its place is unknown.
-    [[nodiscard]] std::string place(std::string_view element, diagnostics::Span) const;
-    [[nodiscard]] std::string place(const ir::Origin& origin) const { return place(origin.element, origin.span); }
+    /// "S1 (aggregation.rct:83)", or the element alone if its place is unknown. Files may have any name.
+    [[nodiscard]] diagnostics::ForeignText place(std::string_view element, diagnostics::Span) const;
+    /// "aggregation.rct:83"; "" if it is unknown.
+    [[nodiscard]] diagnostics::ForeignText line(diagnostics::Span) const;
+    /// "aggregation.rct"; "" if it is unknown.
+    [[nodiscard]] diagnostics::ForeignText file(diagnostics::Span) const;
+    [[nodiscard]] diagnostics::ForeignText place(const ir::Origin& origin) const { return place(origin.element, origin.span); }
 };
 
 }  // namespace robochart::cpp_emit

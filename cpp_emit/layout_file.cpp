@@ -95,9 +95,9 @@ private:
     void names(const Enumeration& enumeration) {
         out_.gap();
         out_.doc("The place as it is called in the code, and what it is in the model.");
-        two_names("name", enumeration, [](const Enumerator& value) { return value.name; });
+        two_names("name", enumeration, [](const Enumerator& value) { return diagnostics::cpp_string(value.name); });
         out_.gap();
-        two_names("element", enumeration, [](const Enumerator& value) { return value.comment; });
+        two_names("element", enumeration, [](const Enumerator& value) { return diagnostics::cpp_string(value.comment); });
     }
 
     template <class Text>
@@ -106,7 +106,7 @@ private:
             fmt::format("[[nodiscard]] constexpr const char* {}({} place) noexcept {{", function, enumeration.name));
         out_.open("switch (place) {");
         for (const Enumerator& value : enumeration.values)
-            out_.line(fmt::format("case {}::{}: return \"{}\";", enumeration.name, value.name, text(value)));
+            out_.line(fmt::format("case {}::{}: return {};", enumeration.name, value.name, text(value)));
         out_.close();
         out_.line("return \"\";");
         out_.close();

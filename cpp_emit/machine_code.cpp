@@ -113,8 +113,8 @@ MachineCode MachineWriter::write(const std::vector<Field>& more) {
     return code;
 }
 
-void MachineWriter::thread_function(const Thread& thread, const std::string& name, const std::string& comment,
-                                    bool control) {
+void MachineWriter::thread_function(const Thread& thread, const std::string& name,
+                                    const diagnostics::ForeignText& comment, bool control) {
     out_.gap();
     out_.doc(comment);
     out_.open(signature("bool " + name));
@@ -144,7 +144,7 @@ void MachineWriter::thread_function(const Thread& thread, const std::string& nam
 void MachineWriter::during_functions() {
     if (during_.empty()) return;
     for (const DuringThread& during : during_) {
-        const std::string place = generation_.place(plan_.node(during.state).origin);
+        const diagnostics::ForeignText place = generation_.place(plan_.node(during.state).origin);
         thread_function(during.thread, "during_" + during.suffix,
                         "During action of " + place + ": once an entry, as far as it gets.", false);
         out_.gap();
@@ -160,7 +160,8 @@ void MachineWriter::during_functions() {
     out_.doc("During actions of the active states, outer states first.");
     out_.open(signature("bool during"));
     out_.line("bool moved = false;");
-    for (const DuringThread& during : during_) out_.line(fmt::format("moved = {} || moved;", call("during_" + during.suffix)));
+    for (const DuringThread& during : during_)
+        out_.line(fmt::format("moved = {} || moved;", call("during_" + during.suffix)));
     out_.line("return moved;");
     out_.close();
 }
@@ -194,9 +195,8 @@ bool MachineWriter::timed() const {
     const auto& read = unit_.clock_read;
     const auto timed_calls = [&](const Thread& thread) {
         return thread.waits || !thread.deadlines.empty() ||
-               std::any_of(thread.calls.begin(), thread.calls.end(), [&](const CallFrame& call) {
-                   return done_.at(call.operation).timed;
-               });
+               std::any_of(thread.calls.begin(), thread.calls.end(),
+                           [&](const CallFrame& call) { return done_.at(call.operation).timed; });
     };
     return std::find(read.begin(), read.end(), true) != read.end() || !watches_.empty() || timed_calls(control_) ||
            std::any_of(during_.begin(), during_.end(),
@@ -359,8 +359,8 @@ void MachineWriter::thread_field(std::vector<Field>& fields, const Thread& threa
         fields.push_back({"std::uint32_t", deadline, "0", "time left plus one, 0: none", 4, 4});
     for (const CallFrame& call : thread.calls) {
         const FrameLayout& inner = done_.at(call.operation);
-        fields.push_back({generation_.component.unit(call.operation).frame + "<Types>", call.field, "", "",
-                          inner.size, inner.alignment});
+        fields.push_back({generation_.component.unit(call.operation).frame + "<Types>", call.field, "", "", inner.size,
+                          inner.alignment});
     }
 }
 

@@ -13,13 +13,13 @@ namespace robochart::cpp_emit {
 
 struct Enumerator {
     std::string name;
-    std::string comment;
+    diagnostics::ForeignText comment;
     ir::NodeId state;  ///< places of a machine: the state it shows to be in
 };
 
 struct Enumeration {
     std::string name;
-    std::string comment;
+    diagnostics::ForeignText comment;
     std::vector<Enumerator> values;
 };
 
@@ -28,7 +28,7 @@ struct Field {
     std::string type;
     std::string name;
     std::string initial;
-    std::string comment;
+    diagnostics::ForeignText comment;
     std::size_t size = 1;
     std::size_t alignment = 1;
 };

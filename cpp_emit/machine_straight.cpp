@@ -40,7 +40,7 @@ std::string MachineWriter::straight_program(const ir::StmtPtr& program, std::siz
     return writer.code().text();
 }
 
-void MachineWriter::straight_function(const std::string& name, const std::string& comment) {
+void MachineWriter::straight_function(const std::string& name, const diagnostics::ForeignText& comment) {
     out_.gap();
     out_.doc(comment);
     out_.open(signature("void " + name));
@@ -62,8 +62,8 @@ void MachineWriter::exit_function(NodeId id) {
 
 /// The exits of a composite state begin at the innermost active state.
 void MachineWriter::leave_function(NodeId id) {
-    straight_function("leave_" + plan_.label(id), fmt::format("Leaves {}, from the innermost active state out.",
-                                                              generation_.place(plan_.node(id).origin)));
+    straight_function("leave_" + plan_.label(id), "Leaves " + generation_.place(plan_.node(id).origin) +
+                                                      ", from the innermost active state out.");
     const std::string own = plan_.node(id).exit ? call(plan_.exit_label(id)) + ";" : "";
     const bool outer_first = exits_first(id);
     if (outer_first) out_.line(own);

@@ -54,7 +54,7 @@ private:
     [[nodiscard]] bool has_place(const ir::Transition&);
     [[nodiscard]] bool runs_on_entry(ir::NodeId) const;
     [[nodiscard]] std::string straight_program(const ir::StmtPtr&, std::size_t depth);
-    void straight_function(const std::string& name, const std::string& comment);
+    void straight_function(const std::string& name, const diagnostics::ForeignText& comment);
     void enter_function(ir::NodeId);
     void exit_function(ir::NodeId);
     void leave_function(ir::NodeId);
@@ -116,7 +116,7 @@ private:
     [[nodiscard]] ir::NodeId target_of(const ir::Transition&);
 
     // machine_code.cpp: functions around them, the struct
-    void thread_function(const Thread&, const std::string& name, const std::string& comment, bool control);
+    void thread_function(const Thread&, const std::string& name, const diagnostics::ForeignText& comment, bool control);
     void during_functions();
     void run_function();
     void run_alone(const std::string& parts, bool watches);

@@ -4,11 +4,13 @@
 #include <array>
 #include <cctype>
 
+#include "cpp_emit/reserved.hpp"
+
 namespace robochart::cpp_emit {
 
 namespace {
 
-// ISO C++20 [lex.key], [lex.digraph]; then macros of the headers that generated code includes.
+// ISO C++20 [lex.key], [lex.digraph], [lex.name]; then macros that compilers define without a header.
 constexpr std::array keywords = {
     "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
     "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
@@ -23,9 +25,24 @@ constexpr std::array keywords = {
     "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
     "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
     "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
-    "xor_eq",      "assert",   "errno",      "linux",     "unix",      "main",         "NULL",
-    "EOF",         "stdin",    "stdout",     "stderr",    "std",       "final",        "override",
+    "xor_eq",      "import",   "module",     "linux",     "unix",      "i386",         "main",
+    "std",         "final",    "override",
 };
+
+bool listed(std::span<const std::string_view> names, std::string_view name) {
+    return std::binary_search(names.begin(), names.end(), name);
+}
+
+/// The macros of the headers that ship with generated code.
+bool of_runtime(std::string_view name) {
+    return name.starts_with("ROBOCHART_") || name.starts_with("RC_");
+}
+
+/// An identifier that can be made free by what is put behind it.
+std::string stem_of(std::string_view text) {
+    const std::string name = identifier(text);
+    return of_runtime(name) ? "model_" + name : name;
+}
 
 bool identifier_character(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
@@ -34,7 +51,23 @@ bool identifier_character(char c) {
 }  // namespace
 
 bool reserved_in_cpp(std::string_view name) {
-    return std::find(keywords.begin(), keywords.end(), name) != keywords.end();
+    return std::find(keywords.begin(), keywords.end(), name) != keywords.end() || listed(reserved_macros(), name) ||
+           of_runtime(name);
+}
+
+bool reserved_at_global_scope(std::string_view name) {
+    // The last are of the projects' own code and of what it includes.
+    static constexpr std::array projects = {"Body", "CVector2", "Eigen", "Enki", "Eye", "Puck", "argos", "testing"};
+    return reserved_in_cpp(name) || listed(reserved_globals(), name) || listed(reserved_own_types(), name) ||
+           listed(reserved_own_members(), name) || std::find(projects.begin(), projects.end(), name) != projects.end();
+}
+
+std::set<std::string> own_type_names() {
+    return {reserved_own_types().begin(), reserved_own_types().end()};
+}
+
+std::set<std::string> own_member_names() {
+    return {reserved_own_members().begin(), reserved_own_members().end()};
 }
 
 std::string identifier(std::string_view text) {
@@ -51,18 +84,34 @@ std::string identifier(std::string_view text) {
     return result;
 }
 
+std::vector<std::string> parameter_identifiers(const std::vector<std::string>& names) {
+    NameScope scope(own_member_names());
+    std::vector<std::string> result;
+    for (const std::string& name : names) result.push_back(scope.unique(name));
+    return result;
+}
+
+/// Underscores that an identifier may not have are written out, behind a digit that no name begins with.
+std::string bound_identifier(std::string_view name) {
+    if (identifier(name) == name) return "bound_" + std::string(name);
+    std::string result = "bound_0";
+    for (const char c : name) result += c == '_' ? "_u" : std::string(1, c);
+    return result;
+}
+
 std::string NameScope::unique(std::string_view wanted) {
-    const std::string base = identifier(wanted);
-    std::string name = reserved_in_cpp(base) ? base + "_" : base;
-    for (unsigned number = 2; !taken_.insert(name).second; ++number) name = base + "_" + std::to_string(number);
+    const std::string base = stem_of(wanted);
+    std::string name = reserved_(base) ? base + "_" : base;
+    for (unsigned number = 2; reserved_(name) || !taken_.insert(name).second; ++number)
+        name = base + "_" + std::to_string(number);
     return name;
 }
 
 std::string NameScope::numbered(std::string_view stem) {
-    const std::string base = identifier(stem) + "_";
+    const std::string base = stem_of(stem) + "_";
     for (unsigned number = 1;; ++number) {
-        const std::string name = base + std::to_string(number);
-        if (taken_.insert(name).second) return name;
+        std::string name = base + std::to_string(number);
+        if (!reserved_(name) && taken_.insert(name).second) return name;
     }
 }
 

@@ -45,10 +45,10 @@ public:
         keys_["CLASS"] = face.cpp_name;
         keys_["QUALIFIED"] = face.name_space + "::" + face.cpp_name;
         keys_["PACKAGE"] = package_name(generation.component.name);
-        keys_["ELEMENT"] = generation.component.kind + " " + generation.place(generation.component.origin);
         keys_["DEPENDENCIES"] = eigen_ ? "find_package(Eigen3 QUIET)\n" : "";
         const Target target = generation.options.target;
         keys_["TRACE"] = target == Target::library || target == Target::ros2 ? "OFF" : "ON";
+        element_ = generation.component.kind + " " + generation.place(generation.component.origin);
         keys_["CONTROLLER"] = controller_target();
     }
 
@@ -78,7 +78,10 @@ public:
     }
 
 private:
-    void add(const std::string& path, const char* text) {
+    /// The element stands in comments, and in text where the file is of XML.
+    void add(const std::string& path, const std::string& text) {
+        const bool xml = text.ends_with(".xml") || text.ends_with(".argos");
+        keys_["ELEMENT"] = xml ? diagnostics::xml_text(element_) : diagnostics::comment_text(element_);
         files_.push_back({path, filled(project_template(text), keys_)});
     }
 
@@ -132,19 +135,26 @@ private:
     const Face& face_;
     std::vector<OutputFile> files_;
     std::map<std::string, std::string> keys_;
+    diagnostics::ForeignText element_;
     std::string console_;
     bool eigen_ = false;
 };
 
 }  // namespace
 
-std::string filled(std::string text, const std::map<std::string, std::string>& keys) {
-    for (const auto& [key, value] : keys) {
-        const std::string mark = "@" + key + "@";
-        for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size()))
-            text.replace(at, mark.size(), value);
+std::string filled(const std::string& text, const std::map<std::string, std::string>& keys) {
+    std::string result;
+    std::size_t from = 0;
+    for (std::size_t at = text.find('@'); at != std::string::npos; at = text.find('@', at + 1)) {
+        const std::size_t end = text.find('@', at + 1);
+        if (end == std::string::npos) break;
+        const auto key = keys.find(text.substr(at + 1, end - at - 1));
+        if (key == keys.end()) continue;
+        result.append(text, from, at - from) += key->second;
+        from = end + 1;
+        at = end;
     }
-    return text;
+    return result.append(text, from);
 }
 
 std::string free_member(const Face& face, std::string name) {

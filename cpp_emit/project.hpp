@@ -13,8 +13,8 @@ namespace robochart::cpp_emit {
 
 /// A text of cpp_emit/projects, "enki/main.cpp".
 [[nodiscard]] std::string project_template(std::string_view path);
-/// The text with every @KEY@ replaced.
-[[nodiscard]] std::string filled(std::string text, const std::map<std::string, std::string>& keys);
+/// The text with every @KEY@ replaced; what it is replaced by is not looked at again.
+[[nodiscard]] std::string filled(const std::string& text, const std::map<std::string, std::string>& keys);
 
 /// The name, or a longer one that no member of the class has.
 [[nodiscard]] std::string free_member(const Face&, std::string name);

@@ -16,9 +16,9 @@ public:
 
     std::string write() {
         out_.comment(
-            fmt::format("A robot with the controller of the RoboChart {} {}: which sensors raise its events, what its "
-                        "operations and variables do.",
-                        generation_.component.kind, generation_.place(generation_.component.origin)));
+            fmt::format("A robot with the controller of the RoboChart {} ", generation_.component.kind) +
+            generation_.place(generation_.component.origin) +
+            ": which sensors raise its events, what its operations and variables do.");
         out_.comment("This file is yours: robochart-verify made it and leaves it alone where it is there.");
         out_.line("#pragma once");
         out_.gap();
@@ -89,8 +89,7 @@ private:
         each_class(face_, [&](const FaceClass& part) {
             for (const FaceVariable& variable : part.variables)
                 if (variable.stored->visible)
-                    out_.comment(fmt::format("variable {}: {}", generation_.place(variable.stored->variable->origin),
-                                             variable.member));
+                    out_.comment("variable " + generation_.place(variable.stored->variable->origin) + ": " + variable.member);
             for (const FaceEvent& event : part.events) {
                 if (!event.sent) continue;
                 out_.line(fmt::format("if ({}) tell(robot_body_, \"{}\"{});", event.flag, event.port->model_name,
@@ -103,8 +102,9 @@ private:
     void call(const FaceOperation& operation) {
         std::string parameters, values;
         const auto& signature = *operation.signature;
+        const std::vector<std::string> names = parameter_identifiers(signature.parameter_names);
         for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
-            const std::string name = free_member(face_, NameScope().unique(signature.parameter_names[i]));
+            const std::string name = free_member(face_, names.at(i));
             parameters += fmt::format("{}{} {}", i == 0 ? "" : ", ", type(signature.parameters[i]), name);
             values += ", " + name;
         }

@@ -120,7 +120,8 @@ std::vector<std::string> command_line(const BuildOptions& options, const fs::pat
     std::vector<std::string> command{options.compiler};
     for (std::string& flag : words(options.flags)) command.push_back(std::move(flag));
     command.insert(command.end(), {"-shared", "-fPIC", "-fvisibility=hidden", "-I", folder.string(), "-o", target});
-    for (const std::string& source : sources) command.push_back((folder / source).string());
+    // Absolute: a compiler takes "-x" and "@x" for something else than a file.
+    for (const std::string& source : sources) command.push_back(fs::absolute(folder / source).string());
     return command;
 }
 

@@ -56,7 +56,7 @@ private:
         out_.gap();
         out_.line("namespace {");
         out_.gap();
-        out_.line(fmt::format("namespace core = {};", core_.name_space));
+        out_.line(fmt::format("namespace core = ::{};", core_.name_space));
     }
 
     void carrier_struct(const char* name, const std::vector<std::int64_t>& values, std::int64_t scale) {
@@ -105,7 +105,7 @@ private:
             const bool whole = composed(generation_.system.type(*input.type));
             for (const ir::Value& value : ir::carrier(generation_.system, generation_.inst, *input.type)) {
                 numbers.push_back(whole ? static_cast<std::int64_t>(numbers.size()) : value.number);
-                texts.push_back('"' + cspm_value(generation_.system, *input.type, value) + '"');
+                texts.push_back(diagnostics::cpp_string(cspm_value(generation_.system, *input.type, value)));
             }
             out_.line(
                 fmt::format("constexpr std::int64_t {}_values[] = {{{}}};", input.member, fmt::join(numbers, ", ")));

@@ -9,6 +9,8 @@
 
 namespace robochart::cpp_emit {
 
+using diagnostics::cpp_string;
+
 namespace {
 
 constexpr std::string_view buffer = "robochart::Buffer<";
@@ -39,7 +41,7 @@ void name_function(CodeWriter& out, const std::string& type,
     out.open(fmt::format("[[maybe_unused]] const char* name(core::{} place) noexcept {{", type));
     out.open("switch (place) {");
     for (const auto& [value, name] : names)
-        out.line(fmt::format("case core::{}::{}: return {};", type, value, quoted(name)));
+        out.line(fmt::format("case core::{}::{}: return {};", type, value, cpp_string(name)));
     out.close();
     out.line("return \"?\";");
     out.close();

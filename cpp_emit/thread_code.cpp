@@ -61,7 +61,7 @@ CodeWriter& ProgramWriter::code() {
     return thread_.places.back().code;
 }
 
-void ProgramWriter::begin(const std::string& label, const std::string& comment) {
+void ProgramWriter::begin(const std::string& label, const diagnostics::ForeignText& comment) {
     thread_.places.push_back({label, comment, state_, CodeWriter(5)});
 }
 
@@ -74,13 +74,13 @@ void ProgramWriter::line(const std::string& text) {
     if (!text.empty()) code().line(text);
 }
 
-void ProgramWriter::resume_at(const std::string& label, const std::string& comment) {
+void ProgramWriter::resume_at(const std::string& label, const diagnostics::ForeignText& comment) {
     jump(label);
     begin(label, comment);
 }
 
 /// A place to come back to: the current one if nothing is written there yet.
-std::string ProgramWriter::resume_here(const std::string& stem, const std::string& comment) {
+std::string ProgramWriter::resume_here(const std::string& stem, const diagnostics::ForeignText& comment) {
     if (code().empty()) return thread_.places.back().label;
     std::string label = fresh(stem);
     resume_at(label, comment);

@@ -14,7 +14,7 @@ namespace robochart::cpp_emit {
 /// A place in a program.
 struct Place {
     std::string label;
-    std::string comment;
+    diagnostics::ForeignText comment;
     ir::NodeId state;  ///< that the machine shows to be in meanwhile
     CodeWriter code{5};
 };
@@ -67,7 +67,7 @@ public:
     ProgramWriter(const Generation&, const Unit&, Thread&, ir::NodeId state);
 
     /// Starts a place; what follows is written there until the next `begin`.
-    void begin(const std::string& label, const std::string& comment);
+    void begin(const std::string& label, const diagnostics::ForeignText& comment);
     /// Ends the current place: control goes on at another.
     void jump(const std::string& label);
     /// Ends the current place in a way written by the caller.
@@ -78,8 +78,8 @@ public:
     void line(const std::string&);
 
 private:
-    void resume_at(const std::string& label, const std::string& comment);
-    [[nodiscard]] std::string resume_here(const std::string& stem, const std::string& comment);
+    void resume_at(const std::string& label, const diagnostics::ForeignText& comment);
+    [[nodiscard]] std::string resume_here(const std::string& stem, const diagnostics::ForeignText& comment);
     [[nodiscard]] std::string fresh(const std::string& stem);
     void sequence(std::vector<ir::StmtPtr> parts, const std::string& stem);
     struct Branches {

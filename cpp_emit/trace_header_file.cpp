@@ -14,6 +14,8 @@
 
 namespace robochart::cpp_emit {
 
+using diagnostics::cpp_string;
+
 namespace {
 
 template <class Port>
@@ -61,22 +63,19 @@ private:
         if (names.empty()) return out_.line("inline constexpr const robochart::TransitionName* transitions = nullptr;");
         out_.open("inline constexpr robochart::TransitionName transitions[] = {");
         for (const TransitionName& name : names)
-            out_.line(fmt::format("{{{}, {}}},", quoted(name.element), quoted(name.place)));
+            out_.line(fmt::format("{{{}, {}}},", cpp_string(name.element), cpp_string(name.place)));
         out_.close("};");
     }
 
     void run_header() {
         const Component& component = generation_.component;
-        const std::string told = generation_.place("", component.origin.span);  // " (door.rct:3)"
-        const std::size_t line = told.rfind(':');
-        const std::string model = line == std::string::npos || line < 3 ? "" : told.substr(2, line - 2);
         const std::string& package = component.package;
         out_.gap();
         out_.doc("What its logs begin with.");
         out_.line(
             fmt::format("inline constexpr robochart::RunHeader run_header = {{{}, {}, cycle_length, transitions, {}}};",
-                        quoted(package.empty() ? component.ref.path : package + "::" + component.ref.path),
-                        quoted(model), transitions_));
+                        cpp_string(package.empty() ? component.ref.path : package + "::" + component.ref.path),
+                        cpp_string(diagnostics::shown(generation_.file(component.origin.span))), transitions_));
     }
 
     /// How values of the declared types are written: the core's types have their names from the model.
@@ -114,7 +113,7 @@ private:
             std::copy_if(all.begin(), all.end(), std::back_inserter(given),
                          [&](const TypeMember& member) { return member.literal == literal; });
             const std::string label = fmt::format("case {}::{}:", scope, literal_name(type, literal));
-            const std::string word = quoted(type.labels[literal]);
+            const std::string word = cpp_string(type.labels[literal]);
             if (given.empty()) {
                 out_.line(fmt::format("{} return tracer.text({});", label, word));
                 continue;
@@ -144,9 +143,9 @@ private:
     }
 
     void say_output(const Output& output, const std::string& word) {
-        if (output.types.empty()) return out_.line(fmt::format("tracer_.text({});", quoted(word + "! ")));
+        if (output.types.empty()) return out_.line(fmt::format("tracer_.text({});", cpp_string(word + "! ")));
         for (std::size_t i = 0; i < output.types.size(); ++i) {
-            out_.line(fmt::format("tracer_.text({});", quoted(i == 0 ? word + "!" : "!")));
+            out_.line(fmt::format("tracer_.text({});", cpp_string(i == 0 ? word + "!" : "!")));
             say_value("tracer_", output.types[i], fmt::format("a{}", i));
         }
         out_.line("tracer_.text(\" \");");
@@ -231,11 +230,11 @@ private:
             const Register& input = registers_[i];
             if (!input.type) {
                 out_.line(
-                    fmt::format("if (inputs.{}.present) tracer.text({});", input.member, quoted(inputs_[i] + "? ")));
+                    fmt::format("if (inputs.{}.present) tracer.text({});", input.member, cpp_string(inputs_[i] + "? ")));
                 continue;
             }
             out_.open(fmt::format("if (inputs.{}.present) {{", input.member));
-            out_.line(fmt::format("tracer.text({});", quoted(inputs_[i] + "?")));
+            out_.line(fmt::format("tracer.text({});", cpp_string(inputs_[i] + "?")));
             say_value("tracer", *input.type, fmt::format("inputs.{}.value", input.member));
             out_.line("tracer.text(\" \");");
             out_.close();
@@ -272,7 +271,7 @@ private:
         if (!known.empty()) out_.line(fmt::format("if ({}) return;", fmt::join(known, " && ")));
         for (std::size_t i = 0; i < registers_.size(); ++i)
             if (registers_[i].member == variable.input)
-                out_.line(fmt::format("tracer.text({});", quoted(inputs_[i] + "?")));
+                out_.line(fmt::format("tracer.text({});", cpp_string(inputs_[i] + "?")));
         say_value("tracer", variable.variable->type, "value");
         out_.line("tracer.text(\" \");");
     }

@@ -14,9 +14,7 @@ std::vector<TransitionName> transition_names(const Generation& generation) {
         const std::string& part = generation.component.part(unit).name;
         for (const ir::Transition& transition : unit.machine->transitions) {
             const ir::Origin& origin = transition.origin;
-            const std::string told = generation.place("", origin.span);  // " (door.rct:18)"
-            names.push_back({(part.empty() ? "" : part + ": ") + origin.element,
-                             told.size() > 3 ? told.substr(2, told.size() - 3) : ""});
+            names.push_back({(part.empty() ? "" : part + ": ") + origin.element, generation.line(origin.span)});
         }
     }
     return names;

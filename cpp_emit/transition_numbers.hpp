@@ -11,8 +11,8 @@
 namespace robochart::cpp_emit {
 
 struct TransitionName {
-    std::string element;  ///< "Door::t1"; of several machines "stm0: Door::t1"
-    std::string place;    ///< "door.rct:18", "" if unknown
+    std::string element;             ///< "Door::t1"; of several machines "stm0: Door::t1"
+    diagnostics::ForeignText place;  ///< "door.rct:18", "" if unknown
 };
 
 [[nodiscard]] std::uint32_t transition_number(const Unit&, ir::TransitionId);

@@ -90,7 +90,8 @@ bool supported(const ir::System& system, ir::TypeId id) {
 
 std::vector<TypeMember> members(const ir::Type& type) {
     std::vector<TypeMember> result;
-    NameScope names({"filler", "kind", "Kind", "make", "Real", "Nat", "Int", "Types", declared_name(type)});
+    NameScope names({"filler", "kind", "Kind", "make", "of", "Real", "Nat", "Int", "Types", "robochart", "std",
+                     "result", declared_name(type)});
     for (const std::string& label : type.labels)
         if (type.kind == TypeKind::enumeration) (void)names.unique(label);
     for (std::size_t i = 0; i < type.args.size() && type.kind != TypeKind::enumeration; ++i)
@@ -102,13 +103,25 @@ std::vector<TypeMember> members(const ir::Type& type) {
     return result;
 }
 
+namespace {
+
+/// Names like those of functions that the core has for elements of the model, which would hide the type.
+bool method_like(const std::string& name) {
+    static constexpr const char* prefixes[] = {"accept_", "any_",  "await_", "cut_",   "during_",
+                                               "enter_",  "exit_", "from_",  "leave_", "name_",
+                                               "offers_", "pass_", "sites_", "take_",  "write_"};
+    return std::any_of(std::begin(prefixes), std::end(prefixes),
+                       [&](const char* prefix) { return name.starts_with(prefix); });
+}
+
+}  // namespace
+
 /// Declared types keep clear of what the core itself declares.
 std::string declared_name(const ir::Type& type) {
-    static const std::set<std::string> taken = {
-        "State",    "Inputs",   "Step",   "At",          "Real",        "Nat",        "Int",       "Types",    "Log",
-        "Platform", "Checking", "Traced", "traced_step", "transitions", "run_header", "log_value", "read_part"};
+    static const std::set<std::string> taken = own_type_names();
     NameScope scope(taken);
-    return scope.unique(type.kind == TypeKind::product ? "Tuple_" + type.name : type.name);
+    const std::string name = scope.unique(type.kind == TypeKind::product ? "Tuple_" + type.name : type.name);
+    return method_like(name) ? name + "_type" : name;
 }
 
 std::string cpp_type(const ir::System& system, ir::TypeId id, const Spelling& spelling) {
@@ -282,17 +295,7 @@ std::string enumeration_value(const ir::System& system, const ir::Instantiation&
 
 }  // namespace
 
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        const bool plain = c != '"' && c != '\\' && c != '?' && code >= 0x20U && code < 0x7fU;
-        result += plain ? std::string(1, c) : fmt::format("\\{:03o}", code);
-    }
-    return result + '"';
-}
-
-std::string string_text(const ir::Value& value) {
+diagnostics::ForeignText string_text(const ir::Value& value) {
     std::string text;
     for (const ir::Value& part : value.parts) text += static_cast<char>(part.number);
     return text;
@@ -314,7 +317,8 @@ std::string cpp_value(const ir::System& system, const ir::Instantiation& inst, i
         case TypeKind::enumeration:
             return enumeration_value(system, inst, id, value, spelling);
         case TypeKind::string:
-            return fmt::format("{}::of({})", cpp_type(system, id, spelling), quoted(string_text(value)));
+            return fmt::format("{}::of({})", cpp_type(system, id, spelling),
+                               diagnostics::cpp_string(string_text(value)));
         case TypeKind::record:
         case TypeKind::product:
             return built("make");
@@ -374,7 +378,7 @@ std::string cspm_value(const ir::System& system, ir::TypeId id, const ir::Value&
         case TypeKind::enumeration:
             return cspm_literal(system, type, value);
         case TypeKind::string:
-            return '"' + string_text(value) + '"';
+            return diagnostics::cspm_string(string_text(value));
         case TypeKind::sequence:
             return "<" + cspm_parts(system, type.args, value, ", ") + ">";
         case TypeKind::set:

@@ -64,10 +64,8 @@ inline constexpr std::size_t largest_set = 1024;
 /// A value as C++ text: `Real(-0.75)`, `Nat(25)`, `true`, `Light::Red`, `Point<Types>::make(Nat(1), Nat(2))`.
 [[nodiscard]] std::string cpp_value(const ir::System&, const ir::Instantiation&, ir::TypeId, const ir::Value&,
                                     const Spelling& = {});
-/// A string literal.
-[[nodiscard]] std::string quoted(const std::string&);
 /// The characters of a value of type string.
-[[nodiscard]] std::string string_text(const ir::Value&);
+[[nodiscard]] diagnostics::ForeignText string_text(const ir::Value&);
 /// A decimal as it is written in C++: always with a point.
 [[nodiscard]] std::string decimal_text(ir::Decimal);
 /// The C++ name of an enumeration's literal.

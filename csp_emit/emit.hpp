@@ -131,6 +131,6 @@ struct OutputFile {
     std::string text;
 };
 /// The emission as files that FDR loads: csp-gen/[timed/]NAME.csp and NAME_assertions.csp (which includes the first).
-[[nodiscard]] std::vector<OutputFile> files(const Emission&, Time, const std::string& name);
+[[nodiscard]] std::vector<OutputFile> files(const Emission&, Time, const std::string& model);
 
 }  // namespace robochart::csp_emit

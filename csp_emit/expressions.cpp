@@ -48,7 +48,7 @@ ExprPtr Translator::literal(const ir::Expr& expr) const {
         case ExprKind::real:
             return real_literal(expr);
         case ExprKind::string:
-            return b::string(expr.text);
+            return b::string(expr.characters.unescaped());
         case ExprKind::enum_literal: {
             b::Exprs parts{
                 b::name(literal_name(project_.system.type(expr.type), static_cast<std::size_t>(expr.number)))};

@@ -60,7 +60,7 @@ void add_carriers(const Project& project, std::vector<DeclPtr>& decls) {
     decls.push_back(b::nametype("core_real", number_set(finite.real)));
     decls.push_back(b::nametype("core_boolean", b::name("Bool")));
     b::Exprs strings;
-    for (const std::string& text : finite.strings) strings.push_back(b::string(text));
+    for (const diagnostics::ForeignText& text : finite.strings) strings.push_back(b::string(text.unescaped()));
     decls.push_back(b::nametype("core_string", b::set(strings)));
     decls.push_back(b::nametype("core_clock_type", b::set_range(b::number(0), b::number(finite.clock_bound))));
     for (const ir::Type& type : project.system.types)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "diagnostics/escape.hpp"
 #include "diagnostics/utf8.hpp"
 
 namespace robochart::diagnostics {
@@ -28,8 +29,10 @@ void add_cells(std::vector<Cell>& cells, std::string_view rest, std::size_t offs
         cells.push_back({replacement_character, offset});
     } else if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) {
         cells.push_back({" ", offset});
+    } else if (const std::string_view character = rest.substr(0, length); shown(character) != character) {
+        cells.push_back({replacement_character, offset});  // invisible, or of another direction
     } else {
-        cells.push_back({rest.substr(0, length), offset});
+        cells.push_back({character, offset});
     }
 }
 

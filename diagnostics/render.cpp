@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "diagnostics/escape.hpp"
 #include "diagnostics/excerpt.hpp"
 
 namespace robochart::diagnostics {
@@ -48,21 +49,22 @@ std::string draw_place(const SourceManager& sources, Span span, const TextStyle&
     const std::string margin(number.size(), ' ');
     const std::string mark =
         std::string(excerpt.mark_begin, ' ') + paint(style, color, "^" + std::string(excerpt.mark_width - 1, '~'));
-    return fmt::format("{0} --> {1}:{2}:{3}\n{0}  |\n {4} | {5}\n{0}  | {6}\n", margin, sources.path(span.source),
+    return fmt::format("{0} --> {1}:{2}:{3}\n{0}  |\n {4} | {5}\n{0}  | {6}\n", margin, shown(sources.path(span.source)),
                        begin.line, begin.column, number, excerpt.text, mark);
 }
 
 std::string draw_note(const SourceManager& sources, const Note& note, const TextStyle& style) {
-    if (!note.span.known()) return fmt::format("   = note: {}\n", note.message);
+    if (!note.span.known()) return fmt::format("   = note: {}\n", shown_lines(note.message));
     const Look as_note = look(Severity::note);
-    return fmt::format("{}: {}\n{}", paint(style, as_note.color, as_note.word), note.message,
+    return fmt::format("{}: {}\n{}", paint(style, as_note.color, as_note.word), shown_lines(note.message),
                        draw_place(sources, note.span, style, as_note.color));
 }
 
 /// What to do, and the line as it will be.
 std::string draw_fix(const SourceManager& sources, const FixIt& fix, const TextStyle& style) {
     const bool removes = fix.replacement.empty();
-    std::string out = fmt::format("   = help: {}{}\n", fix.title, removes ? "" : ": `" + fix.replacement + "`");
+    std::string out = fmt::format("   = help: {}{}\n", shown_lines(fix.title),
+                                  removes ? "" : ": `" + shown_lines(fix.replacement) + "`");
     if (!fix.span.known() || fix.replacement.find_first_of("\r\n") != std::string::npos) return out;
     const Position begin = sources.position(fix.span.source, fix.span.begin);
     if (sources.position(fix.span.source, fix.span.end).line != begin.line) return out;
@@ -101,7 +103,7 @@ std::string render_text(const SourceManager& sources, const Diagnostic& diagnost
     const Look severity = look(diagnostic.rule->severity);
     std::string out = fmt::format(
         "{}: {}\n", paint(style, severity.color, fmt::format("{}[{}]", severity.word, diagnostic.rule->code)),
-        diagnostic.message());
+        shown_lines(diagnostic.message()));
     if (diagnostic.span.known()) out += draw_place(sources, diagnostic.span, style, severity.color);
     for (const Note& note : diagnostic.notes)
         if (!note.span.known()) out += draw_note(sources, note, style);

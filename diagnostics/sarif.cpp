@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
 #include "diagnostics/render.hpp"
 
@@ -23,17 +24,6 @@ std::string array(const Items& items, Write write) {
     return out + "]";
 }
 
-/// A path as a URI reference (RFC 3986): what is not unreserved is escaped.
-std::string uri(const std::string& path) {
-    std::string out = path.starts_with("/") ? "file://" : "";
-    for (const char c : path) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                           std::string_view("-._~/").find(c) != std::string_view::npos;
-        out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    }
-    return out;
-}
-
 std::string region(const SourceManager& sources, Span span) {
     const Position begin = sources.position(span.source, span.begin);
     const Position end = sources.position(span.source, span.end);
@@ -42,7 +32,7 @@ std::string region(const SourceManager& sources, Span span) {
 }
 
 std::string artifact(const SourceManager& sources, Span span) {
-    return fmt::format(R"({{"uri":{}}})", json_string(uri(sources.path(span.source))));
+    return fmt::format(R"({{"uri":{}}})", json_string(uri_of_path(sources.path(span.source))));
 }
 
 std::string physical(const SourceManager& sources, Span span) {

@@ -1,8 +1,7 @@
 // Paths and file URIs (RFC 3986, RFC 8089).
-#include <fmt/format.h>
-
 #include <filesystem>
 
+#include "diagnostics/escape.hpp"
 #include "lsp/workspace.hpp"
 
 namespace robochart::lsp {
@@ -28,11 +27,6 @@ std::string decoded(std::string_view text) {
     return out;
 }
 
-bool is_plain(char c) {
-    const bool alphanumeric = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    return alphanumeric || std::string_view("-._~/").find(c) != std::string_view::npos;
-}
-
 }  // namespace
 
 std::string path_of_uri(std::string_view uri) {
@@ -44,12 +38,7 @@ std::string path_of_uri(std::string_view uri) {
 }
 
 std::string uri_of_path(std::string_view path) {
-    if (path.empty() || path.front() != '/') return std::string(path);
-    std::string out(scheme);
-    for (const char c : path)
-        out += is_plain(c) ? std::string(1, c)
-                           : fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    return out;
+    return path.starts_with('/') ? diagnostics::uri_of_path(path) : std::string(path);
 }
 
 }  // namespace robochart::lsp

@@ -164,7 +164,7 @@ Values Carriers::of(TypeId id) {
             return {{}};
         case TypeKind::string: {
             Values values;
-            for (const std::string& text : instantiation_.strings) values.push_back(string_value(text));
+            for (const diagnostics::ForeignText& text : instantiation_.strings) values.push_back(string_value(text));
             return values;
         }
     }
@@ -251,7 +251,7 @@ bool in_carrier(const System& system, const Instantiation& instantiation, TypeId
             return value == Value{};
         case TypeKind::string:
             return std::any_of(instantiation.strings.begin(), instantiation.strings.end(),
-                               [&](const std::string& text) { return string_value(text) == value; });
+                               [&](const diagnostics::ForeignText& text) { return string_value(text) == value; });
     }
     return false;
 }

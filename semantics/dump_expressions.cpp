@@ -110,7 +110,7 @@ public:
             case ExprKind::real:
                 return to_string(expr.decimal) + "r";
             case ExprKind::string:
-                return "'" + expr.text + "'";
+                return diagnostics::cspm_string(expr.characters);
             case ExprKind::enum_literal:
                 return expr.text + (expr.args.empty() ? "" : arguments(expr, 0));
             case ExprKind::bound:

@@ -178,7 +178,7 @@ Value Evaluator::value(const Expr& expr) {
         case ExprKind::let:
             return let(expr);
         case ExprKind::string:
-            return string_value(expr.text);
+            return string_value(expr.characters);
         case ExprKind::call:
             return function_call(expr);
         case ExprKind::function_value:

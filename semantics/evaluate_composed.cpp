@@ -54,9 +54,9 @@ Value pairs_of(const Value& sequence) {
     return pairs;
 }
 
-Value string_value(const std::string& text) {
+Value string_value(const diagnostics::ForeignText& text) {
     Value result;
-    for (const char c : text) result.parts.push_back({static_cast<unsigned char>(c), {}});
+    for (const char c : text.unescaped()) result.parts.push_back({static_cast<unsigned char>(c), {}});
     return result;
 }
 

@@ -18,7 +18,7 @@ namespace robochart::ir {
 /// A sequence as the set of its pairs of place and element.
 [[nodiscard]] Value pairs_of(const Value& sequence);
 /// The characters of a string as parts.
-[[nodiscard]] Value string_value(const std::string&);
+[[nodiscard]] Value string_value(const diagnostics::ForeignText&);
 /// The part at a 1-based place; a fault outside.
 [[nodiscard]] Value part(const Value& whole, std::int64_t place, diagnostics::Span where);
 /// A function value (pairs) at its arguments; a fault outside its domain.

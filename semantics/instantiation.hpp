@@ -50,7 +50,7 @@ struct Instantiation {
     std::vector<std::int64_t> nat, integer;
     /// In units of 1/scale: whole numbers of the range and every decimal literal of the model.
     std::vector<std::int64_t> real;
-    std::vector<std::string> strings{""};  ///< values of type string
+    std::vector<diagnostics::ForeignText> strings{""};  ///< values of type string
     std::int64_t given_size = 2;           ///< elements of each given type
     std::int64_t sequence_bound = 2;       ///< longest sequence
     std::int64_t clock_bound = 10;         ///< core_clock_type = {0..clock_bound}

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/escape.hpp"
 #include "diagnostics/source.hpp"
 
 namespace robochart::ir {
@@ -87,7 +88,7 @@ enum class ExprKind {
     boolean,        ///< number: 0/1
     integer,        ///< number
     real,           ///< decimal
-    string,         ///< text
+    string,         ///< characters
     enum_literal,   ///< type, number: literal index, args: its arguments
     variable,       ///< variable
     trigger_value,  ///< the value just received by the transition's trigger (replaces the trigger's variable in its
@@ -151,6 +152,7 @@ struct Expr {
     std::int64_t number = 0;
     Decimal decimal;
     std::string text;
+    diagnostics::ForeignText characters;
     VariableId variable;
     ConstantId constant;
     ClockId clock;

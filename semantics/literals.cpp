@@ -29,7 +29,7 @@ bool is_place(const Expr& expr) {
 
 void add_literals(const System& system, const Expr& expr, bool time, Literals& literals) {
     if (expr.kind == ExprKind::integer || expr.kind == ExprKind::real) return add_literal(system, expr, time, literals);
-    if (expr.kind == ExprKind::string) literals.strings.insert(expr.text);
+    if (expr.kind == ExprKind::string) literals.strings.insert(expr.characters);
     const bool operands_time = compares_clock(expr);
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (!expr.args[i]) continue;

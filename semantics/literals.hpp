@@ -18,7 +18,7 @@ struct Literals {
     std::set<std::int64_t> nat, integer;
     std::vector<Decimal> real;                         ///< values
     std::vector<Decimal> real_time;                    ///< durations
-    std::set<std::string> strings;                     ///< texts
+    std::set<diagnostics::ForeignText> strings;        ///< texts
     std::map<std::int64_t, diagnostics::Span> places;  ///< where a whole number first occurs
 };
 

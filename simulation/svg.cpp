@@ -44,7 +44,8 @@ std::string head(const Scenario& scenario, const View& view, double margin, doub
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:g} {:g} {:g} {:g}\" width=\"{:g}\" height=\"{:g}\" "
         "font-family=\"sans-serif\">\n<title>{}</title>\n",
         view.left - margin, view.top - margin, view.width + 2 * margin, view.height + 2 * margin,
-        (view.width + 2 * margin) * scale, (view.height + 2 * margin) * scale, scenario.name.text);
+        (view.width + 2 * margin) * scale, (view.height + 2 * margin) * scale,
+        diagnostics::xml_text(scenario.name.text));
 }
 
 std::string arena(const Scenario& scenario, const View& view) {

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "cpp_emit/trace_names.hpp"
+#include "diagnostics/escape.hpp"
 
 namespace robochart::simulation {
 
@@ -46,9 +47,10 @@ std::string TraceLog::path(std::size_t robot) const {
 void TraceLog::begin(std::size_t robot) {
     std::string& text = robots_[robot].text;
     text = fmt::format("robochart-trace {}\n", cpp_emit::trace_version);
-    if (!options_.model.empty()) text += fmt::format("model {}\n", options_.model);
+    if (!options_.model.empty()) text += fmt::format("model {}\n", diagnostics::shown(options_.model));
     text += fmt::format("component {}\ncycle {}\nunit {} s\nrobot {}\nscenario {} seed {} trial {}\n",
-                        options_.component, scenario_.units_per_step, scenario_.time_unit, robot, options_.scenario,
+                        options_.component, scenario_.units_per_step, scenario_.time_unit, robot,
+                        diagnostics::shown(options_.scenario),
                         scenario_.seed, trial_ + 1);
     text += fmt::format("run trial {} robot {}\n", trial_ + 1, robot);
 }

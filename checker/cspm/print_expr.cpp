@@ -4,6 +4,7 @@
 #include "checker/cspm/levels.hpp"
 #include "checker/cspm/printer.hpp"
 #include "checker/cspm/reader.hpp"
+#include "diagnostics/escape.hpp"
 
 namespace robochart::cspm {
 
@@ -194,35 +195,14 @@ void Printer::body(const Expr& expr) {
     process_chain(expr, op);
 }
 
-namespace {
-
-std::string escaped(std::string_view text, char quote) {
-    std::string result(1, quote);
-    for (const char c : text) {
-        if (c == '\n')
-            result += "\\n";
-        else if (c == '\t')
-            result += "\\t";
-        else if (c == '\r')
-            result += "\\r";
-        else if (c == quote || c == '\\')
-            (result += '\\') += c;
-        else
-            result += c;
-    }
-    return result + quote;
-}
-
-}  // namespace
-
 void Printer::literal(const Expr& expr) {
     switch (expr.kind) {
         case ExprKind::integer:
             return out_.text(std::to_string(expr.number));
         case ExprKind::character:
-            return out_.text(escaped(std::string(1, static_cast<char>(expr.number)), '\''));
+            return out_.text(diagnostics::cspm_character(static_cast<char>(expr.number)));
         case ExprKind::string:
-            return out_.text(escaped(expr.text, '"'));
+            return out_.text(diagnostics::cspm_string(expr.text));
         case ExprKind::boolean:
             return out_.text(expr.number != 0 ? "true" : "false");
         default:
@@ -571,9 +551,9 @@ void Printer::pattern(const Pattern& given, int minimum) {
         case PatternKind::integer:
             return out_.text(std::to_string(given.number));
         case PatternKind::character:
-            return out_.text(escaped(std::string(1, static_cast<char>(given.number)), '\''));
+            return out_.text(diagnostics::cspm_character(static_cast<char>(given.number)));
         case PatternKind::string:
-            return out_.text(escaped(given.text, '"'));
+            return out_.text(diagnostics::cspm_string(given.text));
         case PatternKind::boolean:
             return out_.text(given.number != 0 ? "true" : "false");
         case PatternKind::tuple:

@@ -1,5 +1,6 @@
 // Values as FDR prints them.
 #include "checker/cspm/evaluator_internal.hpp"
+#include "diagnostics/escape.hpp"
 
 namespace robochart::cspm {
 
@@ -34,6 +35,12 @@ bool is_text(Value value) {
     return true;
 }
 
+std::string text_literal(Value value) {
+    std::string text;
+    for (const Value item : value->items) text += static_cast<char>(item->number);
+    return diagnostics::cspm_string(text);
+}
+
 }  // namespace
 
 void Evaluator::print(Value value, std::string& out) const {
@@ -45,15 +52,13 @@ void Evaluator::print(Value value, std::string& out) const {
             out += value->number != 0 ? "true" : "false";
             return;
         case Kind::character:
-            ((out += '\'') += static_cast<char>(value->number)) += '\'';
+            out += diagnostics::cspm_character(static_cast<char>(value->number));
             return;
         case Kind::tuple:
             return print_items(value->items, "(", ", ", ")", out);
         case Kind::sequence:
             if (!is_text(value)) return print_items(value->items, "<", ", ", ">", out);
-            out += '"';
-            for (const Value item : value->items) out += static_cast<char>(item->number);
-            out += '"';
+            out += text_literal(value);
             return;
         case Kind::set:
             return print_items(value->items, "{", ", ", "}", out);

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "checker/lts/graph.hpp"
+#include "diagnostics/escape.hpp"
 
 namespace robochart::lts {
 namespace {
@@ -11,12 +12,7 @@ namespace {
 std::string label(const process::EventTable& events, Event event) {
     if (event == process::tau) return "tau";
     if (event == process::tick) return "tick";
-    std::string text;
-    for (char c : events.name(event)) {
-        if (c == '"' || c == '\\') text += '\\';
-        text += c;
-    }
-    return text;
+    return diagnostics::label_text(events.name(event));
 }
 
 }  // namespace

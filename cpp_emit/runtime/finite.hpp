@@ -38,6 +38,9 @@ public:
         return result;
     }
     [[nodiscard]] constexpr std::int64_t raw() const noexcept { return raw_; }
+    explicit constexpr operator double() const noexcept {
+        return static_cast<double>(raw_) / static_cast<double>(Carrier::scale);
+    }
     /// The carrier has it.
     [[nodiscard]] constexpr bool carried() const noexcept { return Carrier::contains(raw_); }
 
@@ -73,11 +76,6 @@ private:
 
     std::int64_t raw_ = 0;
 };
-
-template <class Carrier>
-constexpr double chance(Finite<Carrier> probability) noexcept {
-    return static_cast<double>(probability.raw()) / static_cast<double>(Carrier::scale);
-}
 
 /// A duration in time units; negative ones are zero.
 template <class Carrier>

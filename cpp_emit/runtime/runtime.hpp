@@ -122,12 +122,9 @@ constexpr std::uint32_t duration(std::int64_t units) noexcept {
     return units > INT32_MAX ? static_cast<std::uint32_t>(INT32_MAX) : static_cast<std::uint32_t>(units);
 }
 
-/// The probability of a way as a number (robochart/finite.hpp has it for carriers).
-constexpr double chance(double probability) noexcept {
-    return probability;
-}
-
-constexpr double chance(std::int64_t probability) noexcept {
+/// The probability of a way as a number.
+template <class Number>
+constexpr double chance(Number probability) noexcept {
     return static_cast<double>(probability);
 }
 

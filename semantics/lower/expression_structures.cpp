@@ -247,7 +247,7 @@ ExprPtr Expressions::string(const ast::Expr& source) {
     Expr expr;
     expr.kind = ExprKind::string;
     expr.type = string_type;
-    expr.text = unquoted(source.text);
+    expr.characters = unquoted(source.text);
     expr.span = source.span;
     return share(std::move(expr));
 }

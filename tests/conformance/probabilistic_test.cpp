@@ -1,6 +1,9 @@
 // Probabilistic junctions: a free choice in the semantics, drawn by the platform in the code; every way is explored.
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 #include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance {
@@ -24,6 +27,24 @@ stm S {
     transition t5 { from Right to Waiting trigger go }
 }
 )";
+
+/// The chances as the model may write them: quotients, constants, what is left of one.
+TEST(Probabilistic, ChancesAreExpressions) {
+    const std::string model_text(text);
+    const std::pair<const char*, const char*> chances[] = {
+        {"1/2", "1/2"}, {"q", "1 - q"}, {"3/4", "1 - 3/4"}, {"q * 0.5", "1 - q * 0.5"}, {"1", "0"}};
+    for (const auto& [first, second] : chances) {
+        std::string changed = model_text;
+        changed.replace(changed.find("0.75"), 4, first);
+        changed.replace(changed.find("0.25"), 4, second);
+        changed.replace(changed.find("event go"), 8, "const q : real = 0.5 event go");
+        test::Model model(test::TemporaryFolder(changed).path());
+        test::Bench bench(model, model.machine("S"));
+        const Result result = bench.check();
+        EXPECT_EQ(result.outcome, Outcome::conforms) << first << " and " << second << ": " << result.reason;
+        EXPECT_GE(result.code_states, 3U);
+    }
+}
 
 TEST(Probabilistic, EveryWayIsExplored) {
     test::Model model(test::TemporaryFolder(text).path());

@@ -341,5 +341,39 @@ TEST_F(Project, APluginOfArgos) {
     folder_.run("grep -q '^MoveForward! CheckIlluminationStatus! tock$' puck9.trace");
 }
 
+/// Elements called like what the projects, the headers and generated code call their own.
+const char* const awkward = R"(package time
+enumeration Kind { BUFSIZ EOF left }
+interface Sensors { event value : Kind event inputs event step : nat }
+interface Actuators { state(Real : nat) tell(robot : real) }
+interface Shared { var Int : nat var body : boolean }
+stm Robot {
+  uses Sensors requires Actuators requires Shared
+  event result : nat var controller : Kind clock Console const argc : nat = 1
+  initial main
+  state At { entry state(argc); tell(0.5) during result!Int }
+  state ROBOCHART_TRACE { entry Int = 1; body = true }
+  transition t0 { from main to At }
+  transition Step { from At to ROBOCHART_TRACE trigger value?controller condition controller == Kind::BUFSIZ action #Console }
+  transition advance { from ROBOCHART_TRACE to At trigger inputs condition since(Console) >= 1 }
+  transition run { from At to At trigger step?Int }
+}
+)";
+
+class AwkwardNames : public Project, public ::testing::WithParamInterface<Target> {};
+
+TEST_P(AwkwardNames, BuildWithBothCompilers) {
+    if (GetParam() == Target::enki) ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
+    emit(testing::model(awkward), "Robot", GetParam());
+    const std::string found = GetParam() == Target::ros2 ? " -DCMAKE_PREFIX_PATH=" + stub + "/cmake" : "";
+    for (const char* compiler : {"g++", "clang++"}) {
+        folder_.run("rm -rf build");
+        build("-DCMAKE_CXX_COMPILER=" + std::string(compiler) + " -DROBOCHART_TRACE=ON" + found);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, AwkwardNames,
+                         ::testing::Values(Target::library, Target::main, Target::ros2, Target::enki));
+
 }  // namespace
 }  // namespace robochart::cpp_emit

@@ -72,6 +72,46 @@ TEST(Sanity, FilesCanBeHeldInTheHead) {
     }
 }
 
+/// Files of the program itself.
+std::vector<fs::path> program_files() {
+    std::vector<fs::path> found;
+    for (const char* folder : {"app", "checker", "conformance", "cpp_emit", "csp_emit", "diagnostics", "frontend", "lsp", "semantics", "simulation"})
+        for (const fs::path& path : files(root / folder, {".cpp", ".hpp"})) found.push_back(path);
+    return found;
+}
+
+/// Text that others wrote is ForeignText until one of the functions of diagnostics/escape.hpp lets it out. Who looks at it
+/// as it is stands here: what computes with characters, and what hands them to a syntax tree whose printer escapes.
+TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
+    const std::set<std::string> seams = {"csp_emit/expressions.cpp", "csp_emit/instantiations.cpp", "diagnostics/escape.cpp",
+                                         "diagnostics/escape.hpp", "semantics/evaluate_composed.cpp"};
+    for (const fs::path& path : program_files()) {
+        const std::string name = fs::relative(path, root).string();
+        const bool looks = contents(path).find("unescaped()") != std::string::npos;
+        EXPECT_TRUE(!looks || seams.contains(name)) << name << " looks at foreign text";
+    }
+}
+
+/// One escaper a language: who writes a backslash before a quote elsewhere has one of his own.
+TEST(Sanity, NobodyElseEscapes) {
+    const std::string by_hand[] = {"'\"' || c == '\\\\'", "&quot;", "&lt;"};
+    for (const fs::path& path : program_files()) {
+        const std::string name = fs::relative(path, root).string();
+        if (name == "diagnostics/escape.cpp" || name == "diagnostics/json.cpp" || name.starts_with("cpp_emit/runtime/")) continue;
+        for (const std::string& text : by_hand) EXPECT_EQ(contents(path).find(text), std::string::npos) << name << " escapes by hand: " << text;
+    }
+}
+
+/// Programs are started with their arguments as they are, by one function.
+TEST(Sanity, NoShellIsStarted) {
+    const std::regex start(R"((std::system|[^\w]::system|popen|execlp?|execle|execvp?e?|posix_spawnp?)\s*\()");
+    for (const fs::path& path : program_files()) {
+        const std::string name = fs::relative(path, root).string();
+        if (name == "cpp_emit/shared_library.cpp") continue;
+        EXPECT_FALSE(std::regex_search(contents(path), start)) << name << " starts a program";
+    }
+}
+
 TEST(Sanity, EveryRuleIsExplainedAndTested) {
     std::string tests;
     for (const fs::path& path : files(root / "tests", {".cpp", ".hpp", ".rct", ".assertions", ".csp"}))

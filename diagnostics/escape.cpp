@@ -1,0 +1,186 @@
+// See escape.hpp.
+#include "diagnostics/escape.hpp"
+
+#include <fmt/format.h>
+
+#include "diagnostics/utf8.hpp"
+
+namespace robochart::diagnostics {
+
+namespace {
+
+using Escape = std::string (*)(char);
+
+/// Each byte for itself.
+std::string each(const std::string& text, Escape escape) {
+    std::string result;
+    for (const char c : text) result += escape(c);
+    return result;
+}
+
+bool control(char c) {
+    return static_cast<unsigned char>(c) < 0x20U || c == 0x7F;
+}
+
+bool letter_or_digit(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+std::string control_escape(char c) {
+    switch (c) {
+        case '\n':
+            return "\\n";
+        case '\r':
+            return "\\r";
+        case '\t':
+            return "\\t";
+        default:
+            return fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    }
+}
+
+/// The code point of a well-formed sequence.
+unsigned decoded(std::string_view sequence) {
+    const unsigned lead = static_cast<unsigned char>(sequence.front());
+    unsigned code = sequence.size() == 2 ? lead & 0x1FU : sequence.size() == 3 ? lead & 0x0FU : lead & 0x07U;
+    for (const char c : sequence.substr(1)) code = (code << 6U) | (static_cast<unsigned char>(c) & 0x3FU);
+    return code;
+}
+
+/// C1 controls; characters of no width and of direction (Unicode 15, Default_Ignorable_Code_Point and Bidi_Control),
+/// with which text can look like another; line and paragraph separators.
+bool invisible(unsigned code) {
+    return (code >= 0x80U && code <= 0x9FU) || code == 0xADU || code == 0x61CU ||
+           (code >= 0x200BU && code <= 0x200FU) || (code >= 0x2028U && code <= 0x202EU) ||
+           (code >= 0x2060U && code <= 0x206FU) || code == 0xFEFFU || (code >= 0xFFF9U && code <= 0xFFFBU) ||
+           (code >= 0xE0000U && code <= 0xE0FFFU);
+}
+
+/// Keeps what can be seen; `ascii` decides about the visible characters of ASCII.
+std::string visible(std::string_view text, Escape ascii, bool lines) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const char c = text.front();
+        if (length == 0)
+            result += fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        else if (length == 1 && lines && (c == '\n' || c == '\t'))
+            result += c;
+        else if (length == 1)
+            result += control(c) ? control_escape(c) : ascii(c);
+        else if (const unsigned code = decoded(text.substr(0, length)); invisible(code))
+            result += fmt::format("\\u{:04x}", code);
+        else
+            result += text.substr(0, length);
+        text.remove_prefix(length == 0 ? 1 : length);
+    }
+    return result;
+}
+
+std::string as_it_is(char c) {
+    return {c};
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+std::string cspm_escaped(const std::string& text, char quote) {
+    std::string result(1, quote);
+    for (const char c : text) {
+        if (c == '\n')
+            result += "\\n";
+        else if (c == '\t')
+            result += "\\t";
+        else if (c == '\r')
+            result += "\\r";
+        else if (c == quote || c == '\\')
+            (result += '\\') += c;
+        else
+            result += c;
+    }
+    return result + quote;
+}
+
+}  // namespace
+
+std::string shown(const ForeignText& text) {
+    return visible(text.unescaped(), as_it_is, false);
+}
+
+std::string shown_lines(const ForeignText& text) {
+    return visible(text.unescaped(), as_it_is, true);
+}
+
+/// A backslash may end a line, be it after wrapping, and "??/" is one (ISO C++14 [lex.trigraph]).
+std::string comment_text(const ForeignText& text) {
+    std::string result = visible(
+        text.unescaped(), [](char c) { return c == '\\' ? "\\x5c" : std::string(1, c); }, false);
+    replace_all(result, "??", "?\\x3f");
+    return result;
+}
+
+std::string cpp_string(const ForeignText& text) {
+    return '"' +
+           each(text.unescaped(),
+                [](char c) {
+                    const bool plain = c != '"' && c != '\\' && c != '?' && c >= 0x20 && c < 0x7F;
+                    return plain ? std::string(1, c)
+                                 : fmt::format("\\{:03o}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+                }) +
+           '"';
+}
+
+std::string cspm_string(const ForeignText& text) {
+    return cspm_escaped(text.unescaped(), '"');
+}
+
+std::string cspm_character(char c) {
+    return cspm_escaped(std::string(1, c), '\'');
+}
+
+/// "--" would end a comment.
+std::string xml_text(const ForeignText& text) {
+    std::string result = visible(
+        text.unescaped(),
+        [](char c) -> std::string {
+            switch (c) {
+                case '&':
+                    return "&amp;";
+                case '<':
+                    return "&lt;";
+                case '>':
+                    return "&gt;";
+                case '"':
+                    return "&quot;";
+                case '\'':
+                    return "&#39;";
+                default:
+                    return {c};
+            }
+        },
+        false);
+    replace_all(result, "--", "-&#45;");
+    return result;
+}
+
+std::string label_text(const ForeignText& text) {
+    return visible(
+        text.unescaped(),
+        [](char c) {
+            return c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+        },
+        false);
+}
+
+std::string uri_of_path(std::string_view path) {
+    std::string out = path.starts_with("/") ? "file://" : "";
+    for (const char c : path)
+        out += letter_or_digit(c) || std::string_view("-._~/").find(c) != std::string_view::npos
+                   ? std::string(1, c)
+                   : fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    return out;
+}
+
+}  // namespace robochart::diagnostics
