@@ -42,10 +42,9 @@ bool larger_than(const cspm::Expr& expr, std::size_t& nodes) {
 MachineEmitter::MachineEmitter(MachineContext context, Emitted& emitted)
     : context_(std::move(context)), emitted_(emitted) {}
 
-/// An operation without a body: `SKIP |~| STOP`, with `terminates` `SKIP`. In time both let time pass, as in timed
-/// sections of CSPM.
+/// An operation without a body: `SKIP |~| STOP`, with `terminates` `SKIP`. In time it may end at any time.
 ExprPtr MachineEmitter::without_body() const {
-    const ExprPtr skip = timed() ? b::name("TSKIP") : b::skip();
+    const ExprPtr skip = timed() ? b::name("SKIP_ANYTIME") : b::skip();
     const ExprPtr stop = timed() ? b::call("RUN", {b::set({b::name("tock")})}) : b::stop();
     return machine().terminates ? skip : b::internal_choice({skip, stop});
 }

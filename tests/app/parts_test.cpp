@@ -57,6 +57,7 @@ TEST(Project, OfSeveralModelsDecidesEachAsAlone) {
         EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
         alone += verdicts(ran.out);
     }
+    EXPECT_THAT(alone, HasSubstr("holds Fine1"));
     const auto together = run({"check", folder.path()});
     EXPECT_EQ(together.exit, 0) << together.out << together.err;
     EXPECT_EQ(verdicts(together.out), alone);
