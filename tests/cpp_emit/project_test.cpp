@@ -345,16 +345,16 @@ TEST_F(Project, APluginOfArgos) {
 const char* const awkward = R"(package time
 enumeration Kind { BUFSIZ EOF left }
 interface Sensors { event value : Kind event inputs event step : nat }
-interface Actuators { state(Real : nat) tell(robot : real) }
+interface Actuators { ^state(Real : nat) tell(robot : real) }
 interface Shared { var Int : nat var body : boolean }
 stm Robot {
   uses Sensors requires Actuators requires Shared
-  event result : nat var controller : Kind clock Console const argc : nat = 1
+  event ^result : nat var ^controller : Kind clock Console const argc : nat = 1
   initial main
-  state At { entry state(argc); tell(0.5) during result!Int }
+  state At { entry ^state(argc); tell(0.5) during ^result!Int }
   state ROBOCHART_TRACE { entry Int = 1; body = true }
   transition t0 { from main to At }
-  transition Step { from At to ROBOCHART_TRACE trigger value?controller condition controller == Kind::BUFSIZ action #Console }
+  transition Step { from At to ROBOCHART_TRACE trigger value?^controller condition ^controller == Kind::BUFSIZ action #Console }
   transition advance { from ROBOCHART_TRACE to At trigger inputs condition since(Console) >= 1 }
   transition run { from At to At trigger step?Int }
 }

@@ -71,15 +71,16 @@ int main(int argc, char** argv) {
         std::cerr << "usage: @CLASS@_enki [ROBOTS [SECONDS [SEED [LOGS]]]]\n";
         return EXIT_FAILURE;
     }
+    const auto count = static_cast<std::size_t>(robots);
     // One array: Enki walks through the robots in the order of their addresses.
-    const std::unique_ptr<Puck[]> pucks(new Puck[static_cast<std::size_t>(robots)]);
+    const std::unique_ptr<Puck[]> pucks(new Puck[count]);
     Enki::World world(side, side);
     world.takeObjectOwnership = false;
     world.setRandomSeed(seed);
     std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
     std::uniform_real_distribution<double> place(10, side - 10);
     std::uniform_real_distribution<double> heading(0, 6.283185307179586);
-    for (int i = 0; i < robots; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         pucks[i].pos = Enki::Point(place(random), place(random));
         pucks[i].angle = heading(random);
         world.addObject(&pucks[i]);
@@ -92,7 +93,7 @@ int main(int argc, char** argv) {
     for (long steps = std::lround(seconds / cycle); steps > 0; --steps) world.step(cycle, substeps);
     bool good = true;
     std::cout << "robot,x,y,heading,good@STATE_TITLES@\n";
-    for (int i = 0; i < robots; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const Puck& puck = pucks[i];
         std::cout << i << ',' << puck.pos.x << ',' << puck.pos.y << ',' << puck.angle << ',' << puck.good()@STATES@ << '\n';
         good = good && puck.good();
