@@ -38,8 +38,9 @@ bool Parser::at_property_word() const {
     return peek(ahead).is(form->second);
 }
 
-/// `sleec assertion …`: of another tool.
+/// `sleec assertion …`: of another tool, where it begins a line.
 bool Parser::at_foreign_assertion() const {
+    if (!peek().first_on_line || peek(1).first_on_line) return false;
     return peek().kind == TokenKind::identifier && !at_word("timed") && !at_word("untimed") && !at_word("assertion") &&
            !at_word("csp") && at_word("assertion", 1) && peek(2).kind == TokenKind::identifier;
 }
