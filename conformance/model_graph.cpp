@@ -82,6 +82,27 @@ const std::vector<ModelEdge>& ModelGraph::edges(ModelState state) {
     return edges_[state].edges;
 }
 
+bool ModelGraph::goes_on(ModelState start) {
+    const auto found = goes_on_.find(start);
+    if (found != goes_on_.end()) return found->second;
+    // Beyond this the answer is no: the model is then said to stop time, not excused for it.
+    constexpr std::size_t most = 20'000;
+    bool result = false;
+    std::unordered_map<ModelState, bool> seen{{start, true}};
+    std::vector<ModelState> open{start};
+    while (!open.empty() && !result && seen.size() <= most) {
+        const ModelState state = open.back();
+        open.pop_back();
+        for (const ModelEdge& edge : edges(state)) {
+            using Kind = ModelRole::Kind;
+            const Kind kind = edge.role.kind;
+            result = result || kind == Kind::tock || kind == Kind::tick || kind == Kind::terminate;
+            if (seen.emplace(edge.target, true).second) open.push_back(edge.target);
+        }
+    }
+    return goes_on_.emplace(start, result).first->second;
+}
+
 const std::vector<bool>& ModelGraph::hears(ModelState start) {
     const auto found = hears_.find(start);
     if (found != hears_.end()) return found->second;

@@ -34,6 +34,8 @@ public:
     /// One entry per register: whether its event can happen from here before the next tock, whatever else happens.
     /// Ignores the simulation assumptions, so it may say yes too often, never no wrongly.
     [[nodiscard]] const std::vector<bool>& hears(ModelState);
+    /// Whether time can pass, or the model terminate, once the right inputs have come: behind some events without time.
+    [[nodiscard]] bool goes_on(ModelState);
     [[nodiscard]] std::string describe(ModelState) const;
     /// Called for every state expanded; may throw. Empty: none.
     void watch(const std::function<void()>& poll) { poll_ = poll; }
@@ -58,6 +60,7 @@ private:
     std::vector<lts::Word> words_;
     std::deque<Node> edges_;  ///< a deque: references stay valid while the graph grows
     std::unordered_map<ModelState, std::vector<bool>> hears_;
+    std::unordered_map<ModelState, bool> goes_on_;
     std::vector<ModelRole> roles_;
     std::vector<bool> role_known_;
 };

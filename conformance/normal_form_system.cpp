@@ -114,13 +114,15 @@ void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink
     if (move.stands && frame_.deadlines != Deadlines::stop && awaits_input(state)) miss(move);
 }
 
-/// Time stops (M lets none pass) in the middle of a cycle's actions, and inputs could make M go on. It is the only way in
-/// which a deadline on an input shows here: all that M can do by itself has been done (P).
+/// Time stops (M lets none pass) in the middle of a cycle's actions, and inputs could make M go on, up to where time
+/// passes again. It is the only way in which a deadline on an input shows here: all that M can do by itself has been done
+/// (P). An input that some other machine would take, and behind which time stops all the same, is no excuse.
 bool NormalFormSystem::awaits_input(lts::StateView state) {
     if (state[phase] != acting || state[pending] != 0 || state[model_state] == gone) return false;
     const std::vector<ModelEdge>& edges = model_->edges(state[model_state]);
-    return std::any_of(edges.begin(), edges.end(),
-                       [](const ModelEdge& edge) { return edge.role.kind == ModelRole::Kind::input; });
+    return std::any_of(edges.begin(), edges.end(), [this](const ModelEdge& edge) {
+        return edge.role.kind == ModelRole::Kind::input && model_->goes_on(edge.target);
+    });
 }
 
 void NormalFormSystem::miss(Move& move) {

@@ -204,6 +204,14 @@ TEST(Judge, TimelockOfTheModelIsNotSchedulable) {
     EXPECT_THAT(result.cycles[1].state, HasSubstr("s3"));
 }
 
+// R7: that some input is still taken, by another machine, is no excuse where time stops behind it all the same.
+TEST(Judge, ATimelockBesideAnInputIsNotSchedulable) {
+    const Result result = judge_turner(
+        13, {{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "T::seeRobot.in", 3}, {3, "T::seeWall.in", 2}});
+    ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
+    EXPECT_THAT(result.reason, HasSubstr("can neither go on nor let time pass"));
+}
+
 TEST(Judge, DivergenceOfTheModelIsNotSchedulable) {
     const Result result = judge_turner(0, {{0, "T::DriveCall.2", 1}, {1, "tau", 2}, {2, "tau", 1}});
     ASSERT_EQ(result.outcome, Outcome::not_schedulable);
