@@ -1,37 +1,16 @@
-// The element that a bound belongs to is the smallest one around its expression.
+// A bound is said once of each expression, with the element that it stands in.
 #include "app/bounds.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "app/element_at.hpp"
 #include "csp_emit/bounds.hpp"
 #include "diagnostics/one_line.hpp"
 
 namespace robochart::app {
 namespace {
-
-bool inside(diagnostics::Span inner, diagnostics::Span outer) {
-    return outer.known() && inner.source == outer.source && outer.begin <= inner.begin && inner.end <= outer.end;
-}
-
-/// Keeps the smallest element around a place.
-class Smallest {
-public:
-    explicit Smallest(diagnostics::Span place) : place_(place) {}
-    void offer(const ir::Origin& origin) {
-        const bool smaller = best_.empty() || origin.span.end - origin.span.begin < size_;
-        if (!inside(place_, origin.span) || !smaller) return;
-        best_ = origin.element;
-        size_ = origin.span.end - origin.span.begin;
-    }
-    [[nodiscard]] const std::string& best() const { return best_; }
-
-private:
-    diagnostics::Span place_;
-    std::string best_;
-    std::uint32_t size_ = 0;
-};
 
 /// The expression as written, on one line.
 std::string written(const diagnostics::SourceManager& sources, diagnostics::Span span) {
@@ -47,18 +26,6 @@ cspm::CallObserver BoundWatch::observer() {
     return {emission_.bounded, [this](const cspm::ObservedCall& call) { note(call); }};
 }
 
-std::string BoundWatch::element_at(diagnostics::Span span) const {
-    Smallest smallest(span);
-    for (const ir::Machine& machine : project_.system.machines) {
-        smallest.offer(machine.origin);
-        for (const ir::Node& node : machine.nodes) smallest.offer(node.origin);
-        for (const ir::Transition& transition : machine.transitions) smallest.offer(transition.origin);
-        for (const ir::Variable& variable : machine.variables) smallest.offer(variable.origin);
-        for (const ir::Constant& constant : machine.constants) smallest.offer(constant.origin);
-    }
-    return smallest.best().empty() ? "model" : smallest.best();
-}
-
 void BoundWatch::note(const cspm::ObservedCall& call) {
     // Calls without a place, and those in CSP blocks, are no expressions of the model.
     if (!call.span.known() || project_.sources.path(call.span.source).ends_with(".assertions")) return;
@@ -66,7 +33,8 @@ void BoundWatch::note(const cspm::ObservedCall& call) {
     if (!text) return;
     const std::uint64_t at = (static_cast<std::uint64_t>(call.span.source) << 32U) | call.span.begin;
     if (!known_.emplace(std::make_pair(call.function, at), true).second) return;
-    BoundReport bound{element_at(call.span), project_.sources.place(call.span),
+    const std::string element = element_at(project_.system, call.span);
+    BoundReport bound{element.empty() ? "model" : element, project_.sources.place(call.span),
                       fmt::format("in {}, {}", written(project_.sources, call.span), *text), time_};
     const auto same = std::find_if(report_.begin(), report_.end(), [&](const BoundReport& other) {
         return other.place == bound.place && other.element == bound.element && other.text == bound.text;

@@ -20,7 +20,6 @@ public:
 
 private:
     void note(const cspm::ObservedCall& call);
-    [[nodiscard]] std::string element_at(diagnostics::Span span) const;
 
     const Project& project_;
     const csp_emit::Emission& emission_;

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "app/bounds.hpp"
+#include "app/element_at.hpp"
 #include "app/run.hpp"
 #include "app/sizes.hpp"
 #include "app/verbs.hpp"
@@ -44,24 +45,12 @@ void take(const Context& context, const csp_emit::Obligation& obligation, const 
     }
 }
 
-/// The element of the model that a call of the script stands for: `S::A__(0,1)` for the place of S in A.
-const csp_emit::DefinitionMeaning* meaning_of(const csp_emit::Emission& emission, const std::string& call) {
-    const auto found = emission.provenance.definitions.find(call.substr(0, call.find('(')));
-    return found == emission.provenance.definitions.end() ? nullptr : &found->second;
-}
-
-/// What cannot be evaluated, with its place; where the place is not the model's or a block's, with that of the element in
-/// whose definition it is.
-std::string said(const Project& project, const csp_emit::Emission& emission, const cspm::EvaluationError& error) {
+/// What cannot be evaluated, with its place and the element of the model that it is in.
+std::string said(const Project& project, const cspm::EvaluationError& error) {
     const std::string place = project.sources.place(error.span);
-    std::string text = place.empty() ? error.what() : fmt::format("{}: {}", place, error.what());
-    for (const std::string& call : error.stack)
-        if (const csp_emit::DefinitionMeaning* meaning = meaning_of(emission, call)) {
-            const std::string element = meaning->origin.element.empty() ? meaning->text : meaning->origin.element;
-            const std::string at = project.sources.place(meaning->origin.span);
-            return fmt::format("{} ({}, {}{}{})", text, element, meaning->text, at.empty() ? "" : ", ", at);
-        }
-    return text;
+    if (place.empty()) return error.what();
+    const std::string element = element_at(project.system, error.span);
+    return fmt::format("{}: {}{}{}", place, error.what(), element.empty() ? "" : ", in ", element);
 }
 
 /// One assertion of an obligation: its answer, with its counterexample where it fails.
@@ -71,7 +60,7 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
         take(context, obligation, context.session.check(assertion, limits(context.options)).verdict, report);
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
-        report.reason = said(context.project, context.emission, error);
+        report.reason = said(context.project, error);
     } catch (const std::bad_alloc&) {
         report.answer = Answer::inconclusive;
         report.reason = "out of memory";
@@ -123,7 +112,7 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
         AssertionReport one;
         one.title = fmt::format("the {} script", time == Time::timed ? "timed" : "untimed");
         one.answer = Answer::error;
-        one.reason = said(project, emission, error);
+        one.reason = said(project, error);
         const auto edit = options.run->edit();
         report.assertions.push_back(std::move(one));
         return nullptr;

@@ -69,11 +69,16 @@ ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std:
     report.text = text_of(assertion);
     const refine::Limits bounds = limits(options, report.text);
     try {
+        const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + report.text);
         report.result = session.check(assertion, bounds);
         report.answer = answer(report.result.verdict.outcome);
         if (report.result.verdict.counterexample && !options.brief)
             report.behaviour = session.behaviour(*report.result.verdict.counterexample, bounds);
         if (!report.result.verdict.reason.empty()) report.errors.push_back(report.result.verdict.reason);
+    } catch (const diagnostics::LimitReached& limit) {  // before it
+        options.run->finish();
+        report.answer = Answer::inconclusive;
+        report.errors.emplace_back(limit.what());
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
         report.errors.push_back(fmt::format("{}: {}{}", sources.place(error.span), error.what(), call_stack(error.stack)));
@@ -139,8 +144,9 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
         printed.expression = cspm::print(statement->body);
         try {
             printed.value = session.evaluate(statement->body, limits(options, printed.expression));
-        } catch (const process::Interrupted& limit) {
+        } catch (const diagnostics::LimitReached& limit) {
             printed.error = fmt::format("{}: {}", sources.place(statement->span), limit.what());
+            options.run->finish();  // what is known is printed from here on
             stopped = true;
         } catch (const cspm::EvaluationError& error) {
             printed.error = fmt::format("{}: {}", sources.place(error.span), error.what());
@@ -181,7 +187,6 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
     }
     for (std::size_t i = 0; i < assertions.size(); ++i) {
         if (!wanted(options, i + 1)) continue;
-        const diagnostics::Budget::Phase phase(options.run->budget(), fmt::format("deciding assertion {} of {}", i + 1, script.path));
         ScriptAssertion decided = decide(session, *assertions[i], i + 1, options, loaded.sources);
         {
             AssertionReport one = in_report(decided, session.event_table(), options);

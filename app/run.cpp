@@ -84,8 +84,12 @@ void Run::watch() {
     }
 }
 
+/// Programs that start this one send a signal to it and to its process group, so it may come twice at once: what follows
+/// within a moment is the same wish.
 void Run::take(int signal) {
-    if (signals_.fetch_add(1) > 0) end_at_once(128 + signal);
+    constexpr std::chrono::milliseconds moment{100};
+    if (signals_.fetch_add(1) == 0) first_signal_ = Clock::now();
+    if (Clock::now() - first_signal_ > moment) end_at_once(128 + signal);
     budget_.interrupt();
 }
 

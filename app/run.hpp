@@ -7,6 +7,7 @@
 #include <signal.h>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -51,6 +52,7 @@ private:
     sigset_t signals_taken_{};
     sigset_t mask_before_{};
     std::atomic<int> signals_{0};
+    std::chrono::steady_clock::time_point first_signal_;  ///< of the watching thread
     std::atomic<bool> over_{false};
     std::mutex mutex_;
     bool finishing_ = false;  ///< under mutex_

@@ -56,7 +56,7 @@ private:
         out_.gap();
         out_.line("namespace {");
         out_.gap();
-        out_.line(fmt::format("namespace core = ::{};", core_.name_space));
+        out_.line(fmt::format("namespace core = {};", core_.name_space));  // not from the global scope: batches wrap it
     }
 
     void carrier_struct(const char* name, const std::vector<std::int64_t>& values, std::int64_t scale) {

@@ -24,6 +24,8 @@ void Evaluator::fail(const std::string& message, Span span) const {
         stack.push_back(std::move(line));
     }
     if (!span.known()) span = activations_.empty() ? prefix_place_ : activations_.back().function->span;
+    for (auto call = activations_.rbegin(); call != activations_.rend() && !span.known(); ++call)
+        span = call->called.known() ? call->called : call->function->span;
     throw EvaluationError(message, span, std::move(stack));
 }
 

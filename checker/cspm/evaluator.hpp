@@ -54,6 +54,7 @@ private:
     struct Activation {
         const Function* function = nullptr;
         const Values* arguments = nullptr;
+        Span called;  ///< where, if known: in generated scripts a place of the model
     };
     class Entry;
     class Calling;

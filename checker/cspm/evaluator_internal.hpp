@@ -11,7 +11,7 @@ class Evaluator::Calling {
 public:
     Calling(Evaluator& evaluator, const Function& function, const Values& arguments, Span span)
         : evaluator_(evaluator) {
-        evaluator_.activations_.push_back({&function, &arguments});
+        evaluator_.activations_.push_back({&function, &arguments, span});
         evaluator_.count_step(span);
     }
     ~Calling() { evaluator_.activations_.pop_back(); }

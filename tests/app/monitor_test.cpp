@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/run.hpp"
 #include "command.hpp"
 #include "cpp_emit/drive.hpp"
 
@@ -19,6 +20,8 @@ public:
         options_.verb = Verb::simulate;
         options_.inputs = {testing::repository("corpus/" + study + "/" + study + ".scenario")};
         options_.trials = 1;
+        run_ = std::make_unique<Run>(options_);
+        options_.run = run_.get();
         simulation_ = load_simulation(options_);
         monitors_ = make_monitors(*simulation_, options_);
         EXPECT_NE(monitors_, nullptr);
@@ -46,6 +49,7 @@ public:
 
 private:
     Options options_;
+    std::unique_ptr<Run> run_;
     std::unique_ptr<Simulation> simulation_;
     std::unique_ptr<Monitors> monitors_;
 };

@@ -101,7 +101,7 @@ TEST(Project, WhatCannotBeEvaluatedHasElementAndPlace) {
     const TemporaryFile interval("m.rct", "stm S { event e initial i\nstate A { entry skip ; wait([5, 1]) }\ntransition t0 { from i to A } transition t { from A to A trigger e } }\n");
     const auto ran = run({"check", interval.path(), "--core", "--timed"});
     EXPECT_NE(ran.exit, 0) << ran.out << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr("m.rct:2: |~| over an empty set"));
+    EXPECT_THAT(ran.out, HasSubstr("m.rct:2: |~| over an empty set, in S::A"));
 }
 
 TEST(Project, IsRefusedWhereAScriptWouldBeWrong) {
@@ -114,6 +114,19 @@ TEST(Project, IsRefusedWhereAScriptWouldBeWrong) {
     }
     const TemporaryFile block("m.rct", "stm S { event card initial i state A { } transition t { from i to A } transition u { from A to A trigger card } }\n");
     EXPECT_EQ(run({"emit", "csp", block.path(), "--out", fs::path(block.path()).parent_path().string() + "/out"}).exit, 0);
+}
+
+// The division stands in a function of the library; the place is that of the model's expression.
+TEST(Evaluation, OfADivisionByZeroNamesPlaceAndElement) {
+    const Folder folder({{"m.rct",
+                          "stm S { event e : nat event o : nat var x : nat\n"
+                          " initial i state A { } transition t0 { from i to A }\n"
+                          " transition t { from A to A trigger e ? x\n"
+                          "  condition 2 / x > 1 action o ! 1 } }\n"},
+                         {"m.assertions", "untimed assertion A1 : S is deadlock-free\n"}});
+    const auto ran = run({"check", folder.path()});
+    EXPECT_EQ(ran.exit, 2) << ran.out;
+    EXPECT_THAT(ran.out, HasSubstr("m.rct:4: division by zero, in S::t"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/run.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/session.hpp"
 
@@ -371,6 +372,8 @@ void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) {
     // What takes long shows no other kind of step.
     options.timeout_seconds = 2;
     options.max_states = 20'000;
+    Run whole(options);
+    options.run = &whole;
     const auto project = load(options);
     if (!project->diagnostics.ok()) return;
     Report report;

@@ -131,7 +131,7 @@ TEST(Simulate, MissingFilesAndSeveralAreRefused) {
     EXPECT_EQ(run({"simulate"}).exit, 4);
     EXPECT_EQ(run({"simulate", "/nowhere.scenario"}).exit, 2);
     const std::string scenario = repository("corpus/aggregation/aggregation.scenario");
-    EXPECT_EQ(run({"simulate", scenario, scenario}).exit, 2);
+    EXPECT_EQ(run({"simulate", scenario, scenario}).exit, 4);
 }
 
 }  // namespace

@@ -166,6 +166,10 @@ bool is_correct(const Example& example) {
     return !read(example.text, example.is_assertions)->file().has_syntax_errors;
 }
 
+bool is_read_whole(const Example& example) {
+    return read(example.text, example.is_assertions)->file().verbatim.empty();
+}
+
 void expect_laws(const Example& example) {
     const auto tree = [&](const std::string& text) {
         return random_models::structure(read(text, example.is_assertions)->file());

@@ -20,6 +20,8 @@ struct Example {
 [[nodiscard]] std::string formatted(const std::string& text, bool is_assertions = false);
 
 [[nodiscard]] bool is_correct(const Example& example);
+/// Nothing of the text is in a language that is kept as it is (properties of probabilities).
+[[nodiscard]] bool is_read_whole(const Example& example);
 
 /// No word or comment is lost, the tree is the same, and formatting again changes nothing.
 void expect_laws(const Example& example);

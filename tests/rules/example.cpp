@@ -10,6 +10,7 @@
 
 #include "app/options.hpp"
 #include "app/pipeline.hpp"
+#include "app/run.hpp"
 #include "app/simulate.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/reader.hpp"
@@ -129,6 +130,8 @@ void run_command(const std::string& console, const fs::path& folder, Judgement& 
     }
     app::Options options = *parsed.options;
     if (!options.out_given) options.out = (folder / "out").string();
+    app::Run whole(options);
+    options.run = &whole;
     run(options, result);
 }
 

@@ -87,7 +87,7 @@ TEST(LowerProperties, CspBlocks) {
     const auto& property = only(*lowered);
     EXPECT_EQ(property.other.kind, ComponentKind::process);
     EXPECT_EQ(property.other.path, "Spec");
-    EXPECT_EQ(property.other.definition, no_id);
+    EXPECT_EQ(property.other.definition, 0U);  // the first block
     ASSERT_EQ(lowered->system.csp_blocks.size(), 1U);
     const auto& block = lowered->system.csp_blocks[0];
     EXPECT_EQ(block.name, "Spec");
