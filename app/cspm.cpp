@@ -235,6 +235,8 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
         script.prints = print_statements(session, loaded, options, stopped);
         show_prints(script, options);
         decide_all(loaded, session, options, script, report);
+        // Frames are of assertions; a script that only prints has one of its own.
+        if (options.format == Format::framed_json && session.assertions().empty()) print("{}", refines_json(script, session.event_table(), options));
         if (options.format == Format::json) print("{}", refines_json(script, session.event_table(), options));
     } catch (const diagnostics::LimitReached& limit) {
         options.run->finish();

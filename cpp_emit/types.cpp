@@ -377,8 +377,8 @@ std::string cspm_value(const ir::System& system, ir::TypeId id, const ir::Value&
             return value.number != 0 ? "true" : "false";
         case TypeKind::enumeration:
             return cspm_literal(system, type, value);
-        case TypeKind::string:
-            return diagnostics::cspm_string(string_text(value));
+        case TypeKind::string:  // a sequence of characters: an empty one is no other than the empty sequence
+            return string_text(value).empty() ? "<>" : diagnostics::cspm_string(string_text(value));
         case TypeKind::sequence:
             return "<" + cspm_parts(system, type.args, value, ", ") + ">";
         case TypeKind::set:

@@ -177,6 +177,13 @@ TEST(Refines, FailuresLoopsAndDeadlocksHaveTheirFields) {
     EXPECT_EQ(object["results"][5]["counterexamples"][0]["type"], "determinism");
 }
 
+TEST(Refines, AScriptThatOnlyPrintsHasAFrame) {
+    const TemporaryFile script("prints.csp", "print 1 + 2\n");
+    const std::vector<Json> frames = lines(run({"cspm", script.path(), "--format", "framed_json"}).out);
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_EQ(frames[0]["print_statement_results"][0]["result"], "3");
+}
+
 /// All names of fields in a JSON value, each with those above it.
 void collect_fields(const Json& value, const std::string& above, std::set<std::string>& out) {
     if (value.is_array())

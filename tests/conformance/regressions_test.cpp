@@ -148,5 +148,12 @@ TEST(Regressions, EntriesOfMatricesAreAssigned) {
         "transition t1 { from A to A trigger e?m action m[1, 2] = false; m[2, 1] = m[1, 1]; out!m } }\n");
 }
 
+/// In CSPM a string is a sequence of characters, so the empty one is written as the empty sequence.
+TEST(Regressions, TheEmptyStringIsTheEmptySequence) {
+    expect_conforming(
+        "stm S { event e : string event out : string var x : string initial i state A { } transition t0 { from i to A }\n"
+        "transition t1 { from A to A trigger e?x action out!x } }\n");
+}
+
 }  // namespace
 }  // namespace robochart::conformance
