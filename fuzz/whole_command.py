@@ -269,9 +269,10 @@ def main():
     parser.add_argument("--kept", type=pathlib.Path, default=pathlib.Path("build/hostile"))
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
-    command = str(pathlib.Path(options.command).resolve())
     seeds = Seeds.below(options.roots)
     options.kept.mkdir(parents=True, exist_ok=True)
+    command = str((options.kept / "program").resolve())  # a build in the meantime changes nothing here
+    shutil.copy2(options.command, command)
     print(f"{len(seeds.models)} model files and {len(seeds.scripts)} scripts are mutated")
     verbs, broken, lock = {}, 0, threading.Lock()
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
