@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <new>
+#include <optional>
 
 #include "app/bounds.hpp"
 #include "app/element_at.hpp"
@@ -68,19 +69,22 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
 }
 
 /// All assertions must hold: the first that does not ends it. Or one suffices: the first that holds does, and only if
-/// each of them fails the claim does.
+/// each of them fails the claim does; where one of them is not known and none holds, nothing is known of the claim.
 void decide(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+    std::optional<std::string> unknown;  // why the first that is not known is not
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
-        const bool unknown = report.answer == Answer::inconclusive && !report.reason.empty();
-        const std::string reason = report.reason;
         decide_one(context, obligation, *assertion, report);
+        if (report.answer == Answer::inconclusive && !unknown) unknown = report.reason;
         if (report.answer == Answer::error || (report.answer == Answer::holds) == obligation.one_suffices) break;
-        if (unknown) {
-            report.answer = Answer::inconclusive;
-            report.reason = reason;
-        }
     }
-    if (report.answer == Answer::holds) report.reason.clear();
+    if (report.answer == Answer::holds) {
+        report.reason.clear();
+        report.run.reset();
+    } else if (unknown) {
+        report.answer = Answer::inconclusive;
+        report.reason = *unknown;
+        report.run.reset();
+    }
     if (report.answer == Answer::fails && !report.run) report.reason = obligation.reason;
 }
 

@@ -1,0 +1,243 @@
+// A limit may turn the answer of `check` into "inconclusive", never into another answer: every model with claims in the
+// repository and the generated ones of each, with few states, little memory, one thread and several.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "app/run.hpp"
+#include "app/verbs.hpp"
+#include "checker/cspm/session.hpp"
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Inputs = std::vector<std::string>;
+
+/// Each folder below this one is a model.
+void add_folders(const std::string& folder, std::vector<Inputs>& all) {
+    std::vector<Inputs> found;
+    for (const auto& entry : fs::directory_iterator(repository(folder)))
+        if (entry.is_directory()) found.push_back({entry.path().string()});
+    std::sort(found.begin(), found.end());
+    all.insert(all.end(), found.begin(), found.end());
+}
+
+std::vector<Inputs> models() {
+    std::vector<Inputs> all;
+    for (const char* name : {"aggregation", "swarm_taxis"})
+        all.push_back({repository(std::string("corpus/") + name), repository(fmt::format("corpus/false_claims/{}.assertions", name))});
+    add_folders("tests/app/agreeing", all);
+    add_folders("tests/conformance/models", all);
+    return all;
+}
+
+Options options_of(const Inputs& inputs) {
+    Options options;
+    options.verb = Verb::check;
+    options.inputs = inputs;
+    options.core = true;
+    options.progress = ProgressMode::never;
+    options.threads = 1;
+    return options;
+}
+
+/// A model whose claims are decided again and again.
+class Model {
+public:
+    explicit Model(const Inputs& inputs) : options_(options_of(inputs)), run_(options_) {
+        options_.run = &run_;
+        parts_ = load_parts(options_);
+    }
+
+    [[nodiscard]] std::vector<Part>& parts() { return parts_; }
+    [[nodiscard]] const Options& options() const { return options_; }
+    [[nodiscard]] std::string name() const { return fs::path(options_.inputs.front()).filename().string(); }
+
+    /// What `check` reports.
+    [[nodiscard]] Report check(std::uint64_t states, unsigned threads) {
+        Options options = options_;
+        options.max_states = states;
+        options.threads = threads;
+        Report report;
+        for (const Part& part : parts_) check_assertions(*part.project, options, report);
+        return report;
+    }
+
+private:
+    Options options_;
+    Run run_;
+    std::vector<Part> parts_;
+};
+
+/// Claims that are made of several CSPM assertions, and of each whichever of them settles it.
+const char* const machines_of_several = R"(
+stm Early { event a event b clock C initial i state A { } state B { }
+  transition t0 { from i to A }
+  transition t1 { from A to B trigger a condition since(C) > 1 action #C }
+  transition t2 { from B to A trigger b } }
+stm Late { event a event b clock C initial i state A { } state B { }
+  transition t0 { from i to A action #C }
+  transition t1 { from A to B trigger a condition since(C) > 1 }
+  transition t2 { from B to A trigger b } }
+stm Never { event a event b clock C initial i state A { } state B { }
+  transition t0 { from i to A }
+  transition t1 { from A to B trigger a }
+  transition t2 { from B to A trigger b } }
+)";
+const char* const claims_of_several = R"(
+assertion I1 : clock Early::C is initialised
+assertion I2 : clock Early::C is not initialised
+assertion I3 : clock Late::C is initialised
+assertion I4 : clock Late::C is not initialised
+assertion I5 : clock Never::C is initialised
+assertion I6 : clock Never::C is not initialised
+assertion E1 : Early equals Late
+assertion E2 : Early is not equal to Late
+assertion E3 : Never equals Never
+assertion E4 : Never is not equal to Never
+)";
+
+/// How many answers a comparison has seen, so that it is known to have compared something.
+struct Seen {
+    std::size_t decided = 0;
+    std::size_t inconclusive = 0;
+};
+
+void expect_equal_or_inconclusive(const Report& whole, const Report& found, const std::string& limits, Seen& seen) {
+    ASSERT_EQ(found.assertions.size(), whole.assertions.size()) << limits;
+    for (std::size_t i = 0; i < whole.assertions.size(); ++i) {
+        const AssertionReport& expected = whole.assertions[i];
+        const AssertionReport& answer = found.assertions[i];
+        ASSERT_EQ(answer.title, expected.title) << limits;
+        if (answer.answer == Answer::inconclusive) {
+            ++seen.inconclusive;
+            EXPECT_NE(answer.reason, "") << limits << ": " << answer.title;
+            EXPECT_FALSE(answer.run) << limits << ": " << answer.title << " has a counterexample";
+            // What needs no exploration is said whatever the limits.
+            EXPECT_NE(expected.answer, Answer::no_check) << limits << ": " << answer.title;
+            continue;
+        }
+        ++seen.decided;
+        EXPECT_EQ(answer.answer, expected.answer) << limits << ": " << answer.title << ": " << answer.reason;
+    }
+}
+
+void expect_that_limits_only_hide(const Inputs& inputs, Seen& seen) {
+    Model model(inputs);
+    const Report whole = model.check(model.options().max_states, 1);
+    EXPECT_FALSE(whole.assertions.empty()) << model.name();
+    for (const AssertionReport& each : whole.assertions)
+        EXPECT_NE(each.answer, Answer::inconclusive) << model.name() << ": " << each.title << ": " << each.reason;
+    for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U})
+        for (const unsigned threads : {1U, 4U})
+            expect_equal_or_inconclusive(whole, model.check(states, threads),
+                                         fmt::format("{}, {} states, {} threads", model.name(), states, threads), seen);
+}
+
+TEST(CheckedLimits, NeverTurnAnAnswerIntoAnother) {
+    Seen seen;
+    for (const Inputs& inputs : models()) expect_that_limits_only_hide(inputs, seen);
+    EXPECT_GT(seen.decided, 1000U);
+    EXPECT_GT(seen.inconclusive, 1000U);
+}
+
+/// One of them may be cut short where the next is decided: its counterexample is not one of the claim.
+TEST(CheckedLimits, OfClaimsOfSeveralAssertions) {
+    const TemporaryFile model("several.rct", machines_of_several);
+    const std::string folder = fs::path(model.path()).parent_path().string();
+    std::ofstream(folder + "/several.assertions") << claims_of_several;
+    Seen seen;
+    expect_that_limits_only_hide({folder}, seen);
+    EXPECT_GT(seen.decided, 10U);
+    EXPECT_GT(seen.inconclusive, 10U);
+}
+
+/// The verdict of each CSPM assertion of a model, in order.
+class Verdicts {
+public:
+    explicit Verdicts(const csp_emit::Emission& emission) : emission_(emission), session_(emission.script) {}
+
+    /// One word each. The same session decides all, as that of `check` does, and may be asked again.
+    [[nodiscard]] std::vector<std::string> decided(const refine::Limits& limits) {
+        std::vector<std::string> words;
+        for (const csp_emit::Obligation& obligation : emission_.obligations)
+            for (const cspm::DeclPtr& assertion : obligation.assertions) words.push_back(decided(*assertion, limits));
+        return words;
+    }
+
+private:
+    std::string decided(const cspm::Decl& assertion, const refine::Limits& limits) {
+        try {
+            const refine::Verdict verdict = session_.check(assertion, limits).verdict;
+            if (verdict.outcome == refine::Outcome::inconclusive) return "inconclusive";
+            return verdict.outcome == refine::Outcome::holds ? "holds" : "fails";
+        } catch (const cspm::EvaluationError& error) {
+            return std::string("error: ") + error.what();
+        }
+    }
+
+    const csp_emit::Emission& emission_;
+    cspm::Session session_;
+};
+
+refine::Limits limits_of(std::uint64_t states, unsigned threads) {
+    refine::Limits limits;
+    limits.max_states = states;
+    limits.threads = threads;
+    limits.wide_level = 1;  // the spaces are small: every level is divided between the threads
+    return limits;
+}
+
+/// From nothing at all to what the work comes to in the end.
+std::vector<std::pair<std::string, refine::Limits>> all_limits() {
+    std::vector<std::pair<std::string, refine::Limits>> all;
+    for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U})
+        for (const unsigned threads : {1U, 4U}) all.emplace_back(fmt::format("{} states, {} threads", states, threads), limits_of(states, threads));
+    refine::Limits no_memory = limits_of(1'000'000, 1);
+    no_memory.memory_bytes = 1U << 20U;
+    all.emplace_back("1 MB of memory", no_memory);
+    for (const std::uint64_t polls : {2U, 10U}) {
+        refine::Limits stopped = limits_of(1'000'000, 1);
+        stopped.interrupted = [left = polls]() mutable { return left <= 1 || --left == 0; };
+        all.emplace_back(fmt::format("interrupted at look {}", polls), stopped);
+    }
+    return all;
+}
+
+/// Below `check`: with each level divided between threads, little memory, and interruptions. What a limit cut short leaves
+/// nothing behind in the session either: asked again without one, it gives the whole answers.
+TEST(CheckedLimits, NeverTurnAVerdictIntoAnother) {
+    Seen seen;
+    for (const Inputs& inputs : models()) {
+        Model model(inputs);
+        for (const Part& part : model.parts())
+            for (const csp_emit::Time time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
+                const csp_emit::Emission emission = emit_csp(*part.project, model.options(), time);
+                const std::vector<std::string> whole = Verdicts(emission).decided({});
+                for (const auto& [name, limits] : all_limits()) {
+                    Verdicts verdicts(emission);
+                    const std::vector<std::string> found = verdicts.decided(limits);
+                    ASSERT_EQ(found.size(), whole.size());
+                    for (std::size_t i = 0; i < whole.size(); ++i) {
+                        ++(found[i] == "inconclusive" ? seen.inconclusive : seen.decided);
+                        EXPECT_TRUE(found[i] == whole[i] || found[i] == "inconclusive")
+                            << model.name() << ", " << name << ", check " << i << ": " << found[i] << " instead of " << whole[i];
+                    }
+                    if (limits.threads == 1 && (limits.max_states == 20 || limits.interrupted)) {
+                        EXPECT_EQ(verdicts.decided({}), whole) << model.name() << ", after " << name;
+                    }
+                }
+            }
+    }
+    EXPECT_GT(seen.decided, 1000U);
+    EXPECT_GT(seen.inconclusive, 1000U);
+}
+
+}  // namespace
+}  // namespace robochart::app::testing
