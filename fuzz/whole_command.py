@@ -182,6 +182,15 @@ def lay_out(rng, seeds, folder):
     return [*verb, *limits, *inputs], False
 
 
+def cpu_seconds(process):
+    """Of the program and the children that it has waited for, as long as it runs."""
+    try:
+        with open(f"/proc/{process.pid}/stat", encoding="ascii", errors="replace") as stat:
+            return sum(int(ticks) for ticks in stat.read().rpartition(")")[2].split()[11:15]) / os.sysconf("SC_CLK_TCK")
+    except OSError:
+        return 0
+
+
 def resident_mib(process):
     try:
         with open(f"/proc/{process.pid}/status", encoding="ascii", errors="replace") as status:
@@ -200,16 +209,14 @@ def run_once(command, arguments, folder, json_wanted, rng):
     full = 0.05 <= where < 0.08
     out_path = folder / "stdout"
     before = {path for path in folder.rglob("*")}
-    highest = 0
+    highest = cpu = 0
     with open("/dev/full" if full else out_path, "wb") as out, open(folder / "stderr", "wb") as err:
         began = time.monotonic()
         process = subprocess.Popen([command, *arguments], cwd=folder, stdin=subprocess.DEVNULL, stdout=out, stderr=err,
                                    start_new_session=True, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0)))
-        while True:
-            pid, status, usage = os.wait4(process.pid, os.WNOHANG)
-            if pid != 0:
-                break
+        while process.poll() is None:
             highest = max(highest, resident_mib(process))
+            cpu = max(cpu, cpu_seconds(process))
             elapsed = time.monotonic() - began
             if interrupt_after is not None and elapsed > interrupt_after:
                 process.send_signal(rng.choice([signal.SIGINT, signal.SIGTERM]))
@@ -217,13 +224,11 @@ def run_once(command, arguments, folder, json_wanted, rng):
             if elapsed > MOST_WALL_SECONDS:
                 os.killpg(process.pid, signal.SIGKILL)
             time.sleep(0.01 if elapsed < 1 else 0.05)
-    process.returncode = 0
-    code = os.waitstatus_to_exitcode(status)
+    code = process.returncode
     if code < 0 and not (where < 0.05 and -code in (signal.SIGINT, signal.SIGTERM)):
         return f"ended by signal {-code} after {time.monotonic() - began:.1f} s"
     if code not in DOCUMENTED_EXITS and code >= 0:
         return f"exit code {code}"
-    cpu = usage.ru_utime + usage.ru_stime
     if "conform" not in arguments and arguments[0] != "--timeout" and cpu > MOST_CPU_SECONDS:
         return f"{cpu:.1f} CPU seconds with --timeout {TIMEOUT_SECONDS}"
     if highest > MOST_RESIDENT_MIB:
