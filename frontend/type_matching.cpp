@@ -5,8 +5,12 @@ namespace robochart::frontend {
 
 namespace {
 
-bool bind(const std::string& name, const TypePtr& actual, TypeBindings& bindings) {
-    const auto [slot, fresh] = bindings.emplace(name, actual);
+bool bind(const Type& variable, const TypePtr& actual, TypeBindings& bindings) {
+    if (variable.numeric && actual->form != TypeForm::variable && !is_number(actual)) {
+        bindings[variable.name] = make_type(TypeForm::real);  // the widest that would fit
+        return false;
+    }
+    const auto [slot, fresh] = bindings.emplace(variable.name, actual);
     if (fresh) return true;
     const TypePtr both = joined(slot->second, actual);
     if (both) slot->second = both;
@@ -34,7 +38,7 @@ bool match(const TypePtr& written_formal, const TypePtr& written_actual, TypeBin
     const TypePtr formal = simplify(written_formal);
     const TypePtr actual = simplify(written_actual);
     if (!formal || !actual || actual->form == TypeForm::any) return true;
-    if (formal->form == TypeForm::variable) return bind(formal->name, actual, bindings);
+    if (formal->form == TypeForm::variable) return bind(*formal, actual, bindings);
     if (!has_variable(formal)) return compatible(actual, formal);
     if (formal->form == actual->form) return match_args(*formal, *actual, bindings);
     if (formal->form == TypeForm::set || formal->form == TypeForm::relation) {
@@ -51,7 +55,8 @@ TypePtr substitute(const TypePtr& type, const TypeBindings& bindings) {
     if (!type) return nullptr;
     if (type->form == TypeForm::variable) {
         const auto bound = bindings.find(type->name);
-        return bound != bindings.end() ? bound->second : make_type(TypeForm::any);
+        if (bound != bindings.end()) return bound->second;
+        return make_type(type->numeric ? TypeForm::integer : TypeForm::any);
     }
     if (!has_variable(type)) return type;
     auto result = std::make_shared<Type>(*type);

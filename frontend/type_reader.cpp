@@ -89,6 +89,7 @@ TypePtr Typer::type(TypeExpr& written, Surroundings& around) {
         auto variable = std::make_shared<Type>();
         variable->form = TypeForm::variable;
         variable->name = written.name.text();
+        variable->numeric = around.place.file != nullptr && around.place.file->is_library && variable->name == "Number";
         written.type = variable;
     }
     return written.type;

@@ -37,6 +37,7 @@ struct Type {
     const TypeDeclaration* declaration = nullptr;  ///< given, enumeration, record
     std::vector<TypePtr> args;                     ///< operands; function: {argument, result}
     std::vector<long> sizes;                       ///< vector: {n}, matrix: {rows, columns}; -1 unknown
+    bool numeric = false;                          ///< variable: ?Number of a toolkit, which is nat, int or real
 };
 
 /// `T` as RoboChart writes it, e.g. "Seq(nat)", "nat * boolean".

@@ -26,6 +26,8 @@ public:
         for (const auto& [name, type] : before)
             if (!is_open(lowering_.system, type)) types_[name] = type;
     }
+    /// Numbers that nothing binds, as in min({}), are ints.
+    void complete_numbers(const ast::TypePtr& formal);
     /// The formal type with its variables replaced; open ones are the unit type.
     TypeId instance(const ast::TypePtr& formal);
     std::vector<TypeId> in_order(const ast::Function& function);
@@ -80,6 +82,7 @@ void Bindings::bind(const ast::TypePtr& formal, TypeId actual) {
     if (!formal || !actual.valid() || type(actual).kind == TypeKind::unit) return;
     switch (formal->form) {
         case TypeForm::variable:
+            if (formal->numeric && !is_number(actual)) break;
             types_[formal->name] = common_type(lowering_, types_[formal->name], actual);
             break;
         case TypeForm::set:
@@ -101,6 +104,12 @@ void Bindings::bind(const ast::TypePtr& formal, TypeId actual) {
             bind_parts(formal->args, type(actual).args);
             break;
     }
+}
+
+void Bindings::complete_numbers(const ast::TypePtr& formal) {
+    if (!formal) return;
+    if (formal->numeric && !types_[formal->name].valid()) types_[formal->name] = integer_type;
+    for (const auto& arg : formal->args) complete_numbers(arg);
 }
 
 TypeId Bindings::instance(const ast::TypePtr& formal) {
@@ -172,6 +181,7 @@ ExprPtr Expressions::toolkit_call(const ast::Expr& source, const ast::Function& 
         bindings.bind(function.parameters.at(i)->type, expr.args[i]->type);
     }
     bindings.complete(function.result, expected);
+    for (const auto& parameter : function.parameters) bindings.complete_numbers(parameter->type);
     for (std::size_t i = 0; i < expr.args.size(); ++i)
         expr.args[i] = coerce(lowering_, expr.args[i], bindings.instance(function.parameters[i]->type));
     expr.type = bindings.instance(function.result);

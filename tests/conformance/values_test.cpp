@@ -95,6 +95,11 @@ constexpr Case cases[] = {
     {"nat", "maplet(x, 1)[1]"},
     {"boolean", "(override(succ, {(| x, 0 |)}) as nat -> nat)(x) == 0"},
     {"boolean", "x in {0 to 1} /\\ x + 0 in {y : nat | y < 2}"},
+    {"nat", "max({x, 1})"},
+    {"real", "min({x, 0.5})"},
+    {"real", "max({x, 0.5})"},
+    {"real", "min({x, 1})"},
+    {"boolean", "hasMax({x, 0.5})"},
 };
 
 /// A machine that answers `go?x` by the first expression, the next `go?x` by the second, and so on.
@@ -137,6 +142,30 @@ TEST(Values, EveryExpressionIsThatOfTheModel) {
     constexpr std::size_t at_once = 14;
     for (std::size_t c = 0; c < std::size(cases); c += at_once)
         expect_conforming(c, std::min(c + at_once, std::size(cases)));
+}
+
+/// Every set of reals is received, the empty one too, which has no least and no greatest element.
+TEST(Values, LeastAndGreatestOfTheRealsReceived) {
+    const test::TemporaryFolder folder(R"(
+        import set_toolkit::*
+        import sequence_toolkit::*
+        stm Values {
+            event go : Set(real) event least : real event greatest : real event none
+            var s : Set(real)
+            initial i state A { } state B { }
+            transition t0 { from i to A }
+            transition t1 { from A to B trigger go?s }
+            transition t2 { from B to A condition hasMin(s) action least!(min(s)) ; greatest!(max(union(s, {-0.5}))) }
+            transition t3 { from B to A condition not hasMax(s) action none }
+        })");
+    test::Model read(folder.path());
+    std::string said;
+    for (const auto& each : read.diagnostics.sorted())
+        said += std::string(each.rule->code) + " " + each.message() + "\n";
+    ASSERT_TRUE(read.diagnostics.ok()) << said;
+    test::Bench bench(read, read.machine("Values"));
+    const Result result = bench.check();
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
 }  // namespace

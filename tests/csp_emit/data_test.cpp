@@ -332,6 +332,52 @@ TEST(Reals, SetsAndSequencesAreConvertedElementByElement) {
         "holds");
 }
 
+TEST(Reals, LeastAndGreatestOfASet) {
+    // Reals are tenths in the script and for the evaluator; what is sent as a real is converted.
+    const std::pair<const char*, const char*> cases[] = {{"r ! (min({1.5, -0.5, 2}))", "-5"},
+                                                         {"r ! (max({1.5, -0.5, 2}))", "20"},
+                                                         {"r ! (min({1, 0.5}))", "5"},
+                                                         {"r ! (max({-1, -0.5}))", "-5"},
+                                                         {"r ! (min({2, 1}))", "10"},
+                                                         {"r ! (max({-2, 1}))", "10"},
+                                                         {"n ! (min({2, 1}))", "1"},
+                                                         {"n ! (max({2, 1}))", "2"},
+                                                         {"k ! (min({2, -1}))", "-1"},
+                                                         {"k ! (max({-2, -1}))", "-1"},
+                                                         {"t ! (hasMin({0.5}))", "true"},
+                                                         {"t ! (hasMax({x : real | x > 2}))", "false"},
+                                                         {"r ! (max({x : real | x < 0}))", "-5"}};
+    std::string actions, specification = "Spec = ";
+    for (const auto& [action, value] : cases) {
+        actions += (actions.empty() ? "" : " ; ") + std::string(action);
+        specification += std::string("S::") + action[0] + ".out.(" + value + ") -> ";
+    }
+    const auto m = model(
+        "import sequence_toolkit::* stm S { event r : real event n : nat event k : int "
+        "event t : boolean initial j state A { entry " +
+        actions + " } transition t0 { from j to A } }");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    const std::vector<std::string> values = evaluated(*m);
+    ASSERT_EQ(values.size(), std::size(cases));
+    for (std::size_t i = 0; i < std::size(cases); ++i) EXPECT_EQ(values[i], cases[i].second) << cases[i].first;
+    EXPECT_EQ(equal(*m, Time::untimed, "S::D__(0)", "Spec", specification + "STOP"), "holds") << m->messages();
+}
+
+// The precondition of both is that there is one (semantics 3.5), for every type of numbers.
+TEST(Preconditions, TheEmptySetHasNoLeastElement) {
+    for (const std::string type : {"nat", "int", "real"})
+        for (const std::string function : {"min", "max"}) {
+            const auto m =
+                model("import sequence_toolkit::* stm S { event e event m : " + type + " var s : Set(" + type +
+                      ") initial j state A { entry e ; m ! (" + function + "(s)) } transition t0 { from j to A } }");
+            ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+            EXPECT_EQ(equal(*m, Time::untimed, "S::D__(0)", "Spec", "Spec = S::e.out -> STOP"), "holds")
+                << type << " " << function << m->messages();
+        }
+    const auto m = model(machine_of({{"min({})", ""}}));
+    EXPECT_THROW(evaluated(*m), ir::EvaluationFault);
+}
+
 // Nothing says what the bounds of such a range are: its script is written all the same, and fails where it is
 // evaluated.
 TEST(Ranges, OfUnknownTypeAreWritten) {

@@ -42,6 +42,48 @@ TEST(Types, OfOperators) {
     EXPECT_EQ(type_of("< 1 > cat < -1 >"), "Seq(int)");
 }
 
+/// The least and the greatest element of a set are of the elements' type, which is a number.
+TEST(Types, OfTheLeastAndTheGreatestElement) {
+    const std::string toolkit = "import sequence_toolkit::*";
+    for (const std::string function : {"min", "max"}) {
+        EXPECT_EQ(type_of(function + "({ 1, 2 })", "", toolkit), "nat");
+        EXPECT_EQ(type_of(function + "({ 1, -2 })", "", toolkit), "int");
+        EXPECT_EQ(type_of(function + "({ 1, 0.5 })", "", toolkit), "real");
+        EXPECT_EQ(type_of(function + "(s)", "const s : Set(real)", toolkit), "real");
+        EXPECT_EQ(type_of(function + "({ })", "", toolkit), "int");
+        EXPECT_EQ(type_of(function + "({ 1, -2 }) + 0.5", "", toolkit), "real");
+    }
+    for (const std::string function : {"hasMin", "hasMax"})
+        EXPECT_EQ(type_of(function + "({ 1, 0.5 })", "", toolkit), "boolean");
+}
+
+TEST(Types, OnlySetsOfNumbersHaveALeastAndAGreatestElement) {
+    for (const std::string function : {"min", "max", "hasMin", "hasMax"})
+        for (const std::string argument : {"{ true }", "{ { 1 } }", "{ (| 1, 0.5 |) }", "{ 'a' }", "< 1 >", "0.5"}) {
+            const auto reading = resolved("import sequence_toolkit::*\ninterface I { const c : ?Z = " + function + "(" +
+                                          argument + ") }");
+            EXPECT_EQ(reading->codes(), "RC-T14@2") << function << argument << "\n" << reading->report();
+        }
+    const auto reading = resolved("import sequence_toolkit::* interface I { const c : ?Z = min({ true }) }");
+    EXPECT_NE(reading->report().find("must be Set(real), this is Set(boolean)"), std::string::npos)
+        << reading->report();
+}
+
+/// What ?Number means in the toolkit it does not mean in models.
+TEST(Types, ATypeVariableOfAModelIsOfEveryType) {
+    EXPECT_EQ(type_of("same(true)", "", "function same(x : ?Number) : ?Number { }"), "boolean");
+    EXPECT_EQ(type_of("least({ 0.5 })", "",
+                      "import sequence_toolkit::* "
+                      "function least(s : Set(?X)) : ?X { postcondition result == min(s) }"),
+              "real");
+}
+
+/// A result of type real is no int.
+TEST(Types, TheLeastRealDoesNotFitAnInt) {
+    const auto reading = resolved("import sequence_toolkit::*\ninterface I { const c : int = min({ 0.5 }) }");
+    EXPECT_FALSE(reading->findings.ok()) << reading->report();
+}
+
 TEST(Types, OfForms) {
     EXPECT_EQ(type_of("{ }"), "Set(?)");
     EXPECT_EQ(type_of("{ 1, -1 }"), "Set(int)");
