@@ -10,6 +10,7 @@
 #include "app/sizes.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "diagnostics/escape.hpp"
 #include "frontend/syntax_rules.hpp"
 #include "runs/interpreter.hpp"
 
@@ -51,7 +52,7 @@ std::string said(const Project& project, const cspm::EvaluationError& error) {
     const std::string place = project.sources.place(error.span);
     if (place.empty()) return error.what();
     const std::string element = element_at(project.system, error.span);
-    return fmt::format("{}: {}{}{}", place, error.what(), element.empty() ? "" : ", in ", element);
+    return fmt::format("{}: {}{}{}", diagnostics::shown(place), error.what(), element.empty() ? "" : ", in ", element);
 }
 
 /// One assertion of an obligation: its answer, with its counterexample where it fails.
@@ -158,7 +159,7 @@ void report_foreign(const Project& project, const Options& options, Report& repo
         one.title = finding.arguments.front();
         one.place = project.sources.place(finding.span);
         one.answer = Answer::error;
-        one.reason = fmt::format("{}: {}", one.place, finding.message());
+        one.reason = fmt::format("{}: {}", diagnostics::shown(one.place), finding.message());
         const auto edit = options.run->edit();
         report.assertions.push_back(std::move(one));
     }

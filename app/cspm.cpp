@@ -15,6 +15,7 @@
 #include "checker/cspm/reader.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/types.hpp"
+#include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
 #include "diagnostics/render.hpp"
 
@@ -110,11 +111,11 @@ std::string types_json(const std::string& path, const LoadedScript& loaded) {
 
 void show_types(const std::string& path, const LoadedScript& loaded, const Options& options) {
     if (options.format == Format::json) {
-        print("{}", types_json(path, loaded));
+        print_exact(types_json(path, loaded));
     } else if (options.types) {
         for (const cspm::NamedType& each : loaded.types) print("{} :: {}\n", each.name, each.type);
     } else if (!options.quiet) {
-        print("{}: the types of {} names are in order\n", path, loaded.types.size());
+        print("{}: the types of {} names are in order\n", diagnostics::shown(path), loaded.types.size());
     }
 }
 
@@ -145,11 +146,11 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
         try {
             printed.value = session.evaluate(statement->body, limits(options, printed.expression));
         } catch (const diagnostics::LimitReached& limit) {
-            printed.error = fmt::format("{}: {}", sources.place(statement->span), limit.what());
+            printed.error = fmt::format("{}: {}", diagnostics::shown(sources.place(statement->span)), limit.what());
             options.run->finish();  // what is known is printed from here on
             stopped = true;
         } catch (const cspm::EvaluationError& error) {
-            printed.error = fmt::format("{}: {}", sources.place(error.span), error.what());
+            printed.error = fmt::format("{}: {}", diagnostics::shown(sources.place(error.span)), error.what());
         }
     }
     return result;
@@ -177,7 +178,7 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
     const auto assertions = session.assertions();
     if (!options.assertion.empty() && std::stoull(options.assertion) > assertions.size())
         throw UsageError(fmt::format("there is no assertion {}: {} has {}", options.assertion, script.path, assertions.size()));
-    if (assertions.empty() && script.prints.empty()) script.errors.push_back(fmt::format("{}: nothing to check: there are no assertions", script.path));
+    if (assertions.empty() && script.prints.empty()) script.errors.push_back(fmt::format("{}: nothing to check: there are no assertions", diagnostics::shown(script.path)));
     std::size_t at = report.assertions.size();
     {
         const auto edit = options.run->edit();
@@ -197,7 +198,7 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
         if (options.format == Format::framed_json) {
             ScriptReport frame = script;
             frame.assertions.push_back(std::move(decided));
-            print("{}", refines_json(frame, session.event_table(), options));
+            print_exact(refines_json(frame, session.event_table(), options));
         } else {
             script.assertions.push_back(std::move(decided));
         }
@@ -226,7 +227,7 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
     const bool json = options.format == Format::json || options.format == Format::framed_json;
     const process::EventTable no_events;
     if (!loaded.diagnostics.ok()) {
-        if (json) print("{}", refines_json(script, no_events, options));
+        if (json) print_exact(refines_json(script, no_events, options));
         return Exit::bad_input;
     }
     bool stopped = false;
@@ -236,17 +237,17 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
         show_prints(script, options);
         decide_all(loaded, session, options, script, report);
         // Frames are of assertions; a script that only prints has one of its own.
-        if (options.format == Format::framed_json && session.assertions().empty()) print("{}", refines_json(script, session.event_table(), options));
-        if (options.format == Format::json) print("{}", refines_json(script, session.event_table(), options));
+        const bool frame = options.format == Format::framed_json && session.assertions().empty();
+        if (frame || options.format == Format::json) print_exact(refines_json(script, session.event_table(), options));
     } catch (const diagnostics::LimitReached& limit) {
         options.run->finish();
         script.errors.emplace_back(limit.what());
         report.limit = limit.what();
-        if (json) print("{}", refines_json(script, no_events, options));
+        if (json) print_exact(refines_json(script, no_events, options));
         return Exit::inconclusive;
     } catch (const cspm::EvaluationError& error) {
-        script.errors.push_back(fmt::format("{}: {}", loaded.sources.place(error.span), error.what()));
-        if (json) print("{}", refines_json(script, no_events, options));
+        script.errors.push_back(fmt::format("{}: {}", diagnostics::shown(loaded.sources.place(error.span)), error.what()));
+        if (json) print_exact(refines_json(script, no_events, options));
     }
     for (const std::string& error : script.errors) print_error("{}\n", error);
     if (!script.errors.empty()) return Exit::bad_input;
@@ -280,7 +281,7 @@ void show_findings(const LoadedScript& loaded, const Options& options) {
     if (loaded.diagnostics.empty()) return;
     const bool types_only = options.typecheck || options.types;
     if (options.format == Format::json && types_only && !loaded.diagnostics.ok()) {
-        print("{}", diagnostics::render_json(loaded.sources, loaded.diagnostics));
+        print_exact(diagnostics::render_json(loaded.sources, loaded.diagnostics));
     } else {
         print_error("{}", diagnostics::render_text(loaded.sources, loaded.diagnostics));
     }
@@ -301,7 +302,7 @@ Exit run_cspm(const Options& options) {
         const process::EventTable no_events;
         const bool json = options.format == Format::json || options.format == Format::framed_json;
         if (options.format == Format::text) print_text(render_text(*known, options));
-        else if (json) print_text(refines_json(script, no_events, options));
+        else if (json) print_exact(refines_json(script, no_events, options));
         else print_error("robochart-verify: {}\n", why);
         return known->exit();
     });

@@ -8,6 +8,7 @@
 #include "app/verbs.hpp"
 #include "checker/cspm/evaluation_error.hpp"
 #include "conformance/test_suite.hpp"
+#include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 
 namespace robochart::app {
@@ -70,7 +71,7 @@ Exit emit_tests(Project& project, const Options& options) {
                 const std::string place = fmt::format("tests/{}/{}", identifier(component.path), file.path);
                 const std::string error = diagnostics::write_below(options.out, place, file.text, project.diagnostics.budget());
                 if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
-                written += fmt::format("  {:<70} {:>9} bytes\n", options.out + "/" + place, with_commas(file.text.size()));
+                written += fmt::format("  {:<70} {:>9} bytes\n", diagnostics::shown(options.out + "/" + place), with_commas(file.text.size()));
             }
             written += told(made, options, component);
         } catch (const std::length_error& large) {

@@ -50,7 +50,7 @@ bool explain(const std::string& code, bool color) {
         print_error("robochart-verify: no rule has the code {}; {}\n", code, relatives(code));
         return false;
     }
-    print("{}", page.empty() ? from_table(rules) : render_page(page, color));
+    print_styled(page.empty() ? from_table(rules) : render_page(page, color));
     return true;
 }
 
@@ -66,7 +66,7 @@ std::string_view list_of_rules() {
 
 Exit run_explain(const Options& options) {
     const bool color = color_wanted(options.color, STDOUT_FILENO);
-    if (options.inputs.empty()) print("{}", render_page(list_of_rules(), color));
+    if (options.inputs.empty()) print_styled(render_page(list_of_rules(), color));
     Exit exit = Exit::success;
     for (std::size_t i = 0; i < options.inputs.size(); ++i) {
         if (i > 0) print("\n");

@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <iostream>
+#include <sstream>
 #include <memory>
 
 #include "app/explored.hpp"
@@ -44,14 +45,14 @@ std::string fresh_name(const std::string& text, std::string name) {
 }
 
 void write_script(const LoadedScript& loaded, const cspm::ExprPtr& process, const lts::Graph& graph,
-                  const process::EventTable& events) {
+                  const process::EventTable& events, std::ostream& out) {
     const std::string text = cspm::print(definitions(loaded.script));
     const std::string original = cspm::print(process);
     const std::string name = fresh_name(text + original, "Explicit");
-    fmt::print(std::cout, "-- {}: {} states, {} transitions, as {}.\n\n{}\n", original, graph.size(),
+    fmt::print(out, "-- {}: {} states, {} transitions, as {}.\n\n{}\n", original, graph.size(),
                graph.edge_count(), name, text);
-    lts::write_csp(graph, events, name, std::cout);
-    fmt::print(std::cout, "\n-- The two are equal.\nassert {0} [FD= {1}\nassert {1} [FD= {0}\n", "(" + original + ")",
+    lts::write_csp(graph, events, name, out);
+    fmt::print(out, "\n-- The two are equal.\nassert {0} [FD= {1}\nassert {1} [FD= {0}\n", "(" + original + ")",
                name);
 }
 
@@ -69,10 +70,14 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
     std::size_t known = 0;
     const lts::Graph graph = explored(*system, bounds, known);
     options.run->finish();
+    // For people, who look at what is small, as a whole; else as it is made.
+    std::ostringstream seen;
+    std::ostream& out = output_is_a_terminal() ? seen : std::cout;
     errno = 0;
-    if (format == "aut") lts::write_aut(graph, session.event_table(), std::cout);
-    if (format == "dot") lts::write_dot(graph, session.event_table(), std::cout);
-    if (format == "csp") write_script(loaded, process, graph, session.event_table());
+    if (format == "aut") lts::write_aut(graph, session.event_table(), out);
+    if (format == "dot") lts::write_dot(graph, session.event_table(), out);
+    if (format == "csp") write_script(loaded, process, graph, session.event_table(), out);
+    print_exact(seen.str());
     std::cout.flush();
     if (!std::cout) throw OutputError(errno);
     return Exit::success;

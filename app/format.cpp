@@ -16,6 +16,7 @@
 #include "app/rules.hpp"
 #include "app/run.hpp"
 #include "app/verbs.hpp"
+#include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/syntax_rules.hpp"
@@ -78,7 +79,7 @@ private:
 void Formatting::show(const diagnostics::Diagnostics& diagnostics) const {
     diagnostics::TextStyle style;
     style.color = color_wanted(options_.color, STDERR_FILENO);
-    print_error("{}", diagnostics::render_text(sources_, diagnostics, style));
+    print_error_styled(diagnostics::render_text(sources_, diagnostics, style));
 }
 
 void Formatting::report(const diagnostics::Rule& rule, std::vector<std::string> arguments) {
@@ -114,18 +115,18 @@ void Formatting::standard_input() {
     if (options_.check || options_.diff) {
         if (*result != before) changed("<stdin>", before, *result);
     } else {
-        print_text(*result);
+        print_exact(*result);
     }
 }
 
 void Formatting::changed(const fs::path& path, std::string_view before, const std::string& after) {
     ++changed_;
-    if (options_.diff) return print("{}", unified_diff(path.string(), before, after));
+    if (options_.diff) return print_exact(unified_diff(path.string(), before, after));
     if (!options_.check) {
         const std::string error = diagnostics::replace_file(path.string(), after, &options_.run->budget());
         if (!error.empty()) return report(rules::unwritable, {error});
     }
-    if (options_.check || !options_.quiet) print("{}\n", path.string());
+    if (options_.check || !options_.quiet) print("{}\n", diagnostics::shown(path.string()));
 }
 
 void Formatting::file(const fs::path& path) {

@@ -156,7 +156,8 @@ void begin(const std::vector<Part>& parts, const Options& options, Report& repor
 
 /// The report as it stands, whoever prints it.
 Exit print_report(const Report& report, const Options& options) {
-    print_text(options.format == Format::json ? render_json(report) : render_text(report, options));
+    if (options.format == Format::json) print_exact(render_json(report));
+    else print_text(render_text(report, options));
     return report.exit();
 }
 
@@ -243,18 +244,18 @@ void check_conformance(Project& project, const Options& options, Report& report)
 
 Exit print_phase(Project& project, const Options& options) {
     if (options.print == "ast" || options.print == "model") {
-        print("{}", frontend::dump(*project.model, project.sources, options.print == "model"));
+        print_exact(frontend::dump(*project.model, project.sources, options.print == "model"));
         return acceptable(project, options) ? Exit::success : refusal(project);
     }
     if (!acceptable(project, options)) return refusal(project);
     if (options.print == "ir") {
-        print("{}", ir::dump(project.system));
+        print_exact(ir::dump(project.system));
         return Exit::success;
     }
     const auto time = options.print == "script" ? csp_emit::Time::untimed : csp_emit::Time::timed;
     const csp_emit::Emission emission = emit_csp(project, options, time);
     if (!show_diagnostics(project, options)) return Exit::bad_input;
-    print("{}", cspm::print(emission.script));
+    print_exact(cspm::print(emission.script));
     return Exit::success;
 }
 

@@ -11,6 +11,7 @@
 #include "app/verbs.hpp"
 #include "checker/cspm/evaluation_error.hpp"
 #include "checker/process/term.hpp"
+#include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
 
 namespace robochart::app {
@@ -141,7 +142,7 @@ Exit emit_monitors(Project& project, const Options& options) {
             const std::string place = fmt::format("monitor/{}/{}", identifier(component.path), file.path);
             const std::string error = diagnostics::write_below(options.out, place, file.text, project.diagnostics.budget());
             if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
-            written += fmt::format("  {:<70} {:>9} bytes\n", options.out + "/" + place, with_commas(file.text.size()));
+            written += fmt::format("  {:<70} {:>9} bytes\n", diagnostics::shown(options.out + "/" + place), with_commas(file.text.size()));
         }
         written += fmt::format("  {}: {} states, {} columns, {} bytes of table\n", component.path, made->tables().states,
                                made->tables().columns, with_commas(made->bytes()));

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "diagnostics/escape.hpp"
+
 namespace robochart::app {
 
 OutputError::OutputError(int cause)
@@ -18,12 +20,23 @@ Exit OutputError::report() const {
     return Exit::bad_input;
 }
 
-void print_text(std::string_view text) {
+void print_text(std::string_view text) { print_styled(diagnostics::shown_lines(text)); }
+
+bool output_is_a_terminal() { return isatty(STDOUT_FILENO) == 1; }
+
+void print_exact(std::string_view text) {
+    if (output_is_a_terminal()) print_text(text);
+    else print_styled(text);
+}
+
+void print_styled(std::string_view text) {
     errno = 0;
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) throw OutputError(errno);
 }
 
-void print_error_text(std::string_view text) { (void)!std::fwrite(text.data(), 1, text.size(), stderr); }
+void print_error_text(std::string_view text) { print_error_styled(diagnostics::shown_lines(text)); }
+
+void print_error_styled(std::string_view text) { (void)!std::fwrite(text.data(), 1, text.size(), stderr); }
 
 void finish_output() {
     errno = 0;

@@ -25,14 +25,23 @@ private:
     bool reader_gone_;
 };
 
-/// Writes to standard output. Throws OutputError.
+/// Text for people to standard output: control and invisible characters, which names of files and text of models may hold,
+/// are shown (diagnostics/escape.hpp), so that none reaches a terminal. Throws OutputError, as the others do.
 void print_text(std::string_view text);
+/// The same for what a program may read (JSON, scripts, formatted files, patches): as it is, unless it goes to a terminal.
+void print_exact(std::string_view text);
+/// The same for text with escape sequences of our own, in which what others wrote is shown already.
+void print_styled(std::string_view text);
+/// Standard output is a terminal, so that what programs read is made for people.
+[[nodiscard]] bool output_is_a_terminal();
 template <typename... Arguments>
 void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     print_text(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
-/// Writes to standard error. That it cannot be written changes nothing: there is no place left to say so.
+/// Text for people to standard error. That it cannot be written changes nothing: there is no place left to say so.
 void print_error_text(std::string_view text);
+/// The same for text with escape sequences of our own, and for JSON, in which what others wrote is escaped already.
+void print_error_styled(std::string_view text);
 template <typename... Arguments>
 void print_error(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     print_error_text(fmt::format(format, std::forward<Arguments>(arguments)...));

@@ -241,11 +241,11 @@ bool acceptable(const Project& project, const Options& options) {
 bool show_diagnostics(const Project& project, const Options& options) {
     const bool good = acceptable(project, options);
     if (options.format == Format::json) {
-        if (!good) print("{}\n", diagnostics::render_json(project.sources, project.diagnostics));
+        if (!good) print_exact(diagnostics::render_json(project.sources, project.diagnostics) + "\n");
     } else if (!options.quiet || !good) {
         diagnostics::TextStyle style;
         style.color = color_wanted(options.color, STDERR_FILENO);
-        print_error("{}", diagnostics::render_text(project.sources, project.diagnostics, style));
+        print_error_styled(diagnostics::render_text(project.sources, project.diagnostics, style));
         if (!good && project.diagnostics.ok()) print_error("warnings are denied (--deny-warnings)\n");
     }
     return good;

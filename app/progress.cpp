@@ -12,6 +12,7 @@
 
 #include "app/output.hpp"
 #include "app/report.hpp"
+#include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
 
 namespace robochart::app {
@@ -54,7 +55,7 @@ class Line {
 public:
     void draw(const refine::Progress& progress) {
         drawn_ = true;
-        print_error("\r\x1b[K{}", progress_text(progress, terminal_width() - 1));
+        print_error_styled(fmt::format("\r\x1b[K{}", progress_text(progress, terminal_width() - 1)));
         std::fflush(stderr);
     }
     Line() = default;
@@ -62,7 +63,7 @@ public:
     Line& operator=(const Line&) = delete;
     ~Line() {
         if (!drawn_) return;
-        print_error("\r\x1b[K");
+        print_error_styled("\r\x1b[K");
         std::fflush(stderr);
     }
 
@@ -87,7 +88,7 @@ std::string progress_text(const refine::Progress& p, std::size_t width) {
     if (bytes_per_state(p) > 0) parts.push_back(fmt::format("{:.0f} B/state", bytes_per_state(p)));
     std::string text =
         fmt::format("{} {:.0f} s: {}", compiling ? "compiling" : "searching", p.seconds, fmt::join(parts, ", "));
-    if (compiling && !p.part.empty()) text += ", " + p.part;
+    if (compiling && !p.part.empty()) text += ", " + diagnostics::shown(p.part);
     return fitted(std::move(text), width);
 }
 
@@ -107,7 +108,7 @@ std::string progress_json(const refine::Progress& p, const std::string& subject)
 std::function<void(const refine::Progress&)> progress_of(const Options& options, const std::string& subject) {
     if (options.progress == ProgressMode::json)
         return [subject](const refine::Progress& progress) {
-            print_error("{}\n", progress_json(progress, subject));
+            print_error_styled(progress_json(progress, subject) + "\n");
         };
     const bool seen = !options.quiet && isatty(STDERR_FILENO) == 1;
     if (options.progress == ProgressMode::never || !seen) return {};

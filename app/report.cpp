@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "diagnostics/escape.hpp"
 #include "runs/text.hpp"
 
 namespace robochart::app {
@@ -32,7 +33,7 @@ void write_assertion(std::string& out, const AssertionReport& a, const std::stri
     out += '\n';
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
     if (!a.run && a.counterexample.empty()) return;
-    const std::string claimed = a.place.empty() ? "" : fmt::format("claimed at {}; ", a.place);
+    const std::string claimed = a.place.empty() ? "" : fmt::format("claimed at {}; ", diagnostics::shown(a.place));
     out += fmt::format("               {}the {} does:\n{}", claimed, subject, a.run ? runs::text(*a.run, indent_of_runs) : a.counterexample);
     if (!a.run) return;
     const std::vector<std::string> raw(a.run->raw.begin(), a.run->raw.end() - static_cast<std::ptrdiff_t>(a.run->raw_loop));
@@ -44,7 +45,7 @@ void write_bounds(std::string& out, const std::vector<BoundReport>& bounds) {
     if (bounds.empty()) return;
     out += "\nbounds of the finite reading that were reached: the verdicts are about a smaller model\n";
     for (const BoundReport& bound : bounds)
-        out += fmt::format("  {}: {} [{}]{}\n", bound.element, bound.text, bound.time, bound.place.empty() ? "" : "   " + bound.place);
+        out += fmt::format("  {}: {} [{}]{}\n", bound.element, bound.text, bound.time, bound.place.empty() ? "" : "   " + diagnostics::shown(bound.place));
 }
 
 void write_cycles(std::string& out, const std::vector<conformance::Cycle>& cycles) {
@@ -98,7 +99,7 @@ void write_conformance(std::string& out, const ConformanceReport& c, const Optio
 void write_files(std::string& out, std::string_view title, const std::vector<FileReport>& files) {
     if (files.empty()) return;
     out += fmt::format("\n{}\n", title);
-    for (const FileReport& file : files) out += fmt::format("  {:<70} {:>9} bytes\n", file.path, with_commas(file.bytes));
+    for (const FileReport& file : files) out += fmt::format("  {:<70} {:>9} bytes\n", diagnostics::shown(file.path), with_commas(file.bytes));
 }
 
 std::string shown(const SizeReport::Size& size) {
@@ -160,8 +161,8 @@ Exit Report::exit() const {
 std::string render_text(const Report& report, const Options& options) {
     std::string out;
     if (!options.quiet) {
-        out += report.summary.empty() ? report.model + "\n"
-                                      : fmt::format("{}: {} ({})\n", report.model, report.summary, duration(report.load_seconds));
+        out += report.summary.empty() ? diagnostics::shown(report.model) + "\n"
+                                      : fmt::format("{}: {} ({})\n", diagnostics::shown(report.model), report.summary, duration(report.load_seconds));
         for (const std::string& note : report.notes) out += fmt::format("  {}\n", note);
     }
     std::size_t width = 0;
@@ -169,7 +170,7 @@ std::string render_text(const Report& report, const Options& options) {
     if (!report.assertions.empty() && !options.quiet) out += "\nassertions\n";
     for (const AssertionReport& a : report.assertions) write_assertion(out, a, report.subject, width, options);
     write_bounds(out, report.bounds);
-        write_sizes(out, report.sizes);
+    write_sizes(out, report.sizes);
     if (!report.conformance.empty() && !options.quiet) out += "\nconformance of the generated C++\n";
     for (const ConformanceReport& c : report.conformance) write_conformance(out, c, options);
     if (!options.quiet) {

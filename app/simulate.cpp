@@ -14,6 +14,7 @@
 #include "app/rules.hpp"
 #include "app/run.hpp"
 #include "app/verbs.hpp"
+#include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
 #include "frontend/syntax_rules.hpp"
 #include "simulation/report.hpp"
@@ -71,15 +72,15 @@ std::string with_progress(const simulation::RunProgress& p) {
 std::function<void(const simulation::RunProgress&)> progress_of(const Options& options, const std::string& subject) {
     if (options.progress == ProgressMode::json)
         return [subject](const simulation::RunProgress& p) {
-            print_error(R"({{"event":"progress","subject":{},"phase":"simulating","seconds":{:.3f},"trials":{},"trialsDone":{},"simulatedSeconds":{:.1f},"totalSeconds":{:.1f}}})"
+            print_error_styled(fmt::format(R"({{"event":"progress","subject":{},"phase":"simulating","seconds":{:.3f},"trials":{},"trialsDone":{},"simulatedSeconds":{:.1f},"totalSeconds":{:.1f}}})"
                        "\n",
-                       diagnostics::json_string(subject), p.seconds, p.trials, p.trials_done, p.simulated_seconds, p.total_seconds);
+                       diagnostics::json_string(subject), p.seconds, p.trials, p.trials_done, p.simulated_seconds, p.total_seconds));
         };
     const bool seen = !options.quiet && isatty(STDERR_FILENO) == 1;
     if (options.progress == ProgressMode::never || !seen) return {};
     return [](const simulation::RunProgress& p) {
-        print_error("\r\x1b[K{}", with_progress(p));
-        if (p.trials_done == p.trials) print_error("\r\x1b[K");
+        print_error_styled(fmt::format("\r\x1b[K{}", with_progress(p)));
+        if (p.trials_done == p.trials) print_error_styled("\r\x1b[K");
         std::fflush(stderr);
     };
 }
@@ -108,7 +109,7 @@ void print_text(const Simulation& simulation, const simulation::RunResult& resul
         print("{}\n", simulation::run_text(scenario, result));
         if (!result.bands.empty()) print("bands\n{}\n", simulation::bands_text(scenario, result));
         if (!files.empty()) print("files\n");
-        for (const std::string& file : files) print("  {}\n", file);
+        for (const std::string& file : files) print("  {}\n", diagnostics::shown(file));
         print("{}{}", notes, files.empty() && notes.empty() ? "" : "\n");
     }
     if (result.interrupted) print("{}: the bands are not judged\n", options.run->budget().reached());
@@ -195,7 +196,7 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
     if (options.format == Format::json) {
         if (unwritable) return show_diagnostics(project, options), exit;
-        print("{}", simulation::result_json(simulation->scenario, result, files, static_cast<int>(exit)));
+        print_exact(simulation::result_json(simulation->scenario, result, files, static_cast<int>(exit)));
         return exit;
     }
     show_diagnostics(project, options);

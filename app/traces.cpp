@@ -14,6 +14,7 @@
 #include "checker/cspm/evaluation_error.hpp"
 #include "conformance/rules.hpp"
 #include "conformance/trace_check.hpp"
+#include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
 #include "frontend/syntax_rules.hpp"
 
@@ -155,9 +156,9 @@ void check_log(const std::string& path, Project& project, Checkers& checkers, To
 void print_run(const Told& told, bool quiet) {
     const conformance::RunReport& run = told.run;
     const bool rejected = run.verdict == RunVerdict::rejected;
-    print("{}{}  {}:{}: run {}, cycle {}\n", quiet ? "" : "\n", rejected ? "rejected    " : "inconclusive", told.path, run.at_line,
-               run.name.empty() ? "without a name" : run.name, run.cycle);
-    const auto line = [](const char* title, const std::string& text) { print("    {:<10} {}\n", title, text); };
+    print("{}{}  {}:{}: run {}, cycle {}\n", quiet ? "" : "\n", rejected ? "rejected    " : "inconclusive", diagnostics::shown(told.path), run.at_line,
+               run.name.empty() ? "without a name" : diagnostics::shown(run.name), run.cycle);
+    const auto line = [](const char* title, const std::string& text) { print("    {:<10} {}\n", title, diagnostics::shown(text)); };
     std::uint64_t number = run.at_line - run.before.size();
     for (const std::string& before : run.before) line(fmt::format("line {}", number++).c_str(), before);
     if (!run.cycle_so_far.empty()) line("then", fmt::format("{}", fmt::join(run.cycle_so_far, " ")));
@@ -201,10 +202,10 @@ void print_json(const Totals& totals, Exit exit) {
                                    run.cycle, json_string(run.what), json_string(run.reason), texts(run.cycle_so_far), texts(run.before),
                                    texts(run.allowed), texts(run.elements)));
     }
-    app::print(R"({{"schema":"robochart-verify/traces/1","logs":{},"runs":{},"cycles":{},"accepted":{},"rejected":{},"inconclusive":{},"replacedValues":{},"limit":{},"seconds":{:.3f},"exit":{},"told":[{}]}})"
+    print_exact(fmt::format(R"({{"schema":"robochart-verify/traces/1","logs":{},"runs":{},"cycles":{},"accepted":{},"rejected":{},"inconclusive":{},"replacedValues":{},"limit":{},"seconds":{:.3f},"exit":{},"told":[{}]}})"
                "\n",
                totals.logs, totals.runs, totals.cycles, totals.accepted, totals.rejected, totals.inconclusive, totals.replaced,
-               json_string(totals.limit), totals.seconds, static_cast<int>(exit), fmt::join(runs, ","));
+               json_string(totals.limit), totals.seconds, static_cast<int>(exit), fmt::join(runs, ",")));
 }
 
 }  // namespace

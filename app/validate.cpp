@@ -40,13 +40,13 @@ std::unique_ptr<Project> read(const Options& options) {
 
 void show(const Project& project, const Options& options) {
     if (options.format == Format::json) {
-        print("{}", diagnostics::render_json(project.sources, project.diagnostics));
+        print_exact(diagnostics::render_json(project.sources, project.diagnostics));
     } else if (options.format == Format::sarif) {
-        print("{}", diagnostics::render_sarif(project.sources, project.diagnostics, program_version));
+        print_exact(diagnostics::render_sarif(project.sources, project.diagnostics, program_version));
     } else {
         diagnostics::TextStyle style;
         style.color = color_wanted(options.color, STDERR_FILENO);
-        print_error("{}", diagnostics::render_text(project.sources, project.diagnostics, style));
+        print_error_styled(diagnostics::render_text(project.sources, project.diagnostics, style));
         if (!options.quiet && project.diagnostics.ok()) print("valid\n");
     }
 }

@@ -8,6 +8,8 @@
 #include <set>
 #include <vector>
 
+#include "diagnostics/escape.hpp"
+
 namespace robochart::runs {
 namespace {
 
@@ -109,7 +111,7 @@ Line Writer::line(const Step& step) const {
         if (!step.event.text.ends_with(text)) changes.push_back(text);
     }
     if (!changes.empty()) result.what += fmt::format("   [{}]", fmt::join(changes, ", "));
-    if (step.event.place) result.place = fmt::format("{}:{}", step.event.place->file, step.event.place->line);
+    if (step.event.place) result.place = fmt::format("{}:{}", diagnostics::shown(step.event.place->file), step.event.place->line);
     return result;
 }
 
