@@ -172,7 +172,7 @@ csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::
     if (!project.diagnostics.ok()) return emission;
     if (!emission.captured.empty())
         throw std::logic_error(fmt::format("the script takes {} for something of the model's", fmt::join(emission.captured, ", ")));
-    // What is written or checked is held to FDR's rules of types. Where the user wrote none of it, a finding is a fault of ours.
+    // What is written or checked is held to FDR's rules of types. Where the user wrote none of it, a finding is an internal error.
     (void)cspm::check_types(emission.script, project.diagnostics);
     if (!project.diagnostics.ok() && project.system.csp_blocks.empty()) {
         diagnostics::TextStyle style;
