@@ -26,7 +26,7 @@ namespace robochart::frontend {
 using TypeBindings = std::map<std::string, TypePtr>;
 /// Fits an argument to a parameter's type, binding variables. False if it does not fit.
 [[nodiscard]] bool match(const TypePtr& formal, const TypePtr& actual, TypeBindings& bindings);
-/// The type with bound variables replaced; unbound ones become `any`, unbound numbers `int`.
+/// The type with bound variables replaced; unbound ones become `any`, unbound numbers `nat`, which fits every number.
 [[nodiscard]] TypePtr substitute(const TypePtr& type, const TypeBindings& bindings);
 
 }  // namespace robochart::frontend

@@ -56,7 +56,7 @@ TypePtr substitute(const TypePtr& type, const TypeBindings& bindings) {
     if (type->form == TypeForm::variable) {
         const auto bound = bindings.find(type->name);
         if (bound != bindings.end()) return bound->second;
-        return make_type(type->numeric ? TypeForm::integer : TypeForm::any);
+        return make_type(type->numeric ? TypeForm::nat : TypeForm::any);
     }
     if (!has_variable(type)) return type;
     auto result = std::make_shared<Type>(*type);

@@ -126,6 +126,9 @@ private:
     std::vector<std::string> declarations_;
 };
 
+/// nat, int or real.
+[[nodiscard]] bool is_number(const DataType& type);
+
 /// A value of type `from` may stand where `to` is expected.
 [[nodiscard]] bool fits(const DataType& from, const DataType& to);
 

@@ -26,10 +26,6 @@ constexpr int negate_level = 11;
 constexpr int select_level = 12;
 constexpr int atom_level = 13;
 
-bool is_number(const DataType& type) {
-    return type.form == Form::nat || type.form == Form::integer || type.form == Form::real;
-}
-
 bool is_mapping(const DataType& type) {
     return type.form == Form::function || type.form == Form::relation;
 }
@@ -39,6 +35,10 @@ std::string parenthesised(const std::string& text) {
 }
 
 }  // namespace
+
+bool is_number(const DataType& type) {
+    return type.form == Form::nat || type.form == Form::integer || type.form == Form::real;
+}
 
 bool fits(const DataType& from, const DataType& to) {
     return &from == &to || (is_number(from) && is_number(to) && from.form < to.form);

@@ -74,6 +74,9 @@ std::string written(const DataType& type) {
     return out;
 }
 
+/// Whether a type variable of a toolkit stands for numbers only.
+bool is_numeric(const TypeExpr& variable) { return variable.name.text() == "Number"; }
+
 }  // namespace
 
 const DataType* Types::sought(DataType type) {
@@ -94,6 +97,7 @@ const DataType* Types::basic(const std::string& name) const {
 
 bool Types::unify(const TypeExpr& written, const DataType& type, TypeChoice& choice) const {
     if (written.kind == TypeKind::variable) {
+        if (is_numeric(written) && !is_number(type)) return false;
         const auto [slot, fresh] = choice.emplace(written.name.text(), &type);
         return fresh || slot->second == &type;
     }
@@ -111,7 +115,7 @@ const DataType* Types::instance(const TypeExpr& expr, TypeChoice& choice) {
     if (expr.kind == TypeKind::name) return basic(expr.name.text());
     if (expr.kind == TypeKind::variable) {
         const auto [slot, fresh] = choice.emplace(expr.name.text(), nullptr);
-        if (fresh) slot->second = existing_part();
+        if (fresh) slot->second = is_numeric(expr) ? basic("nat") : existing_part();
         return slot->second;
     }
     DataType type;

@@ -26,7 +26,7 @@ public:
         for (const auto& [name, type] : before)
             if (!is_open(lowering_.system, type)) types_[name] = type;
     }
-    /// Numbers that nothing binds, as in min({}), are ints.
+    /// Numbers that nothing binds, as in min({}), are of type nat, which fits every number.
     void complete_numbers(const ast::TypePtr& formal);
     /// The formal type with its variables replaced; open ones are the unit type.
     TypeId instance(const ast::TypePtr& formal);
@@ -108,7 +108,7 @@ void Bindings::bind(const ast::TypePtr& formal, TypeId actual) {
 
 void Bindings::complete_numbers(const ast::TypePtr& formal) {
     if (!formal) return;
-    if (formal->numeric && !types_[formal->name].valid()) types_[formal->name] = integer_type;
+    if (formal->numeric && !types_[formal->name].valid()) types_[formal->name] = nat_type;
     for (const auto& arg : formal->args) complete_numbers(arg);
 }
 

@@ -50,7 +50,7 @@ TEST(Types, OfTheLeastAndTheGreatestElement) {
         EXPECT_EQ(type_of(function + "({ 1, -2 })", "", toolkit), "int");
         EXPECT_EQ(type_of(function + "({ 1, 0.5 })", "", toolkit), "real");
         EXPECT_EQ(type_of(function + "(s)", "const s : Set(real)", toolkit), "real");
-        EXPECT_EQ(type_of(function + "({ })", "", toolkit), "int");
+        EXPECT_EQ(type_of(function + "({ })", "", toolkit), "nat");
         EXPECT_EQ(type_of(function + "({ 1, -2 }) + 0.5", "", toolkit), "real");
     }
     for (const std::string function : {"hasMin", "hasMax"})
