@@ -6,6 +6,7 @@
 # ROBOCHART_MODELS says which models: widened (default), core, hostile (tests/conformance/random_shapes.hpp);
 # ROBOCHART_JOBS how many processes work (default: one a processor). Seeds are done in ranges of 500; what is done is kept
 # below build/random_conformance for the program as it is, so that a run that was interrupted goes on where it stood.
+# A single model that disagrees is cut down (`scripts/random_conformance.sh 1 SEED`).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 models="${1:-100000}"
@@ -60,9 +61,6 @@ if [ "${#wanted[@]}" -eq 0 ]; then
 fi
 
 cat "${wanted[@]}" | awk '
-  /^smallest$/ { quoted = 1; next }
-  /^end$/ { quoted = 0; next }
-  quoted { next }
   $1 == "models" || $1 == "conforming" || $1 == "cycles" { sum[$1] += $2 }
   $1 == "outcome" || $1 == "construct" { count = $2; kind = $1; $1 = ""; $2 = ""; sub(/^ +/, ""); each[kind, $0] += count; names[kind, $0] = $0; kinds[kind, $0] = kind }
   END {
@@ -72,8 +70,16 @@ cat "${wanted[@]}" | awk '
     for (i in each) if (kinds[i] == "construct") printf "%8d conforming models with: %s\n", each[i], names[i] | "sort -k5"
     close("sort -k5")
   }'
-# Disagreements, and for each cause in a range one small model.
-awk '/^smallest$/ { quoted = 1; print ""; next } /^end$/ { quoted = 0; next } quoted { print } !quoted && /^disagreement / { print }' "${wanted[@]}"
-disagreements="$(cat "${wanted[@]}" | awk '/^smallest$/ { q = 1 } /^end$/ { q = 0 } !q && /^disagreement /' | wc -l)"
+
+# Disagreements, and for each cause one small model. A cause is what is reported, without names and numbers.
+found="$(cat "${wanted[@]}" | grep '^disagreement ' || true)"
+[ -z "$found" ] || echo "$found"
+one_of_each() { awk '{ cause = $0; gsub(/[0-9]/, "", cause); cause = substr(cause, 1, 75) } !seen[cause]++ { print $2 }'; }
+for seed in $(echo "$found" | one_of_each); do
+  report="$results/$seed-1.report"
+  [ -f "$report" ] || one_range "$seed" 1
+  echo && sed '1,/^disagreement /d; /^whole$/d' "$report"
+done
+disagreements="$(echo "$found" | grep -c . || true)"
 echo "$disagreements disagreements; $missing ranges are not done"
 [ "$disagreements" -eq 0 ] && [ "$missing" -eq 0 ]

@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <set>
 
 #include "random_models/well_formed.hpp"
 #include "semantics/lower.hpp"
@@ -56,15 +55,8 @@ void print(const Tally& tally) {
     fmt::print("models that conform and have: {}\n", used);
 }
 
-/// The disagreement in words that are the same for others of its cause: its first line without names and numbers.
-std::string cause(const Disagreement& found) {
-    std::string text = found.what.substr(0, found.what.find('\n'));
-    std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
-    return text.substr(0, 60);
-}
-
-/// For a script that adds up several runs: `models N`, `outcome N what`, `construct N what`, `disagreement SEED what`,
-/// and behind them the first model of each cause, cut down; at the end `whole`.
+/// For a script that adds up several runs: `models N`, `outcome N what`, `construct N what`, `disagreement SEED what`; of
+/// a single model, which a person looks at, also a smaller one that disagrees; at the end `whole`.
 void write_report(const Campaign& campaign) {
     const char* path = std::getenv("ROBOCHART_REPORT");
     if (path == nullptr) return;
@@ -75,11 +67,9 @@ void write_report(const Campaign& campaign) {
     for (const auto& [word, count] : tally.constructs) out << fmt::format("construct {} {}\n", count, word);
     for (const Disagreement& found : tally.disagreements)
         out << fmt::format("disagreement {} {}\n", found.seed, found.what.substr(0, found.what.find('\n')));
-    std::set<std::string> shown;
-    for (const Disagreement& found : tally.disagreements) {
-        constexpr std::size_t budget = 200;
-        if (shown.insert(cause(found)).second) out << "smallest\n" << campaign.shrunk(found, budget) << "end\n";
-    }
+    constexpr std::size_t budget = 200;
+    if (tally.models == 1)
+        for (const Disagreement& found : tally.disagreements) out << campaign.shrunk(found, budget);
     out << "whole\n";
 }
 
