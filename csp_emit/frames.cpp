@@ -144,9 +144,9 @@ void MachineEmitter::add_constants(Frame& frame) {
 }
 
 /// The machine's constants in order of declaration, then those of the operations it calls (semantics 3.12).
-void MachineEmitter::collect_constants(const ir::Machine& owner, std::vector<const ir::Machine*>& seen) {
-    if (std::find(seen.begin(), seen.end(), &owner) != seen.end()) return;
-    seen.push_back(&owner);
+void MachineEmitter::collect_constants(const ir::Machine& owner) {
+    if (std::find(reached_.begin(), reached_.end(), &owner) != reached_.end()) return;
+    reached_.push_back(&owner);
     for (std::uint32_t i = 0; i < owner.constants.size(); ++i) {
         const std::string name = ir::constant_name(owner.package, owner.path, owner.constants[i].name);
         constants_.push_back({name,
@@ -159,7 +159,7 @@ void MachineEmitter::collect_constants(const ir::Machine& owner, std::vector<con
     }
     for (const ir::OperationId called : ir::called_operations(owner)) {
         const auto found = context_.definitions.find(owner.operations[called.index].name);
-        if (found != context_.definitions.end()) collect_constants(project().system.machine(found->second), seen);
+        if (found != context_.definitions.end()) collect_constants(project().system.machine(found->second));
     }
 }
 
@@ -197,10 +197,13 @@ const ir::Machine* MachineEmitter::definition_of(const Frame& frame, ir::Operati
     return found == context_.definitions.end() ? nullptr : &project().system.machine(found->second);
 }
 
-/// Every operation defined in this context.
+/// The operations defined in this context that the machine calls, itself or through others.
 std::vector<const ir::Machine*> MachineEmitter::callable() const {
     std::vector<const ir::Machine*> result;
-    for (const auto& [name, id] : context_.definitions) result.push_back(&project().system.machine(id));
+    for (const auto& [name, id] : context_.definitions) {
+        const ir::Machine* operation = &project().system.machine(id);
+        if (std::find(reached_.begin(), reached_.end(), operation) != reached_.end()) result.push_back(operation);
+    }
     return result;
 }
 

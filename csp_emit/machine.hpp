@@ -142,7 +142,7 @@ private:
     void add_variables(Frame& frame, bool root);
     void add_clocks(Frame& frame, bool root);
     void add_constants(Frame& frame);
-    void collect_constants(const ir::Machine& owner, std::vector<const ir::Machine*>& seen);
+    void collect_constants(const ir::Machine& owner);
     void add_events(Frame& frame, bool root);
     void add_monitors(Frame& frame);
     const ir::Machine* definition_of(const Frame& frame, ir::OperationId operation) const;
@@ -266,7 +266,8 @@ private:
     std::vector<Cell> cells_;
     std::map<std::string, CellId> cell_named_;
     std::vector<Frame> frames_;
-    std::vector<ConstantParameter> constants_;
+    std::vector<const ir::Machine*> reached_;  ///< the machine and the operations it calls, itself or through others
+    std::vector<ConstantParameter> constants_;  ///< theirs
     std::map<std::pair<std::uint32_t, const ir::Stmt*>, std::uint32_t> callees_;
     std::map<std::tuple<std::uint32_t, const ir::Stmt*, std::size_t>, CellId> statement_cells_;
     std::optional<bool> recursive_;  ///< whether some operation may call itself

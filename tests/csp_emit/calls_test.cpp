@@ -55,6 +55,25 @@ TEST(Calls, ReturnToWhereTheyWereMade) {
               "holds");
 }
 
+// `inner`, which S does not call, compares a clock of the same name with a constant of its own: that is no bound of S's
+// clock, and S knows nothing of the constant.
+TEST(Calls, ClocksOfOperationsThatAreNotCalledAreNotTheMachines) {
+    EXPECT_EQ(same(with_operations(R"(
+        operation op(p : nat) { uses E initial i final f transition t { from i to f } }
+        operation inner(q : nat) { uses E const k : nat clock T initial i final f state A { }
+            transition t0 { from i to A } transition t1 { from A to f condition since(T) > k } }
+    )",
+                                   R"(
+        clock T initial i state A { } state B { entry a }
+        transition t0 { from i to A # T } transition t1 { from A to B condition since(T) >= 1 }
+    )"),
+                   Time::timed, "C::s::D__(0)", R"(
+        Spec = tock -> Out
+        Out = C::s::a.out -> Rest [] tock -> Out
+        Rest = tock -> Rest)"),
+              "holds");
+}
+
 // x of the caller is read behind the first call only, and the operation knows nothing of it; its own counter starts
 // anew at each call.
 TEST(Calls, KeepTheCallersVariablesAndStartTheirOwnAnew) {
