@@ -22,13 +22,13 @@ const Position positions[] = {
     {"Assignment", "2 transition t1 { from A to B trigger go action y = % ; act(y) }"},
     {"PartOfAnAssignment", "2 transition t1 { from A to B trigger go action r = <1, 2> ; r[%] = 0 ; act(r[1]) }"},
     {"ValueOfAPart", "2 transition t1 { from A to B trigger go action r = <1, 2> ; r[2] = % ; act(r[2]) }"},
-    {"Output", "2 transition t1 { from A to B trigger go action out!(%) }"},
+    {"Output", "2 transition t1 { from A to B trigger go action tell!(%) }"},
     {"PlatformCall", "2 transition t1 { from A to B trigger go action act(%) }"},
     {"OperationCall", "2 transition t1 { from A to B trigger go action op(%) ; act(1) }"},
-    {"Guard", "2 transition t1 { from A to B trigger go condition % >= 0 }"},
+    {"Guard", "2 transition t1 { from A to B trigger go condition % >= 0 action act(1) }"},
     {"GuardWithoutTrigger", "2 transition t1 { from A to B condition % >= 0 action act(1) }"},
-    {"GuardUnderADeadline", "2 transition t1 { from A to B trigger go <{2} condition % >= 0 }"},
-    {"Junction", "2 junction J transition t1 { from A to J trigger go } transition t2 { from J to B condition % >= 0 }"},
+    {"GuardUnderADeadline", "2 transition t1 { from A to B trigger go <{2} condition % >= 0 action act(1) }"},
+    {"Junction", "2 junction J transition t1 { from A to J trigger go } transition t2 { from J to B condition % >= 0 action act(1) }"},
     {"InputStatement", "2 transition t1 { from A to B trigger go action in1[| % >= 0 |]?y ; act(y) }"},
     {"Wait", "2 transition t1 { from A to B trigger go action wait(%) ; act(1) }"},
     {"WaitInterval", "2 transition t1 { from A to B trigger go action wait([0, %]) ; act(1) }"},
@@ -55,6 +55,14 @@ struct Called {
     const char* text;
 };
 
+std::ostream& operator<<(std::ostream& out, const Position& each) {
+    return out << each.name;
+}
+
+std::ostream& operator<<(std::ostream& out, const Called& each) {
+    return out << each.text;
+}
+
 /// Of the number x: x where x > 0, else outside its precondition.
 const Called functions[] = {{"OfTheModel", "some(x)"}, {"OfAToolkit", "head(if x > 0 then <x> else <> end)"}};
 
@@ -62,7 +70,7 @@ const Called functions[] = {{"OfTheModel", "some(x)"}, {"OfAToolkit", "head(if x
 const Called shapes[] = {{"Nested", "some(some(x))"},
                          {"InAPrecondition", "above(x)"},
                          {"InAnArgument", "some(head(if x > 0 then <x> else <> end))"},
-                         {"UnderABinder", "size({n : nat | n > x @ some(n + x)})"},
+                         {"UnderABinder", "size({n : nat | n >= x @ some(n)})"},
                          {"InThePredicateOfABinder", "size({n : nat | some(n + x) > 0})"},
                          {"UnderAQuantifier", "(if forall n : nat | n >= x @ some(n) > 0 then 1 else 2 end)"},
                          {"InALet", "(let k == x @ some(k))"},
@@ -86,7 +94,7 @@ std::string with(std::string body, const std::string& expression) {
 std::string model_of(const std::string& body, const std::string& precondition = "") {
     return "import set_toolkit::* import sequence_toolkit::*\n"
            "interface Acts { act(n : nat) } interface Ops { op(n : nat) }\n"
-           "interface Ev { event go event stop event in1 : nat event out : nat }\n"
+           "interface Ev { event go event stop event in1 : nat event tell : nat }\n"
            "function some(n : nat) : nat { precondition n > 0 postcondition result == n }\n"
            "function above(n : nat) : nat { precondition some(n) > 1 postcondition result == n }\n"
            "operation op(n : nat) { " +
@@ -97,10 +105,10 @@ std::string model_of(const std::string& body, const std::string& precondition = 
            body +
            "\n}\n"
            "controller C { requires Acts uses Ev sref m = S opref o = op connection C on go to m on go\n"
-           "connection C on stop to m on stop connection C on in1 to m on in1 connection m on out to C on out }\n"
+           "connection C on stop to m on stop connection C on in1 to m on in1 connection m on tell to C on tell }\n"
            "module M { robotic platform P { provides Acts uses Ev } cref c = C\n"
            "connection P on go to c on go (_async) connection P on stop to c on stop (_async)\n"
-           "connection P on in1 to c on in1 (_async) connection c on out to P on out (_async) }\n";
+           "connection P on in1 to c on in1 (_async) connection c on tell to P on tell (_async) }\n";
 }
 
 /// The model's code conforms, and does not where one of its preconditions is not asked.
@@ -144,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(OfEveryShape, Preconditions,
 // A function as a value has a pair wherever its precondition holds.
 TEST(PreconditionsOfFunctionsAsValues, SayWhichPairsThereAre) {
     const test::TemporaryFolder folder(
-        model_of(with("2 transition t1 { from A to B trigger go condition (x, x) in some }", "")));
+        model_of(with("2 transition t1 { from A to B trigger go condition (|x, x|) in some }", "")));
     test::Model model(folder.path());
     diagnostics::Diagnostics found;
     const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
@@ -153,9 +161,11 @@ TEST(PreconditionsOfFunctionsAsValues, SayWhichPairsThereAre) {
 
 // The value that a trigger brings is what the guard asks with, and a predicate of an input statement names it.
 TEST(PreconditionsOfInputs, AreAskedOfTheIncomingValue) {
-    expect_asked("state A { } transition t1 { from A to A trigger in1?x condition some(x) >= 0 action act(x) }");
     expect_asked(
-        "state A { } transition t1 { from A to A trigger go action in1[| k = from | some(k) >= 0 |]?x ; act(x) }");
+        "state A { } state B { } transition t1 { from A to B trigger go }\n"
+        "transition t2 { from B to A trigger in1?x condition some(x) >= 0 action act(x) }");
+    expect_asked(
+        "state A { } transition t1 { from A to A trigger go action in1[| some(y) >= 0 |]?y ; act(y) }");
 }
 
 // A deadline around a statement that waits for ever runs out: time stops in the model, so it cannot be run in cycles.
