@@ -123,10 +123,7 @@ void ProgramWriter::ask(const ir::Stmt& stmt) {
     const ExpressionWriter expressions(generation_, unit_);
     std::string conditions;
     for (const ir::Expr* expr : evaluated(stmt)) conditions = conjunction(conditions, expressions.asked(*expr));
-    if (!conditions.empty()) stay_unless(conditions);
-}
-
-void ProgramWriter::stay_unless(const std::string& conditions) {
+    if (conditions.empty()) return;
     const std::string stays = thread_.go(stuck_place());
     code().open(fmt::format("if (!({})) {{", conditions));
     code().line(stays);
@@ -141,7 +138,7 @@ const std::string& ProgramWriter::stuck_place() {
     const std::string& label = thread_.stuck[state_.index] = thread_.labels->numbered("stuck");
     CodeWriter stays(5);
     stays.line("return moved;");
-    thread_.places.insert(thread_.places.end() - 1, {label, "outside a precondition", state_, stays});
+    thread_.places.insert(thread_.places.end() - 1, {label, "outside the precondition of a function", state_, stays});
     return label;
 }
 
@@ -441,7 +438,7 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     if (!generation_.mutation.hits(Fault::operation_kept)) code().line(place + " = {};");
 }
 
-/// A violated precondition of an operation is reported; the caller stays where it is, as in the model.
+/// A violated precondition of an operation is reported.
 void ProgramWriter::require_preconditions(const Unit& operation, const std::string& frame) {
     const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
@@ -449,7 +446,6 @@ void ProgramWriter::require_preconditions(const Unit& operation, const std::stri
         if (generation_.mutation.hits(Fault::precondition_negated)) text = fmt::format("!({})", text);
         const bool one = text.find(',') == std::string::npos;  // argument of a macro
         code().line(fmt::format("ROBOCHART_PRECONDITION({});", one ? text : "(" + text + ")"));
-        stay_unless(text);
     }
 }
 

@@ -85,7 +85,6 @@ private:
     [[nodiscard]] std::string resume_here(const std::string& stem, const diagnostics::ForeignText& comment);
     [[nodiscard]] std::string fresh(const std::string& stem);
     void ask(const ir::Stmt&);
-    void stay_unless(const std::string& conditions);
     [[nodiscard]] const std::string& stuck_place();
     void sequence(std::vector<ir::StmtPtr> parts, const std::string& stem);
     struct Branches {

@@ -179,11 +179,11 @@ TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
     EXPECT_NE(result.reason.find("neither go on nor let time pass"), std::string::npos) << result.reason;
 }
 
-// A violated precondition of an operation is reported, that of a function in it first, and nothing more happens.
+// A violated precondition of an operation is reported; that of a function in it is asked first.
 TEST(PreconditionsOfOperations, AreReportedWhereAFunctionInThemHasNoValue) {
     for (const std::string condition : {"n > 0", "some(n) > 0", "min({k : nat | k < n @ k}) >= 0"}) {
         const test::TemporaryFolder folder(
-            model_of(with("2 transition t1 { from A to B trigger go action op(x) ; act(1) }", ""),
+            model_of(with("2 transition t1 { from A to B trigger go action op(x) }", ""),
                      "precondition " + condition));
         test::Model model(folder.path());
         diagnostics::Diagnostics found;
