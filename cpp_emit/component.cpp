@@ -8,6 +8,7 @@
 #include "cpp_emit/walk.hpp"
 #include "cpp_emit/wiring.hpp"
 #include "semantics/evaluate.hpp"
+#include "semantics/preconditions.hpp"
 #include "semantics/query.hpp"
 
 namespace robochart::cpp_emit {
@@ -423,14 +424,21 @@ private:
     }
 
     void collect_functions() {
-        for (const Unit& unit : component_.units) {
-            visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
-                if (expr.kind != ir::ExprKind::call && expr.kind != ir::ExprKind::function_value) return;
-                auto& functions = component_.functions;
-                const auto same = [&](const FunctionHook& hook) { return hook.id == expr.function; };
-                if (std::none_of(functions.begin(), functions.end(), same)) functions.push_back({expr.function, ""});
-            });
-        }
+        for (const Unit& unit : component_.units)
+            visit_expressions(*unit.machine, [&](const ir::Expr& expr) { add_function(unit.constants, expr); });
+    }
+
+    /// A function that is called, and those that its precondition calls where that is asked.
+    void add_function(const std::vector<ir::Value>& constants, const ir::Expr& expr) {
+        if (expr.kind != ir::ExprKind::call && expr.kind != ir::ExprKind::function_value) return;
+        auto& functions = component_.functions;
+        const auto same = [&](const FunctionHook& hook) { return hook.id == expr.function; };
+        auto found = std::find_if(functions.begin(), functions.end(), same);
+        if (found == functions.end()) found = functions.insert(found, {expr.function, "", false, ""});
+        if (found->guarded || !ir::precondition_can_fail(system_, inst_, constants, expr)) return;
+        found->guarded = true;
+        for (const ir::ExprPtr& condition : system_.functions[expr.function.index].preconditions)
+            visit(condition, [&](const ir::Expr& part) { add_function({}, part); });
     }
 
     void add_function_types(const FunctionHook& hook) {
@@ -459,16 +467,18 @@ private:
             for (const auto& event : part.events)
                 if (event.type) add_type(*event.type);
         for (const auto& function : component_.functions) add_function_types(function);
+        const auto add_types = [&](const ir::Expr& expr) {
+            add_type(expr.type);
+            for (const ir::TypeId bound : expr.bound_types)
+                if (bound.valid()) add_type(bound);
+        };
         for (const auto& call : component_.calls)
             for (const ir::TypeId type : call.signature->parameters) add_type(type);
         for (const auto& unit : component_.units) {
             for (const auto& variable : unit.machine->variables) add_type(variable.type);
-            visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
-                add_type(expr.type);
-                for (const ir::TypeId bound : expr.bound_types)
-                    if (bound.valid()) add_type(bound);
-            });
+            visit_expressions(*unit.machine, add_types);
         }
+        visit_asked(component_, system_, add_types);
     }
 
     /// Parts before the whole. Types that contain themselves are refused later (support.cpp).
@@ -491,8 +501,11 @@ private:
                                                  "platform_", "Types", "Inputs", "State"});
         for (auto& call : component_.calls) call.method = platform.unique(call.signature->name);
         for (auto& call : component_.modelled) call.method = platform.unique("replaces_" + call.signature->name);
-        for (auto& function : component_.functions)
+        NameScope preconditions;
+        for (auto& function : component_.functions) {
             function.method = platform.unique(system_.functions[function.id.index].name);
+            if (function.guarded) function.precondition = preconditions.unique("pre_" + function.method);
+        }
         std::set<std::string> taken = state_names;
         for (const Unit& unit : component_.units) take_thread_members(unit, taken);
         for (const ir::TypeId type : component_.enumerations) taken.insert(declared_name(system_.type(type)));

@@ -94,6 +94,8 @@ struct PlatformCall {
 struct FunctionHook {
     ir::FunctionId id;
     std::string method;
+    bool guarded = false;      ///< calls ask its precondition first, which may be false
+    std::string precondition;  ///< method of Step that does
 };
 
 /// A type whose values the code visits: of bound variables, of functions as values, of toolkit functions.

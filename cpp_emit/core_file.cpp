@@ -7,6 +7,7 @@
 
 #include "cpp_emit/channels.hpp"
 #include "cpp_emit/dispatch.hpp"
+#include "cpp_emit/expression.hpp"
 #include "cpp_emit/files.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/uses.hpp"
@@ -344,6 +345,7 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
         out.gap();
         out.raw(machine.methods);
     }
+    write_preconditions(generation, out);
     write_carriers(generation, out);
     write_channels(generation, core, out);
     if (generation.component.composed()) write_composition(generation, core, out);

@@ -225,17 +225,24 @@ std::string ExpressionWriter::cast(const ir::Expr& expr) const {
 
 /// Functions are specified by contract only: the platform computes them.
 std::string ExpressionWriter::call(const ir::Expr& expr) const {
+    return platform_call(expr.function, call_arguments(expr));
+}
+
+std::string ExpressionWriter::call_arguments(const ir::Expr& expr) const {
     const ir::Function& function = generation_.system.functions[expr.function.index];
     std::string arguments;
     for (std::size_t i = 0; i < expr.args.size(); ++i)
         arguments += (i == 0 ? "" : ", ") + write_as(*expr.args[i], function.parameters[i]);
-    return platform_call(expr.function, arguments);
+    return arguments;
+}
+
+const FunctionHook& ExpressionWriter::hook(ir::FunctionId id) const {
+    const auto& hooks = generation_.component.functions;
+    return *std::find_if(hooks.begin(), hooks.end(), [&](const FunctionHook& each) { return each.id == id; });
 }
 
 std::string ExpressionWriter::platform_call(ir::FunctionId id, const std::string& arguments) const {
-    const auto& hooks = generation_.component.functions;
-    const auto hook = std::find_if(hooks.begin(), hooks.end(), [&](const FunctionHook& each) { return each.id == id; });
-    return fmt::format("platform_.{}({})", hook->method, arguments);
+    return fmt::format("platform_.{}({})", hook(id).method, arguments);
 }
 
 std::string ExpressionWriter::place(const ir::Expr& index) const {
@@ -271,11 +278,16 @@ std::string ExpressionWriter::membership(const ir::Expr& expr) const {
 
 /// A function of its own, called at once.
 std::string ExpressionWriter::let(const ir::Expr& expr) const {
-    std::string text = "[&] {";
-    for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
+    return fmt::format("[&] {{{} return {}; }}()", let_bindings(expr, expr.bound_names.size()),
+                       write_as(*expr.args.back(), expr.type));
+}
+
+std::string ExpressionWriter::let_bindings(const ir::Expr& expr, std::size_t count) const {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i)
         text += fmt::format(" [[maybe_unused]] const auto {} = {};", bound_identifier(expr.bound_names[i]),
                             write(*expr.args[i]));
-    return text + fmt::format(" return {}; }}()", write_as(*expr.args.back(), expr.type));
+    return text;
 }
 
 std::string ExpressionWriter::write(const ir::Expr& expr) const {

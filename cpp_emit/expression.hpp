@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cpp_emit/code_writer.hpp"
 #include "cpp_emit/generation.hpp"
 
 namespace robochart::cpp_emit {
@@ -37,6 +38,11 @@ public:
     [[nodiscard]] std::string operand(const ir::Expr&) const;
     /// The expression as a value of a numeric type other than its own; others unchanged.
     [[nodiscard]] std::string write_as(const ir::Expr&, ir::TypeId) const;
+    /// That all preconditions of functions hold that the expression calls, innermost calls first (semantics 3.5); ""
+    /// where none can be false. It is asked before the expression is evaluated.
+    [[nodiscard]] std::string asked(const ir::Expr&) const;
+    /// The condition behind its preconditions.
+    [[nodiscard]] std::string write_asked(const ir::Expr& condition) const;
     /// Where a variable is stored; "" for shared variables that nothing reads.
     [[nodiscard]] std::string variable(ir::VariableId) const;
     [[nodiscard]] std::string clock(ir::ClockId) const;
@@ -62,6 +68,11 @@ private:
     [[nodiscard]] std::string index(const ir::Expr&) const;
     [[nodiscard]] std::string membership(const ir::Expr&) const;
 
+    // expression_conditions.cpp: preconditions of functions
+    [[nodiscard]] std::vector<std::string> preconditions(const ir::Expr&) const;
+    [[nodiscard]] std::vector<std::string> bound_preconditions(const ir::Expr&) const;
+    [[nodiscard]] std::string let_bindings(const ir::Expr&, std::size_t count) const;
+
     // expression_composed.cpp: what binds variables, functions as values, toolkits, vectors and matrices
     [[nodiscard]] std::string any(const ir::Expr&, std::size_t from, const std::string& visit) const;
     [[nodiscard]] std::string quantified(const ir::Expr&) const;
@@ -73,6 +84,8 @@ private:
                                      ir::TypeId domain) const;
     [[nodiscard]] std::string beta_reduced(const ir::Expr& lambda, const std::vector<std::string>& arguments) const;
     [[nodiscard]] std::string platform_call(ir::FunctionId, const std::string& arguments) const;
+    [[nodiscard]] const FunctionHook& hook(ir::FunctionId) const;
+    [[nodiscard]] std::string call_arguments(const ir::Expr&) const;
     [[nodiscard]] std::string function_value(const ir::Expr&) const;
     [[nodiscard]] std::string toolkit(const ir::Expr&) const;
     [[nodiscard]] std::string range(const ir::Expr&) const;
@@ -89,5 +102,8 @@ private:
     std::string frame_;
     std::string incoming_;
 };
+
+/// `pre_f(n)` and the like: functions of Step that ask the preconditions of functions.
+void write_preconditions(const Generation&, CodeWriter&);
 
 }  // namespace robochart::cpp_emit

@@ -108,7 +108,7 @@ std::string ExpressionWriter::beta_reduced(const ir::Expr& lambda, const std::ve
     return fmt::format("[&]({}) {{ return {}; }}({})", parameters, write_as(*lambda.args[1], result), values);
 }
 
-/// A function of the model as the set of its pairs.
+/// A function of the model as the set of its pairs: where its precondition holds.
 std::string ExpressionWriter::function_value(const ir::Expr& expr) const {
     const ir::Type& whole = generation_.system.type(expr.type);
     const ir::TypeId domain = whole.args.at(0);
@@ -119,11 +119,13 @@ std::string ExpressionWriter::function_value(const ir::Expr& expr) const {
         for (const TypeMember& member : members(generation_.system.type(domain)))
             arguments += (arguments.empty() ? "argument." : ", argument.") + member.name;
     }
+    const std::string& precondition = hook(expr.function).precondition;
     return fmt::format(
-        "[&] {{ {0} pairs; (void){1}([&](const {2}& argument) {{ pairs.insert({3}::make(argument, {4})); return false; "
-        "}}); return pairs; }}()",
+        "[&] {{ {0} pairs; (void){1}([&](const {2}& argument) {{ {5}pairs.insert({3}::make(argument, {4})); return "
+        "false; }}); return pairs; }}()",
         type_text(expr.type), generation_.component.carrier(domain).method, type_text(domain),
-        cpp_pair(generation_.system, whole), platform_call(expr.function, arguments));
+        cpp_pair(generation_.system, whole), platform_call(expr.function, arguments),
+        precondition.empty() ? "" : fmt::format("if ({}({})) ", precondition, arguments));
 }
 
 std::string ExpressionWriter::toolkit(const ir::Expr& expr) const {

@@ -39,7 +39,7 @@ constexpr std::pair<std::string_view, std::string_view> functions[] = {
     {"relation_toolkit_rres", "relation_toolkit_rsub"},
     {"sequence_toolkit_head", "sequence_toolkit_last"},
     {"sequence_toolkit_tail", "sequence_toolkit_front"},
-    {"set_toolkit_min", "set_toolkit_max"},
+    {"sequence_toolkit_min", "sequence_toolkit_max"},
     {"sequence_toolkit_prefix", "sequence_toolkit_suffix"}};
 
 std::string other_function(std::string_view name) {

@@ -57,6 +57,8 @@ constexpr FaultKind kinds[] = {
     {Fault::operation_kept, "operation_kept",
      "an operation that has ended does not begin anew when it is called again"},
     {Fault::precondition_negated, "precondition_negated", "a precondition is negated"},
+    {Fault::function_precondition_dropped, "function_precondition_dropped",
+     "the precondition of a function is not asked"},
     {Fault::ended_by_one, "ended_by_one", "one machine's end ends the component"},
     {Fault::end_unnoticed, "end_unnoticed", "the end of a machine or an operation is not noticed"},
     {Fault::machines_reversed, "machines_reversed", "the machines run in the opposite order"},

@@ -62,6 +62,7 @@ enum class Fault {
     operation_not_awaited,
     operation_kept,
     precondition_negated,
+    function_precondition_dropped,
     // machines together
     ended_by_one,
     end_unnoticed,

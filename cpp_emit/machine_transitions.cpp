@@ -144,8 +144,10 @@ std::string MachineWriter::guard(const ir::Transition& transition, const std::st
         const std::string kept = old ? expressions.variable(stored) : "";
         expressions.set_incoming(kept.empty() ? incoming : kept);
     }
-    const std::string text = expressions.write(*transition.guard);
-    return generation_.mutation.hits(Fault::guard_negated) ? fmt::format("!({})", text) : text;
+    if (generation_.mutation.hits(Fault::guard_negated))
+        return conjunction(expressions.asked(*transition.guard),
+                           fmt::format("!({})", expressions.write(*transition.guard)));
+    return expressions.write_asked(*transition.guard);
 }
 
 /// Cuts the during actions of the state and of all below it, and starts the exits.

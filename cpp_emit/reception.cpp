@@ -121,7 +121,7 @@ std::string predicate(const Generation& generation, const Unit& unit, const ir::
     if (!communication.predicate || generation.mutation.hits(Fault::predicate_dropped)) return {};
     ExpressionWriter expressions(generation, unit);
     expressions.set_incoming(incoming);
-    return "(" + expressions.write(*communication.predicate) + ")";
+    return "(" + expressions.write_asked(*communication.predicate) + ")";
 }
 
 bool from_register(const EventUse& use) {

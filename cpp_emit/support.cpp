@@ -1,5 +1,6 @@
 #include "cpp_emit/support.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "cpp_emit/functions.hpp"
@@ -7,6 +8,7 @@
 #include "cpp_emit/rules.hpp"
 #include "cpp_emit/types.hpp"
 #include "cpp_emit/walk.hpp"
+#include "semantics/preconditions.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -130,6 +132,7 @@ private:
             check_type(entry.variable->type, entry.variable->origin.element, entry.variable->origin.span);
         for (const PlatformCall& call : component_.calls) check_call(*call.signature);
         for (const FunctionHook& hook : component_.functions) check_function(hook);
+        check_preconditions();
         check_carriers();
     }
 
@@ -147,12 +150,11 @@ private:
     }
 
     /// Every member of a set has its place.
-    void check_size(const ir::Machine& machine, ir::TypeId id, Span span) {
+    void check_size(const std::string& where, ir::TypeId id, Span span) {
         const ir::Type& type = system_.type(id);
         if (!(type.kind == ir::TypeKind::set || of_pairs(type)) || !supported(system_, id)) return;
         if (capacity(system_, inst_, type) > largest_set)
-            diagnostics_.report(rules::too_large, span,
-                                {machine.name, "a " + type.name + " may have more than 1024 members"});
+            diagnostics_.report(rules::too_large, span, {where, "a " + type.name + " may have more than 1024 members"});
     }
 
     /// Bound variables take all values of their types.
@@ -175,11 +177,40 @@ private:
         check_type(function.result, function.name, {});
     }
 
+    /// Those that code asks; none may have to be asked to ask it.
+    void check_preconditions() {
+        for (const FunctionHook& hook : component_.functions) {
+            if (!hook.guarded) continue;
+            const ir::Function& function = system_.functions[hook.id.index];
+            for (const ir::ExprPtr& condition : function.preconditions)
+                visit(condition, [&](const ir::Expr& expr) { check_expression(function.name, expr); });
+            if (asks_for_itself(hook.id))
+                diagnostics_.report(rules::unsupported_expr, function.origin.span,
+                                    {"a precondition that asks for itself", function.name});
+        }
+    }
+
+    [[nodiscard]] bool asks_for_itself(ir::FunctionId function) const {
+        std::vector<ir::FunctionId> reached = {function};
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            bool back = false;
+            for (const ir::ExprPtr& condition : system_.functions[reached[i].index].preconditions)
+                visit(condition, [&](const ir::Expr& expr) {
+                    if (!ir::precondition_can_fail(system_, inst_, {}, expr) || !expr.function.valid()) return;
+                    back = back || expr.function == function;
+                    if (std::find(reached.begin(), reached.end(), expr.function) == reached.end())
+                        reached.push_back(expr.function);
+                });
+            if (back) return true;
+        }
+        return false;
+    }
+
     void check_unit(const Unit& unit) {
         const ir::Machine& machine = *unit.machine;
         for (const auto& node : machine.nodes) check_node(machine, node);
         for (const auto& transition : machine.transitions) check_transition(machine, transition);
-        visit_expressions(machine, [&](const ir::Expr& expr) { check_expression(machine, expr); });
+        visit_expressions(machine, [&](const ir::Expr& expr) { check_expression(machine.name, expr); });
         for (const auto& variable : machine.variables)
             if (!unit.root) check_type(variable.type, variable.origin.element, variable.origin.span);
     }
@@ -196,6 +227,9 @@ private:
         const Span span = transition.origin.span;
         if (source.parent != machine.nodes[transition.target.index].parent)
             diagnostics_.report(rules::crossing, span, {name});
+        if (transition.deadline && ir::preconditions_can_fail(system_, inst_, {}, *transition.deadline))
+            diagnostics_.report(rules::unsupported_expr, span,
+                                {"a deadline by a function with a precondition", name});
         if (!transition.trigger) return;
         const bool settled = source.kind == NodeKind::state;
         if (!settled) diagnostics_.report(rules::unsupported_trigger, span, {name, "its source is not a state"});
@@ -204,21 +238,21 @@ private:
             diagnostics_.report(rules::unsupported_trigger, span, {name, "it does not only receive"});
     }
 
-    void check_expression(const ir::Machine& machine, const ir::Expr& expr) {
+    void check_expression(const std::string& where, const ir::Expr& expr) {
         if (const char* what = refused_expression(expr.kind)) {
-            diagnostics_.report(rules::unsupported_expr, expr.span, {what, machine.name});
+            diagnostics_.report(rules::unsupported_expr, expr.span, {what, where});
             return;
         }
         if (!supported(system_, expr.type))
-            diagnostics_.report(rules::unsupported_type, expr.span, {machine.name, system_.type(expr.type).name});
+            diagnostics_.report(rules::unsupported_type, expr.span, {where, system_.type(expr.type).name});
         const ir::Type& type = system_.type(expr.type);
         if (arithmetic(expr.kind) && !numeric(type.kind) && !(block(type) && of_blocks(expr.kind)))
-            diagnostics_.report(rules::unsupported_expr, expr.span, {"arithmetic on other than numbers", machine.name});
+            diagnostics_.report(rules::unsupported_expr, expr.span, {"arithmetic on other than numbers", where});
         if (expr.kind == ExprKind::is_type && !numeric(system_.type(expr.bound_types.at(0)).kind))
-            diagnostics_.report(rules::unsupported_expr, expr.span, {"`is` of other than numbers", machine.name});
-        check_size(machine, expr.type, expr.span);
+            diagnostics_.report(rules::unsupported_expr, expr.span, {"`is` of other than numbers", where});
+        check_size(where, expr.type, expr.span);
         if (expr.kind == ExprKind::real && (expr.decimal.unscaled > max_exact || expr.decimal.unscaled < -max_exact))
-            diagnostics_.report(rules::too_large, expr.span, {machine.name, "a decimal has more than 15 digits"});
+            diagnostics_.report(rules::too_large, expr.span, {where, "a decimal has more than 15 digits"});
     }
 
     const ir::System& system_;

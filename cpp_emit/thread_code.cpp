@@ -10,6 +10,7 @@
 #include "cpp_emit/reception.hpp"
 #include "cpp_emit/seeded.hpp"
 #include "cpp_emit/types.hpp"
+#include "semantics/preconditions.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -23,8 +24,33 @@ bool guards_deadlines(const ir::Machine& machine) {
     });
 }
 
+namespace {
+
+/// What the statement evaluates before it does anything, in the order in which the semantics asks for preconditions. An
+/// input asks with its value, which is not there yet.
+std::vector<const ir::Expr*> evaluated(const ir::Stmt& stmt) {
+    std::vector<const ir::Expr*> result;
+    if (stmt.kind == StmtKind::communicate && stmt.communication.kind == CommKind::input) return result;
+    for (const auto* expr : {&stmt.condition, &stmt.value, &stmt.upper, &stmt.communication.value})
+        if (*expr) result.push_back(expr->get());
+    for (const auto* list : {&stmt.args, &stmt.path})
+        for (const auto& expr : *list) result.push_back(expr.get());
+    return result;
+}
+
+/// Whether the statement waits for ever where a function is called outside its precondition.
+bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
+    const auto expressions = evaluated(stmt);
+    return std::any_of(expressions.begin(), expressions.end(), [&](const ir::Expr* expr) {
+        return ir::preconditions_can_fail(generation.system, generation.inst, unit.constants, *expr);
+    });
+}
+
+}  // namespace
+
 bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr& stmt) {
     if (!stmt) return false;
+    if (may_be_stuck(generation, unit, *stmt)) return true;
     switch (stmt->kind) {
         case StmtKind::wait:
         case StmtKind::wait_interval:
@@ -92,8 +118,33 @@ std::string ProgramWriter::fresh(const std::string& stem) {
     return thread_.labels->numbered(stem);
 }
 
+/// `pre & statement` (semantics 3.5): where a precondition does not hold nothing more happens in this thread.
+void ProgramWriter::ask(const ir::Stmt& stmt) {
+    const ExpressionWriter expressions(generation_, unit_);
+    std::string conditions;
+    for (const ir::Expr* expr : evaluated(stmt)) conditions = conjunction(conditions, expressions.asked(*expr));
+    if (conditions.empty()) return;
+    const std::string stays = thread_.go(stuck_place());
+    code().open(fmt::format("if (!({})) {{", conditions));
+    code().line(stays);
+    code().line("break;");
+    code().close();
+}
+
+/// Where the thread stays that has met a false precondition, in front of the place that is being written.
+const std::string& ProgramWriter::stuck_place() {
+    const auto found = thread_.stuck.find(state_.index);
+    if (found != thread_.stuck.end()) return found->second;
+    const std::string& label = thread_.stuck[state_.index] = thread_.labels->numbered("stuck");
+    CodeWriter stays(5);
+    stays.line("return moved;");
+    thread_.places.insert(thread_.places.end() - 1, {label, "outside the precondition of a function", state_, stays});
+    return label;
+}
+
 void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) {
     if (!stmt) return;
+    ask(*stmt);
     switch (stmt->kind) {
         case StmtKind::sequence:
             return sequence(stmt->body, stem);
@@ -387,12 +438,14 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     if (!generation_.mutation.hits(Fault::operation_kept)) code().line(place + " = {};");
 }
 
+/// A violated precondition of an operation is reported.
 void ProgramWriter::require_preconditions(const Unit& operation, const std::string& frame) {
     const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
-        const std::string text = expressions.write(*condition);
-        const bool negated = generation_.mutation.hits(Fault::precondition_negated);
-        code().line(fmt::format("ROBOCHART_PRECONDITION({});", negated ? fmt::format("!({})", text) : text));
+        std::string text = expressions.write_asked(*condition);
+        if (generation_.mutation.hits(Fault::precondition_negated)) text = fmt::format("!({})", text);
+        const bool one = text.find(',') == std::string::npos;  // argument of a macro
+        code().line(fmt::format("ROBOCHART_PRECONDITION({});", one ? text : "(" + text + ")"));
     }
 }
 

@@ -2,6 +2,7 @@
 // wait (for time, for an input, for an operation), stores where it is and gives up control (codegen.md 6.3, A1).
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -48,13 +49,15 @@ struct Thread {
     std::vector<SendSite> sites;
     std::vector<std::string> deadlines;  ///< members of the frame: time left plus one, 0 when none runs
     CodeWriter helpers{1};               ///< functions that its places call
+    std::map<std::uint32_t, std::string> stuck;  ///< by the state shown: where a false precondition leads
     bool waits = false;
 
     [[nodiscard]] std::string at(const std::string& label) const { return enumeration + "::" + label; }
     [[nodiscard]] std::string go(const std::string& label) const { return variable + " = " + at(label) + ";"; }
 };
 
-/// Whether running the statement can stop half-way: waits, inputs, outputs, calls of defined operations.
+/// Whether running the statement can stop half-way: waits, inputs, outputs, calls of defined operations, and functions
+/// outside their preconditions.
 [[nodiscard]] bool suspends(const Generation&, const Unit&, const ir::StmtPtr&);
 
 /// Whether a transition of the machine has a deadline that counts only while its guard holds (semantics 3.10).
@@ -81,6 +84,8 @@ private:
     void resume_at(const std::string& label, const diagnostics::ForeignText& comment);
     [[nodiscard]] std::string resume_here(const std::string& stem, const diagnostics::ForeignText& comment);
     [[nodiscard]] std::string fresh(const std::string& stem);
+    void ask(const ir::Stmt&);
+    [[nodiscard]] const std::string& stuck_place();
     void sequence(std::vector<ir::StmtPtr> parts, const std::string& stem);
     struct Branches {
         ir::StmtPtr then, otherwise;

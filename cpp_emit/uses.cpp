@@ -64,6 +64,7 @@ public:
             for (const ir::Variable& variable : unit.machine->variables) type(variable.type);
             visit_expressions(*unit.machine, [&](const ir::Expr& expr) { expression(expr); });
         }
+        visit_asked(component_, system_, [&](const ir::Expr& expr) { expression(expr); });
         component_.matrices = component_.matrices || component_.toolkit;
     }
 

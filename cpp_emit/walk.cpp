@@ -1,5 +1,7 @@
 #include "cpp_emit/walk.hpp"
 
+#include "cpp_emit/component.hpp"
+
 namespace robochart::cpp_emit {
 
 namespace {
@@ -46,9 +48,17 @@ void visit_expressions(const ir::Machine& machine, const ExprVisitor& visitor) {
     for (const auto& transition : machine.transitions) {
         visit(transition.guard, visitor);
         visit(transition.probability, visitor);
+        visit(transition.deadline, visitor);
         if (transition.trigger) visit_communication(*transition.trigger, visitor);
     }
     for (const auto& condition : machine.preconditions) visit(condition, visitor);
+}
+
+void visit_asked(const Component& component, const ir::System& system, const ExprVisitor& visitor) {
+    for (const FunctionHook& hook : component.functions) {
+        if (!hook.guarded) continue;
+        for (const auto& condition : system.functions[hook.id.index].preconditions) visit(condition, visitor);
+    }
 }
 
 void visit_communications(const ir::Machine& machine,

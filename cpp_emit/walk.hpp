@@ -7,6 +7,8 @@
 
 namespace robochart::cpp_emit {
 
+struct Component;
+
 using ExprVisitor = std::function<void(const ir::Expr&)>;
 using StmtVisitor = std::function<void(const ir::Stmt&)>;
 
@@ -18,8 +20,10 @@ void visit(const ir::StmtPtr&, const StmtVisitor&);
 void visit_own(const ir::Stmt&, const ExprVisitor&);
 /// Entry, during and exit actions of all states, then the transitions' actions.
 void visit_statements(const ir::Machine&, const StmtVisitor&);
-/// All expressions whose value matters to running code: guards, triggers, actions, preconditions.
+/// All expressions whose value matters to running code: guards, triggers, actions, deadlines, preconditions.
 void visit_expressions(const ir::Machine&, const ExprVisitor&);
+/// Those of the preconditions of functions that running code asks.
+void visit_asked(const Component&, const ir::System&, const ExprVisitor&);
 /// Trigger communications of the transitions, then communications of the statements.
 void visit_communications(const ir::Machine&, const std::function<void(const ir::Communication&, bool trigger)>&);
 

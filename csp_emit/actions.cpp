@@ -144,14 +144,31 @@ std::optional<ExprPtr> MachineEmitter::silent_statement(const Place& place, cons
 ExprPtr MachineEmitter::perform(const Place& place, const Values& values) {
     const ir::Stmt& stmt = *place.head().stmt;
     const ExprPtr then = perform_statement(place, stmt, place.thread->rest->tail, values);
+    const b::Exprs conditions = asked(place.owner->frame, stmt, values);
+    if (conditions.empty()) return then;
+    return b::if_(b::all_of(conditions), then, go(stuck(place), values));
+}
+
+/// The preconditions of the functions that the statement uses (semantics 3.5).
+b::Exprs MachineEmitter::asked(std::uint32_t frame, const ir::Stmt& stmt, const Values& values) const {
     b::Exprs conditions;
     for (const ir::Expr* expr : reads(stmt))
-        for (auto& condition : preconditions(project(), scope(place.owner->frame, values), *expr))
-            conditions.push_back(condition);
-    if (conditions.empty()) return then;
-    Item stuck = place.head();
-    stuck.kind = ItemKind::stuck;
-    return b::if_(b::all_of(conditions), then, go(place.put(running(push(stuck, nullptr))), values));
+        for (auto& condition : preconditions(project(), scope(frame, values), *expr)) conditions.push_back(condition);
+    return conditions;
+}
+
+/// The thread does nothing more; deadlines around what it should do run out (semantics 3.10: `S <{d}` is interrupted
+/// after d by a process in which time stops, whatever S does).
+Activation MachineEmitter::stuck(const Place& place) {
+    Item blocked = place.head();
+    blocked.kind = ItemKind::stuck;
+    blocked.cells.clear();
+    std::vector<Item> items = {blocked};
+    for (const Link* link = place.thread->rest->tail.get(); link != nullptr; link = link->tail.get())
+        if (link->head.kind == ItemKind::deadline_end) items.push_back(link->head);
+    Program program;
+    for (auto item = items.rbegin(); item != items.rend(); ++item) program = push(*item, program);
+    return place.put(running(program));
 }
 
 ExprPtr MachineEmitter::perform_statement(const Place& place, const ir::Stmt& stmt, const Program& rest,
@@ -295,9 +312,7 @@ void MachineEmitter::statement_branches(const Place& place, bool alone, std::vec
 
 /// `pre & process` for the functions that the statement uses (semantics 3.5).
 ExprPtr MachineEmitter::guarded(std::uint32_t frame, const ir::Stmt& stmt, const ExprPtr& process) const {
-    b::Exprs conditions;
-    for (const ir::Expr* expr : reads(stmt))
-        for (auto& condition : preconditions(project(), scope(frame, {}), *expr)) conditions.push_back(condition);
+    const b::Exprs conditions = asked(frame, stmt, {});
     return conditions.empty() ? process : b::guard(b::all_of(conditions), process);
 }
 
@@ -321,13 +336,9 @@ ExprPtr MachineEmitter::freeze(const Place& place, const ir::Stmt& stmt) {
         keep(expression_as(project(), scope(frame, {}), *stmt.args[i],
                            target.operations.at(stmt.operation.index).parameters.at(i)));
     const ExprPtr then = go(place.put(running(push(item, place.thread->rest->tail))), values);
-    b::Exprs conditions;
-    for (const ir::Expr* expr : reads(stmt))
-        for (auto& condition : preconditions(project(), scope(frame, {}), *expr)) conditions.push_back(condition);
+    const b::Exprs conditions = asked(frame, stmt, {});
     if (conditions.empty()) return then;
-    item.kind = ItemKind::stuck;
-    item.cells.clear();
-    return b::if_(b::all_of(conditions), then, go(place.put(running(push(item, nullptr))), {}));
+    return b::if_(b::all_of(conditions), then, go(stuck(place), {}));
 }
 
 /// `e.out`, `e.out!v`.

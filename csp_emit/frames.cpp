@@ -6,6 +6,7 @@
 #include "csp_emit/machine.hpp"
 #include "csp_emit/rules.hpp"
 #include "csp_emit/types.hpp"
+#include "semantics/preconditions.hpp"
 #include "semantics/query.hpp"
 
 namespace robochart::csp_emit {
@@ -182,6 +183,10 @@ void MachineEmitter::add_monitors(Frame& frame) {
         };
         if (transition.guard && mentions(*transition.guard, outside))
             project().refuse("the deadline of " + transition.name + " under a condition on the caller's clock",
+                             transition.origin.span);
+        // No source says whether such a deadline runs.
+        if (ir::preconditions_can_fail(project().system, project().instantiation, {}, *transition.deadline))
+            project().refuse("the deadline of " + transition.name + " by a function with a precondition",
                              transition.origin.span);
         Cell cell;
         cell.kind = CellKind::monitor;

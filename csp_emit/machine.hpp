@@ -179,6 +179,8 @@ private:
     ExprPtr write(const Place& place, CellId cell, const ExprPtr& value, const ir::Stmt* stmt);
     ExprPtr assigned(std::uint32_t frame, const ir::Stmt& stmt, const Values& values) const;
     ExprPtr guarded(std::uint32_t frame, const ir::Stmt& stmt, const ExprPtr& process) const;
+    std::vector<ExprPtr> asked(std::uint32_t frame, const ir::Stmt& stmt, const Values& values) const;
+    static Activation stuck(const Place& place);
     ExprPtr step(std::uint32_t frame, const ir::Stmt& stmt, const std::string& what, const ExprPtr& then);
     ExprPtr step_event(const std::string& key, const EventMeaning& meaning);
 
@@ -251,6 +253,7 @@ private:
     ExprPtr wait_for(const Place& place, const ir::Stmt& stmt, const ExprPtr& units, const Program& rest,
                      const Values& values);
     bool stops_time(const Place& place, bool alone) const;
+    std::vector<ExprPtr> asked_by_call(const Place& place, bool alone) const;
     std::vector<ExprPtr> time_conditions(const View& view) const;
     std::vector<std::pair<CellId, ExprPtr>> monitors(const View& view, const Values& values) const;
     ExprPtr monitor_bound(CellId cell, const Values& values) const;

@@ -102,13 +102,9 @@ ExprPtr MachineEmitter::perform_call(const Place& place, const ir::Stmt& stmt, c
     const std::uint32_t caller = place.owner->frame;
     const ir::Machine& operation = *definition_of(frames_[caller], stmt.operation);
     const Activation returned = place.put({rest, nullptr});
-    Item stuck = place.head();
-    stuck.kind = ItemKind::stuck;
     if (!operation.initial.valid()) {  // no body: SKIP |~| STOP, with `terminates` SKIP
         const ExprPtr skip = go(returned, values);
-        return operation.terminates
-                   ? skip
-                   : b::internal_choice({skip, go(place.put({push(stuck, nullptr), nullptr}), values)});
+        return operation.terminates ? skip : b::internal_choice({skip, go(stuck(place), values)});
     }
     if (const std::string chain = recursion(*frames_[caller].machine, operation); !chain.empty()) {
         project().diagnostics.report(rules::recursive_call, stmt.origin.span, {operation.name, chain});
@@ -126,10 +122,12 @@ ExprPtr MachineEmitter::perform_call(const Place& place, const ir::Stmt& stmt, c
     }
     const ExprPtr called = go(shared ? body : place.put({rest, std::make_shared<const Activation>(body)}), inside);
     b::Exprs conditions;
-    for (const auto& condition : operation.preconditions)
+    for (const auto& condition : operation.preconditions) {
+        for (auto& first : preconditions(project(), scope(index, inside), *condition)) conditions.push_back(first);
         conditions.push_back(expression(project(), scope(index, inside), *condition));
+    }
     if (conditions.empty()) return called;
-    return b::if_(b::all_of(conditions), called, go(place.put({push(stuck, nullptr), nullptr}), values));
+    return b::if_(b::all_of(conditions), called, go(stuck(place), values));
 }
 
 }  // namespace robochart::csp_emit

@@ -137,14 +137,26 @@ bool MachineEmitter::stops_time(const Place& place, bool alone) const {
     if (item.kind == ItemKind::frozen) return item.stmt->kind == ir::StmtKind::call;
     if (item.kind != ItemKind::statement) return false;
     const ir::Stmt& stmt = *item.stmt;
-    if (!visible(place, stmt) || stmt.kind == ir::StmtKind::call) return true;
+    if (!visible(place, stmt)) return true;
+    if (stmt.kind == ir::StmtKind::call) return asked_by_call(place, alone).empty();
     const bool input = stmt.kind == ir::StmtKind::communicate && stmt.communication.kind == ir::CommKind::input;
     return !input && !stable(place.owner->frame, stmt, alone);
 }
 
-/// Deadlines still to be met: each must have time left, or time stops.
+/// What is asked while a platform operation is being called: `pre & opCall`, which is urgent only where it is offered.
+std::vector<ExprPtr> MachineEmitter::asked_by_call(const Place& place, bool alone) const {
+    const Item& item = place.head();
+    if (item.kind != ItemKind::statement || item.stmt->kind != ir::StmtKind::call) return {};
+    const bool steady = stable(place.owner->frame, *item.stmt, alone) && !reads_in_turn(place, *item.stmt);
+    return steady && visible(place, *item.stmt) ? asked(place.owner->frame, *item.stmt, {}) : std::vector<ExprPtr>{};
+}
+
+/// Deadlines still to be met: each must have time left, or time stops. So it does where an operation can be called.
 std::vector<ExprPtr> MachineEmitter::time_conditions(const View& view) const {
     std::vector<ExprPtr> result;
+    for (const Place& place : view.places)
+        if (const auto conditions = asked_by_call(place, view.places.size() == 1); !conditions.empty())
+            result.push_back(b::logical_not(b::all_of(conditions)));
     const auto left = [&](CellId cell) { return b::binary(Op::greater, b::name(cells_[cell].name), b::number(0)); };
     const auto deadlines = [&](const Program& program) {
         for (const Link* link = program.get(); link != nullptr; link = link->tail.get())

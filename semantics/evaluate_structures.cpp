@@ -48,18 +48,6 @@ Value Evaluator::access(const Expr& expr) {
     return base;
 }
 
-/// Runs `body` for every combination of the bound variables' values.
-template <class Body>
-void Evaluator::each_binding(const Expr& expr, std::size_t index, const Body& body) {
-    if (index == expr.bound_names.size()) return body();
-    if (index >= expr.bound_types.size()) fault(expr, "a bound variable has no type");
-    for (const Value& candidate : carrier(system_, instantiation_, expr.bound_types[index])) {
-        bindings_.emplace_back(expr.bound_names[index], candidate);
-        each_binding(expr, index + 1, body);
-        bindings_.pop_back();
-    }
-}
-
 Value Evaluator::quantified(const Expr& expr) {
     const std::size_t bindings = bindings_.size();
     std::vector<Value> found;  // value of the body wherever the predicate holds
@@ -108,7 +96,9 @@ Value Evaluator::function_result(const Function& function, const std::vector<Val
     const auto satisfies = [&](const Value& candidate) {
         bindings_.emplace_back("result", candidate);
         const bool holds = std::all_of(function.postconditions.begin(), function.postconditions.end(),
-                                       [&](const ExprPtr& condition) { return value(*condition).number != 0; });
+                                       [&](const ExprPtr& condition) {
+                                           return defined(*condition) && value(*condition).number != 0;
+                                       });
         bindings_.pop_back();
         return holds;
     };
@@ -126,14 +116,15 @@ Value Evaluator::function_result(const Function& function, const std::vector<Val
     return *found;
 }
 
-/// A function as the set of its pairs.
+/// A function as the set of its pairs: where its precondition holds.
 Value Evaluator::function_pairs(const Expr& expr) {
     const Function& function = system_.functions.at(expr.function.index);
     std::vector<Value> pairs;
     for (const Value& argument : carrier(system_, instantiation_, system_.type(expr.type).args.at(0))) {
         const bool one = function.parameters.size() == 1;
-        pairs.push_back(
-            {0, {argument, function_result(function, one ? std::vector<Value>{argument} : argument.parts, expr)}});
+        const std::vector<Value> arguments = one ? std::vector<Value>{argument} : argument.parts;
+        if (may_be_called(function, arguments, expr))
+            pairs.push_back({0, {argument, function_result(function, arguments, expr)}});
     }
     return set_of(std::move(pairs));
 }

@@ -25,6 +25,10 @@ public:
         : system_(system), instantiation_(instantiation), machine_(machine), environment_(environment) {}
 
     Value value(const Expr& expr);
+    /// Whether all preconditions of functions that the expression calls hold, asked as the semantics asks them.
+    bool defined(const Expr& expr);
+    /// Whether the function's preconditions hold of the arguments.
+    bool may_be_called(const Function& function, const std::vector<Value>& arguments, const Expr& expr);
 
 private:
     [[noreturn]] static void fault(const Expr& expr, const std::string& cause) {
@@ -58,6 +62,8 @@ private:
     Value function_call(const Expr& expr);
     Value function_result(const Function& function, const std::vector<Value>& arguments, const Expr& expr);
     Value function_pairs(const Expr& expr);
+    bool defined_for_all(const Expr& expr);
+    bool has_preconditions(const Expr& expr) const;
     Value toolkit_call(const Expr& expr);
     bool has_type(const Value& value, TypeId from, TypeId to);
     Value range(const Expr& expr);
@@ -67,8 +73,17 @@ private:
     bool truth(const Expr& expr, std::size_t index) { return operand(expr, index).number != 0; }
     TypeKind kind(TypeId id) { return id.valid() ? system_.type(id).kind : TypeKind::unit; }
     std::vector<Value> operands(const Expr& expr);
+    /// Runs `body` for every combination of the bound variables' values.
     template <class Body>
-    void each_binding(const Expr& expr, std::size_t index, const Body& body);
+    void each_binding(const Expr& expr, std::size_t index, const Body& body) {
+        if (index == expr.bound_names.size()) return body();
+        if (index >= expr.bound_types.size()) fault(expr, "a bound variable has no type");
+        for (const Value& candidate : carrier(system_, instantiation_, expr.bound_types[index])) {
+            bindings_.emplace_back(expr.bound_names[index], candidate);
+            each_binding(expr, index + 1, body);
+            bindings_.pop_back();
+        }
+    }
     Value bound(const Expr& expr);
 
     const System& system_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cpp_emit/walk.hpp"
+#include "semantics/toolkit.hpp"
 
 namespace robochart::conformance::test {
 
@@ -51,6 +52,11 @@ private:
         cpp_emit::visit_expressions(machine, [&](const ir::Expr& expr) {
             note(expr.kind == ir::ExprKind::since, "since");
             note(expr.kind == ir::ExprKind::since_entry, "sinceEntry");
+            note(expr.kind == ir::ExprKind::call && expr.function.valid() &&
+                     !system_.functions[expr.function.index].preconditions.empty(),
+                 "call of a function with a precondition");
+            note(expr.kind == ir::ExprKind::toolkit && ir::toolkit_precondition(expr.text),
+                 "call of a toolkit function with a precondition");
         });
     }
 
@@ -260,6 +266,8 @@ std::set<std::string> widened_constructs() {
                   "machine twice",
                   "operation that requires an operation",
                   "operation with a required clock",
+                  "call of a function with a precondition",
+                  "call of a toolkit function with a precondition",
                   "operation with a required variable",
                   "operation with a variable of its own",
                   "probability",

@@ -74,12 +74,19 @@ event a event b event x initial i transition t0 { from i to A } state A {} state
 transition t1 { from A to B trigger a action x } transition t2 { from B to A trigger b }
 )";
 
+const char* const undefined = R"(
+requires I event a : nat var v : nat = 0
+initial i transition t0 { from i to A } state A {} state B { entry tell(some(v)) }
+transition t1 { from A to B trigger a?v } transition t2 { from B to A }
+)";
+
 const std::vector<Registers> three = {{}, {{"a.in", ""}}, {}, {}, {}, {}};
 
 class Faults : public ::testing::TestWithParam<Case> {
 protected:
     ir::System system_ = testing::model(
-        std::string("package p interface I { op(a : nat, b : nat) tell(v : nat) }\nstm M {") + GetParam().body + "}");
+        std::string("package p import sequence_toolkit::*\n"
+                    "function some(n : nat) : nat { precondition n > 0 }\ninterface I { op(a : nat, b : nat) tell(v : nat) }\nstm M {") + GetParam().body + "}");
 };
 
 std::vector<std::string> run(Controller& controller, const std::vector<Registers>& script) {
@@ -152,8 +159,62 @@ INSTANTIATE_TEST_SUITE_P(
         Case{Fault::event_kept, "event_kept", two_inputs, {{{"a.in", ""}}, {{"a.in", ""}}, {{"b.in", ""}}}},
         Case{Fault::wait_dropped, "wait_dropped", actions, three},
         Case{Fault::output_repeated, "output_repeated", two_outputs, {{}, {}}},
+        // Behind the call of some(0) B would be left.
+        Case{Fault::function_precondition_dropped,
+             "function_precondition_dropped",
+             undefined,
+             {{}, {{"a.in", "0"}}, {{"a.in", "1"}}}},
         Case{Fault::trigger_value_old, "trigger_value_old", guarded, {{}, {{"a.in", "2"}}}}),
     [](const auto& test) { return test.param.name; });
+
+struct Exchanged {
+    const char* condition;
+    const char* own;
+    const char* other;
+};
+
+// A name that no function has would be a fault that never occurs.
+TEST(FaultsOfToolkitFunctions, TakeTheOtherOfEachPair) {
+    constexpr Exchanged pairs[] = {{"union({v}, {1}) == {}", "union_", "inter"},
+                                   {"inter({v}, {1}) == {}", "inter", "union_"},
+                                   {"diff({v}, {1}) == {}", "diff", "union_"},
+                                   {"Union({{v}}) == {}", "Union", "Inter"},
+                                   {"Inter({{v}}) == {}", "Inter", "Union"},
+                                   {"subset({v}, {1})", "subset", "subseteq"},
+                                   {"subseteq({v}, {1})", "subseteq", "subset"},
+                                   {"dres({v}, {(|1, 1|)}) == {}", "dres", "dsub"},
+                                   {"dsub({v}, {(|1, 1|)}) == {}", "dsub", "dres"},
+                                   {"rres({(|1, 1|)}, {v}) == {}", "rres", "rsub"},
+                                   {"rsub({(|1, 1|)}, {v}) == {}", "rsub", "rres"},
+                                   {"head(<v, 1>) == 1", "head", "last"},
+                                   {"last(<v, 1>) == 1", "last", "head"},
+                                   {"tail(<v, 1>) == <1>", "tail", "front"},
+                                   {"front(<v, 1>) == <1>", "front", "tail"},
+                                   {"min({v, 1}) == 1", "min", "max"},
+                                   {"max({v, 1}) == 1", "max", "min"},
+                                   {"prefix(<v>, <1>)", "prefix", "suffix"},
+                                   {"suffix(<v>, <1>)", "suffix", "prefix"}};
+    for (const Exchanged& pair : pairs) {
+        const ir::System system = testing::model(
+            "package p import set_toolkit::* import relation_toolkit::* import sequence_toolkit::*\n"
+            "stm M { event a : nat var v : nat initial i transition t0 { from i to A } state A { } state B { }\n"
+            "transition t1 { from A to B trigger a?v condition " +
+            std::string(pair.condition) + " } }");
+        Options options;
+        options.fault = Fault::set_operation_wrong;
+        const auto has = [&](const char* function) {
+            const Emission emission = testing::emit_ok(system, component(system, "M"), options);
+            return std::any_of(emission.files.begin(), emission.files.end(), [&](const OutputFile& file) {
+                return file.path == "M_core.hpp" &&
+                       file.text.find("toolkit::" + std::string(function) + "<") != std::string::npos;
+            });
+        };
+        EXPECT_TRUE(has(pair.other)) << pair.condition;
+        EXPECT_FALSE(has(pair.own)) << pair.condition;
+        options.fault = Fault::none;
+        EXPECT_TRUE(has(pair.own)) << pair.condition;
+    }
+}
 
 }  // namespace
 }  // namespace robochart::cpp_emit

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "diagnostics/render.hpp"
+#include "frontend/library.hpp"
 #include "frontend/project.hpp"
 #include "semantics/lower.hpp"
 
@@ -39,6 +40,7 @@ ir::System model(const std::string& text) {
     const diagnostics::SourceId source = sources.add("test.rct", text);
     frontend::Model model;
     model.files.push_back(frontend::parse(sources, source, false, diagnostics));
+    frontend::add_toolkits(sources, model, diagnostics);
     frontend::resolve(model, diagnostics);
     return lowered(sources, model, diagnostics);
 }

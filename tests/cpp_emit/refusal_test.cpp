@@ -64,6 +64,23 @@ TEST(Refusals, Expressions) {
     EXPECT_EQ(machine_codes("var n : nat = <1, 2>[3] state A { entry n = n }"), Codes{"RC-G05"});
 }
 
+// Where preconditions can be false: one that has to be asked to be asked, and what no source says, whether a deadline
+// runs whose length has no value.
+TEST(Refusals, Preconditions) {
+    const std::string functions =
+        "function f(n : nat) : nat { precondition g(n) > 0 } function g(n : nat) : nat { precondition f(n) > 0 }\n"
+        "function h(n : nat) : nat { precondition n > 1 }\n";
+    EXPECT_EQ(machine_codes("event e : nat var n : nat state A { entry e!(f(n)) }", functions), Codes{"RC-G05"});
+    EXPECT_EQ(machine_codes("event e : nat var n : nat state A { } state B { } transition t1 { from A to B trigger e?n "
+                            "<{ h(n) } }",
+                            functions),
+              Codes{"RC-G05"});
+    const ir::System system = testing::model("package p\n" + functions +
+                                             "stm M { event e initial i state A {} transition t0 { from i to A }\n"
+                                             "transition t1 { from A to A trigger e <{ h(2) } } }");
+    EXPECT_FALSE(testing::emit_ok(system, component(system, "M")).files.empty());
+}
+
 TEST(Refusals, SetsThatMayHaveTooManyMembers) {
     EXPECT_EQ(machine_codes("var s : Set(nat * nat * nat * nat * nat) state A { entry s = s }"), Codes{"RC-G13"});
 }

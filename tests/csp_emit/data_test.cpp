@@ -279,6 +279,83 @@ TEST(Preconditions, UnderABinderCountForEveryValue) {
               "holds");
 }
 
+// semantics 3.5, 3.8: `pre & opCall` is urgent only where it is offered; where it is not, time passes.
+TEST(Preconditions, LetTimePassBeforeACallThatNeverComes) {
+    const auto m = model(std::string(declarations) + R"(
+        interface Acts { act(n : int) }
+        stm S { requires Acts event e var x : int initial j state A { entry e ; act(positive(x)) }
+                transition t0 { from j to A } })");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    EXPECT_EQ(equal(*m, Time::timed, "S::D__(0)", "Spec", R"(
+        Spec = S::e.out -> Waits [] tock -> Spec
+        Waits = tock -> Waits)"),
+              "holds");
+    const auto urgent = model(std::string(declarations) + R"(
+        interface Acts { act(n : int) }
+        stm S { requires Acts event e var x : int = 1 initial j state A { entry e ; act(positive(x)) }
+                transition t0 { from j to A } })");
+    EXPECT_EQ(equal(*urgent, Time::timed, "S::D__(0)", "Spec", R"(
+        Spec = S::e.out -> S::actCall.1 -> Waits [] tock -> Spec
+        Waits = tock -> Waits)"),
+              "holds");
+}
+
+// semantics 3.10: `S <{d}` is interrupted after d by a process in which time stops, whatever S does.
+TEST(Preconditions, DoNotLiftADeadline) {
+    for (const std::string blocked : {"wait(positive(x))", "x = positive(x)", "if positive(x) > 0 then skip else skip end"}) {
+        const auto m = model(std::string(declarations) +
+                             "stm S { event e var x : int initial j state A { entry e ; (" + blocked +
+                             " ; wait(1)) <{2} } transition t0 { from j to A } }");
+        ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+        EXPECT_EQ(equal(*m, Time::timed, "S::D__(0)", "Spec", R"(
+            Spec = S::e.out -> tock -> tock -> STOP [] tock -> Spec)"),
+                  "holds")
+            << blocked;
+    }
+}
+
+// Those of functions in an operation's precondition come before it: head(<>) has no value.
+TEST(Preconditions, OfFunctionsInAnOperationsPrecondition) {
+    const auto m = model(std::string(declarations) + R"(
+        interface O { op(n : Seq(int)) }
+        operation op(n : Seq(int)) { precondition head(n) > 0 initial i final f transition t { from i to f } }
+        controller C {
+            event e event d opref o = op
+            stm S { requires O event e event d initial j state A { entry e ; op(<1>) ; d ; op(<>) ; d }
+                    transition t0 { from j to A } }
+            connection S on e to C on e connection S on d to C on d
+        })");
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    EXPECT_EQ(equal(*m, Time::untimed, "C::D__(0)", "Spec", "Spec = C::e.out -> C::d.out -> STOP"), "holds");
+}
+
+// A candidate for the value of a function is passed over where its postcondition has no value for it; a function as a
+// value has the pairs where its precondition holds.
+TEST(Preconditions, OfFunctionsInPostconditionsAndOfFunctionsAsValues) {
+    const std::vector<Case> cases = {{"starting(1)[1]", "1"}, {"size(dom(positive))", "2"}};
+    const auto m = model("function starting(n : int) : Seq(int) { postcondition head(result) == n }\n" +
+                         machine_of(cases));
+    ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+    const std::vector<std::string> values = evaluated(*m);
+    ASSERT_EQ(values.size(), cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i) EXPECT_EQ(values[i], cases[i].value) << cases[i].expression;
+    EXPECT_EQ(equal(*m, Time::untimed, "S::D__(0)", "Spec", specification_of(cases)), "holds") << m->messages();
+}
+
+// No source says whether such a deadline runs.
+TEST(Preconditions, ThatCanBeFalseAreRefusedInTheDeadlineOfATransition) {
+    const auto with = [](const std::string& deadline) {
+        const auto m = model(std::string(declarations) +
+                             "stm S { event e var s : Seq(int) initial j state A { } transition t0 { from j to A } "
+                             "transition t1 { from A to A trigger e <{" +
+                             deadline + "} } }");
+        (void)m->emit(Time::timed);
+        return m->codes();
+    };
+    EXPECT_THAT(with("head(s)"), Contains("RC-C01"));
+    EXPECT_THAT(with("head(<1, 2>)"), ::testing::Not(Contains("RC-C01")));
+}
+
 TEST(Postconditions, WithoutAnyValueMakeTheCheckInconclusive) {
     const auto m = model(R"(
         function none(n : nat) : nat { postcondition result != result }
