@@ -155,5 +155,57 @@ TEST(Regressions, TheEmptyStringIsTheEmptySequence) {
         "transition t1 { from A to A trigger e?x action out!x } }\n");
 }
 
+/// A machine S below a module whose platform provides what `shared` declares and sends e.
+std::string with_platform(const std::string& shared, const std::string& before, const std::string& body) {
+    return "record Spot { at : nat free : boolean }\n"
+           "interface V { " + shared + " }\n" + before +
+           "stm S { requires V event e : boolean\n" + body + " }\n"
+           "module M { robotic platform P { provides V event e : boolean } cref c = C\n"
+           "connection P on e to c on e (_async) }\n";
+}
+
+std::string machine_alone(const std::string& shared, const std::string& body) {
+    return with_platform(shared,
+                         "controller C { requires V event e : boolean sref m = S connection C on e to m on e }\n", body);
+}
+
+/// The platform hears of the whole variable, so that the rest of it is needed.
+TEST(Regressions, APartOfAVariableThatNothingReadsIsWritten) {
+    expect_conforming(machine_alone(
+        "var t : nat * boolean var s : Spot var q : Seq(boolean) = <true, true> var v : vector(boolean, 2)\n"
+        "var m : matrix(boolean, 2, 2) var n : boolean * Spot var w : Seq(nat * boolean) = <(| 1, true |)>",
+        "initial i state A { entry t[1] = 1; s.free = false; q[2] = false; v[1] = false; m[2, 1] = false;\n"
+        "n[2].at = 1; w[1][2] = false } transition t0 { from i to A }"));
+}
+
+TEST(Regressions, APartIsWrittenWhereverActionsStand) {
+    expect_conforming(with_platform(
+        "var a : boolean * boolean var b : boolean * boolean var c : boolean * boolean var d : boolean * boolean var f : boolean",
+        "interface Ops { op() }\n"
+        "operation op() { requires V initial i final o transition t { from i to o action d[1] = false } }\n"
+        "controller C { requires V event e : boolean opref o = op sref m = S connection C on e to m on e }\n",
+        "requires Ops initial i state A { entry a[1] = false during b[1] = false exit c[1] = false }\n"
+        "state B { entry op(); a[2] = false } transition t0 { from i to A }\n"
+        "transition t1 { from A to B trigger e?f action b[2] = false } transition t2 { from B to A trigger e?f }"));
+}
+
+/// What a deadline or a wait depends on may be read nowhere else.
+TEST(Regressions, DurationsReadVariables) {
+    for (const std::string type : {"nat", "int"}) {
+        const std::string shared = "var d : " + type;
+        const std::string declared = "record R { a : " + type + " }\nfunction f(x : " + type + ") : " + type +
+                                     " { postcondition result == x }\n";
+        for (const std::string body :
+             {"state A { entry wait(d) } transition t0 { from i to A }",
+              "state A { entry wait(f(r.a)) } transition t0 { from i to A }",
+              "state A { entry (wait(1)) <{ d + 1 } } transition t0 { from i to A }",
+              "state A { entry (wait(0)) <{ if d > 0 then d else r.a end } } transition t0 { from i to A }",
+              "state A { } transition t0 { from i to A } transition t1 { from A to A trigger e?x <{ d + 1 } }",
+              "state A { } transition t0 { from i to A } transition t1 { from A to A trigger e?x <{ 1 + f(r.a) } "
+              "condition x }"})
+            expect_conforming(declared + machine_alone(shared, "var x : boolean var r : R initial i " + std::string(body)));
+    }
+}
+
 }  // namespace
 }  // namespace robochart::conformance
