@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cpp_emit/cpp_expr.hpp"
 #include "cpp_emit/generation.hpp"
 
 namespace robochart::cpp_emit {
@@ -32,11 +33,16 @@ public:
     /// What `trigger_value` means: the incoming value, as C++ text.
     void set_incoming(std::string text) { incoming_ = std::move(text); }
 
-    [[nodiscard]] std::string write(const ir::Expr&) const;
-    /// The same as an operand: in parentheses unless it binds tightest.
-    [[nodiscard]] std::string operand(const ir::Expr&) const;
+    [[nodiscard]] CppExpr expression(const ir::Expr&) const;
     /// The expression as a value of a numeric type other than its own; others unchanged.
-    [[nodiscard]] std::string write_as(const ir::Expr&, ir::TypeId) const;
+    [[nodiscard]] CppExpr expression_as(const ir::Expr&, ir::TypeId) const;
+    /// Standing alone: an argument, an initial value, a condition between parentheses.
+    [[nodiscard]] std::string write(const ir::Expr& expr) const { return expression(expr).whole(); }
+    [[nodiscard]] std::string write_as(const ir::Expr& expr, ir::TypeId type) const {
+        return expression_as(expr, type).whole();
+    }
+    /// An operand of any operator: in parentheses unless it binds tightest.
+    [[nodiscard]] std::string operand(const ir::Expr& expr) const { return expression(expr).operand(); }
     /// Where a variable is stored; "" for shared variables that nothing reads.
     [[nodiscard]] std::string variable(ir::VariableId) const;
     [[nodiscard]] std::string clock(ir::ClockId) const;
@@ -44,12 +50,13 @@ public:
     [[nodiscard]] std::string place(const ir::Expr& index) const;
 
 private:
-    [[nodiscard]] std::string right(const ir::Expr&) const;  ///< without a seeded fault
+    [[nodiscard]] CppExpr right(const ir::Expr&) const;  ///< without a seeded fault
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
-    [[nodiscard]] std::string arithmetic(const ir::Expr&, const char* symbol) const;
+    [[nodiscard]] CppExpr arithmetic(const ir::Expr&, const char* symbol, Binding) const;
     [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;
-    [[nodiscard]] std::string comparison(const ir::Expr&, const char* symbol) const;
-    [[nodiscard]] std::string logical(const ir::Expr&, const char* symbol) const;
+    [[nodiscard]] CppExpr comparison(const ir::Expr&, const char* symbol, Binding) const;
+    [[nodiscard]] CppExpr compared(const ir::Expr&, const char* symbol, const std::string& left,
+                                   const std::string& right, Binding) const;
     [[nodiscard]] std::string constant(const ir::Expr&) const;
     [[nodiscard]] std::string enum_literal(const ir::Expr&) const;
     [[nodiscard]] std::string list(const ir::Expr&, const std::vector<ir::TypeId>& types) const;
@@ -64,7 +71,7 @@ private:
 
     // expression_composed.cpp: what binds variables, functions as values, toolkits, vectors and matrices
     [[nodiscard]] std::string any(const ir::Expr&, std::size_t from, const std::string& visit) const;
-    [[nodiscard]] std::string quantified(const ir::Expr&) const;
+    [[nodiscard]] CppExpr quantified(const ir::Expr&) const;
     [[nodiscard]] std::string collected(const ir::Expr&) const;
     [[nodiscard]] std::string collected_item(const ir::Expr&) const;
     [[nodiscard]] std::string bound_values(const ir::Expr&, ir::TypeId) const;
@@ -79,7 +86,7 @@ private:
     [[nodiscard]] std::string is_type(const ir::Expr&) const;
     [[nodiscard]] bool block_arithmetic(const ir::Expr&) const;
     [[nodiscard]] std::string block_operand(const ir::Expr&, ir::TypeId entry) const;
-    [[nodiscard]] std::string block_arithmetic_text(const ir::Expr&) const;
+    [[nodiscard]] CppExpr block_arithmetic_text(const ir::Expr&) const;
 
     [[nodiscard]] std::string frame_of(const Unit& owner) const;
 

@@ -243,8 +243,9 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
         generation_.mutation.hits(Fault::input_not_awaited) || generation_.mutation.hits(Fault::loop_never_ends);
     if (!unawaited) {
         resume_at(fresh(stem), fmt::format("waits for {}", use.name));
-        const std::string more = predicate(generation_, unit_, communication, value);
-        code().open(fmt::format("if (!(inputs_.{}.present{})) {{", port.input, more.empty() ? "" : " && " + more));
+        const CppExpr there("inputs_." + port.input + ".present");
+        const CppExpr wanted = conjunction(there, predicate(generation_, unit_, communication, value));
+        code().open(fmt::format("if (!({})) {{", wanted.whole()));
         code().line("return moved;");
         code().close();
     }
@@ -268,7 +269,7 @@ void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const s
     helper.doc(fmt::format("Takes {} if it is there.", use.name));
     helper.open(fmt::format("bool {}({}) noexcept {{", name, frame_parameters(generation_.component, unit_)));
     const bool always = receive(
-        generation_, unit_, stmt.communication, helper, [](const std::string&) { return std::string(); },
+        generation_, unit_, stmt.communication, helper, [](const std::string&) { return CppExpr(); },
         [&] {
             helper.line(thread_.go(next));
             helper.line("return true;");

@@ -207,5 +207,57 @@ TEST(Regressions, DurationsReadVariables) {
     }
 }
 
+/// Conditionals, implications and sums in every place that C++ text is put together of them.
+TEST(Regressions, WhatBindsWeaklyKeepsTogether) {
+    expect_conforming(
+        "record R { a : nat f : boolean }\n"
+        "stm S { event e : boolean event o : boolean var b : boolean var c : boolean var n : nat\n"
+        "var q : Seq(nat) = <1> var r : R initial i state A { } state B { entry\n"
+        "o!((if b then n else 1 end) in {0 to 1});\n"
+        "o!(1 in {(if b then n else 1 end) to (if b then 2 else n end)});\n"
+        "o!(n in [if b then n else 1 end, if b then 2 else n end]);\n"
+        "o!(n in (if b then n else 0 end, if b then 2 else 1 end));\n"
+        "o!(1 in {n + 0 to n + 1});\n"
+        "o!(n in {if b then n else 1 end, 2});\n"
+        "o!((if b then n else 1 end) + (if b then 1 else n end) == (if b then n else 1 end) * (if b then n else 1 end));\n"
+        "o!((if b then n else 1 end) % (if b then 2 else 1 end) == (if b then n else 1 end) / (if b then 1 else 2 end));\n"
+        "o!(- (if b then n else 1 end) < (if b then n else 1 end) - (if b then n else 1 end));\n"
+        "o!(not (if b then c else true end));\n"
+        "o!((if b then c else true end) /\\ (if b then true else c end) \\/ (if c then b else true end));\n"
+        "o!((if b then c else true end) => (if b then true else c end));\n"
+        "o!((if b then c else true end) iff (if b then true else c end));\n"
+        "o!((if b then c else true end) == (if b then true else c end));\n"
+        "o!(not (c => b) /\\ (c => b) \\/ (c iff b));\n"
+        "o!((b => c) == (c => b));\n"
+        "o!((if b then r else r end).f);\n"
+        "o!((if b then q else <n, 1> end)[if b then 1 else 1 end] == 1);\n"
+        "o!((if b then (if c then q else <> end) else <1> end) ^ <(if b then n else 1 end)> == <n>);\n"
+        "o!(if (if b then c else true end) then (if b then c else false end) else (if b then true else c end) end);\n"
+        "o!(let x == (if b then n else 1 end) @ (if b then x else n end) == 1);\n"
+        "o!(exists x : nat | (if b then x == n else true end) @ (if b then x > 0 else x == n end));\n"
+        "o!(forall x : nat | (if b then x == n else true end) @ (if b then x > 0 else x == n end));\n"
+        "o!({x : nat | if b then x == n else true end @ if b then x else n end} == {n});\n"
+        "o!(1 in (if b then {n} else {1} end));\n"
+        "r = R (| a = if b then n else 1 end, f = if b then c else true end |);\n"
+        "if (if b then c else true end) then n = (if b then n else 1 end) end; b = (if b then c else true end) }\n"
+        "transition t0 { from i to A }\n"
+        "transition t1 { from A to B trigger e?b condition if b then c else true end }\n"
+        "transition t2 { from A to B trigger e?b condition (if b then c else true end) /\\ (c => b) }\n"
+        "transition t3 { from A to B trigger e?b condition c => b action q = <n> }\n"
+        "transition t4 { from B to A action c = b; n = 1; q = <1> } }\n");
+}
+
+/// Text with commas that no parentheses enclose.
+TEST(Regressions, PreconditionsHoldAnyExpression) {
+    expect_conforming(
+        "interface Ops { op(n : nat) }\n"
+        "operation op(n : nat) { precondition n in {0, 1, 2} precondition n in {x : nat | x == n @ x}\n"
+        "precondition (lambda x : nat, y : nat @ x + y)(n, 0) == n\n"
+        "initial i final f transition t { from i to f } }\n"
+        "controller C { event out opref o = op sref m = S connection m on out to C on out }\n"
+        "stm S { requires Ops event out initial i state A { entry op(1); out } transition t0 { from i to A } }\n"
+        "module M { robotic platform P { event out } cref c = C connection c on out to P on out (_async) }\n");
+}
+
 }  // namespace
 }  // namespace robochart::conformance
