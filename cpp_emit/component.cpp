@@ -396,9 +396,7 @@ private:
     }
 
     void mark_read(const Unit& unit) {
-        visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
-            if (expr.kind == ir::ExprKind::variable) mark_read(unit, expr.variable);
-        });
+        ir::visit_reads(*unit.machine, [&](ir::VariableId variable) { mark_read(unit, variable); });
         // The watch over a deadline asks the guard of what the variable has, not of what comes (semantics 3.10).
         for (const ir::Transition& transition : unit.machine->transitions)
             if (transition.deadline && transition.trigger && transition.trigger->variable.valid())

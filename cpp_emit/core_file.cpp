@@ -326,6 +326,7 @@ void write_hook(const Generation& generation, CodeWriter& out) {
 
 void write_step_class(const Generation& generation, const Core& core, CodeWriter& out) {
     out.gap();
+    out.line("ROBOCHART_MODEL_BEGIN");
     out.doc("The behaviour. It lives for one cycle.");
     out.line("template <class Types, class Platform>");
     out.open("class Step : private robochart::Cycle {");
@@ -355,6 +356,7 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.line("Platform& platform_;");
     if (generation.options.choices) out.line("[[maybe_unused]] robochart::Turn turn_;");
     out.close("};");
+    out.line("ROBOCHART_MODEL_END");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "cpp_emit/expression_faults.hpp"
 #include "cpp_emit/types.hpp"
@@ -21,51 +22,21 @@ TypeKind wider(TypeKind left, TypeKind right) {
     return rank(left) >= rank(right) ? left : right;
 }
 
-const char* numeric_name(TypeKind kind) {
-    return kind == TypeKind::real ? "Real" : kind == TypeKind::integer ? "Int" : "Nat";
+/// It has the same value wherever it is asked for.
+bool fixed(const ir::Expr& expr) {
+    bool result = true;
+    ir::visit_operands(expr, [&](const ir::Expr& part) {
+        result = result && (part.kind == ExprKind::boolean || part.kind == ExprKind::integer ||
+                            part.kind == ExprKind::real || part.kind == ExprKind::enum_literal ||
+                            part.kind == ExprKind::constant || part.kind == ExprKind::negate ||
+                            part.kind == ExprKind::plus || part.kind == ExprKind::minus ||
+                            part.kind == ExprKind::times || part.kind == ExprKind::cast);
+    });
+    return result;
 }
 
-bool atom(ExprKind kind) {
-    switch (kind) {
-        case ExprKind::boolean:
-        case ExprKind::integer:
-        case ExprKind::real:
-        case ExprKind::enum_literal:
-        case ExprKind::variable:
-        case ExprKind::trigger_value:
-        case ExprKind::constant:
-        case ExprKind::since:
-        case ExprKind::since_entry:
-        case ExprKind::divide:
-        case ExprKind::modulus:
-        case ExprKind::call:
-        case ExprKind::tuple:
-        case ExprKind::record:
-        case ExprKind::sequence:
-        case ExprKind::set:
-        case ExprKind::matrix:
-        case ExprKind::member:
-        case ExprKind::index:
-        case ExprKind::concat:
-        case ExprKind::is_in:
-        case ExprKind::cast:
-        case ExprKind::bound:
-        case ExprKind::let:
-        case ExprKind::string:
-        case ExprKind::set_range:
-        case ExprKind::range:
-        case ExprKind::function_value:
-        case ExprKind::apply:
-        case ExprKind::lambda:
-        case ExprKind::the:
-        case ExprKind::set_comprehension:
-        case ExprKind::toolkit:
-        case ExprKind::transpose:
-        case ExprKind::is_type:
-            return true;
-        default:
-            return false;
-    }
+const char* numeric_name(TypeKind kind) {
+    return kind == TypeKind::real ? "Real" : kind == TypeKind::integer ? "Int" : "Nat";
 }
 
 }  // namespace
@@ -105,10 +76,6 @@ TypeKind ExpressionWriter::kind(const ir::Expr& expr) const {
     return generation_.system.type(expr.type).kind;
 }
 
-std::string ExpressionWriter::operand(const ir::Expr& expr) const {
-    return atom(expr.kind) ? write(expr) : "(" + write(expr) + ")";
-}
-
 std::string ExpressionWriter::operand_as(const ir::Expr& expr, TypeKind target) const {
     if (!numeric(target) || kind(expr) == target) return operand(expr);
     return fmt::format("{}({})", numeric_name(target), write(expr));
@@ -118,13 +85,14 @@ std::string ExpressionWriter::type_text(ir::TypeId id) const {
     return cpp_type(generation_.system, id);
 }
 
-std::string ExpressionWriter::write_as(const ir::Expr& expr, ir::TypeId id) const {
+CppExpr ExpressionWriter::expression_as(const ir::Expr& expr, ir::TypeId id) const {
     const ir::Type& type = generation_.system.type(id);
     if (numeric(type.kind) && numeric(kind(expr)) && kind(expr) != type.kind)
-        return fmt::format("{}({})", numeric_name(type.kind), write(expr));
+        return CppExpr(fmt::format("{}({})", numeric_name(type.kind), write(expr)));
     const bool converts =
         composed(type) && composed(generation_.system.type(expr.type)) && type_text(id) != type_text(expr.type);
-    return converts ? fmt::format("robochart::convert<{}>({})", type_text(id), write(expr)) : write(expr);
+    return converts ? CppExpr(fmt::format("robochart::convert<{}>({})", type_text(id), write(expr)))
+                    : expression(expr);
 }
 
 std::string ExpressionWriter::variable(ir::VariableId id) const {
@@ -148,34 +116,33 @@ std::string ExpressionWriter::frame_of(const Unit& owner) const {
     return &owner == &caller_ ? "f" : lent_frame(owner);
 }
 
-std::string ExpressionWriter::arithmetic(const ir::Expr& expr, const char* symbol) const {
+CppExpr ExpressionWriter::arithmetic(const ir::Expr& expr, const char* symbol, Binding binding) const {
     const TypeKind result = kind(expr);
-    return fmt::format("{} {} {}", operand_as(*expr.args[0], result), symbol, operand_as(*expr.args[1], result));
+    return {fmt::format("{} {} {}", operand_as(*expr.args[0], result), symbol, operand_as(*expr.args[1], result)),
+            binding};
 }
 
 std::string ExpressionWriter::function(const ir::Expr& expr, const char* name) const {
     return fmt::format("{}({}, {})", name, write_as(*expr.args[0], expr.type), write_as(*expr.args[1], expr.type));
 }
 
-std::string ExpressionWriter::comparison(const ir::Expr& expr, const char* symbol) const {
-    // A value compared with itself: compilers warn.
-    if (write(*expr.args[0]) == write(*expr.args[1]))
-        return expr.kind == ExprKind::equal || expr.kind == ExprKind::greater_equal || expr.kind == ExprKind::less_equal
-                   ? "true"
-                   : "false";
+CppExpr ExpressionWriter::comparison(const ir::Expr& expr, const char* symbol, Binding binding) const {
     const TypeKind left = kind(*expr.args[0]);
     const TypeKind right = kind(*expr.args[1]);
     if (numeric(left) && numeric(right)) {
         const TypeKind common = wider(left, right);
-        return fmt::format("{} {} {}", operand_as(*expr.args[0], common), symbol, operand_as(*expr.args[1], common));
+        return compared(expr, symbol, operand_as(*expr.args[0], common), operand_as(*expr.args[1], common), binding);
     }
-    const bool same = type_text(expr.args[0]->type) == type_text(expr.args[1]->type);
-    return fmt::format("{} {} {}", operand(*expr.args[0]), symbol,
-                       same ? operand(*expr.args[1]) : write_as(*expr.args[1], expr.args[0]->type));
+    return compared(expr, symbol, operand(*expr.args[0]),
+                    expression_as(*expr.args[1], expr.args[0]->type).operand(), binding);
 }
 
-std::string ExpressionWriter::logical(const ir::Expr& expr, const char* symbol) const {
-    return fmt::format("{} {} {}", operand(*expr.args[0]), symbol, operand(*expr.args[1]));
+CppExpr ExpressionWriter::compared(const ir::Expr& expr, const char* symbol, const std::string& left,
+                                   const std::string& right, Binding binding) const {
+    std::string text = fmt::format("{} {} {}", left, symbol, right);
+    const bool left_fixed = fixed(*expr.args[0]);
+    if (binding != Binding::equality || left_fixed == fixed(*expr.args[1])) return {std::move(text), binding};
+    return CppExpr::test(std::move(text), left_fixed ? right : left, expr.kind == ExprKind::not_equal);
 }
 
 std::string ExpressionWriter::constant(const ir::Expr& expr) const {
@@ -272,8 +239,9 @@ std::string ExpressionWriter::membership(const ir::Expr& expr) const {
     const bool open_low = set.kind == ExprKind::range && (set.number == 1 || set.number == 3);
     const bool open_high = set.kind == ExprKind::range && set.number >= 2;
     return fmt::format("[&] {{ const auto tested = {}; return {} {} tested && tested {} {}; }}()",
-                       write_as(value, member), write_as(*set.args[0], member),
-                       open_low ? "<" : "<=", open_high ? "<" : "<=", write_as(*set.args[1], member));
+                       write_as(value, member), expression_as(*set.args[0], member).operand(Binding::sum),
+                       open_low ? "<" : "<=", open_high ? "<" : "<=",
+                       expression_as(*set.args[1], member).operand(Binding::sum));
 }
 
 /// A function of its own, called at once.
@@ -290,94 +258,99 @@ std::string ExpressionWriter::let_bindings(const ir::Expr& expr, std::size_t cou
     return text;
 }
 
-std::string ExpressionWriter::write(const ir::Expr& expr) const {
+CppExpr ExpressionWriter::expression(const ir::Expr& expr) const {
     generation_.inst.poll();
     const std::optional<ir::Expr> wrong = faulty(generation_, unit_, expr);
-    return right(wrong ? *wrong : expr);
+    CppExpr text = right(wrong ? *wrong : expr);
+    if (text.empty()) throw std::logic_error("generated code reads what it has no place for, in " + unit_.machine->name);
+    return text;
 }
 
-std::string ExpressionWriter::right(const ir::Expr& expr) const {
+CppExpr ExpressionWriter::right(const ir::Expr& expr) const {
     switch (expr.kind) {
         case ExprKind::boolean:
-            return expr.number != 0 ? "true" : "false";
+            return CppExpr(expr.number != 0 ? "true" : "false");
         case ExprKind::integer:
-            return fmt::format("{}({})", numeric_name(kind(expr)), expr.number);
+            return CppExpr(fmt::format("{}({})", numeric_name(kind(expr)), expr.number));
         case ExprKind::real:
-            return fmt::format("Real({})", decimal_text(expr.decimal));
+            return CppExpr(fmt::format("Real({})", decimal_text(expr.decimal)));
         case ExprKind::enum_literal:
-            return enum_literal(expr);
+            return CppExpr(enum_literal(expr));
         case ExprKind::variable:
-            return variable(expr.variable);
+            return CppExpr(variable(expr.variable));
         case ExprKind::trigger_value:
-            return incoming_;
+            return CppExpr(incoming_);
         case ExprKind::constant:
-            return constant(expr);
+            return CppExpr(constant(expr));
         case ExprKind::since:
         case ExprKind::since_entry:
-            return fmt::format("Nat({})", clock(clock_of(*unit_.machine, expr)));
+            return CppExpr(fmt::format("Nat({})", clock(clock_of(*unit_.machine, expr))));
         case ExprKind::negate:
-            return "-" + (numeric(kind(expr)) ? operand_as(*expr.args[0], kind(expr)) : operand(*expr.args[0]));
+            return {"-" + (numeric(kind(expr)) ? operand_as(*expr.args[0], kind(expr)) : operand(*expr.args[0])),
+                    Binding::prefix};
         case ExprKind::logical_not:
-            return "!" + operand(*expr.args[0]);
+            return negation(expression(*expr.args[0]));
         case ExprKind::iff:
-            return write(*expr.args[0]) == write(*expr.args[1]) ? "true" : logical(expr, "==");
+            return {fmt::format("{} == {}", operand(*expr.args[0]), operand(*expr.args[1])), Binding::equality};
         case ExprKind::implies:
-            return fmt::format("!{} || {}", operand(*expr.args[0]), operand(*expr.args[1]));
+            return disjunction(negation(expression(*expr.args[0])), expression(*expr.args[1]), Binding::prefix);
         case ExprKind::disjunction:
-            return logical(expr, "||");
+            return disjunction(expression(*expr.args[0]), expression(*expr.args[1]), Binding::primary);
         case ExprKind::conjunction:
-            return logical(expr, "&&");
+            return conjunction(expression(*expr.args[0]), expression(*expr.args[1]), Binding::primary);
         case ExprKind::equal:
-            return comparison(expr, "==");
+            return comparison(expr, "==", Binding::equality);
         case ExprKind::not_equal:
-            return comparison(expr, "!=");
+            return comparison(expr, "!=", Binding::equality);
         case ExprKind::greater:
-            return comparison(expr, ">");
+            return comparison(expr, ">", Binding::order);
         case ExprKind::greater_equal:
-            return comparison(expr, ">=");
+            return comparison(expr, ">=", Binding::order);
         case ExprKind::less:
-            return comparison(expr, "<");
+            return comparison(expr, "<", Binding::order);
         case ExprKind::less_equal:
-            return comparison(expr, "<=");
+            return comparison(expr, "<=", Binding::order);
         case ExprKind::plus:
-            if (block_arithmetic(expr)) return block_arithmetic_text(expr);
-            return arithmetic(expr, "+");
+            return block_arithmetic(expr) ? block_arithmetic_text(expr) : arithmetic(expr, "+", Binding::sum);
         case ExprKind::minus:
-            if (block_arithmetic(expr)) return block_arithmetic_text(expr);
-            return arithmetic(expr, "-");
+            return block_arithmetic(expr) ? block_arithmetic_text(expr) : arithmetic(expr, "-", Binding::sum);
         case ExprKind::times:
-            if (block_arithmetic(expr)) return block_arithmetic_text(expr);
-            return arithmetic(expr, "*");
+            return block_arithmetic(expr) ? block_arithmetic_text(expr) : arithmetic(expr, "*", Binding::product);
         case ExprKind::divide:
-            return function(expr, "divide");
+            return CppExpr(function(expr, "divide"));
         case ExprKind::modulus:
-            return function(expr, "modulus");
+            return CppExpr(function(expr, "modulus"));
         case ExprKind::if_then_else:
-            return fmt::format("{} ? {} : {}", operand(*expr.args[0]), write_as(*expr.args[1], expr.type),
-                               write_as(*expr.args[2], expr.type));
+            return {fmt::format("{} ? {} : {}", operand(*expr.args[0]), write_as(*expr.args[1], expr.type),
+                                write_as(*expr.args[2], expr.type)),
+                    Binding::conditional};
         case ExprKind::cast:
-            return cast(expr);
+            return CppExpr(cast(expr));
         case ExprKind::tuple:
         case ExprKind::record:
-            return built(expr, "make");
+            return CppExpr(built(expr, "make"));
         case ExprKind::sequence:
         case ExprKind::set:
         case ExprKind::matrix:
-            return built(expr, "of");
+            return CppExpr(built(expr, "of"));
         case ExprKind::member:
-            return operand(*expr.args[0]) + "." + member_name(generation_.system.type(expr.args[0]->type), expr.number);
+            return CppExpr(operand(*expr.args[0]) + "." +
+                           member_name(generation_.system.type(expr.args[0]->type), expr.number));
         case ExprKind::index:
-            return index(expr);
+            return CppExpr(index(expr));
         case ExprKind::concat:
-            return fmt::format("concat({}, {})", write_as(*expr.args[0], expr.type),
-                               write_as(*expr.args[1], expr.type));
-        case ExprKind::is_in:
-            return (generation_.mutation.hits(Fault::set_operation_wrong, &unit_, &expr) ? "!" : "") + membership(expr);
+            return CppExpr(fmt::format("concat({}, {})", write_as(*expr.args[0], expr.type),
+                                       write_as(*expr.args[1], expr.type)));
+        case ExprKind::is_in: {
+            const CppExpr contained(membership(expr));
+            const bool wrong = generation_.mutation.hits(Fault::set_operation_wrong, &unit_, &expr);
+            return wrong ? negation(contained) : contained;
+        }
         case ExprKind::string:
-            return fmt::format("{}::of({})", type_text(expr.type), diagnostics::cpp_string(expr.characters));
+            return CppExpr(fmt::format("{}::of({})", type_text(expr.type), diagnostics::cpp_string(expr.characters)));
         case ExprKind::set_range:
         case ExprKind::range:
-            return range(expr);
+            return CppExpr(range(expr));
         case ExprKind::forall:
         case ExprKind::exists:
         case ExprKind::exists_unique:
@@ -385,23 +358,23 @@ std::string ExpressionWriter::right(const ir::Expr& expr) const {
         case ExprKind::lambda:
         case ExprKind::the:
         case ExprKind::set_comprehension:
-            return collected(expr);
+            return CppExpr(collected(expr));
         case ExprKind::apply:
-            return apply(expr);
+            return CppExpr(apply(expr));
         case ExprKind::function_value:
-            return function_value(expr);
+            return CppExpr(function_value(expr));
         case ExprKind::toolkit:
-            return toolkit(expr);
+            return CppExpr(toolkit(expr));
         case ExprKind::is_type:
-            return is_type(expr);
+            return CppExpr(is_type(expr));
         case ExprKind::transpose:
-            return fmt::format("robochart::transposed<{}>({})", type_text(expr.type), write(*expr.args[0]));
+            return CppExpr(fmt::format("robochart::transposed<{}>({})", type_text(expr.type), write(*expr.args[0])));
         case ExprKind::call:
-            return call(expr);
+            return CppExpr(call(expr));
         case ExprKind::bound:
-            return bound_identifier(expr.text);
+            return CppExpr(bound_identifier(expr.text));
         case ExprKind::let:
-            return let(expr);
+            return CppExpr(let(expr));
         default:
             return {};  // refused before (support.cpp)
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cpp_emit/code_writer.hpp"
+#include "cpp_emit/cpp_expr.hpp"
 #include "cpp_emit/generation.hpp"
 
 namespace robochart::cpp_emit {
@@ -33,16 +34,21 @@ public:
     /// What `trigger_value` means: the incoming value, as C++ text.
     void set_incoming(std::string text) { incoming_ = std::move(text); }
 
-    [[nodiscard]] std::string write(const ir::Expr&) const;
-    /// The same as an operand: in parentheses unless it binds tightest.
-    [[nodiscard]] std::string operand(const ir::Expr&) const;
+    [[nodiscard]] CppExpr expression(const ir::Expr&) const;
     /// The expression as a value of a numeric type other than its own; others unchanged.
-    [[nodiscard]] std::string write_as(const ir::Expr&, ir::TypeId) const;
-    /// That all preconditions of functions hold that the expression calls, innermost calls first (semantics 3.5); ""
+    [[nodiscard]] CppExpr expression_as(const ir::Expr&, ir::TypeId) const;
+    /// Standing alone: an argument, an initial value, a condition between parentheses.
+    [[nodiscard]] std::string write(const ir::Expr& expr) const { return expression(expr).whole(); }
+    [[nodiscard]] std::string write_as(const ir::Expr& expr, ir::TypeId type) const {
+        return expression_as(expr, type).whole();
+    }
+    /// An operand of any operator: in parentheses unless it binds tightest.
+    [[nodiscard]] std::string operand(const ir::Expr& expr) const { return expression(expr).operand(); }
+    /// That all preconditions of functions hold that the expression calls, innermost calls first (semantics 3.5); none
     /// where none can be false. It is asked before the expression is evaluated.
-    [[nodiscard]] std::string asked(const ir::Expr&) const;
+    [[nodiscard]] CppExpr asked(const ir::Expr&) const;
     /// The condition behind its preconditions.
-    [[nodiscard]] std::string write_asked(const ir::Expr& condition) const;
+    [[nodiscard]] CppExpr expression_asked(const ir::Expr& condition) const;
     /// Where a variable is stored; "" for shared variables that nothing reads.
     [[nodiscard]] std::string variable(ir::VariableId) const;
     [[nodiscard]] std::string clock(ir::ClockId) const;
@@ -50,12 +56,13 @@ public:
     [[nodiscard]] std::string place(const ir::Expr& index) const;
 
 private:
-    [[nodiscard]] std::string right(const ir::Expr&) const;  ///< without a seeded fault
+    [[nodiscard]] CppExpr right(const ir::Expr&) const;  ///< without a seeded fault
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
-    [[nodiscard]] std::string arithmetic(const ir::Expr&, const char* symbol) const;
+    [[nodiscard]] CppExpr arithmetic(const ir::Expr&, const char* symbol, Binding) const;
     [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;
-    [[nodiscard]] std::string comparison(const ir::Expr&, const char* symbol) const;
-    [[nodiscard]] std::string logical(const ir::Expr&, const char* symbol) const;
+    [[nodiscard]] CppExpr comparison(const ir::Expr&, const char* symbol, Binding) const;
+    [[nodiscard]] CppExpr compared(const ir::Expr&, const char* symbol, const std::string& left,
+                                   const std::string& right, Binding) const;
     [[nodiscard]] std::string constant(const ir::Expr&) const;
     [[nodiscard]] std::string enum_literal(const ir::Expr&) const;
     [[nodiscard]] std::string list(const ir::Expr&, const std::vector<ir::TypeId>& types) const;
@@ -69,13 +76,13 @@ private:
     [[nodiscard]] std::string membership(const ir::Expr&) const;
 
     // expression_conditions.cpp: preconditions of functions
-    [[nodiscard]] std::vector<std::string> preconditions(const ir::Expr&) const;
-    [[nodiscard]] std::vector<std::string> bound_preconditions(const ir::Expr&) const;
+    [[nodiscard]] std::vector<CppExpr> preconditions(const ir::Expr&) const;
+    [[nodiscard]] std::vector<CppExpr> bound_preconditions(const ir::Expr&) const;
     [[nodiscard]] std::string let_bindings(const ir::Expr&, std::size_t count) const;
 
     // expression_composed.cpp: what binds variables, functions as values, toolkits, vectors and matrices
     [[nodiscard]] std::string any(const ir::Expr&, std::size_t from, const std::string& visit) const;
-    [[nodiscard]] std::string quantified(const ir::Expr&) const;
+    [[nodiscard]] CppExpr quantified(const ir::Expr&) const;
     [[nodiscard]] std::string collected(const ir::Expr&) const;
     [[nodiscard]] std::string collected_item(const ir::Expr&) const;
     [[nodiscard]] std::string bound_values(const ir::Expr&, ir::TypeId) const;
@@ -92,7 +99,7 @@ private:
     [[nodiscard]] std::string is_type(const ir::Expr&) const;
     [[nodiscard]] bool block_arithmetic(const ir::Expr&) const;
     [[nodiscard]] std::string block_operand(const ir::Expr&, ir::TypeId entry) const;
-    [[nodiscard]] std::string block_arithmetic_text(const ir::Expr&) const;
+    [[nodiscard]] CppExpr block_arithmetic_text(const ir::Expr&) const;
 
     [[nodiscard]] std::string frame_of(const Unit& owner) const;
 

@@ -25,13 +25,14 @@ std::string ExpressionWriter::any(const ir::Expr& expr, std::size_t from, const 
 }
 
 /// Of all, some or one of the values that satisfy the predicate the body holds.
-std::string ExpressionWriter::quantified(const ir::Expr& expr) const {
+CppExpr ExpressionWriter::quantified(const ir::Expr& expr) const {
     const std::string predicate = operand(*expr.args[0]);
     const std::string body = operand(*expr.args[1]);
-    if (expr.kind == ExprKind::forall) return "!" + any(expr, 0, fmt::format("return {} && !{};", predicate, body));
-    if (expr.kind == ExprKind::exists) return any(expr, 0, fmt::format("return {} && {};", predicate, body));
-    return fmt::format("[&] {{ std::size_t found = 0; (void){}; return found == 1; }}()",
-                       any(expr, 0, fmt::format("if ({} && {}) ++found; return false;", predicate, body)));
+    if (expr.kind == ExprKind::forall)
+        return negation(CppExpr(any(expr, 0, fmt::format("return {} && !{};", predicate, body))));
+    if (expr.kind == ExprKind::exists) return CppExpr(any(expr, 0, fmt::format("return {} && {};", predicate, body)));
+    return CppExpr(fmt::format("[&] {{ std::size_t found = 0; (void){}; return found == 1; }}()",
+                               any(expr, 0, fmt::format("if ({} && {}) ++found; return false;", predicate, body))));
 }
 
 /// The bound variables as one value of the type: the variable itself, or a tuple.
@@ -180,17 +181,17 @@ std::string ExpressionWriter::block_operand(const ir::Expr& expr, ir::TypeId ent
                        type.kind == TypeKind::vector ? "Vector" : "Matrix", type_text(entry), sizes, write(expr));
 }
 
-std::string ExpressionWriter::block_arithmetic_text(const ir::Expr& expr) const {
+CppExpr ExpressionWriter::block_arithmetic_text(const ir::Expr& expr) const {
     const ir::Type& result = generation_.system.type(expr.type);
     const ir::TypeId entry = block(result) ? result.args.at(0) : expr.type;
     const std::string left = block_operand(*expr.args[0], entry);
     const std::string right = block_operand(*expr.args[1], entry);
     if (expr.kind != ExprKind::times)
-        return fmt::format("{} {} {}", left, expr.kind == ExprKind::plus ? "+" : "-", right);
+        return {fmt::format("{} {} {}", left, expr.kind == ExprKind::plus ? "+" : "-", right), Binding::sum};
     const auto is_block = [&](std::size_t i) { return block(generation_.system.type(expr.args[i]->type)); };
-    if (!is_block(0) || !is_block(1)) return fmt::format("{} * {}", left, right);
-    if (!block(result)) return fmt::format("robochart::dot({}, {})", left, right);
-    return fmt::format("robochart::product<{}>({}, {})", type_text(expr.type), left, right);
+    if (!is_block(0) || !is_block(1)) return {fmt::format("{} * {}", left, right), Binding::product};
+    if (!block(result)) return CppExpr(fmt::format("robochart::dot({}, {})", left, right));
+    return CppExpr(fmt::format("robochart::product<{}>({}, {})", type_text(expr.type), left, right));
 }
 
 }  // namespace robochart::cpp_emit

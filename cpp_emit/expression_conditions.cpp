@@ -22,60 +22,61 @@ bool binds(ExprKind kind) {
            kind == ExprKind::lambda || kind == ExprKind::the || kind == ExprKind::set_comprehension;
 }
 
-std::string all_of(const std::vector<std::string>& conditions) {
-    return fmt::format("{}", fmt::join(conditions, " && "));
+CppExpr all_of(const std::vector<CppExpr>& conditions) {
+    CppExpr result;
+    for (const CppExpr& condition : conditions) result = conjunction(result, condition);
+    return result;
 }
 
-void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
+void append(std::vector<CppExpr>& list, const std::vector<CppExpr>& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
 }  // namespace
 
-std::vector<std::string> ExpressionWriter::preconditions(const ir::Expr& expr) const {
+std::vector<CppExpr> ExpressionWriter::preconditions(const ir::Expr& expr) const {
     if (binds(expr.kind)) return bound_preconditions(expr);
-    std::vector<std::string> result;
+    std::vector<CppExpr> result;
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (!expr.args[i]) continue;
-        std::vector<std::string> inner = preconditions(*expr.args[i]);
+        std::vector<CppExpr> inner = preconditions(*expr.args[i]);
         if (expr.kind == ExprKind::let && i > 0 && !inner.empty())
-            inner = {fmt::format("[&] {{{} return {}; }}()", let_bindings(expr, i), all_of(inner))};
+            inner = {CppExpr(fmt::format("[&] {{{} return {}; }}()", let_bindings(expr, i), all_of(inner).whole()))};
         append(result, inner);
     }
     const bool called = expr.kind == ExprKind::toolkit || expr.kind == ExprKind::call;
     if (!called || !ir::precondition_can_fail(generation_.system, generation_.inst, unit_.constants, expr))
         return result;
     result.push_back(expr.kind == ExprKind::toolkit
-                         ? fmt::format("{}.size() > 0", operand(*expr.args.at(0)))
-                         : fmt::format("{}({})", hook(expr.function).precondition, call_arguments(expr)));
+                         ? CppExpr(fmt::format("{}.size() > 0", operand(*expr.args.at(0))), Binding::order)
+                         : CppExpr(fmt::format("{}({})", hook(expr.function).precondition, call_arguments(expr))));
     return result;
 }
 
 /// No combination of the bound variables makes a condition false: those of the predicate for all, those of the body
 /// where the predicate holds.
-std::vector<std::string> ExpressionWriter::bound_preconditions(const ir::Expr& expr) const {
-    std::vector<std::string> result;
-    const auto never_false = [&](const std::string& where, const std::vector<std::string>& conditions) {
-        result.push_back("!" + any(expr, 0, fmt::format("return {}!({});", where, all_of(conditions))));
+std::vector<CppExpr> ExpressionWriter::bound_preconditions(const ir::Expr& expr) const {
+    std::vector<CppExpr> result;
+    const auto never_false = [&](const CppExpr& where, const std::vector<CppExpr>& conditions) {
+        const CppExpr found = conjunction(where, negation(all_of(conditions)));
+        result.push_back(negation(CppExpr(any(expr, 0, fmt::format("return {};", found.whole())))));
     };
-    const std::vector<std::string> of_predicate =
-        expr.args.at(0) ? preconditions(*expr.args[0]) : std::vector<std::string>{};
-    if (!of_predicate.empty()) never_false("", of_predicate);
+    const std::vector<CppExpr> of_predicate = expr.args.at(0) ? preconditions(*expr.args[0]) : std::vector<CppExpr>{};
+    if (!of_predicate.empty()) never_false({}, of_predicate);
     if (expr.args.size() < 2 || !expr.args[1]) return result;
-    const std::vector<std::string> of_body = preconditions(*expr.args[1]);
-    if (!of_body.empty()) never_false(expr.args[0] ? operand(*expr.args[0]) + " && " : "", of_body);
+    const std::vector<CppExpr> of_body = preconditions(*expr.args[1]);
+    if (!of_body.empty()) never_false(expr.args[0] ? expression(*expr.args[0]) : CppExpr(), of_body);
     return result;
 }
 
-std::string ExpressionWriter::asked(const ir::Expr& expr) const {
-    const std::vector<std::string> conditions = preconditions(expr);
+CppExpr ExpressionWriter::asked(const ir::Expr& expr) const {
+    const std::vector<CppExpr> conditions = preconditions(expr);
     if (conditions.empty() || generation_.mutation.hits(Fault::function_precondition_dropped, &unit_, &expr)) return {};
     return all_of(conditions);
 }
 
-std::string ExpressionWriter::write_asked(const ir::Expr& condition) const {
-    const std::string conditions = asked(condition);
-    return conditions.empty() ? write(condition) : conditions + " && " + operand(condition);
+CppExpr ExpressionWriter::expression_asked(const ir::Expr& condition) const {
+    return conjunction(asked(condition), expression(condition));
 }
 
 void write_preconditions(const Generation& generation, CodeWriter& out) {
@@ -83,20 +84,18 @@ void write_preconditions(const Generation& generation, CodeWriter& out) {
     for (const FunctionHook& hook : generation.component.functions) {
         if (!hook.guarded) continue;
         const ir::Function& function = generation.system.functions[hook.id.index];
-        std::vector<std::string> parameters, conditions;
+        std::vector<std::string> parameters;
+        std::vector<CppExpr> conditions;
         for (std::size_t i = 0; i < function.parameters.size(); ++i)
             parameters.push_back(fmt::format("[[maybe_unused]] const {}& {}",
                                              cpp_type(generation.system, function.parameters[i]),
                                              bound_identifier(function.parameter_names[i])));
-        for (const ir::ExprPtr& condition : function.preconditions) {
-            const std::string before = expressions.asked(*condition);
-            if (!before.empty()) conditions.push_back(before);
-            conditions.push_back(expressions.operand(*condition));
-        }
+        for (const ir::ExprPtr& condition : function.preconditions)
+            conditions.push_back(expressions.expression_asked(*condition));
         out.gap();
         out.doc(fmt::format("The precondition of {}: what uses the function waits until it holds.", function.name));
         out.open(fmt::format("[[nodiscard]] bool {}({}) noexcept {{", hook.precondition, fmt::join(parameters, ", ")));
-        out.line(fmt::format("return {};", all_of(conditions)));
+        out.line(fmt::format("return {};", all_of(conditions).whole()));
         out.close();
     }
 }

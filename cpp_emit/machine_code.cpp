@@ -249,7 +249,7 @@ std::string MachineWriter::holds(const ir::Transition& transition) const {
     ExpressionWriter expressions(generation_, unit_);
     const bool stores = transition.trigger && transition.trigger->variable.valid();
     if (stores) expressions.set_incoming(expressions.variable(transition.trigger->variable));
-    return expressions.write_asked(*transition.guard);
+    return expressions.expression_asked(*transition.guard).whole();
 }
 
 /// The guard is looked at wherever the model could be found waiting: after each step, before what others see, and

@@ -58,8 +58,8 @@ bool MachineWriter::ways(NodeId id, CodeWriter& out, const char* end) {
     for (const std::size_t way : order(generation_, outgoing.size(), Fault::junction_reversed)) {
         const ir::Transition& transition = plan_.machine().transitions[outgoing[way].index];
         out.comment(generation_.place(transition.origin));
-        const std::string condition = guard(transition, "");
-        if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition));
+        const CppExpr condition = guard(transition, "");
+        if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition.whole()));
         for (const ir::ClockId clock : transition.resets) {
             const std::string reset = clock_reset(generation_, unit_, clock);
             if (!reset.empty()) out.line(reset);
@@ -79,8 +79,8 @@ bool MachineWriter::pick_way(NodeId id, CodeWriter& out, const char* end) {
     const auto& outgoing = plan_.node(id).outgoing;
     std::string open;
     for (const ir::TransitionId transition : outgoing) {
-        const std::string condition = guard(plan_.machine().transitions[transition.index], "");
-        open += (open.empty() ? "" : ", ") + (condition.empty() ? "true" : condition);
+        const CppExpr condition = guard(plan_.machine().transitions[transition.index], "");
+        open += (open.empty() ? "" : ", ") + (condition.empty() ? "true" : condition.whole());
     }
     out.open("{");
     out.line(fmt::format("const bool open[] = {{{}}};", open));

@@ -152,12 +152,13 @@ std::vector<const ir::Transition*> MachineWriter::candidates(NodeId leaf, const 
 }
 
 /// What has to hold for a transition in a case; "" if nothing.
-std::string MachineWriter::case_condition(const ir::Transition& transition, NodeId leaf) {
+CppExpr MachineWriter::case_condition(const ir::Transition& transition, NodeId leaf) {
     const std::string value = transition.trigger ? incoming(transition) : "";
-    const std::string wanted = transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : "";
-    std::string holds = guard(transition, value);
+    const CppExpr wanted =
+        transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : CppExpr();
+    CppExpr holds = guard(transition, value);
     if (!holds.empty() && generation_.mutation.hits(Fault::dispatch_guard_dropped, &plan_.node(leaf), &transition))
-        holds.clear();
+        holds = {};
     return conjunction(wanted, holds);
 }
 
@@ -186,8 +187,8 @@ std::string MachineWriter::case_body(NodeId leaf, const EventPort* port, std::si
     const std::vector<const ir::Transition*> tried = candidates(leaf, port);
     for (const ir::Transition* transition : tried) {
         out.comment(generation_.place(transition->origin));
-        const std::string condition = case_condition(*transition, leaf);
-        if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition));
+        const CppExpr condition = case_condition(*transition, leaf);
+        if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition.whole()));
         case_effect(*transition, port, out);
         if (condition.empty()) return out.text();
         if (transition != tried.back() &&

@@ -55,9 +55,8 @@ void MachineWriter::pick_function() {
 }
 
 /// With choices: the guard, and that it is the transition's turn.
-std::string MachineWriter::in_turn(const std::string& guard) const {
-    if (!generation_.options.choices) return guard;
-    return guard.empty() ? "in_turn()" : fmt::format("({}) && in_turn()", guard);
+CppExpr MachineWriter::in_turn(const CppExpr& guard) const {
+    return generation_.options.choices ? conjunction(guard, CppExpr("in_turn()")) : guard;
 }
 
 std::vector<std::string> MachineWriter::attempts(NodeId leaf) const {
@@ -90,11 +89,11 @@ bool MachineWriter::try_transition(const ir::Transition& transition) {
     out_.comment(generation_.place(transition.origin));
     reset_too_soon(transition);
     if (transition.trigger) return try_trigger(transition, id);
-    const std::string text = in_turn(guard(transition, ""));
-    if (!text.empty()) out_.open(fmt::format("if ({}) {{", text));
+    const CppExpr condition = in_turn(guard(transition, ""));
+    if (!condition.empty()) out_.open(fmt::format("if ({}) {{", condition.whole()));
     begin_transition(transition, id);
-    if (!text.empty()) out_.close();
-    return text.empty();
+    if (!condition.empty()) out_.close();
+    return condition.empty();
 }
 
 /// Fault::reset_before_guard.
@@ -107,16 +106,16 @@ void MachineWriter::reset_too_soon(const ir::Transition& transition) {
 }
 
 bool MachineWriter::try_trigger(const ir::Transition& transition, ir::TransitionId id) {
-    std::string late_guard;
-    const Condition condition = [&](const std::string& incoming) -> std::string {
-        late_guard.clear();
-        std::string text = guard(transition, incoming);
-        if (text.empty() || !generation_.mutation.hits(Fault::guard_after_consume)) return in_turn(text);
-        late_guard = std::move(text);
-        return in_turn("");
+    CppExpr late_guard;
+    const Condition condition = [&](const std::string& incoming) {
+        late_guard = {};
+        CppExpr holds = guard(transition, incoming);
+        if (holds.empty() || !generation_.mutation.hits(Fault::guard_after_consume)) return in_turn(holds);
+        late_guard = std::move(holds);
+        return in_turn({});
     };
     return receive(generation_, unit_, *transition.trigger, out_, condition, [&] {
-        if (!late_guard.empty()) out_.line(fmt::format("if (!({})) return false;", late_guard));
+        if (!late_guard.empty()) out_.line(fmt::format("if (!({})) return false;", late_guard.whole()));
         begin_transition(transition, id);
     });
 }
@@ -135,7 +134,7 @@ std::string MachineWriter::tell_taken(ir::TransitionId id) const {
     return fmt::format("taken({});", transition_number(unit_, id));
 }
 
-std::string MachineWriter::guard(const ir::Transition& transition, const std::string& incoming) {
+CppExpr MachineWriter::guard(const ir::Transition& transition, const std::string& incoming) {
     if (!transition.guard || generation_.mutation.hits(Fault::guard_dropped)) return {};
     ExpressionWriter expressions(generation_, unit_);
     if (transition.trigger) {
@@ -144,10 +143,9 @@ std::string MachineWriter::guard(const ir::Transition& transition, const std::st
         const std::string kept = old ? expressions.variable(stored) : "";
         expressions.set_incoming(kept.empty() ? incoming : kept);
     }
-    if (generation_.mutation.hits(Fault::guard_negated))
-        return conjunction(expressions.asked(*transition.guard),
-                           fmt::format("!({})", expressions.write(*transition.guard)));
-    return expressions.write_asked(*transition.guard);
+    const CppExpr holds = expressions.expression(*transition.guard);
+    return conjunction(expressions.asked(*transition.guard),
+                       generation_.mutation.hits(Fault::guard_negated) ? negation(holds) : holds);
 }
 
 /// Cuts the during actions of the state and of all below it, and starts the exits.

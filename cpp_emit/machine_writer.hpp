@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cpp_emit/code_writer.hpp"
+#include "cpp_emit/cpp_expr.hpp"
 #include "cpp_emit/machine_code.hpp"
 
 namespace robochart::cpp_emit {
@@ -86,7 +87,7 @@ private:
     [[nodiscard]] std::string incoming(const ir::Transition&) const;
     void case_effect(const ir::Transition&, const EventPort*, CodeWriter&);
     [[nodiscard]] std::vector<const ir::Transition*> candidates(ir::NodeId leaf, const EventPort*) const;
-    [[nodiscard]] std::string case_condition(const ir::Transition&, ir::NodeId leaf);
+    [[nodiscard]] CppExpr case_condition(const ir::Transition&, ir::NodeId leaf);
     void place_body(ir::NodeId, CodeWriter&);
     [[nodiscard]] const EventPort* taken_for(ir::NodeId row, const EventPort&,
                                              const std::vector<const EventPort*>& columns);
@@ -106,12 +107,12 @@ private:
     void reset_too_soon(const ir::Transition&);
     bool try_trigger(const ir::Transition&, ir::TransitionId);
     void begin_transition(const ir::Transition&, ir::TransitionId);
-    [[nodiscard]] std::string guard(const ir::Transition&, const std::string& incoming);
+    [[nodiscard]] CppExpr guard(const ir::Transition&, const std::string& incoming);
     /// The call of the trace hook.
     [[nodiscard]] std::string tell_taken(ir::TransitionId) const;
     void depart(ir::NodeId source, ir::TransitionId);
     void pick_function();
-    [[nodiscard]] std::string in_turn(const std::string& guard) const;
+    [[nodiscard]] CppExpr in_turn(const CppExpr& guard) const;
     [[nodiscard]] std::vector<std::string> attempts(ir::NodeId leaf) const;
     [[nodiscard]] ir::NodeId target_of(const ir::Transition&);
 

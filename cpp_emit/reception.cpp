@@ -34,8 +34,13 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string condition(const std::string& incoming) const {
+    [[nodiscard]] CppExpr condition(const std::string& incoming) const {
         return conjunction(predicate(generation_, unit_, communication_, incoming), condition_(incoming));
+    }
+
+    /// The event is there, and its value is what is asked for.
+    [[nodiscard]] std::string wanted(const std::string& there, const std::string& incoming) const {
+        return conjunction(CppExpr(there), condition(incoming)).whole();
     }
 
     [[nodiscard]] std::string stores(const std::string& incoming) const {
@@ -51,7 +56,7 @@ private:
     void from_port(const EventPort& own) {
         const EventPort& port = received_port(generation_, own);
         const std::string input = "inputs_." + port.input;
-        out_.open(fmt::format("if ({}) {{", conjunction(input + ".present", condition(input + ".value"))));
+        out_.open(fmt::format("if ({}) {{", wanted(input + ".present", input + ".value")));
         take(consume(generation_, port), stores(input + ".value"));
         out_.close();
     }
@@ -59,7 +64,7 @@ private:
     /// The reader empties the buffer (semantics 3.9); Fault::buffer_kept leaves its content.
     void from_buffer(const Buffer& buffer) {
         const std::string place = "state_." + buffer.field;
-        out_.open(fmt::format("if ({}) {{", conjunction(place + ".full()", condition(place + ".value"))));
+        out_.open(fmt::format("if ({}) {{", wanted(place + ".full()", place + ".value")));
         const std::string stored = stores("incoming");
         if (!stored.empty())
             out_.line(fmt::format("const {} incoming = {}.value;", cpp_type(generation_.system, *use_.type), place));
@@ -72,17 +77,17 @@ private:
         const std::string& channel = heard(generation_, sender).channel;
         out_.open(fmt::format("for (std::uint32_t site = 0; site != sites_{}; ++site) {{", channel));
         if (use_.type) out_.line(fmt::format("{} incoming{{}};", cpp_type(generation_.system, *use_.type)));
-        const std::string guard = condition("incoming");
+        const CppExpr guard = condition("incoming");
         out_.line(fmt::format("if (!offers_{}(site{}){}) continue;", channel, use_.type ? ", incoming" : "",
-                              guard.empty() ? "" : " || !(" + guard + ")"));
+                              guard.empty() ? "" : " || !(" + guard.whole() + ")"));
         take(fmt::format("accept_{}(site);", channel), stores("incoming"));
         out_.close();
     }
 
     /// Connected to nothing: it happens on its own as soon as it can, with some value (semantics 3.9).
     bool by_itself() {
-        const std::string guard = condition("");
-        if (!guard.empty()) out_.open(fmt::format("if ({}) {{", guard));
+        const CppExpr guard = condition("");
+        if (!guard.empty()) out_.open(fmt::format("if ({}) {{", guard.whole()));
         const std::string value = use_.type ? default_text(generation_, *use_.type) : "";
         take("", stores(value));
         if (!guard.empty()) out_.close();
@@ -100,12 +105,6 @@ private:
 
 }  // namespace
 
-std::string conjunction(const std::string& first, const std::string& second) {
-    if (first.empty() || second.empty()) return first + second;
-    const bool weaker = second.find("||") != std::string::npos || second.find(" ? ") != std::string::npos;
-    return first + " && " + (weaker ? "(" + second + ")" : second);
-}
-
 std::string default_text(const Generation& generation, ir::TypeId type) {
     return cpp_value(generation.system, generation.inst, type,
                      ir::default_value(generation.system, generation.inst, type));
@@ -116,12 +115,12 @@ bool receive(const Generation& generation, const Unit& unit, const ir::Communica
     return Reception(generation, unit, communication, out, condition, then).write();
 }
 
-std::string predicate(const Generation& generation, const Unit& unit, const ir::Communication& communication,
-                      const std::string& incoming) {
+CppExpr predicate(const Generation& generation, const Unit& unit, const ir::Communication& communication,
+                  const std::string& incoming) {
     if (!communication.predicate || generation.mutation.hits(Fault::predicate_dropped)) return {};
     ExpressionWriter expressions(generation, unit);
     expressions.set_incoming(incoming);
-    return "(" + expressions.write_asked(*communication.predicate) + ")";
+    return expressions.expression_asked(*communication.predicate).enclosed();
 }
 
 bool from_register(const EventUse& use) {

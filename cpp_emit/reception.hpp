@@ -6,23 +6,21 @@
 #include <string>
 
 #include "cpp_emit/code_writer.hpp"
+#include "cpp_emit/cpp_expr.hpp"
 #include "cpp_emit/generation.hpp"
 
 namespace robochart::cpp_emit {
 
-/// A further condition, as C++ text, given the text of the incoming value; "" if there is none.
-using Condition = std::function<std::string(const std::string& incoming)>;
+/// A further condition, given the text of the incoming value; there may be none.
+using Condition = std::function<CppExpr(const std::string& incoming)>;
 
 /// Writes, for each source of the event, code that takes it if it is there and `condition` holds: consumes the event,
 /// stores its value, and goes on with what `then` writes. True if the last of them is always taken.
 bool receive(const Generation&, const Unit&, const ir::Communication&, CodeWriter&, const Condition& condition,
              const std::function<void()>& then);
 
-/// The communication's own predicate on the value; "" if it has none.
-[[nodiscard]] std::string predicate(const Generation&, const Unit&, const ir::Communication&,
-                                    const std::string& incoming);
-/// Both conditions; either may be "".
-[[nodiscard]] std::string conjunction(const std::string& first, const std::string& second);
+/// The communication's own predicate on the value; none if it has none.
+[[nodiscard]] CppExpr predicate(const Generation&, const Unit&, const ir::Communication&, const std::string& incoming);
 /// Some value of the type, as C++ text: what an event connected to nothing carries.
 [[nodiscard]] std::string default_text(const Generation&, ir::TypeId);
 /// The event's only source is a register of the platform.

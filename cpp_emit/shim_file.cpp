@@ -135,7 +135,8 @@ private:
 
     std::string type(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
 
-    /// The table of all values of a composed type at the boundary: its numbers are places there.
+    /// The table of all values of a composed type at the boundary: its numbers are places there. Compilers bound what
+    /// they compute for a constant expression.
     std::string table(ir::TypeId id) const { return fmt::format("all_values_{}", id.index); }
 
     void value_tables() {
@@ -149,7 +150,7 @@ private:
                 continue;
             done.push_back(id);
             out_.gap();
-            out_.open(fmt::format("constexpr {} {}[] = {{", type(id), table(id)));
+            out_.open(fmt::format("const {} {}[] = {{", type(id), table(id)));
             for (const ir::Value& value : ir::carrier(generation_.system, generation_.inst, id))
                 out_.line(cpp_value(generation_.system, generation_.inst, id, value, spelling()) + ",");
             out_.close("};");

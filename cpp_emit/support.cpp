@@ -24,6 +24,8 @@ constexpr std::size_t max_arguments = 8;
 /// Values of one input that the exploration interface lists.
 constexpr std::size_t max_input_values = 4096;
 constexpr std::size_t max_output_values = 65536;
+/// Numbers and literals in the values of one type that the interface lists: a compiler needs seconds for so many.
+constexpr std::size_t max_listed = 8 * max_output_values;
 constexpr std::size_t max_bound_values = 1024;
 /// Beyond this a decimal literal is not exact in binary floating point times the scale.
 constexpr std::int64_t max_exact = std::int64_t{1} << 52;
@@ -261,13 +263,32 @@ private:
     Diagnostics& diagnostics_;
 };
 
+/// Numbers and literals in a value.
+std::size_t leaves(const ir::Value& value) {
+    if (value.parts.empty()) return 1;
+    std::size_t count = 0;
+    for (const ir::Value& part : value.parts) count += leaves(part);
+    return count;
+}
+
+/// Of a type that has not too many values.
+bool lists_too_much(const ir::System& system, const ir::Instantiation& inst, ir::TypeId type) {
+    if (!composed(system.type(type))) return false;
+    std::size_t count = 0;
+    for (const ir::Value& value : ir::carrier(system, inst, type)) count += leaves(value);
+    return count > max_listed;
+}
+
 }  // namespace
 
 std::vector<BeyondExploration> beyond_exploration(const ir::System& system, const ir::Instantiation& inst,
                                                   const Component& component) {
     std::vector<BeyondExploration> result;
     const auto look = [&](ir::TypeId type, const std::string& name, std::size_t most, const char* limit) {
-        if (!has_at_most(system, inst, type, most)) result.push_back({name, limit});
+        if (!has_at_most(system, inst, type, most))
+            result.push_back({name, limit});
+        else if (lists_too_much(system, inst, type))
+            result.push_back({name, "all values of an input or output have at most 524288 numbers and literals"});
     };
     for (const Register& input : registers(component))
         if (input.type) look(*input.type, input.name, max_input_values, "an input has at most 4096 values");

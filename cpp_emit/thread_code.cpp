@@ -121,11 +121,11 @@ std::string ProgramWriter::fresh(const std::string& stem) {
 /// `pre & statement` (semantics 3.5): where a precondition does not hold nothing more happens in this thread.
 void ProgramWriter::ask(const ir::Stmt& stmt) {
     const ExpressionWriter expressions(generation_, unit_);
-    std::string conditions;
+    CppExpr conditions;
     for (const ir::Expr* expr : evaluated(stmt)) conditions = conjunction(conditions, expressions.asked(*expr));
     if (conditions.empty()) return;
     const std::string stays = thread_.go(stuck_place());
-    code().open(fmt::format("if (!({})) {{", conditions));
+    code().open(fmt::format("if (!({})) {{", conditions.whole()));
     code().line(stays);
     code().line("break;");
     code().close();
@@ -294,8 +294,9 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
         generation_.mutation.hits(Fault::input_not_awaited) || generation_.mutation.hits(Fault::loop_never_ends);
     if (!unawaited) {
         resume_at(fresh(stem), fmt::format("waits for {}", use.name));
-        const std::string more = predicate(generation_, unit_, communication, value);
-        code().open(fmt::format("if (!(inputs_.{}.present{})) {{", port.input, more.empty() ? "" : " && " + more));
+        const CppExpr there("inputs_." + port.input + ".present");
+        const CppExpr wanted = conjunction(there, predicate(generation_, unit_, communication, value));
+        code().open(fmt::format("if (!({})) {{", wanted.whole()));
         code().line("return moved;");
         code().close();
     }
@@ -319,7 +320,7 @@ void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const s
     helper.doc(fmt::format("Takes {} if it is there.", use.name));
     helper.open(fmt::format("bool {}({}) noexcept {{", name, frame_parameters(generation_.component, unit_)));
     const bool always = receive(
-        generation_, unit_, stmt.communication, helper, [](const std::string&) { return std::string(); },
+        generation_, unit_, stmt.communication, helper, [](const std::string&) { return CppExpr(); },
         [&] {
             helper.line(thread_.go(next));
             helper.line("return true;");
@@ -442,8 +443,9 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
 void ProgramWriter::require_preconditions(const Unit& operation, const std::string& frame) {
     const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
-        std::string text = expressions.write_asked(*condition);
-        if (generation_.mutation.hits(Fault::precondition_negated)) text = fmt::format("!({})", text);
+        const CppExpr holds = expressions.expression_asked(*condition);
+        const bool negated = generation_.mutation.hits(Fault::precondition_negated);
+        const std::string text = negated ? negation(holds).whole() : holds.whole();
         const bool one = text.find(',') == std::string::npos;  // argument of a macro
         code().line(fmt::format("ROBOCHART_PRECONDITION({});", one ? text : "(" + text + ")"));
     }

@@ -4,15 +4,6 @@
 
 namespace robochart::cpp_emit {
 
-namespace {
-
-void visit_communication(const ir::Communication& communication, const ExprVisitor& visitor) {
-    visit(communication.value, visitor);
-    visit(communication.predicate, visitor);
-}
-
-}  // namespace
-
 void visit(const ir::ExprPtr& expr, const ExprVisitor& visitor) {
     if (!expr) return;
     visitor(*expr);
@@ -25,33 +16,8 @@ void visit(const ir::StmtPtr& stmt, const StmtVisitor& visitor) {
     for (const auto& part : stmt->body) visit(part, visitor);
 }
 
-void visit_own(const ir::Stmt& stmt, const ExprVisitor& visitor) {
-    visit(stmt.condition, visitor);
-    for (const auto& step : stmt.path) visit(step, visitor);
-    visit(stmt.value, visitor);
-    visit(stmt.upper, visitor);
-    visit_communication(stmt.communication, visitor);
-    for (const auto& arg : stmt.args) visit(arg, visitor);
-}
-
-void visit_statements(const ir::Machine& machine, const StmtVisitor& visitor) {
-    for (const auto& node : machine.nodes) {
-        visit(node.entry, visitor);
-        visit(node.during, visitor);
-        visit(node.exit, visitor);
-    }
-    for (const auto& transition : machine.transitions) visit(transition.action, visitor);
-}
-
 void visit_expressions(const ir::Machine& machine, const ExprVisitor& visitor) {
-    visit_statements(machine, [&](const ir::Stmt& stmt) { visit_own(stmt, visitor); });
-    for (const auto& transition : machine.transitions) {
-        visit(transition.guard, visitor);
-        visit(transition.probability, visitor);
-        visit(transition.deadline, visitor);
-        if (transition.trigger) visit_communication(*transition.trigger, visitor);
-    }
-    for (const auto& condition : machine.preconditions) visit(condition, visitor);
+    ir::visit_running(machine, [&](const ir::Expr& root, ir::ExprRole) { ir::visit_operands(root, visitor); });
 }
 
 void visit_asked(const Component& component, const ir::System& system, const ExprVisitor& visitor) {
@@ -74,11 +40,6 @@ ir::ClockId entry_clock(const ir::Machine& machine, ir::NodeId node) {
     for (std::uint32_t index = 0; index < machine.clocks.size(); ++index)
         if (machine.clocks[index].entry_of == node) return ir::ClockId{index};
     return {};
-}
-
-ir::ClockId clock_of(const ir::Machine& machine, const ir::Expr& expr) {
-    if (expr.kind == ir::ExprKind::since) return expr.clock;
-    return expr.kind == ir::ExprKind::since_entry ? entry_clock(machine, expr.node) : ir::ClockId{};
 }
 
 }  // namespace robochart::cpp_emit

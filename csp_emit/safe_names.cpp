@@ -147,9 +147,8 @@ public:
     }
 
     NewNames choose(const ir::System& system) {
-        const std::vector<ir::Type> types = with_labels(system.types);
-        choose_data(types, names_.types);
-        choose_data(system.functions, names_.functions);
+        choose_data(with_labels(with_packages(system.types)), names_.types);
+        choose_data(with_packages(system.functions), names_.functions);
         visit_elements(system, [&](Bearer bearer, const std::string& name, bool top, diagnostics::Span span) {
             if (bearer == Bearer::operation) {
                 if (!is_identifier(name)) rename(names_.operations, name, span, rules::reserved_name);
@@ -169,6 +168,19 @@ public:
     }
 
 private:
+    /// Types or functions with the new names of their packages, with which their own begin.
+    template <class Data>
+    std::vector<Data> with_packages(std::vector<Data> all) {
+        for (Data& data : all) {
+            const std::string package = flatten(data.package);
+            if (!named(data) || package.empty()) continue;
+            if (!is_identifier(package)) rename(names_.all, package, data.origin.span, rules::reserved_name);
+            const auto found = names_.all.find(package);
+            if (found != names_.all.end()) data.package = found->second;
+        }
+        return all;
+    }
+
     /// The types with other labels where a literal would be called like a bound name.
     std::vector<ir::Type> with_labels(std::vector<ir::Type> types) {
         for (ir::Type& type : types) {
@@ -191,6 +203,7 @@ private:
 
     template <class Data>
     void take(const Data& data) {
+        if (!data.package.empty()) taken_.insert(flatten(data.package));
         for (const std::string& name : names_of(data)) taken_.insert(name);
     }
 

@@ -52,15 +52,30 @@ void visit_statements(const Machine& machine, const StmtVisitor& visitor) {
 
 void visit_expressions(const Machine& machine, const RootVisitor& visitor) {
     visit_declarations(machine, visitor);
-    visit_roots(machine.preconditions, visitor);
+    visit_running(machine, visitor);
     visit_roots(machine.postconditions, visitor);
+}
+
+void visit_running(const Machine& machine, const RootVisitor& visitor) {
     visit_statements(machine, [&](const Stmt& stmt) { visit_statement_roots(stmt, visitor); });
     for (const auto& transition : machine.transitions) {
-        if (transition.trigger) visit_communication(*transition.trigger, visitor);
         visit_root(transition.guard, ExprRole::value, visitor);
-        visit_root(transition.deadline, ExprRole::time, visitor);
         visit_root(transition.probability, ExprRole::probability, visitor);
+        if (transition.trigger) visit_communication(*transition.trigger, visitor);
+        visit_root(transition.deadline, ExprRole::time, visitor);
     }
+    visit_roots(machine.preconditions, visitor);
+}
+
+void visit_reads(const Machine& machine, const std::function<void(VariableId)>& visitor) {
+    visit_running(machine, [&](const Expr& root, ExprRole) {
+        visit_operands(root, [&](const Expr& expr) {
+            if (expr.kind == ExprKind::variable) visitor(expr.variable);
+        });
+    });
+    visit_statements(machine, [&](const Stmt& stmt) {
+        if (stmt.kind == StmtKind::assign && !stmt.path.empty()) visitor(stmt.variable);
+    });
 }
 
 void visit_expressions(const System& system, const RootVisitor& visitor) {

@@ -15,11 +15,34 @@
 #endif
 
 /// In generated code: reports to RC_REQUIRE and makes the cycle end with StepResult::precondition.
-#define ROBOCHART_PRECONDITION(condition) \
-    do {                                  \
-        RC_REQUIRE(condition);            \
-        this->require(condition);         \
+#define ROBOCHART_PRECONDITION(...) \
+    do {                            \
+        RC_REQUIRE((__VA_ARGS__));  \
+        this->require(__VA_ARGS__); \
     } while (false)
+
+/// Around what is computed for the model. Comparisons that are always true or always false, and variables that are stored
+/// in themselves, are the model's affair: no warnings about them.
+#if defined(__clang__)
+#define ROBOCHART_MODEL_BEGIN                                       \
+    _Pragma("clang diagnostic push")                                \
+    _Pragma("clang diagnostic ignored \"-Wunknown-warning-option\"") \
+    _Pragma("clang diagnostic ignored \"-Wtautological-compare\"")   \
+    _Pragma("clang diagnostic ignored \"-Wtype-limits\"")            \
+    _Pragma("clang diagnostic ignored \"-Wself-assign\"")
+#define ROBOCHART_MODEL_END _Pragma("clang diagnostic pop")
+#elif defined(__GNUC__)
+#define ROBOCHART_MODEL_BEGIN                                     \
+    _Pragma("GCC diagnostic push")                                \
+    _Pragma("GCC diagnostic ignored \"-Wpragmas\"")                \
+    _Pragma("GCC diagnostic ignored \"-Wtautological-compare\"")   \
+    _Pragma("GCC diagnostic ignored \"-Wbool-compare\"")           \
+    _Pragma("GCC diagnostic ignored \"-Wtype-limits\"")
+#define ROBOCHART_MODEL_END _Pragma("GCC diagnostic pop")
+#else
+#define ROBOCHART_MODEL_BEGIN
+#define ROBOCHART_MODEL_END
+#endif
 
 /// 1: the generated classes can tell a tracer what they do (robochart/trace.hpp). It must be the same wherever their
 /// headers are included.
@@ -114,6 +137,11 @@ constexpr std::int64_t divide(std::int64_t a, std::int64_t b) noexcept {
 }
 constexpr std::int64_t modulus(std::int64_t a, std::int64_t b) noexcept {
     return a - (b == 0 ? a : divide(a, b) * b);
+}
+
+/// The condition itself.
+constexpr bool holds(bool condition) noexcept {
+    return condition;
 }
 
 /// A duration in time units; negative ones are zero.

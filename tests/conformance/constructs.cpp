@@ -48,7 +48,7 @@ private:
         for (const ir::Event& event : machine.events)
             if (event.type) note(true, "event of type " + word(system_.type(*event.type).kind));
         look_at_needs(machine);
-        cpp_emit::visit_statements(machine, [&](const ir::Stmt& stmt) { look(machine, stmt); });
+        ir::visit_statements(machine, [&](const ir::Stmt& stmt) { look(machine, stmt); });
         cpp_emit::visit_expressions(machine, [&](const ir::Expr& expr) {
             note(expr.kind == ir::ExprKind::since, "since");
             note(expr.kind == ir::ExprKind::since_entry, "sinceEntry");

@@ -155,5 +155,109 @@ TEST(Regressions, TheEmptyStringIsTheEmptySequence) {
         "transition t1 { from A to A trigger e?x action out!x } }\n");
 }
 
+/// A machine S below a module whose platform provides what `shared` declares and sends e.
+std::string with_platform(const std::string& shared, const std::string& before, const std::string& body) {
+    return "record Spot { at : nat free : boolean }\n"
+           "interface V { " + shared + " }\n" + before +
+           "stm S { requires V event e : boolean\n" + body + " }\n"
+           "module M { robotic platform P { provides V event e : boolean } cref c = C\n"
+           "connection P on e to c on e (_async) }\n";
+}
+
+std::string machine_alone(const std::string& shared, const std::string& body) {
+    return with_platform(shared,
+                         "controller C { requires V event e : boolean sref m = S connection C on e to m on e }\n", body);
+}
+
+/// The platform hears of the whole variable, so that the rest of it is needed.
+TEST(Regressions, APartOfAVariableThatNothingReadsIsWritten) {
+    expect_conforming(machine_alone(
+        "var t : nat * boolean var s : Spot var q : Seq(boolean) = <true, true> var v : vector(boolean, 2)\n"
+        "var m : matrix(boolean, 2, 2) var n : boolean * Spot var w : Seq(nat * boolean) = <(| 1, true |)>",
+        "initial i state A { entry t[1] = 1; s.free = false; q[2] = false; v[1] = false; m[2, 1] = false;\n"
+        "n[2].at = 1; w[1][2] = false } transition t0 { from i to A }"));
+}
+
+TEST(Regressions, APartIsWrittenWhereverActionsStand) {
+    expect_conforming(with_platform(
+        "var a : boolean * boolean var b : boolean * boolean var c : boolean * boolean var d : boolean * boolean var f : boolean",
+        "interface Ops { op() }\n"
+        "operation op() { requires V initial i final o transition t { from i to o action d[1] = false } }\n"
+        "controller C { requires V event e : boolean opref o = op sref m = S connection C on e to m on e }\n",
+        "requires Ops initial i state A { entry a[1] = false during b[1] = false exit c[1] = false }\n"
+        "state B { entry op(); a[2] = false } transition t0 { from i to A }\n"
+        "transition t1 { from A to B trigger e?f action b[2] = false } transition t2 { from B to A trigger e?f }"));
+}
+
+/// What a deadline or a wait depends on may be read nowhere else.
+TEST(Regressions, DurationsReadVariables) {
+    for (const std::string type : {"nat", "int"}) {
+        const std::string shared = "var d : " + type;
+        const std::string declared = "record R { a : " + type + " }\nfunction f(x : " + type + ") : " + type +
+                                     " { postcondition result == x }\n";
+        for (const std::string body :
+             {"state A { entry wait(d) } transition t0 { from i to A }",
+              "state A { entry wait(f(r.a)) } transition t0 { from i to A }",
+              "state A { entry (wait(1)) <{ d + 1 } } transition t0 { from i to A }",
+              "state A { entry (wait(0)) <{ if d > 0 then d else r.a end } } transition t0 { from i to A }",
+              "state A { } transition t0 { from i to A } transition t1 { from A to A trigger e?x <{ d + 1 } }",
+              "state A { } transition t0 { from i to A } transition t1 { from A to A trigger e?x <{ 1 + f(r.a) } "
+              "condition x }"})
+            expect_conforming(declared + machine_alone(shared, "var x : boolean var r : R initial i " + std::string(body)));
+    }
+}
+
+/// Conditionals, implications and sums in every place that C++ text is put together of them.
+TEST(Regressions, WhatBindsWeaklyKeepsTogether) {
+    expect_conforming(
+        "record R { a : nat f : boolean }\n"
+        "stm S { event e : boolean event o : boolean var b : boolean var c : boolean var n : nat\n"
+        "var q : Seq(nat) = <1> var r : R initial i state A { } state B { entry\n"
+        "o!((if b then n else 1 end) in {0 to 1});\n"
+        "o!(1 in {(if b then n else 1 end) to (if b then 2 else n end)});\n"
+        "o!(n in [if b then n else 1 end, if b then 2 else n end]);\n"
+        "o!(n in (if b then n else 0 end, if b then 2 else 1 end));\n"
+        "o!(1 in {n + 0 to n + 1});\n"
+        "o!(n in {if b then n else 1 end, 2});\n"
+        "o!((if b then n else 1 end) + (if b then 1 else n end) == (if b then n else 1 end) * (if b then n else 1 end));\n"
+        "o!((if b then n else 1 end) % (if b then 2 else 1 end) == (if b then n else 1 end) / (if b then 1 else 2 end));\n"
+        "o!(- (if b then n else 1 end) < (if b then n else 1 end) - (if b then n else 1 end));\n"
+        "o!(not (if b then c else true end));\n"
+        "o!((if b then c else true end) /\\ (if b then true else c end) \\/ (if c then b else true end));\n"
+        "o!((if b then c else true end) => (if b then true else c end));\n"
+        "o!((if b then c else true end) iff (if b then true else c end));\n"
+        "o!((if b then c else true end) == (if b then true else c end));\n"
+        "o!(not (c => b) /\\ (c => b) \\/ (c iff b));\n"
+        "o!((b => c) == (c => b));\n"
+        "o!((if b then r else r end).f);\n"
+        "o!((if b then q else <n, 1> end)[if b then 1 else 1 end] == 1);\n"
+        "o!((if b then (if c then q else <> end) else <1> end) ^ <(if b then n else 1 end)> == <n>);\n"
+        "o!(if (if b then c else true end) then (if b then c else false end) else (if b then true else c end) end);\n"
+        "o!(let x == (if b then n else 1 end) @ (if b then x else n end) == 1);\n"
+        "o!(exists x : nat | (if b then x == n else true end) @ (if b then x > 0 else x == n end));\n"
+        "o!(forall x : nat | (if b then x == n else true end) @ (if b then x > 0 else x == n end));\n"
+        "o!({x : nat | if b then x == n else true end @ if b then x else n end} == {n});\n"
+        "o!(1 in (if b then {n} else {1} end));\n"
+        "r = R (| a = if b then n else 1 end, f = if b then c else true end |);\n"
+        "if (if b then c else true end) then n = (if b then n else 1 end) end; b = (if b then c else true end) }\n"
+        "transition t0 { from i to A }\n"
+        "transition t1 { from A to B trigger e?b condition if b then c else true end }\n"
+        "transition t2 { from A to B trigger e?b condition (if b then c else true end) /\\ (c => b) }\n"
+        "transition t3 { from A to B trigger e?b condition c => b action q = <n> }\n"
+        "transition t4 { from B to A action c = b; n = 1; q = <1> } }\n");
+}
+
+/// Text with commas that no parentheses enclose.
+TEST(Regressions, PreconditionsHoldAnyExpression) {
+    expect_conforming(
+        "interface Ops { op(n : nat) }\n"
+        "operation op(n : nat) { precondition n in {0, 1, 2} precondition n in {x : nat | x == n @ x}\n"
+        "precondition (lambda x : nat, y : nat @ x + y)(n, 0) == n\n"
+        "initial i final f transition t { from i to f } }\n"
+        "controller C { event out opref o = op sref m = S connection m on out to C on out }\n"
+        "stm S { requires Ops event out initial i state A { entry op(1); out } transition t0 { from i to A } }\n"
+        "module M { robotic platform P { event out } cref c = C connection c on out to P on out (_async) }\n");
+}
+
 }  // namespace
 }  // namespace robochart::conformance

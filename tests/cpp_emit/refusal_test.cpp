@@ -176,6 +176,16 @@ TEST(Refusals, MoreValuesThanTheExplorationInterfaceTakes) {
               Codes{"RC-G13"});
 }
 
+/// 65,536 sets of four numbers' sets: not too many values, but they are long.
+TEST(Refusals, ValuesOfManyPartsAreNotListed) {
+    EXPECT_EQ(machine_codes("event out : Set(Set(nat)) var n : nat = 3 var s : Set(Set(nat)) state A { entry out!s }"),
+              Codes{"RC-G13"});
+    const ir::System small = testing::model(
+        "stm M { event out : Set(nat) var n : nat = 3 var s : Set(nat) initial i transition t0 { from i to A }\n"
+        "state A { entry out!s } }");
+    EXPECT_FALSE(testing::emit_ok(small, component(small, "M")).shim.empty());
+}
+
 TEST(Refusals, NeedNotBeExplored) {
     const ir::System system = testing::model(
         "package p stm M { event e : matrix(nat, 3, 3) var m : matrix(nat, 3, 3) initial i state A { } transition t0 { "

@@ -468,6 +468,22 @@ TEST(Rules, NamesOfCspmGetANumber) {
         EXPECT_THAT(text, HasSubstr(part));
 }
 
+/// Names of types and functions begin with that of their package, which no number behind them makes a name of CSPM.
+TEST(Rules, PackagesWithoutALetterGetAnotherName) {
+    for (const auto& [package, expected] :
+         {std::pair("_", "name_1"), std::pair("__", "name_1"), std::pair("_1", "name_1"), std::pair("_x", "x_1")}) {
+        const auto m = model("package " + std::string(package) + R"(
+            enumeration Mode { one two }
+            function f(x : nat) : Mode { }
+            stm S { event e : Mode initial i state A { entry e!f(1) } transition t0 { from i to A } })");
+        ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
+        const std::string text = printed(*m, Time::untimed), name = expected;
+        for (const std::string& part : {"datatype " + name + "_Mode = " + name + "_Mode_one | " + name + "_Mode_two",
+                                        name + "_f(", "module " + name})
+            EXPECT_THAT(text, HasSubstr(part)) << package;
+    }
+}
+
 TEST(Rules, NamesThatOnlyTheLibraryUsesAreKeptInsideComponents) {
     const auto m = model(
         "package P stm S { event inter initial i state head { entry inter } "

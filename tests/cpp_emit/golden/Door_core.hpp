@@ -77,6 +77,7 @@ template <class P, class Types>
 concept PlatformOf = PlatformCheck<Types, P>::complete;
 #endif
 
+ROBOCHART_MODEL_BEGIN
 /// The behaviour. It lives for one cycle.
 template <class Types, class Platform>
 class Step : private robochart::Cycle {
@@ -248,6 +249,7 @@ private:
     Inputs<Types> inputs_;
     Platform& platform_;
 };
+ROBOCHART_MODEL_END
 
 /// The state before the first cycle, which runs the initial transition.
 template <class Types>
