@@ -269,13 +269,13 @@ std::string ExpressionWriter::membership(const ir::Expr& expr) const {
                        open_low ? "<" : "<=", open_high ? "<" : "<=", write_as(*set.args[1], member));
 }
 
-/// A function of its own, called at once.
+/// For each name a function of its own, called at once: the value may speak of another variable of that name.
 std::string ExpressionWriter::let(const ir::Expr& expr) const {
-    std::string text = "[&] {";
-    for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
-        text += fmt::format(" [[maybe_unused]] const auto {} = {};", bound_identifier(expr.bound_names[i]),
-                            write(*expr.args[i]));
-    return text + fmt::format(" return {}; }}()", write_as(*expr.args.back(), expr.type));
+    std::string text = write_as(*expr.args.back(), expr.type);
+    for (std::size_t i = expr.bound_names.size(); i-- > 0;)
+        text = fmt::format("[&]([[maybe_unused]] const auto& {}) {{ return {}; }}({})",
+                           bound_identifier(expr.bound_names[i]), text, write(*expr.args[i]));
+    return text;
 }
 
 std::string ExpressionWriter::write(const ir::Expr& expr) const {
