@@ -1,4 +1,4 @@
-// One run of the command: its budget, and a thread that watches over it. The thread takes SIGINT, SIGTERM and SIGHUP, and
+// One run of the command: its budget, and a thread that watches over it. The thread takes SIGINT, SIGTERM, SIGHUP and SIGXCPU, and
 // looks at the limits all the time. What is reached, every phase finds out by polling the budget, and the verb ends in
 // order. Should some work not poll for too long, the thread itself prints what is known and ends the program: a limit
 // does not depend on whoever should have polled. A second signal ends the program at once.
