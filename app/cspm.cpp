@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <iostream>
-#include <iterator>
 
 #include "app/output.hpp"
 #include "app/run.hpp"
@@ -13,9 +11,11 @@
 #include "app/script_report.hpp"
 #include "app/verbs.hpp"
 #include "checker/cspm/reader.hpp"
+#include "checker/cspm/rules.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/types.hpp"
 #include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
 #include "diagnostics/json.hpp"
 #include "diagnostics/render.hpp"
 
@@ -194,14 +194,18 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
             const auto edit = options.run->edit();
             report.assertions[at++] = std::move(one);
         }
-        if (options.format == Format::plain) print("{}", refines_plain(decided, session.event_table(), options));
+        std::string text;
+        if (options.format == Format::plain) text = refines_plain(decided, session.event_table(), options);
         if (options.format == Format::framed_json) {
             ScriptReport frame = script;
             frame.assertions.push_back(std::move(decided));
-            print_exact(refines_json(frame, session.event_table(), options));
+            text = refines_json(frame, session.event_table(), options);
         } else {
             script.assertions.push_back(std::move(decided));
         }
+        const auto edit = options.run->edit();  // the last word does not come in between
+        if (options.format == Format::plain) print_text(text);
+        else print_exact(text);
         finish_output();
     }
 }
@@ -214,8 +218,29 @@ Exit worse(Exit a, Exit b) {
     return rank(a) < rank(b) ? b : a;
 }
 
+/// What the last word of the run may still have to print.
+struct Known {
+    Report report;
+    std::string open;   ///< script whose object is not printed yet; "": none
+    bool last = false;  ///< it is the last one
+};
+
+/// The rest of what is printed of a script. It is printed whole, and the last word prints nothing more of it.
+void print_last(const std::string& text, const Options& options, Known& known) {
+    if (known.last) options.run->finish();
+    const auto edit = options.run->edit();
+    known.open.clear();
+    print_exact(text);
+    finish_output();
+}
+
+void print_object(const ScriptReport& script, const process::EventTable& events, const Options& options, Known& known) {
+    print_last(refines_json(script, events, options), options, known);
+}
+
 /// One script; its part of the report over all is added.
-Exit decide_script(const std::string& path, const Options& options, Report& report) {
+Exit decide_script(const std::string& path, const Options& options, Known& known) {
+    Report& report = known.report;
     LoadedScript loaded;
     loaded.diagnostics.within(&options.run->budget());
     const diagnostics::Budget::Phase phase(options.run->budget(), "reading " + path);
@@ -227,7 +252,7 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
     const bool json = options.format == Format::json || options.format == Format::framed_json;
     const process::EventTable no_events;
     if (!loaded.diagnostics.ok()) {
-        if (json) print_exact(refines_json(script, no_events, options));
+        if (json) print_object(script, no_events, options, known);
         return Exit::bad_input;
     }
     bool stopped = false;
@@ -238,16 +263,17 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
         decide_all(loaded, session, options, script, report);
         // Frames are of assertions; a script that only prints has one of its own.
         const bool frame = options.format == Format::framed_json && session.assertions().empty();
-        if (frame || options.format == Format::json) print_exact(refines_json(script, session.event_table(), options));
+        if (frame || options.format == Format::json) print_object(script, session.event_table(), options, known);
+        else if (json) print_last("", options, known);
     } catch (const diagnostics::LimitReached& limit) {
         options.run->finish();
         script.errors.emplace_back(limit.what());
         report.limit = limit.what();
-        if (json) print_exact(refines_json(script, no_events, options));
+        if (json) print_object(script, no_events, options, known);
         return Exit::inconclusive;
     } catch (const cspm::EvaluationError& error) {
         script.errors.push_back(fmt::format("{}: {}", diagnostics::shown(loaded.sources.place(error.span)), error.what()));
-        if (json) print_exact(refines_json(script, no_events, options));
+        if (json) print_object(script, no_events, options, known);
     }
     for (const std::string& error : script.errors) print_error("{}\n", error);
     if (!script.errors.empty()) return Exit::bad_input;
@@ -256,9 +282,14 @@ Exit decide_script(const std::string& path, const Options& options, Report& repo
 
 /// Standard input; what it includes is looked for in the current folder.
 cspm::Script read_standard_input(LoadedScript& loaded) {
-    const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-    cspm::Script read = cspm::read(loaded.sources, loaded.sources.add("standard input", text), loaded.diagnostics);
+    std::string error;
+    std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
     cspm::Script whole;
+    if (!error.empty()) {
+        loaded.diagnostics.report(cspm::rules::include_failed, {}, {"standard input", error});
+        return whole;
+    }
+    cspm::Script read = cspm::read(loaded.sources, loaded.sources.add("standard input", std::move(text)), loaded.diagnostics);
     for (const cspm::DeclPtr& decl : read.decls) {
         if (decl->kind != cspm::DeclKind::include) {
             whole.decls.push_back(decl);
@@ -290,25 +321,30 @@ void show_findings(const LoadedScript& loaded, const Options& options) {
 Exit run_cspm(const Options& options) {
     if (options.typecheck || options.types) return check_types(options);
     if (!options.exported.empty()) return export_process(options);
-    const auto known = std::make_shared<Report>();
-    Report& report = *known;
+    const auto known = std::make_shared<Known>();
+    Report& report = known->report;
     report.model = fmt::format("{}", fmt::join(options.inputs, " "));
     report.subject = "process";
     options.run->last_word([known, &options](const std::string& why) {
-        known->limit = why;
+        known->report.limit = why;
         ScriptReport script;
-        script.path = known->model;
+        script.path = known->open;
         script.errors.push_back(why);
         const process::EventTable no_events;
         const bool json = options.format == Format::json || options.format == Format::framed_json;
-        if (options.format == Format::text) print_text(render_text(*known, options));
-        else if (json) print_exact(refines_json(script, no_events, options));
-        else print_error("robochart-verify: {}\n", why);
-        return known->exit();
+        if (options.format == Format::text) print_text(render_text(known->report, options));
+        else if (!json) print_error("robochart-verify: {}\n", why);
+        else if (!known->open.empty()) print_exact(refines_json(script, no_events, options));
+        return known->report.exit();
     });
     Exit exit = Exit::success;
     for (const std::string& path : options.inputs) {
-        exit = worse(exit, decide_script(path, options, report));
+        {
+            const auto edit = options.run->edit();
+            known->open = path;
+            known->last = &path == &options.inputs.back();
+        }
+        exit = worse(exit, decide_script(path, options, *known));
         if (!report.limit.empty()) break;
     }
     options.run->finish();

@@ -9,16 +9,9 @@
 #include "checker/cspm/evaluation_error.hpp"
 #include "conformance/test_suite.hpp"
 #include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
 
 namespace robochart::app {
 namespace {
-
-std::string identifier(const std::string& path) {
-    std::string name;
-    for (const char c : path) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    return name;
-}
 
 struct Made {
     std::vector<cpp_emit::OutputFile> files;
@@ -41,7 +34,7 @@ Made make(Project& project, const Options& options, const ir::ComponentRef& comp
                                                       project.sources, project.diagnostics, error);
     if (model == nullptr) throw std::length_error(error);
     const auto choices = conformance::machine_of_choices(*model, bounds);
-    const std::string name = identifier(component.path);
+    const std::string name = file_name(project, component);
     const std::string qualified = component.package.empty() ? component.path : component.package + "::" + component.path;
     if (!choices.deterministic()) {
         Made made{conformance::adaptive_sources(name), choices.states(), 0, 0, true};
@@ -68,9 +61,8 @@ Exit emit_tests(Project& project, const Options& options) {
         try {
             const Made made = make(project, options, component, bounds);
             for (const auto& file : made.files) {
-                const std::string place = fmt::format("tests/{}/{}", identifier(component.path), file.path);
-                const std::string error = diagnostics::write_below(options.out, place, file.text, project.diagnostics.budget());
-                if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
+                const std::string place = fmt::format("tests/{}/{}", file_name(project, component), file.path);
+                if (!write_output(project, options, place, file.text)) continue;
                 written += fmt::format("  {:<70} {:>9} bytes\n", diagnostics::shown(options.out + "/" + place), with_commas(file.text.size()));
             }
             written += told(made, options, component);

@@ -5,8 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -29,25 +27,6 @@ namespace syntax = frontend::syntax;
 
 bool is_assertions(const fs::path& path) {
     return path.extension() == ".assertions";
-}
-
-/// Model and assertion files below a folder, by path; hidden ones are left out.
-std::vector<fs::path> files_below(const fs::path& folder) {
-    std::vector<fs::path> found;
-    std::error_code code;
-    fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, code);
-    for (; !code && at != fs::recursive_directory_iterator(); at.increment(code)) {
-        std::error_code status;
-        const fs::path& path = at->path();
-        const bool hidden = path.filename().string().starts_with(".");
-        if (at->is_directory(status)) {
-            if (hidden) at.disable_recursion_pending();
-        } else if (!hidden && (path.extension() == ".rct" || is_assertions(path))) {
-            found.push_back(path);
-        }
-    }
-    std::sort(found.begin(), found.end());
-    return found;
 }
 
 /// One run of the verb.
@@ -100,13 +79,9 @@ std::optional<std::string> Formatting::format(diagnostics::SourceId source, bool
 }
 
 void Formatting::standard_input() {
-    std::string text;
-    std::array<char, 1U << 16U> buffer{};
-    for (std::size_t n = 1; n > 0 && text.size() <= diagnostics::SourceManager::max_bytes;) {
-        n = std::fread(buffer.data(), 1, buffer.size(), stdin);
-        text.append(buffer.data(), n);
-    }
-    if (text.size() > diagnostics::SourceManager::max_bytes) return report(syntax::unreadable, {"-", "too large"});
+    std::string error;
+    std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
+    if (!error.empty()) return report(syntax::unreadable, {"-", error});
     const auto source = sources_.add("<stdin>", std::move(text));
     const auto result = format(source, options_.assertions);
     if (!result) return;
@@ -145,9 +120,15 @@ void Formatting::input(const std::string& path) {
     if (path == "-") return standard_input();
     std::error_code code;
     if (!fs::is_directory(path, code)) return file(path);
-    const std::vector<fs::path> found = files_below(path);
-    if (found.empty()) report(syntax::no_files, {path});
-    for (const fs::path& each : found) file(each);
+    const diagnostics::FilesBelow found = diagnostics::files_below(path, true);
+    for (const auto& [folder, cause] : found.unreadable) report(syntax::unreadable, {folder, cause});
+    std::size_t ours = 0;
+    for (const fs::path each : found.files) {
+        if (each.extension() != ".rct" && !is_assertions(each)) continue;
+        ++ours;
+        file(each);
+    }
+    if (ours == 0 && found.unreadable.empty()) report(syntax::no_files, {path});
 }
 
 std::string Formatting::closing() const {

@@ -65,18 +65,13 @@ std::vector<std::string> notes(const std::vector<Part>& parts) {
 }
 
 /// Writes files to a folder ("cpp/C/") of the output folder.
-bool write_all(const std::string& below, const auto& files, std::vector<FileReport>& report, const Options& options,
-               diagnostics::Diagnostics& diagnostics) {
+bool write_all(const std::string& below, const auto& files, std::vector<FileReport>& report, const Options& options, Project& project) {
     for (const auto& file : files) {
-        diagnostics.poll();
+        project.diagnostics.poll();
         const std::string path = fmt::format("{}/{}{}", options.out, below, file.path);
         if constexpr (requires { file.keep; })
             if (file.keep && std::filesystem::exists(path)) continue;
-        const std::string error = diagnostics::write_below(options.out, below + file.path, file.text, diagnostics.budget());
-        if (!error.empty()) {
-            diagnostics.report(rules::unwritable, {}, {error});
-            return false;
-        }
+        if (!write_output(project, options, below + file.path, file.text)) return false;
         const auto edit = options.run->edit();
         report.push_back({path, file.text.size()});
     }
@@ -88,9 +83,9 @@ bool write_normal_form(Project& project, const Options& options, const ir::Compo
     struct Script {
         std::string path, text;
     };
-    const Script script{fmt::format("csp-gen/timed/{}_normal_form.csp", component.path),
+    const Script script{fmt::format("csp-gen/timed/{}_normal_form.csp", file_name(project, component)),
                         fmt::format("include \"{}.csp\"\n\n{}", project.name, text)};
-    return write_all("", std::vector<Script>{script}, report.csp_files, options, project.diagnostics);
+    return write_all("", std::vector<Script>{script}, report.csp_files, options, project);
 }
 
 /// .aut, .dot or .csp.
@@ -131,8 +126,8 @@ bool export_fits(Project& project, const Options& options, std::size_t component
 std::string qualified(const ir::ComponentRef& ref) { return ref.package.empty() ? ref.path : ref.package + "::" + ref.path; }
 
 /// Where the files of a component go: "cpp/C/", of a project "ros2/C/".
-std::string cpp_folder(const Options& options, const ir::ComponentRef& component) {
-    return fmt::format("{}/{}/", options.target.empty() ? "cpp" : options.target, component.path);
+std::string cpp_folder(const Project& project, const Options& options, const ir::ComponentRef& component) {
+    return fmt::format("{}/{}/", options.target.empty() ? "cpp" : options.target, file_name(project, component));
 }
 
 cpp_emit::Target target_of(const std::string& name) {
@@ -181,7 +176,7 @@ bool write_csp(Project& project, const Options& options, Report& report) {
         if (skipped) continue;
         const csp_emit::Emission emission = emit_csp(project, options, time);
         if (!project.diagnostics.ok()) return false;
-        if (!write_all("", csp_emit::files(emission, time, project.name), report.csp_files, options, project.diagnostics)) return false;
+        if (!write_all("", csp_emit::files(emission, time, project.name), report.csp_files, options, project)) return false;
     }
     return true;
 }
@@ -202,7 +197,7 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     for (const ir::ComponentRef& component : components) {
         const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
         if (!project.diagnostics.ok()) return false;
-        if (!write_all(cpp_folder(options, component), emission.files, report.cpp_files, options, project.diagnostics)) return false;
+        if (!write_all(cpp_folder(project, options, component), emission.files, report.cpp_files, options, project)) return false;
     }
     return true;
 }

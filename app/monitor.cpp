@@ -12,7 +12,6 @@
 #include "checker/cspm/evaluation_error.hpp"
 #include "checker/process/term.hpp"
 #include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
 
 namespace robochart::app {
 namespace {
@@ -38,13 +37,6 @@ std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options
     } catch (const conformance::AlphabetError& mismatch) {
         return refuse(mismatch.what());
     }
-}
-
-/// Letters, digits and underscores.
-std::string identifier(const std::string& path) {
-    std::string name;
-    for (const char c : path) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    return name;
 }
 
 }  // namespace
@@ -138,10 +130,9 @@ Exit emit_monitors(Project& project, const Options& options) {
             throw;
         }
         if (made == nullptr) break;
-        for (const auto& file : conformance::monitor_files(made->tables(), identifier(component.path))) {
-            const std::string place = fmt::format("monitor/{}/{}", identifier(component.path), file.path);
-            const std::string error = diagnostics::write_below(options.out, place, file.text, project.diagnostics.budget());
-            if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
+        for (const auto& file : conformance::monitor_files(made->tables(), file_name(project, component))) {
+            const std::string place = fmt::format("monitor/{}/{}", file_name(project, component), file.path);
+            if (!write_output(project, options, place, file.text)) continue;
             written += fmt::format("  {:<70} {:>9} bytes\n", diagnostics::shown(options.out + "/" + place), with_commas(file.text.size()));
         }
         written += fmt::format("  {}: {} states, {} columns, {} bytes of table\n", component.path, made->tables().states,

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -15,6 +17,7 @@
 #include "app/rules.hpp"
 #include "app/run.hpp"
 #include "checker/cspm/types.hpp"
+#include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/names.hpp"
 #include "frontend/project.hpp"
@@ -101,12 +104,22 @@ double seconds_since(Time start) { return std::chrono::duration<double>(std::chr
 
 void check_names(const std::vector<Part>& parts, const Options& options);
 
+void find_shared_names(const std::vector<Part>& parts) {
+    std::map<std::pair<ir::ComponentKind, std::string>, std::string> packages;
+    std::set<std::string> shared;
+    for (const Part& part : parts)
+        for (const ir::ComponentRef& ref : all_components(part.project->system))
+            if (packages.try_emplace({ref.kind, ref.path}, ref.package).first->second != ref.package) shared.insert(ref.path);
+    for (const Part& part : parts) part.project->shared_names = shared;
+}
+
 /// One project as its only part.
 std::vector<Part> single(std::unique_ptr<Project> project, const Options& options) {
     std::vector<Part> parts;
     parts.push_back({std::move(project), false});
     Project& only = *parts.front().project;
     if (lower(only, options) && make_finite(only, options)) check_names(parts, options);
+    find_shared_names(parts);
     return parts;
 }
 
@@ -158,6 +171,7 @@ std::vector<Part> load_parts(const Options& options) {
         for (const Part& part : parts) good = lower(*part.project, options) && good;
         for (std::size_t i = 0; good && i < parts.size(); ++i) good = make_finite(*parts[i].project, options_for(parts, i, options));
         if (good) check_names(parts, options);
+        find_shared_names(parts);
     }
     parts.front().project->seconds = seconds_since(start);
     return parts;
@@ -179,6 +193,22 @@ csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::
         throw std::logic_error(fmt::format("the script does not type check:\n{}", diagnostics::render_text(project.sources, project.diagnostics, style)));
     }
     return emission;
+}
+
+std::string file_name(const Project& project, const ir::ComponentRef& component) {
+    const bool shared = project.shared_names.contains(component.path) && !component.package.empty();
+    std::string name = shared ? component.package + "_" + component.path : component.path;
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+    return name;
+}
+
+bool write_output(Project& project, const Options& options, const std::string& path, const std::string& text) {
+    const std::string error = options.run->claim(path) ? diagnostics::write_below(options.out, path, text, project.diagnostics.budget())
+                                                       : fmt::format("{}/{}: this run has already written a file of this name, "
+                                                                     "for something else of the same name", options.out, path);
+    if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
+    return error.empty();
 }
 
 std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& wanted) {

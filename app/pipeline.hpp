@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include "app/options.hpp"
@@ -21,6 +22,7 @@ struct Project {
     std::unique_ptr<frontend::Model> model;
     ir::System system;
     ir::Instantiation instantiation;
+    std::set<std::string> shared_names;  ///< that components of one kind in several packages of this run have
     double seconds = 0;               ///< reading, resolving, lowering
 };
 
@@ -43,6 +45,13 @@ struct Part {
 /// The components that C++ is made for: the modules, without any the controllers, without any the machines;
 /// or the one of the name asked for (any kind). Empty with a diagnostic if there is none.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
+
+/// A component's name in names of files and of generated code: letters, digits and underscores. Its package is part of it
+/// where components of other packages have its name.
+[[nodiscard]] std::string file_name(const Project&, const ir::ComponentRef&);
+
+/// Writes a file below `--out`; false with a diagnostic where it cannot, or where this run has already written one of that name.
+bool write_output(Project&, const Options&, const std::string& path, const std::string& text);
 
 /// The exit code of a run that ends with errors: wrong usage where all of them are about the command line.
 [[nodiscard]] Exit refusal(const Project&);

@@ -40,7 +40,7 @@ Run::Run(const Options& options) : budget_(limits_of(options)) {
         return Exit::inconclusive;
     };
     sigemptyset(&signals_taken_);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
         const bool unwanted = signal == SIGHUP && before.sa_handler == SIG_IGN;  // nohup
@@ -85,9 +85,11 @@ void Run::watch() {
 }
 
 /// Programs that start this one send a signal to it and to its process group, so it may come twice at once: what follows
-/// within a moment is the same wish.
+/// within a moment is the same wish. SIGXCPU comes each second from the system's limit of processor time on: nobody is in
+/// a hurry.
 void Run::take(int signal) {
     constexpr std::chrono::milliseconds moment{100};
+    if (signal == SIGXCPU) return budget_.interrupt();
     if (signals_.fetch_add(1) == 0) first_signal_ = Clock::now();
     if (Clock::now() - first_signal_ > moment) end_at_once(128 + signal);
     budget_.interrupt();

@@ -1,4 +1,4 @@
-// One run of the command: its budget, and a thread that watches over it. The thread takes SIGINT, SIGTERM and SIGHUP, and
+// One run of the command: its budget, and a thread that watches over it. The thread takes SIGINT, SIGTERM, SIGHUP and SIGXCPU, and
 // looks at the limits all the time. What is reached, every phase finds out by polling the budget, and the verb ends in
 // order. Should some work not poll for too long, the thread itself prints what is known and ends the program: a limit
 // does not depend on whoever should have polled. A second signal ends the program at once.
@@ -10,6 +10,7 @@
 #include <chrono>
 #include <functional>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -39,6 +40,8 @@ public:
     [[nodiscard]] std::unique_lock<std::mutex> edit() { return std::unique_lock(mutex_); }
     /// The verb has its answer, or knows that it will get none, and prints: limits no longer cut it short.
     void finish();
+    /// Whether this run has not yet written a file of this path below `--out`; from now on it has.
+    [[nodiscard]] bool claim(const std::string& path) { return written_.insert(path).second; }
     /// The last word, said by the verb's own thread.
     Exit stopped(const std::string& why);
 
@@ -57,6 +60,7 @@ private:
     std::mutex mutex_;
     bool finishing_ = false;  ///< under mutex_
     LastWord last_word_;      ///< under mutex_
+    std::set<std::string> written_;
     std::thread watcher_;
 };
 

@@ -15,6 +15,7 @@
 #include "conformance/rules.hpp"
 #include "conformance/trace_check.hpp"
 #include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
 #include "diagnostics/json.hpp"
 #include "frontend/syntax_rules.hpp"
 
@@ -52,10 +53,11 @@ std::vector<std::string> logs(const Options& options, diagnostics::Diagnostics& 
             continue;
         }
         std::vector<std::string> inside;
-        for (auto it = fs::recursive_directory_iterator(given, error); !error && it != fs::recursive_directory_iterator(); it.increment(error))
-            if (it->path().extension() == ".trace") inside.push_back(it->path().string());
-        if (inside.empty()) diagnostics.report(rules::bad_option, {}, {fmt::format("--traces {}: there are no .trace files in the folder", given)});
-        std::sort(inside.begin(), inside.end());
+        const diagnostics::FilesBelow found = diagnostics::files_below(given, true);
+        for (const auto& [path, cause] : found.unreadable) diagnostics.report(frontend::syntax::unreadable, {}, {path, cause});
+        for (const std::string& path : found.files)
+            if (fs::path(path).extension() == ".trace") inside.push_back(path);
+        if (inside.empty() && found.unreadable.empty()) diagnostics.report(rules::bad_option, {}, {fmt::format("--traces {}: there are no .trace files in the folder", given)});
         result.insert(result.end(), inside.begin(), inside.end());
     }
     return result;

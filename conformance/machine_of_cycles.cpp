@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 #include "checker/refine/budget.hpp"
 #include "checker/refine/normal_form.hpp"
@@ -66,26 +68,53 @@ private:
             node = *next;
         }
         std::vector<CycleStep> branches;
-        std::vector<process::Event> writes;
-        act(node, 0, writes, branches);
+        act(node, branches);
         return branches;
     }
 
-    /// Every way to the end of the cycle. Not deep: each output is made once a cycle.
-    void act(Node node, std::uint32_t tocks, std::vector<process::Event>& writes, std::vector<CycleStep>& branches) {
-        budget_.charge();
-        if (tocks == model_.cycle_length()) return add({writes, number(node)}, branches);
-        const process::EventSet possible = form_.initials(node);
-        if (possible.empty()) throw std::length_error("the model cannot be run in cycles: it is not schedulable");
-        for (const process::Event event : possible) {
+    /// A node on the way through a cycle.
+    struct Place {
+        Node node;
+        std::uint32_t tocks;
+        process::EventSet events;
+        bool written = false;  ///< the event into it is the last of the writes
+        std::size_t next = 0;
+    };
+
+    /// Every way to the end of the cycle. A way that comes back to a node without time passing has no end.
+    void act(Node from, std::vector<CycleStep>& branches) {
+        std::vector<Place> way;
+        std::vector<process::Event> writes;
+        std::set<std::pair<Node, std::uint32_t>> open;  // what is on the way
+        const auto enter = [&](Node node, std::uint32_t tocks) {
+            budget_.charge();
+            if (tocks == model_.cycle_length()) {
+                add({writes, number(node)}, branches);
+                return false;
+            }
+            if (!open.emplace(node, tocks).second)
+                throw std::length_error("the model cannot be run in cycles: it does infinitely much without time passing");
+            way.push_back({node, tocks, form_.initials(node)});
+            if (way.back().events.empty()) throw std::length_error("the model cannot be run in cycles: it is not schedulable");
+            return true;
+        };
+        enter(from, 0);
+        while (!way.empty()) {
+            Place& at = way.back();
+            if (at.next == at.events.size()) {
+                if (at.written) writes.pop_back();
+                open.erase({at.node, at.tocks});
+                way.pop_back();
+                continue;
+            }
+            const process::Event event = at.events[at.next++];
             if (event == process::tick) {
                 add({writes, MachineOfCycles::over}, branches);
             } else if (event == model_.alphabet().tock()) {
-                act(*form_.after(node, event), tocks + 1, writes, branches);
+                enter(*form_.after(at.node, event), at.tocks + 1);
             } else {
                 writes.push_back(event);
-                act(*form_.after(node, event), tocks, writes, branches);
-                writes.pop_back();
+                if (enter(*form_.after(at.node, event), at.tocks)) way.back().written = true;
             }
         }
     }

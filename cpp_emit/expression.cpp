@@ -244,17 +244,15 @@ std::string ExpressionWriter::membership(const ir::Expr& expr) const {
                        expression_as(*set.args[1], member).operand(Binding::sum));
 }
 
-/// A function of its own, called at once.
 std::string ExpressionWriter::let(const ir::Expr& expr) const {
-    return fmt::format("[&] {{{} return {}; }}()", let_bindings(expr, expr.bound_names.size()),
-                       write_as(*expr.args.back(), expr.type));
+    return bound_by_let(expr, expr.bound_names.size(), write_as(*expr.args.back(), expr.type));
 }
 
-std::string ExpressionWriter::let_bindings(const ir::Expr& expr, std::size_t count) const {
-    std::string text;
-    for (std::size_t i = 0; i < count; ++i)
-        text += fmt::format(" [[maybe_unused]] const auto {} = {};", bound_identifier(expr.bound_names[i]),
-                            write(*expr.args[i]));
+/// For each name a function of its own, called at once: the value may speak of another variable of that name.
+std::string ExpressionWriter::bound_by_let(const ir::Expr& expr, std::size_t count, std::string text) const {
+    for (std::size_t i = count; i-- > 0;)
+        text = fmt::format("[&]([[maybe_unused]] const auto& {}) {{ return {}; }}({})",
+                           bound_identifier(expr.bound_names[i]), text, write(*expr.args[i]));
     return text;
 }
 

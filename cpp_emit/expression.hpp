@@ -78,7 +78,8 @@ private:
     // expression_conditions.cpp: preconditions of functions
     [[nodiscard]] std::vector<CppExpr> preconditions(const ir::Expr&) const;
     [[nodiscard]] std::vector<CppExpr> bound_preconditions(const ir::Expr&) const;
-    [[nodiscard]] std::string let_bindings(const ir::Expr&, std::size_t count) const;
+    /// The text with the first `count` names of the let bound around it.
+    [[nodiscard]] std::string bound_by_let(const ir::Expr&, std::size_t count, std::string text) const;
 
     // expression_composed.cpp: what binds variables, functions as values, toolkits, vectors and matrices
     [[nodiscard]] std::string any(const ir::Expr&, std::size_t from, const std::string& visit) const;

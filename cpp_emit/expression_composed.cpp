@@ -89,10 +89,10 @@ std::string ExpressionWriter::lookup(const ir::Expr& function, const std::vector
     const ir::TypeId result = generation_.system.type(function.type).args.at(1);
     if (function.kind == ExprKind::toolkit && function.text == "relation_toolkit_override" && !several)
         return fmt::format(
-            "[&] {{ const auto argument = {}; const auto over = {}; "
-            "return robochart::toolkit::in_domain(over, argument) ? robochart::apply<{}>(over, argument) : {}; }}()",
-            argument, write_as(*function.args[1], function.type), type_text(result),
-            lookup(*function.args[0], {"argument"}, domain));
+            "[&](const auto& argument, const auto& over) {{ "
+            "return robochart::toolkit::in_domain(over, argument) ? robochart::apply<{}>(over, argument) : {}; }}({}, {})",
+            type_text(result), lookup(*function.args[0], {"argument"}, domain), argument,
+            write_as(*function.args[1], function.type));
     return fmt::format("robochart::apply<{}>({}, {})", type_text(result), write(function), argument);
 }
 

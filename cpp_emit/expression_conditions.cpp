@@ -41,7 +41,7 @@ std::vector<CppExpr> ExpressionWriter::preconditions(const ir::Expr& expr) const
         if (!expr.args[i]) continue;
         std::vector<CppExpr> inner = preconditions(*expr.args[i]);
         if (expr.kind == ExprKind::let && i > 0 && !inner.empty())
-            inner = {CppExpr(fmt::format("[&] {{{} return {}; }}()", let_bindings(expr, i), all_of(inner).whole()))};
+            inner = {CppExpr(bound_by_let(expr, i, all_of(inner).whole()))};
         append(result, inner);
     }
     const bool called = expr.kind == ExprKind::toolkit || expr.kind == ExprKind::call;

@@ -28,12 +28,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The environment of a program whose temporary files are to go to this folder: one that is ended leaves them behind.
+std::vector<std::string> environment_within(const fs::path& folder) {
+    std::vector<std::string> result{"TMPDIR=" + fs::absolute(folder).string()};
+    for (char** entry = environ; *entry != nullptr; ++entry)
+        if (!std::string_view(*entry).starts_with("TMPDIR=")) result.emplace_back(*entry);
+    return result;
+}
+
+std::vector<char*> as_argv(const std::vector<std::string>& words) {
+    std::vector<char*> result;
+    for (const std::string& word : words) result.push_back(const_cast<char*>(word.c_str()));
+    result.push_back(nullptr);
+    return result;
+}
+
 /// Starts the program as the leader of a process group, as it may have to be ended with all that it starts; with the
 /// signals as a program expects them, whatever this one does with its own. Returns 0 with `error` set where it cannot.
 pid_t start(const std::vector<std::string>& command, const std::string& log, std::string& error) {
-    std::vector<char*> arguments;
-    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
+    const std::vector<char*> arguments = as_argv(command);
+    const std::vector<std::string> variables = environment_within(fs::path(log).parent_path());
+    const std::vector<char*> environment = as_argv(variables);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -45,12 +60,12 @@ pid_t start(const std::vector<std::string>& command, const std::string& log, std
     sigemptyset(&none);
     sigset_t usual;
     sigemptyset(&usual);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) sigaddset(&usual, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGXFSZ}) sigaddset(&usual, signal);
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &usual);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
     pid_t child = 0;
-    const int spawned = posix_spawnp(&child, arguments.front(), &actions, &attributes, arguments.data(), environ);
+    const int spawned = posix_spawnp(&child, arguments.front(), &actions, &attributes, arguments.data(), environment.data());
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (spawned == 0) return child;

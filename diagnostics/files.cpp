@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <climits>
@@ -166,6 +167,44 @@ std::string replace_file(const std::string& named, std::string_view text, Budget
     const std::string error = put(folder, path, text, &before, budget);
     if (error.empty()) (void)fsync(folder.get());
     return error;
+}
+
+namespace {
+
+void gather(const fs::path& folder, bool deep, FilesBelow& result) {
+    std::error_code code;
+    fs::directory_iterator at(folder, code);
+    for (; !code && at != fs::directory_iterator(); at.increment(code)) {
+        if (at->path().filename().string().starts_with(".")) continue;
+        std::error_code status;
+        if (!at->is_directory(status)) result.files.push_back(at->path().string());
+        else if (deep && !at->is_symlink(status)) gather(at->path(), deep, result);
+    }
+    if (code) result.unreadable.emplace_back(folder.string(), code.message());
+}
+
+}  // namespace
+
+FilesBelow files_below(const std::string& folder, bool deep) {
+    FilesBelow result;
+    gather(folder, deep, result);
+    std::sort(result.files.begin(), result.files.end(),
+              [](const std::string& a, const std::string& b) { return fs::path(a) < fs::path(b); });
+    return result;
+}
+
+std::string standard_input(std::size_t most, std::string& error) {
+    std::string text;
+    std::array<char, 1U << 16U> buffer{};
+    ssize_t got = 1;
+    while (got != 0 && text.size() <= most) {
+        got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return error = std::strerror(errno), std::string();
+        text.append(buffer.data(), static_cast<std::size_t>(got));
+    }
+    if (text.size() > most) error = "too large";
+    return text;
 }
 
 namespace {

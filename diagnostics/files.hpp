@@ -1,14 +1,28 @@
-// Writing files so that nothing else is written, and nothing is left half done: under a name that nobody can foresee,
+// Finding files, so that none is passed over in silence; and writing files so that nothing else is written, and nothing is left half done: under a name that nobody can foresee,
 // then put in its place as a whole. Below a folder that was asked for, no symbolic link is followed.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "diagnostics/budget.hpp"
 
 namespace robochart::diagnostics {
+
+/// The files of a folder by path, and the folders in it that cannot be read, each with the cause. What begins with a dot
+/// is left out, and no link to a folder is followed.
+struct FilesBelow {
+    std::vector<std::string> files;
+    std::vector<std::pair<std::string, std::string>> unreadable;
+};
+/// `deep`: with all folders below it.
+[[nodiscard]] FilesBelow files_below(const std::string& folder, bool deep);
+
+/// All of standard input; where it cannot be read to its end, or is longer than `most` bytes, `error` has the cause.
+[[nodiscard]] std::string standard_input(std::size_t most, std::string& error);
 
 /// Writes a file below `root`, which is made if it is not there, and the folders above it. What stands at the place is
 /// replaced, also a link. `relative` leads nowhere else: an absolute path, "..", or a folder that is a link is refused.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "diagnostics/files.hpp"
 #include "frontend/lexer.hpp"
 #include "frontend/library.hpp"
 #include "frontend/syntax_rules.hpp"
@@ -27,19 +28,13 @@ bool is_ours(const fs::path& path) {
     return is_model(path) || is_assertions(path);
 }
 
-/// Model and assertion files of a folder, sorted; hidden folders are left out.
-std::vector<fs::path> files_of(const fs::path& folder, bool deep) {
+/// Model and assertion files of a folder, sorted. Where a folder cannot be read, nobody knows what is missing.
+std::vector<fs::path> files_of(const fs::path& folder, bool deep, Diagnostics& out) {
+    const diagnostics::FilesBelow found = diagnostics::files_below(folder.string(), deep);
+    for (const auto& [path, cause] : found.unreadable) out.report(syntax::unreadable, {}, {path, cause});
     std::vector<fs::path> result;
-    std::error_code code;
-    fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, code);
-    for (; !code && at != fs::recursive_directory_iterator(); at.increment(code)) {
-        std::error_code status;
-        const bool folder_below = at->is_directory(status);
-        const bool hidden = at->path().filename().string().starts_with(".");
-        if (folder_below && (hidden || !deep)) at.disable_recursion_pending();
-        if (!folder_below && !hidden && is_ours(at->path())) result.push_back(at->path());
-    }
-    std::sort(result.begin(), result.end());
+    for (const std::string& file : found.files)
+        if (is_ours(file)) result.emplace_back(file);
     return result;
 }
 
@@ -61,6 +56,7 @@ bool is_empty(const File& file) {
 /// A file beside the named one, and what decides whether it is needed.
 struct Neighbour {
     fs::path path;
+    bool readable = false;
     std::string package;
     std::set<std::string> declares;
     std::set<std::string> mentions;
@@ -74,6 +70,7 @@ Neighbour survey(const fs::path& path) {
     result.path = path;
     const auto file = read(sources, path, ignored);
     if (!file) return result;
+    result.readable = true;
     result.package = file->package.text();
     for (const auto& declaration : file->declarations) {
         result.declares.insert(declaration->name);
@@ -110,10 +107,10 @@ bool needs(const Neighbour& chosen, const Neighbour& candidate, const std::set<s
 
 /// The named file and, transitively, what it needs of its folder. Assertion files of the folder are about the project
 /// of a named model; a named assertion file stands alone.
-std::vector<fs::path> closure(const fs::path& named) {
+std::vector<fs::path> closure(const fs::path& named, Diagnostics& out) {
     std::vector<Neighbour> open;
     const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");
-    for (const fs::path& path : files_of(folder, false))
+    for (const fs::path& path : files_of(folder, false, out))
         if (path.filename() != named.filename()) open.push_back(survey(path));
     std::vector<Neighbour> chosen{survey(named)};
     std::set<std::string> declared = chosen.front().declares;
@@ -132,7 +129,7 @@ std::vector<fs::path> closure(const fs::path& named) {
     for (const Neighbour& file : chosen) result.push_back(file.path);
     if (!is_assertions(named))
         for (const Neighbour& other : open)
-            if (is_assertions(other.path) && overlap(other.mentions, chosen.front().declares))
+            if (is_assertions(other.path) && (!other.readable || overlap(other.mentions, chosen.front().declares)))
                 result.push_back(other.path);
     std::sort(result.begin(), result.end());
     return result;
@@ -146,8 +143,9 @@ std::vector<fs::path> files_of_input(const std::string& path, Diagnostics& out) 
         out.report(syntax::unreadable, {}, {path, "no such file or folder"});
         return {};
     }
-    std::vector<fs::path> result = is_folder ? files_of(path, true) : closure(path);
-    if (result.empty()) out.report(syntax::no_files, {}, {path});
+    const std::size_t errors = out.errors();
+    std::vector<fs::path> result = is_folder ? files_of(path, true, out) : closure(path, out);
+    if (result.empty() && out.errors() == errors) out.report(syntax::no_files, {}, {path});
     return result;
 }
 
@@ -172,7 +170,8 @@ void report_empty(const File& file, const SourceManager& sources, Diagnostics& o
 
 std::vector<std::string> project_files(const std::string& folder, bool deep) {
     std::vector<std::string> result;
-    for (const fs::path& path : files_of(folder, deep)) result.push_back(path.string());
+    Diagnostics ignored;  // an editor goes on with what there is
+    for (const fs::path& path : files_of(folder, deep, ignored)) result.push_back(path.string());
     return result;
 }
 

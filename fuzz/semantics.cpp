@@ -40,8 +40,6 @@ public:
         frontend::add_toolkits(sources_, model_, findings_);
         frontend::resolve(model_, findings_);
         if (!findings_.ok()) return refusal();
-        for (const diagnostics::Diagnostic& finding : findings_.sorted())
-            names_are_unique_ = names_are_unique_ && finding.rule->code != std::string_view("RC-N03");
         const ir::System system = ir::lower(model_, sources_, findings_);
         if (!findings_.ok()) return refusal();
         const ir::Instantiation instantiation = ir::instantiate(system, {}, findings_);
@@ -80,8 +78,7 @@ private:
         if (!found.ok()) return check_findings(sources_, found);
         Diagnostics types;
         cspm::check_types(emission.script, types);
-        // What is declared twice has been warned of, and the type checker may refuse it in the end.
-        if (!types.ok() && system.csp_blocks.empty() && names_are_unique_)
+        if (!types.ok() && system.csp_blocks.empty())
             return "a script of ours is refused by the type checker:\n" + diagnostics_of(types);
         return types.ok() ? decide(emission) : "";
     }
@@ -133,7 +130,6 @@ private:
 
     diagnostics::Budget budget_{{2ULL << 30U, std::chrono::steady_clock::now() + std::chrono::seconds(10), {}},
                                 "fuzzing"};
-    bool names_are_unique_ = true;
     SourceManager sources_;
     Diagnostics findings_;
     frontend::Model model_;

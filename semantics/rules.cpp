@@ -88,7 +88,8 @@ const Rule no_beginning{
 const Rule declared_twice{
     "RC-S22", Severity::error, "{} has two {}s called {}",
     "Where two declarations of one kind share a name, a reference means the first (RC-N03 warns). Semantics and code "
-    "know the members of a machine or component by their names, so they refuse it. Rename one of the two."};
+    "know members, literals, fields, parameters and what an expression binds by their names, so they refuse it. Rename "
+    "one of the two."};
 const Rule ambiguous_constant{
     "RC-S19", Severity::error,
     "operation {} requires constant {}, which its callers in {} provide with different values: {}",

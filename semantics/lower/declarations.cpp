@@ -97,6 +97,7 @@ void Collector::clock(const ast::Clock& source, const std::string& element, cons
     remember(result_.clocks, result_.names.clocks, source);
 }
 
+/// One operation that several interfaces declare alike is one.
 void Collector::operation(const ast::OperationSignature& source, const std::string& element,
                           const std::string& interface) {
     OperationSignature signature;
@@ -108,6 +109,13 @@ void Collector::operation(const ast::OperationSignature& source, const std::stri
     signature.terminates = source.terminates;
     signature.interface = interface;
     signature.origin = origin_of(element + "::" + source.name, source.span);
+    for (std::size_t i = 0; i < result_.operations.size(); ++i) {
+        const OperationSignature& known = result_.operations[i];
+        if (known.name != signature.name || known.parameters != signature.parameters || known.terminates != signature.terminates)
+            continue;
+        result_.names.operations[&source] = OperationId{static_cast<std::uint32_t>(i)};
+        return;
+    }
     result_.operations.push_back(std::move(signature));
     remember(result_.operations, result_.names.operations, source);
 }
@@ -161,6 +169,7 @@ Declarations Collector::collect(const std::string& path, const std::vector<ast::
     initial_values();
     check_names(result_.events, "event");
     check_names(result_.clocks, "clock");
+    check_names(result_.operations, "operation");
     check_names(result_.constants, "constant");
     check_names(result_.variables, "shared variable");
     return std::move(result_);

@@ -28,6 +28,7 @@ private:
     ExprPtr computed(Expr expr, const ast::Expr& source);
     ExprPtr computed_blocks(Expr expr);
     ExprPtr conditional(const ast::Expr& source, TypeId expected);
+    void check_bindings(const ast::Expr& source);
     ExprPtr let(const ast::Expr& source, TypeId expected);
     ExprPtr binder(const ast::Expr& source);
     ExprPtr call(const ast::Expr& source, TypeId expected);

@@ -178,7 +178,16 @@ ExprPtr Expressions::conditional(const ast::Expr& source, TypeId expected) {
     return share(std::move(expr));
 }
 
+/// What one expression binds has different names.
+void Expressions::check_bindings(const ast::Expr& source) {
+    std::vector<const ast::Declaration*> variables;
+    for (const auto& binding : source.bindings)
+        if (binding.variable) variables.push_back(binding.variable.get());
+    lowering_.check_unique(variables, "one expression", "variable");
+}
+
 ExprPtr Expressions::let(const ast::Expr& source, TypeId expected) {
+    check_bindings(source);
     Expr expr = start(source, ExprKind::let);
     for (const auto& binding : source.bindings) {
         if (!binding.variable || !binding.value) return refuse(source, "a let without a value");
@@ -193,6 +202,7 @@ ExprPtr Expressions::let(const ast::Expr& source, TypeId expected) {
 
 /// args: the predicate (true if absent), then the body if there is one.
 ExprPtr Expressions::binder(const ast::Expr& source) {
+    check_bindings(source);
     Expr expr = start(source, binder_kind(source.kind));
     for (const auto& binding : source.bindings) {
         if (!binding.variable) return refuse(source, "a binding without a name");

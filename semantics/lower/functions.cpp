@@ -47,6 +47,7 @@ FunctionId declare(Lowering& lowering, const frontend::Function& source, std::st
     function.name = std::move(name);
     function.package = lowering.package_of(source);
     function.origin = origin_of(source.name, source.span);
+    lowering.check_unique(pointers(source.parameters), source.name, "parameter");
     for (const auto& parameter : source.parameters) function.parameter_names.push_back(parameter->name);
     function.parameters = std::move(parameters);
     function.result = result;

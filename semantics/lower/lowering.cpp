@@ -20,6 +20,17 @@ void Lowering::unresolved(const std::string& what, diagnostics::Span where) cons
     diagnostics.report(rules::unresolved, where, {what});
 }
 
+void Lowering::check_unique(const std::vector<const frontend::Declaration*>& declarations, const std::string& owner,
+                            const std::string& kind) const {
+    std::map<std::string, diagnostics::Span> named;
+    for (const frontend::Declaration* declaration : declarations) {
+        const auto [first, added] = named.try_emplace(declaration->name, declaration->name_span);
+        if (!added)
+            diagnostics.report(rules::declared_twice, declaration->name_span, {owner, kind, declaration->name})
+                .notes.push_back({first->second, "the first one"});
+    }
+}
+
 Origin origin_of(const std::string& element, diagnostics::Span span) {
     return {element, span};
 }

@@ -49,7 +49,18 @@ struct Lowering {
     void unsupported(const std::string& what, diagnostics::Span where) const;
     /// RC-S05: "X does not lead to a declaration".
     void unresolved(const std::string& what, diagnostics::Span where) const;
+    /// RC-S22 where two of these declarations have one name.
+    void check_unique(const std::vector<const frontend::Declaration*>& declarations, const std::string& owner,
+                      const std::string& kind) const;
 };
+
+/// The declarations that a list owns.
+template <class Owners>
+[[nodiscard]] std::vector<const frontend::Declaration*> pointers(const Owners& owners) {
+    std::vector<const frontend::Declaration*> result;
+    for (const auto& owner : owners) result.push_back(owner.get());
+    return result;
+}
 
 /// Element and place of a declaration.
 [[nodiscard]] Origin origin_of(const std::string& element, diagnostics::Span span);

@@ -60,6 +60,7 @@ TypeKind kind_of(TypeForm form) {
 }
 
 void add_literals(Lowering& lowering, const frontend::TypeDeclaration& declaration, Type& type) {
+    lowering.check_unique(pointers(declaration.literals), declaration.name, "literal");
     for (const auto& literal : declaration.literals) {
         type.labels.push_back(literal->name);
         auto& args = type.literal_args.emplace_back();
@@ -69,6 +70,7 @@ void add_literals(Lowering& lowering, const frontend::TypeDeclaration& declarati
 }
 
 void add_fields(Lowering& lowering, const frontend::TypeDeclaration& declaration, Type& type) {
+    lowering.check_unique(pointers(declaration.fields), declaration.name, "field");
     for (const auto& field : declaration.fields) {
         type.labels.push_back(field->name);
         type.args.push_back(lower_type(lowering, field->type, field->span));

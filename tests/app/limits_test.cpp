@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <string>
 
 #include "tests/app/command.hpp"
@@ -118,6 +119,24 @@ TEST(RunLimits, WhatWasKnownBeforeIsReported) {
                               in_time(hard, "--timeout 3 --untimed m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, AllOf(HasSubstr("holds        First"), HasSubstr("inconclusive Second")));
+}
+
+// The system's limit of processor time sends SIGXCPU, again each second: the run ends in order, and once.
+TEST(RunLimits, OfTheSystemsProcessorTimeEndItInOrder) {
+    const Ran ran = run_shell("cat > m.rct <<'END'\n" + many_machines(40) +
+                              "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n ulimit -S -t 1; timeout -s KILL 60 \"$verify\" check --core m.rct; code=$?; ls tmp; exit $code");
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out + ran.err, HasSubstr("the run was interrupted"));
+}
+
+// Giving the states back takes longer than the watching thread waits: it must not print another object.
+TEST(RunLimits, AScriptHasOneObject) {
+    for (const char* format : {"json", "framed_json"}) {
+        const Ran ran = run_shell("printf 'channel a : {0..99}\\nP(n) = a?x -> P((n*x+1) %% 1000003)\\nassert P(1) :[deterministic [FD]]\\n' > s.csp\n"
+                                  "timeout -s KILL 60 \"$verify\" cspm --timeout 3 --format " + std::string(format) + " s.csp");
+        EXPECT_EQ(ran.exit, 3) << ran.err;
+        EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
+    }
 }
 
 TEST(RunLimits, TheSecondSignalEndsTheRunAtOnce) {

@@ -107,5 +107,24 @@ cmp big.rct before && ls -A | wc -l
     EXPECT_EQ(ran.out, "exit 2\n5\n640\n") << ran.err;  // both files, and the three of the standard streams
 }
 
+// The path of the deepest one is longer than the system takes, which stops root too.
+TEST(Input, AFolderThatCannotBeReadIsNotPassedOver) {
+    for (const char* verb : {"validate m", "check m", "format --check m", "conform --traces m m.rct"}) {
+        const Ran ran = run_shell(with_files("mkdir m; cp m.rct m; name=$(printf 'd%.0s' $(seq 200))\n"
+                                             "(cd m; for i in $(seq 22); do mkdir $name; cd $name; done)\n\"$verify\" " +
+                                             std::string(verb) + "; code=$?; rm -rf m; exit $code"));
+        EXPECT_EQ(ran.exit, 2) << verb << ran.out;
+        EXPECT_THAT(ran.err, AllOf(HasSubstr("error[RC-F01]"), HasSubstr("File name too long"))) << verb;
+    }
+}
+
+TEST(Input, StandardInputThatCannotBeReadIsNoEmptyText) {
+    for (const char* verb : {"format -", "cspm -", "cspm --typecheck -"}) {
+        const Ran ran = run_shell("\"$verify\" " + std::string(verb) + " < .");
+        EXPECT_EQ(ran.exit, 2) << verb << ran.out;
+        EXPECT_THAT(ran.err, HasSubstr("cannot read")) << verb;
+    }
+}
+
 }  // namespace
 }  // namespace robochart::app::testing

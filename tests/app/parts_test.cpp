@@ -129,5 +129,41 @@ TEST(Evaluation, OfADivisionByZeroNamesPlaceAndElement) {
     EXPECT_THAT(ran.out, HasSubstr("m.rct:4: division by zero, in S::t"));
 }
 
+/// Two packages with a controller of one name each; the second has an event.
+Folder same_names() {
+    return Folder({{"a.rct", "package a\nstm S { initial i state A { } transition t { from i to A } }\ncontroller C { sref s = S }\n"},
+                   {"b.rct", "package b\nstm S { event e initial i state A { } transition t { from i to A } transition u { from A to A trigger e } }\n"
+                             "controller C { event e sref s = S connection C on e to s on e }\n"}});
+}
+
+TEST(Project, FilesOfComponentsOfOneNameDoNotReplaceEachOther) {
+    const Folder folder = same_names();
+    const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> verbs = {
+        {{"emit", "cpp"}, {"cpp/a_C/S.hpp", "cpp/b_C/S.hpp"}},
+        {{"emit", "cpp", "--target", "main"}, {"main/a_C/main.cpp", "main/b_C/main.cpp"}},
+        {{"emit", "monitor"}, {"monitor/a_C/a_C_monitor.hpp", "monitor/b_C/b_C_monitor.hpp"}},
+        {{"emit", "tests"}, {"tests/a_C/a_C.trace", "tests/b_C/b_C.trace"}},
+        {{"verify"}, {"cpp/a_C/S.hpp", "cpp/b_C/S.hpp", "csp-gen/timed/a_C_normal_form.csp", "csp-gen/timed/b_C_normal_form.csp"}}};
+    for (auto [verb, files] : verbs) {
+        verb.insert(verb.end(), {"--out", folder.path("out"), folder.path()});
+        const auto ran = run(verb);
+        EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+        for (const std::string& file : files) EXPECT_TRUE(fs::exists(folder.path("out/" + file))) << file;
+        fs::remove_all(folder.path("out"));
+    }
+    // The name does not depend on what else is asked for.
+    EXPECT_EQ(run({"emit", "cpp", "--component", "b::C", "--out", folder.path("out"), folder.path()}).exit, 0);
+    EXPECT_TRUE(fs::exists(folder.path("out/cpp/b_C/S.hpp")));
+}
+
+TEST(Project, NothingIsWrittenTwiceInARun) {
+    const Folder folder({{"m.rct", "stm S { initial i state A { } transition t { from i to A } }\ncontroller C { sref s = S }\n"},
+                         {"n.rct", "controller C { event e sref s = S }\n"}});
+    const auto ran = run({"emit", "cpp", "--out", folder.path("out"), folder.path()});
+    EXPECT_EQ(ran.exit, 2) << ran.out;
+    EXPECT_THAT(ran.err, HasSubstr("error[RC-A03]"));
+    EXPECT_THAT(ran.err, HasSubstr("this run has already written a file of this name"));
+}
+
 }  // namespace
 }  // namespace robochart::app

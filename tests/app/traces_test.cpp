@@ -151,6 +151,21 @@ std::unique_ptr<Implementation> make_implementation() { return std::make_unique<
     EXPECT_THAT(contents(tests + "/told"), HasSubstr("\n    left!\n"));
 }
 
+/// Two machines that send each other a token for ever, each time with an output, and no time passes.
+TEST(TestSuites, AreRefusedWhereACycleHasNoEnd) {
+    const testing::TemporaryFile model("m.rct", "stm Ping { event token event back event seen initial i state A { } transition t0 { from i to A action token }\n"
+                                                " transition t1 { from A to A trigger back action seen ; token } }\n"
+                                                "stm Pong { event token event back initial i state A { } transition t0 { from i to A }\n"
+                                                " transition t1 { from A to A trigger token action back } }\n"
+                                                "controller C { event seen sref p = Ping sref q = Pong connection p on token to q on token\n"
+                                                " connection q on back to p on back connection p on seen to C on seen }\n");
+    const Folder folder;
+    const auto ran = run({"emit", "tests", model.path(), "--timeout", "60", "--out", folder / "out"});
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("error[RC-A04]"));
+    EXPECT_THAT(ran.err, HasSubstr("infinitely much without time passing"));
+}
+
 TEST(Monitors, AreEmittedAndRefused) {
     const Folder folder;
     const auto emitted = run({"emit", "monitor", repository("corpus/aggregation"), "--out", folder / "out"});

@@ -46,6 +46,15 @@ Outcome outcome_of(const test::TemporaryFolder& folder) {
     return result.outcome;
 }
 
+/// A let whose value speaks of another variable of the name it binds.
+TEST(HiddenNames, OfLetsMeanTheOuterOneInTheValue) {
+    const test::TemporaryFolder folder(
+        "stm S { event e : nat event f : boolean var v : nat = 1\n initial i state A { }\n"
+        " transition t0 { from i to A action e ! (let v == v + 1 @ (let v == v, w == v @ (let w == v, v == w @ v)));\n"
+        "  f ! (exists v : nat @ v > (let v == v @ (lambda v : nat @ v)(v))) } }\n");
+    EXPECT_EQ(outcome_of(folder), Outcome::conforms);
+}
+
 class HostileText : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(HostileText, AsAStringIsAValue) {

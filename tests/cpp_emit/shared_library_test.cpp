@@ -33,6 +33,14 @@ TEST_F(Programs, TellHowTheyEnded) {
     EXPECT_NE(error_.find("cannot run no-such-program-here"), std::string::npos) << error_;
 }
 
+// One that is ended leaves its temporary files behind: they are where the caller cleans up.
+TEST_F(Programs, HaveTheirTemporaryFilesBesideTheirLog) {
+    EXPECT_EQ(run_program({"sh", "-c", "printf %s \"$TMPDIR\"; test -n \"$PATH\""}, log(), error_), 0);
+    std::string told;
+    std::ifstream(log()) >> told;
+    EXPECT_EQ(std::filesystem::path(told), std::filesystem::path(log()).parent_path());
+}
+
 TEST_F(Programs, EndWithAllTheyStartedWhenInterrupted) {
     const auto told = [this] {
         pid_t process = 0;
