@@ -159,7 +159,10 @@ const Declaration* Names::find(const Place& place, const QualifiedName& name, co
     for (const Declaration* around = place.inside; around != nullptr; around = around->parent)
         if (const Declaration* found = at(qualified(full_name(around), text), kinds, place.file, around)) return found;
     if (place.file != nullptr) {
-        if (const Declaration* found = at(qualified(place.file->package.text(), text), kinds, place.file)) return found;
+        const Declaration* const own = at(qualified(place.file->package.text(), text), kinds, place.file);
+        // Files of no package that lie elsewhere may be another project's: what is imported from nearby goes first.
+        if (own != nullptr && !place.file->package.empty()) return own;
+        const std::size_t near = own == nullptr ? 0 : nearness(*place.file, *file_of(*own));
         for (const Import& import : place.file->imports) {
             const bool names_it = !import.wildcard && import.name.parts.back() == name.parts.front();
             const std::string prefix = import.name.text();
@@ -167,8 +170,10 @@ const Declaration* Names::find(const Place& place, const QualifiedName& name, co
                                      : names_it      ? prefix + text.substr(name.parts.front().size())
                                                      : std::string();
             if (full.empty()) continue;
-            if (const Declaration* found = at(full, kinds, place.file)) return found;
+            const Declaration* const found = at(full, kinds, place.file);
+            if (found != nullptr && (own == nullptr || nearness(*place.file, *file_of(*found)) > near)) return found;
         }
+        if (own != nullptr) return own;
     }
     return at(text, kinds, place.file);
 }

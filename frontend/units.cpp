@@ -36,13 +36,14 @@ bool in_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The words in front of `::`.
+/// The words in front of `::` that begin a name: what is behind one is inside it.
 std::set<std::string> first_parts(const std::string& text) {
     std::set<std::string> result;
     for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::", at + 2)) {
         std::size_t begin = at;
         while (begin > 0 && in_name(text[begin - 1])) --begin;
-        if (begin < at) result.insert(text.substr(begin, at - begin));
+        const bool inside = begin >= 2 && text.compare(begin - 2, 2, "::") == 0;
+        if (begin < at && !inside) result.insert(text.substr(begin, at - begin));
     }
     return result;
 }

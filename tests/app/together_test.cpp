@@ -58,7 +58,13 @@ void expect_the_same(const std::vector<std::string>& models, const std::vector<s
         all.push_back(model);
     }
     all.insert(all.end(), options.begin(), options.end());
-    EXPECT_EQ(verdicts(report(all)), alone);
+    const Verdicts together = verdicts(report(all));
+    std::string differ;
+    for (const std::string& each : alone)
+        if (!together.contains(each)) differ += "only alone: " + each + "\n";
+    for (const std::string& each : together)
+        if (!alone.contains(each)) differ += "only together: " + each + "\n";
+    EXPECT_EQ(differ, "");
     EXPECT_FALSE(alone.empty());
 }
 

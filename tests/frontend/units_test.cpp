@@ -80,6 +80,11 @@ TEST(Units, TheNearestOfOneNameIsMeant) {
     // A controller's own machines are its own, not those of another of its name.
     EXPECT_THAT(units_of({{"/p/a/m.rct", "controller C { sref s = S } " + s}, {"/p/b/m.rct", "controller C { stm S { " + body + " }"}}),
                 ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct")));
+    // What is imported from nearby goes before what is of no package and lies elsewhere.
+    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", "package P " + s}, {"/p/b/m.assertions", "import P::* " + claim}}),
+                ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/m.assertions")));
+    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", "controller C { stm S { " + body + " }"}, {"/p/b/x.assertions", "csp Q csp-begin\nQ = C::S::D__(0)\ncsp-end"}}),
+                ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
     // Nobody can tell which of these is meant, so they meet and the rules report the name.
     EXPECT_THAT(units_of({{"/p/a.rct", s}, {"/p/b.rct", s}, {"/p/x.assertions", claim}}),
                 ElementsAre(ElementsAre("/p/a.rct", "/p/b.rct", "/p/x.assertions")));
