@@ -11,7 +11,6 @@
 #include "app/verbs.hpp"
 #include "checker/cspm/session.hpp"
 #include "diagnostics/escape.hpp"
-#include "frontend/syntax_rules.hpp"
 #include "runs/interpreter.hpp"
 
 namespace robochart::app {
@@ -100,7 +99,7 @@ void announce(const Context& context, Report& report) {
     for (const csp_emit::Obligation& obligation : context.emission.obligations) {
         if (!wanted(context, obligation)) continue;
         AssertionReport one;
-        one.title = obligation.title;
+        one.title = context.project.label + obligation.title;
         if (obligation.property != ir::no_id)
             one.place = context.project.sources.place(context.project.system.properties[obligation.property].origin.span);
         one.answer = obligation.assertions.empty() ? Answer::no_check : Answer::inconclusive;
@@ -112,10 +111,10 @@ void announce(const Context& context, Report& report) {
 /// A script that names what does not exist is bad input: reported once for all its claims.
 std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emission& emission, Time time, const Options& options, Report& report) {
     try {
-        return std::make_unique<cspm::Session>(emission.script);
+        return std::make_unique<cspm::Session>(emission.script, &options.run->budget());
     } catch (const cspm::EvaluationError& error) {
         AssertionReport one;
-        one.title = fmt::format("the {} script", time == Time::timed ? "timed" : "untimed");
+        one.title = fmt::format("{}the {} script", project.label, time == Time::timed ? "timed" : "untimed");
         one.answer = Answer::error;
         one.reason = said(project, error);
         const auto edit = options.run->edit();
@@ -147,28 +146,29 @@ void check_time(Project& project, const Options& options, Time time, Report& rep
         report.assertions[at++] = std::move(one);
         report.bounds = bounds_met;
     }
-    if (options.sizes) measure_sizes(*session, emission, time, options, report);
+    if (options.sizes) measure_sizes(project, *session, emission, time, options, report);
 }
 
-/// Assertions of other tools (RC-P33): said, and no success.
-void report_foreign(const Project& project, const Options& options, Report& report) {
-    for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted()) {
-        if (finding.rule != &frontend::syntax::foreign_assertion) continue;
-        if (!options.assertion.empty() && finding.arguments.front() != options.assertion) continue;
-        AssertionReport one;
-        one.title = finding.arguments.front();
-        one.place = project.sources.place(finding.span);
-        one.answer = Answer::error;
-        one.reason = fmt::format("{}: {}", diagnostics::shown(one.place), finding.message());
-        const auto edit = options.run->edit();
-        report.assertions.push_back(std::move(one));
-    }
+/// Claims of kinds that nothing here decides: each is said, and none of them is a success.
+void report_unchecked(const Project& project, const Options& options, Report& report) {
+    for (const auto& file : project.model->files)
+        for (const frontend::KeptPart& part : file->kept) {
+            if (!part.claims || (!options.assertion.empty() && part.name != options.assertion)) continue;
+            AssertionReport one;
+            one.title = project.label + part.name;
+            one.place = project.sources.place(part.span);
+            one.answer = Answer::unchecked;
+            one.reason = fmt::format("{}: not checked: {}", diagnostics::shown(one.place),
+                                     part.probabilistic ? "probabilistic" : fmt::format("`{}` is of another tool", part.form));
+            const auto edit = options.run->edit();
+            report.assertions.push_back(std::move(one));
+        }
 }
 
 }  // namespace
 
 void check_assertions(Project& project, const Options& options, Report& report) {
-    report_foreign(project, options, report);
+    report_unchecked(project, options, report);
     if (options.times != Times::timed) check_time(project, options, Time::untimed, report);
     if (options.times != Times::untimed && project.diagnostics.ok()) check_time(project, options, Time::timed, report);
 }

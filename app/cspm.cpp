@@ -99,19 +99,27 @@ AssertionReport in_report(const ScriptAssertion& assertion, const process::Event
     return report;
 }
 
-std::string types_json(const std::string& path, const LoadedScript& loaded) {
+/// `limit`: why the names are not known; "" where they are.
+std::string types_json(const std::string& path, const LoadedScript& loaded, const std::string& limit = "") {
     std::vector<std::string> rows;
     for (const cspm::NamedType& each : loaded.types) {
         rows.push_back(fmt::format("{{\"name\":{},\"type\":{},\"place\":{}}}", diagnostics::json_string(each.name),
                                    diagnostics::json_string(each.type), diagnostics::json_string(loaded.sources.place(each.span))));
     }
-    return fmt::format("{{\"schema\":\"robochart-verify/types/1\",\"script\":{},\"names\":[{}]}}\n", diagnostics::json_string(path),
-                       fmt::join(rows, ","));
+    return fmt::format("{{\"schema\":\"robochart-verify/types/1\",\"script\":{},{}\"names\":[{}]}}\n", diagnostics::json_string(path),
+                       limit.empty() ? "" : fmt::format("\"limit\":{},", diagnostics::json_string(limit)), fmt::join(rows, ","));
+}
+
+/// The answer about a script. Where it is the run's, a limit has nothing more to say: that would be a second document.
+void print_answer(const std::string& text, const Options& options) {
+    if (options.inputs.size() == 1) options.run->finish();
+    const auto edit = options.run->edit();
+    print_exact(text);
 }
 
 void show_types(const std::string& path, const LoadedScript& loaded, const Options& options) {
     if (options.format == Format::json) {
-        print_exact(types_json(path, loaded));
+        print_answer(types_json(path, loaded), options);
     } else if (options.types) {
         for (const cspm::NamedType& each : loaded.types) print("{} :: {}\n", each.name, each.type);
     } else if (!options.quiet) {
@@ -122,7 +130,14 @@ void show_types(const std::string& path, const LoadedScript& loaded, const Optio
 Exit check_types(const Options& options) {
     Exit exit = Exit::success;
     for (const std::string& path : options.inputs) {
+        options.run->last_word([path, &options](const std::string& why) {
+            if (options.format == Format::json) print_exact(types_json(path, {}, why));
+            print_error("robochart-verify: {}; the types of {} are not known\n", why, diagnostics::shown(path));
+            return Exit::inconclusive;
+        });
         LoadedScript loaded;
+        loaded.diagnostics.within(&options.run->budget());
+        const diagnostics::Budget::Phase phase(options.run->budget(), "checking the types of " + path);
         load_script(path, loaded);
         show_findings(loaded, options);
         if (loaded.diagnostics.ok()) {
@@ -257,7 +272,7 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
     }
     bool stopped = false;
     try {
-        cspm::Session session(loaded.script);
+        cspm::Session session(loaded.script, &options.run->budget());
         script.prints = print_statements(session, loaded, options, stopped);
         show_prints(script, options);
         decide_all(loaded, session, options, script, report);
@@ -312,7 +327,7 @@ void show_findings(const LoadedScript& loaded, const Options& options) {
     if (loaded.diagnostics.empty()) return;
     const bool types_only = options.typecheck || options.types;
     if (options.format == Format::json && types_only && !loaded.diagnostics.ok()) {
-        print_exact(diagnostics::render_json(loaded.sources, loaded.diagnostics));
+        print_answer(diagnostics::render_json(loaded.sources, loaded.diagnostics), options);
     } else {
         print_error("{}", diagnostics::render_text(loaded.sources, loaded.diagnostics));
     }

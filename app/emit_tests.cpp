@@ -3,12 +3,12 @@
 
 #include <stdexcept>
 
-#include "app/output.hpp"
 #include "app/rules.hpp"
+#include "app/run.hpp"
 #include "app/verbs.hpp"
+#include "app/written.hpp"
 #include "checker/cspm/evaluation_error.hpp"
 #include "conformance/test_suite.hpp"
-#include "diagnostics/escape.hpp"
 
 namespace robochart::app {
 namespace {
@@ -21,9 +21,9 @@ struct Made {
 
 std::string told(const Made& made, const Options& options, const ir::ComponentRef& component) {
     if (made.adaptive)
-        return fmt::format("  {}: {} states over control cycles, with choices; the tests follow what the implementation does\n", component.path,
+        return fmt::format("{}: {} states over control cycles, with choices; the tests follow what the implementation does", component.path,
                            made.states);
-    return fmt::format("  {}: {} states over control cycles, {} more allowed; {} runs, {} cycles\n", component.path, made.states,
+    return fmt::format("{}: {} states over control cycles, {} more allowed; {} runs, {} cycles", component.path, made.states,
                        options.extra_states, with_commas(made.tests), with_commas(made.cycles));
 }
 
@@ -51,26 +51,20 @@ Made make(Project& project, const Options& options, const ir::ComponentRef& comp
 
 }  // namespace
 
-Exit emit_tests(Project& project, const Options& options) {
+bool write_tests(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
     if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
-    std::string written;
     for (const ir::ComponentRef& component : components) {
         const refine::Limits bounds = limits(options, "tests of " + component.path);
         std::string refused;
         try {
             const Made made = make(project, options, component, bounds);
-            for (const auto& file : made.files) {
-                const std::string place = fmt::format("tests/{}/{}", file_name(project, component), file.path);
-                if (!write_output(project, options, place, file.text)) continue;
-                written += fmt::format("  {:<70} {:>9} bytes\n", diagnostics::shown(options.out + "/" + place), with_commas(file.text.size()));
-            }
-            written += told(made, options, component);
+            const std::string below = fmt::format("tests/{}{}/", project.folder, file_name(project, component));
+            if (!write_all(below, made.files, report.test_files, options, project)) return false;
+            const auto edit = options.run->edit();
+            report.remarks.push_back(project.label + told(made, options, component));
         } catch (const std::length_error& large) {
             refused = large.what();
-        } catch (const diagnostics::LimitReached&) {
-            if (!options.quiet) print("{}", written);
-            throw;
         } catch (const cspm::EvaluationError& failed) {
             refused = failed.what();
         } catch (const conformance::AlphabetError& mismatch) {
@@ -78,9 +72,7 @@ Exit emit_tests(Project& project, const Options& options) {
         }
         if (!refused.empty()) project.diagnostics.report(rules::no_monitor, {}, {component.path, refused});
     }
-    if (!show_diagnostics(project, options)) return Exit::bad_input;
-    if (!options.quiet) print("{}", written);
-    return Exit::success;
+    return project.diagnostics.ok();
 }
 
 }  // namespace robochart::app

@@ -63,7 +63,7 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
         show_findings(loaded, options);
         return Exit::bad_input;
     }
-    cspm::Session session(loaded.script);
+    cspm::Session session(loaded.script, &options.run->budget());
     const refine::Limits bounds = limits(options, options.exported[1]);
     const cspm::ExprPtr& process = asked->assertion.specification;
     const auto system = session.system(process, bounds);

@@ -10,9 +10,12 @@
 #include "app/rules.hpp"
 #include "app/run.hpp"
 #include "app/verbs.hpp"
+#include "app/written.hpp"
 #include "checker/cspm/reader.hpp"
 #include "cpp_emit/emit.hpp"
+#include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
+#include "diagnostics/render.hpp"
 #include "frontend/project.hpp"
 #include "semantics/lower.hpp"
 
@@ -51,31 +54,20 @@ std::vector<std::string> notes(const ir::Instantiation& i) {
     return result;
 }
 
-/// The finite instantiation, once where all parts have the same.
+/// The finite instantiation, once where all parts that have one have the same.
 std::vector<std::string> notes(const std::vector<Part>& parts) {
+    std::vector<const Project*> finite;
+    for (const Part& part : parts)
+        if (part.project->diagnostics.ok()) finite.push_back(part.project.get());
     std::vector<std::string> result;
-    const bool same = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
-        return notes(part.project->instantiation) == notes(parts.front().project->instantiation);
+    const bool same = std::all_of(finite.begin(), finite.end(), [&](const Project* project) {
+        return notes(project->instantiation) == notes(finite.front()->instantiation);
     });
-    for (const Part& part : parts) {
-        for (const std::string& note : notes(part.project->instantiation)) result.push_back(same ? note : fmt::format("{}: {}", part.project->name, note));
+    for (const Project* project : finite) {
+        for (const std::string& note : notes(project->instantiation)) result.push_back(same ? note : fmt::format("{}: {}", project->name, note));
         if (same) break;
     }
     return result;
-}
-
-/// Writes files to a folder ("cpp/C/") of the output folder.
-bool write_all(const std::string& below, const auto& files, std::vector<FileReport>& report, const Options& options, Project& project) {
-    for (const auto& file : files) {
-        project.diagnostics.poll();
-        const std::string path = fmt::format("{}/{}{}", options.out, below, file.path);
-        if constexpr (requires { file.keep; })
-            if (file.keep && std::filesystem::exists(path)) continue;
-        if (!write_output(project, options, below + file.path, file.text)) return false;
-        const auto edit = options.run->edit();
-        report.push_back({path, file.text.size()});
-    }
-    return true;
 }
 
 /// The normal form as a script for FDR: it includes the timed semantics that the other files hold.
@@ -83,7 +75,8 @@ bool write_normal_form(Project& project, const Options& options, const ir::Compo
     struct Script {
         std::string path, text;
     };
-    const Script script{fmt::format("csp-gen/timed/{}_normal_form.csp", file_name(project, component)),
+    const Script script{fmt::format("csp-gen/timed/{}{}_normal_form.csp", project.label.empty() ? "" : project.name + "_",
+                                    file_name(project, component)),
                         fmt::format("include \"{}.csp\"\n\n{}", project.name, text)};
     return write_all("", std::vector<Script>{script}, report.csp_files, options, project);
 }
@@ -127,7 +120,7 @@ std::string qualified(const ir::ComponentRef& ref) { return ref.package.empty() 
 
 /// Where the files of a component go: "cpp/C/", of a project "ros2/C/".
 std::string cpp_folder(const Project& project, const Options& options, const ir::ComponentRef& component) {
-    return fmt::format("{}/{}/", options.target.empty() ? "cpp" : options.target, file_name(project, component));
+    return fmt::format("{}/{}{}/", options.target.empty() ? "cpp" : options.target, project.folder, file_name(project, component));
 }
 
 cpp_emit::Target target_of(const std::string& name) {
@@ -164,6 +157,8 @@ bool run_phases(Project& project, const Options& options, bool code, Report& rep
     if (!code) return project.diagnostics.ok();
     if ((all || options.verb == Verb::emit_cpp) && !write_cpp(project, options, report)) return false;
     if (all || options.verb == Verb::conform) check_conformance(project, options, report);
+    if (options.verb == Verb::emit_monitor && !write_monitors(project, options, report)) return false;
+    if (options.verb == Verb::emit_tests && !write_tests(project, options, report)) return false;
     return project.diagnostics.ok();
 }
 
@@ -210,7 +205,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
     {
         const auto edit = options.run->edit();
         for (const ir::ComponentRef& component : components) {
-            report.conformance.push_back({qualified(component), {}, 0});
+            report.conformance.push_back({project.label + qualified(component), {}, 0});
             report.conformance.back().result.reason = not_decided;
         }
     }
@@ -226,7 +221,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
         wanted.walks.cycles = options.walks;
         wanted.exported = export_format(options.exported_code);
         ConformanceReport one;
-        one.component = qualified(component);
+        one.component = project.label + qualified(component);
         one.result = conformance::conform(project.system, project.instantiation, component, wanted, project.sources, project.diagnostics);
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const bool exported = options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
@@ -235,23 +230,6 @@ void check_conformance(Project& project, const Options& options, Report& report)
         const auto edit = options.run->edit();
         report.conformance[first + i] = std::move(one);
     }
-}
-
-Exit print_phase(Project& project, const Options& options) {
-    if (options.print == "ast" || options.print == "model") {
-        print_exact(frontend::dump(*project.model, project.sources, options.print == "model"));
-        return acceptable(project, options) ? Exit::success : refusal(project);
-    }
-    if (!acceptable(project, options)) return refusal(project);
-    if (options.print == "ir") {
-        print_exact(ir::dump(project.system));
-        return Exit::success;
-    }
-    const auto time = options.print == "script" ? csp_emit::Time::untimed : csp_emit::Time::timed;
-    const csp_emit::Emission emission = emit_csp(project, options, time);
-    if (!show_diagnostics(project, options)) return Exit::bad_input;
-    print_exact(cspm::print(emission.script));
-    return Exit::success;
 }
 
 namespace {
@@ -268,63 +246,116 @@ void note_nothing(const Options& options, Report& report) {
 
 /// Whether a part has what the verb is about. Of several parts one may have types alone: no code is made of it.
 bool concerns(const Part& part, const std::vector<Part>& parts, const Options& options) {
-    const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::conform;
+    const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor || options.verb == Verb::emit_tests ||
+                      options.verb == Verb::conform;
     const bool some = !code_components(part.project->system, options.component).empty();
     return some || (options.component.empty() && (!code || parts.size() == 1));
 }
 
-/// A verb whose answer is a report, over all parts of the project.
+/// The diagnostics of all parts. A program gets those of one part as the answer; those of several stand in the report.
+bool show_all(const std::vector<Part>& parts, const Options& options) {
+    bool good = true;
+    for (const Part& part : parts)
+        if (parts.size() == 1 || options.format != Format::json) good = show_diagnostics(*part.project, options) && good;
+        else good = acceptable(*part.project, options) && good;
+    return good;
+}
+
+/// The first part that is refused because the command line is wrong; else, of a single part, because it is.
+const Project* hopeless(const std::vector<Part>& parts, const Options& options) {
+    for (const Part& part : parts)
+        if (!acceptable(*part.project, options) && (parts.size() == 1 || refusal(*part.project) == Exit::usage)) return part.project.get();
+    return nullptr;
+}
+
+void note_refused(const std::vector<Part>& parts, const Options& options, Report& report) {
+    const auto edit = options.run->edit();
+    report.refused.clear();
+    for (const Part& part : parts)
+        if (!acceptable(*part.project, options))
+            report.refused.push_back({part.project->name, diagnostics::render_json(part.project->sources, part.project->diagnostics)});
+}
+
+/// A verb whose answer is a report, over all parts. A part with errors is refused, and the others are judged.
 Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& report) {
     begin(parts, options, report);
-    const Project* stopped = nullptr;  // the part that could not go on
+    if (parts.size() > 1) note_refused(parts, options, report);
+    bool some = false;
     for (const Part& part : parts) {
-        if (!concerns(part, parts, options)) continue;
+        const bool refused = !acceptable(*part.project, options);
+        some = some || refused;
+        if (refused || !concerns(part, parts, options)) continue;
+        some = true;
         Options wanted = options;
         if (part.again) wanted.core = false;
         const bool code = !part.again && (parts.size() == 1 || !code_components(part.project->system, options.component).empty());
-        if (!run_phases(*part.project, wanted, code, report)) stopped = part.project.get();
-        if (stopped != nullptr) break;
+        (void)run_phases(*part.project, wanted, code, report);
     }
+    if (!some) parts.front().project->diagnostics.report(rules::no_component, {}, {"the models"});
     options.run->finish();
-    if (stopped == nullptr) note_nothing(options, report);
-    bool accepted = true;
-    for (const Part& part : parts)
-        if (accepted || options.format != Format::json) accepted = show_diagnostics(*part.project, options) && accepted;
-    if (stopped != nullptr) return refusal(*stopped);
-    if (options.format == Format::json && !accepted) return Exit::bad_input;
+    if (const Project* const stopped = hopeless(parts, options)) {
+        (void)show_diagnostics(*stopped, options);
+        return refusal(*stopped);
+    }
+    if (parts.size() > 1) note_refused(parts, options, report);
+    note_nothing(options, report);
+    const bool accepted = show_all(parts, options);
     const Exit exit = print_report(report, options);
     return accepted ? exit : Exit::bad_input;
 }
 
-/// A verb whose answer is not a report: over the project as a whole.
-Exit run_whole(const std::vector<Part>& parts, const Options& options, Report& report) {
-    Project& project = *parts.front().project;
-    if (!options.print.empty()) {
-        show_diagnostics(project, options);
-        return print_phase(project, options);
+/// The phase asked for by --print, added to the text.
+Exit take_phase(Project& project, const Options& options, std::string& text) {
+    show_diagnostics(project, options);
+    if (options.print == "ast" || options.print == "model") {
+        text += frontend::dump(*project.model, project.sources, options.print == "model");
+        return acceptable(project, options) ? Exit::success : refusal(project);
     }
-    if (!acceptable(project, options)) {
-        show_diagnostics(project, options);
-        return refusal(project);
+    if (!acceptable(project, options)) return refusal(project);
+    if (options.print == "ir") {
+        text += ir::dump(project.system);
+        return Exit::success;
+    }
+    const auto time = options.print == "script" ? csp_emit::Time::untimed : csp_emit::Time::timed;
+    const csp_emit::Emission emission = emit_csp(project, options, time);
+    if (!show_diagnostics(project, options)) return Exit::bad_input;
+    text += cspm::print(emission.script);
+    return Exit::success;
+}
+
+/// Part by part, each under its name where there are several, to stdout.
+Exit print_phases(const std::vector<Part>& parts, const Options& options) {
+    Exit exit = Exit::success;
+    std::string text;
+    for (const Part& part : parts) {
+        if (parts.size() > 1) text += fmt::format("-- {}\n", diagnostics::shown(part.project->name));
+        const Exit one = take_phase(*part.project, options, text);
+        if (exit == Exit::success) exit = one;
+    }
+    options.run->finish();
+    print_exact(text);
+    return exit;
+}
+
+/// Logs are of any of the parts, so all have to be in order.
+Exit compare_traces(const std::vector<Part>& parts, const Options& options, Report& report) {
+    const auto refused = std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return !acceptable(*part.project, options); });
+    if (refused != parts.end()) {
+        (void)show_diagnostics(*refused->project, options);
+        return refusal(*refused->project);
     }
     begin(parts, options, report);
-    if (options.verb == Verb::emit_monitor) return emit_monitors(project, options);
-    if (options.verb == Verb::emit_tests) return emit_tests(project, options);
-    return conform_traces(project, options);
+    return conform_traces(parts, options);
 }
 
 Exit run_verb(const Options& options, Report& report, std::vector<Part>& parts) {
-    const bool whole = !options.print.empty() || options.verb == Verb::emit_monitor || options.verb == Verb::emit_tests || !options.traces.empty();
-    if (whole) {
-        parts.push_back({load(options), false});
-        return run_whole(parts, options, report);
-    }
     parts = load_parts(options);
-    for (const Part& part : parts)
-        if (!acceptable(*part.project, options)) {
-            show_diagnostics(*part.project, options);
-            return refusal(*part.project);
-        }
+    if (!options.print.empty()) return print_phases(parts, options);
+    if (!options.traces.empty()) return compare_traces(parts, options, report);
+    if (const Project* const stopped = hopeless(parts, options)) {
+        (void)show_diagnostics(*stopped, options);
+        return refusal(*stopped);
+    }
     return run_parts(parts, options, report);
 }
 

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/output.hpp"
 #include "app/rules.hpp"
+#include "app/run.hpp"
 #include "app/verbs.hpp"
+#include "app/written.hpp"
 #include "checker/cspm/evaluation_error.hpp"
 #include "checker/process/term.hpp"
-#include "diagnostics/escape.hpp"
 
 namespace robochart::app {
 namespace {
@@ -117,30 +117,20 @@ std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& o
     return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), simulation.emission);
 }
 
-Exit emit_monitors(Project& project, const Options& options) {
+bool write_monitors(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
     if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
-    std::string written;
     for (const ir::ComponentRef& component : components) {
-        std::unique_ptr<conformance::MonitorBuild> made;
-        try {
-            made = build(project, options, component, options.cycle);
-        } catch (const diagnostics::LimitReached&) {
-            if (!options.quiet) print("{}", written);
-            throw;
-        }
-        if (made == nullptr) break;
-        for (const auto& file : conformance::monitor_files(made->tables(), file_name(project, component))) {
-            const std::string place = fmt::format("monitor/{}/{}", file_name(project, component), file.path);
-            if (!write_output(project, options, place, file.text)) continue;
-            written += fmt::format("  {:<70} {:>9} bytes\n", diagnostics::shown(options.out + "/" + place), with_commas(file.text.size()));
-        }
-        written += fmt::format("  {}: {} states, {} columns, {} bytes of table\n", component.path, made->tables().states,
-                               made->tables().columns, with_commas(made->bytes()));
+        const auto made = build(project, options, component, options.cycle);
+        if (made == nullptr) return false;
+        const std::string below = fmt::format("monitor/{}{}/", project.folder, file_name(project, component));
+        const auto files = conformance::monitor_files(made->tables(), file_name(project, component));
+        if (!write_all(below, files, report.monitor_files, options, project)) return false;
+        const auto edit = options.run->edit();
+        report.remarks.push_back(fmt::format("{}{}: {} states, {} columns, {} bytes of table", project.label, component.path,
+                                             made->tables().states, made->tables().columns, with_commas(made->bytes())));
     }
-    if (!show_diagnostics(project, options)) return Exit::bad_input;
-    if (!options.quiet) print("{}", written);
-    return Exit::success;
+    return project.diagnostics.ok();
 }
 
 }  // namespace robochart::app

@@ -24,14 +24,15 @@ constexpr const char* version = "robochart-verify 0.1.0";
 
 constexpr const char* footer = R"(
 MODEL is a folder (a project: every .rct and .assertions file below it) or a file (with the .rct files of its
-folder); several are read as one project.
+folder that it needs); of several, what does not belong together is judged apart.
 
 Exit status:
    0  everything as claimed: every assertion holds as worded, the code conforms
    1  some assertion fails, some code does not conform, some file is not formatted (format --check),
       a simulation leaves its bands
    2  the input is wrong, there is nothing to check, or the output cannot be written
-   3  inconclusive: a limit was reached, or interrupted; what is known is printed
+   3  inconclusive: a limit was reached, or interrupted, and what is known is printed; or a claim of a kind that
+      is not decided here
    4  wrong usage: unknown options, values out of their range, names of nothing
   70  a fault of this program: please report it)";
 

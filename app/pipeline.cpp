@@ -9,6 +9,7 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -21,7 +22,6 @@
 #include "diagnostics/render.hpp"
 #include "frontend/names.hpp"
 #include "frontend/project.hpp"
-#include "frontend/syntax_rules.hpp"
 #include "frontend/units.hpp"
 #include "semantics/lower.hpp"
 #include "semantics/rules.hpp"
@@ -50,13 +50,8 @@ bool lower(Project& project, const Options& options) {
     return project.diagnostics.ok();
 }
 
-bool make_finite(Project& project, const Options& options) {
-    std::string error;
-    const ir::InstantiationOptions wanted = instantiation_options(options, error);
-    if (!error.empty()) {
-        project.diagnostics.report(rules::bad_option, {}, {error});
-        return false;
-    }
+/// `wanted` without the constants that only other parts have.
+bool make_finite(Project& project, const Options& options, const ir::InstantiationOptions& wanted) {
     const diagnostics::Budget::Phase phase(options.run->budget(), "making the model finite");
     project.instantiation = ir::instantiate(project.system, wanted, project.diagnostics);
     return project.diagnostics.ok();
@@ -104,77 +99,143 @@ double seconds_since(Time start) { return std::chrono::duration<double>(std::chr
 
 void check_names(const std::vector<Part>& parts, const Options& options);
 
-void find_shared_names(const std::vector<Part>& parts) {
+/// Names that components of one kind in several packages of the project have.
+void find_shared_names(Project& project) {
     std::map<std::pair<ir::ComponentKind, std::string>, std::string> packages;
-    std::set<std::string> shared;
-    for (const Part& part : parts)
-        for (const ir::ComponentRef& ref : all_components(part.project->system))
-            if (packages.try_emplace({ref.kind, ref.path}, ref.package).first->second != ref.package) shared.insert(ref.path);
-    for (const Part& part : parts) part.project->shared_names = shared;
+    for (const ir::ComponentRef& ref : all_components(project.system))
+        if (packages.try_emplace({ref.kind, ref.path}, ref.package).first->second != ref.package) project.shared_names.insert(ref.path);
 }
 
-/// One project as its only part.
-std::vector<Part> single(std::unique_ptr<Project> project, const Options& options) {
-    std::vector<Part> parts;
-    parts.push_back({std::move(project), false});
-    Project& only = *parts.front().project;
-    if (lower(only, options) && make_finite(only, options)) check_names(parts, options);
-    find_shared_names(parts);
-    return parts;
+/// Lowers the parts and makes them finite. A constant that is given belongs to the parts that have it; what none has is
+/// left to the first, which says so.
+void complete(const std::vector<Part>& parts, const Options& options) {
+    std::string error;
+    const ir::InstantiationOptions given = instantiation_options(options, error);
+    if (!error.empty()) {
+        parts.front().project->diagnostics.report(rules::bad_option, {}, {error});
+        return;
+    }
+    bool lowered = true;
+    for (const Part& part : parts) {
+        lowered = lower(*part.project, options) && lowered;
+        find_shared_names(*part.project);
+    }
+    bool all = lowered;
+    for (const Part& part : parts) {
+        if (!acceptable(*part.project, options)) continue;
+        ir::InstantiationOptions wanted = given;
+        const auto has = [&](const Part& each, const std::string& name) { return ir::names_constant(each.project->system, name); };
+        std::erase_if(wanted.constants, [&](const auto& constant) {
+            const auto known = std::any_of(parts.begin(), parts.end(), [&](const Part& each) { return has(each, constant.first); });
+            return !has(part, constant.first) && (known || !lowered || &part != &parts.front());
+        });
+        all = make_finite(*part.project, options, wanted) && all;
+    }
+    if (all) check_names(parts, options);
 }
 
-/// The part that these files are, under a name that no other part has.
-std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const Options& options, std::set<std::string>& names) {
-    auto part = std::make_unique<Project>();
-    std::vector<std::string> paths;
-    for (const std::size_t file : unit.files) paths.push_back(whole.sources.path(whole.model->files[file]->source));
-    const auto model = std::find_if(paths.begin(), paths.end(), [](const std::string& path) { return path.ends_with(".rct"); });
-    const std::string name = project_name(unit.again ? paths.back() : model == paths.end() ? paths.front() : *model);
+/// The file that names a unit: its first model, or the assertions that make it another one.
+fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
+    const auto path = [&](std::size_t file) { return whole.sources.path(whole.model->files[file]->source); };
+    const auto model = std::find_if(unit.files.begin(), unit.files.end(), [&](std::size_t file) { return path(file).ends_with(".rct"); });
+    return path(unit.again ? unit.files.back() : model == unit.files.end() ? unit.files.front() : *model);
+}
+
+/// A name for each unit that no other has: of its file, with the folder in front where several are called so, with a
+/// number where that is not enough.
+std::vector<std::string> names_of(const Project& whole, const std::vector<frontend::Unit>& units) {
+    std::map<std::string, std::size_t> called;
+    for (const frontend::Unit& unit : units) ++called[project_name(naming_file(whole, unit).string())];
+    std::vector<std::string> names;
+    std::set<std::string> taken;
+    for (const frontend::Unit& unit : units) {
+        const fs::path file = naming_file(whole, unit).lexically_normal();
+        std::string name = project_name(file.string());
+        if (called[name] > 1 && !unit.again && file.has_parent_path()) name = fmt::format("{}_{}", file.parent_path().filename().string(), name);
+        std::string unique = name;
+        for (int number = 2; !taken.insert(unique).second; ++number) unique = fmt::format("{}_{}", name, number);
+        names.push_back(unique);
+    }
+    return names;
+}
+
+/// The part that these files are.
+std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const std::string& name, const Options& options) {
+    auto part = std::make_unique<Project>(whole.texts);
+    std::vector<diagnostics::SourceId> texts;
+    for (const std::size_t file : unit.files) texts.push_back(whole.model->files[file]->source);
     part->name = name;
-    for (int number = 2; !names.insert(part->name).second; ++number) part->name = fmt::format("{}_{}", name, number);
     prepare(*part, options);
-    part->model = frontend::load_files(part->sources, paths, part->diagnostics);
+    part->model = frontend::load_texts(part->sources, texts, part->diagnostics);
+    // What is wrong with it is said with all in view: what was meant may be in another part.
+    const std::set<diagnostics::SourceId> own(texts.begin(), texts.end());
+    const auto wrong = [&](diagnostics::SourceId text) { return whole.diagnostics.has_errors_in(text); };
+    if (!part->diagnostics.ok() && std::any_of(own.begin(), own.end(), wrong)) part->diagnostics = whole.diagnostics.about(own);
     return part;
 }
 
-/// The options for a part: constants of other parts are not its own. What no part has is left to the first, which says so.
-Options options_for(const std::vector<Part>& parts, std::size_t part, const Options& options) {
-    Options result = options;
-    std::erase_if(result.constants, [&](const std::string& text) {
-        const std::string name = text.substr(0, text.find('='));
-        const auto has = [&](const Part& each) { return ir::names_constant(each.project->system, name); };
-        return !has(parts[part]) && (part > 0 || std::any_of(parts.begin(), parts.end(), has));
+/// Where two parts have components of one name, all that is said and written of them names the part.
+void label(const std::vector<Part>& parts) {
+    std::map<std::string, std::set<const Project*>> owners;
+    for (const Part& part : parts)
+        if (!part.again)
+            for (const ir::ComponentRef& ref : all_components(part.project->system)) owners[ref.path].insert(part.project.get());
+    const auto clash = [](const auto& entry) { return entry.second.size() > 1; };
+    if (std::none_of(owners.begin(), owners.end(), clash)) return;
+    for (const Part& part : parts) {
+        part.project->label = part.project->name + ": ";
+        part.project->folder = part.project->name + "/";
+    }
+}
+
+/// Errors that are in no text of the model: nothing can be said of any part.
+bool cannot_be_read(const diagnostics::Diagnostics& diagnostics) {
+    const std::vector<diagnostics::Diagnostic> all = diagnostics.sorted();
+    return std::any_of(all.begin(), all.end(), [](const diagnostics::Diagnostic& finding) {
+        return finding.rule->severity == diagnostics::Severity::error && !finding.span.known();
     });
-    return result;
+}
+
+/// What was read, in the parts that it has.
+std::vector<Part> apart(std::unique_ptr<Project> whole, const Options& options,
+                        const std::function<std::vector<frontend::Unit>(const frontend::Model&)>& units_of) {
+    std::vector<Part> parts;
+    std::vector<frontend::Unit> units;
+    if (!cannot_be_read(whole->diagnostics)) units = units_of(*whole->model);
+    if (units.size() > 1) {
+        const std::vector<std::string> names = names_of(*whole, units);
+        for (std::size_t i = 0; i < units.size(); ++i) parts.push_back({part_of(*whole, units[i], names[i], options), units[i].again});
+    }
+    if (parts.empty()) parts.push_back({std::move(whole), false});
+    return parts;
 }
 
 }  // namespace
 
 std::unique_ptr<Project> load(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
-    std::vector<Part> parts = single(read(options), options);
+    std::vector<Part> parts;
+    parts.push_back({read(options), false});
+    complete(parts, options);
     parts.front().project->seconds = seconds_since(start);
     return std::move(parts.front().project);
 }
 
 std::vector<Part> load_parts(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
-    std::unique_ptr<Project> whole = read(options);
-    const std::vector<frontend::Unit> units = whole->diagnostics.ok() ? frontend::units(*whole->model) : std::vector<frontend::Unit>{};
-    std::vector<Part> parts;
-    if (units.size() < 2) {
-        parts = single(std::move(whole), options);
-    } else {
-        std::set<std::string> names;
-        for (const frontend::Unit& unit : units) parts.push_back({part_of(*whole, unit, options, names), unit.again});
-        bool good = true;
-        for (const Part& part : parts) good = lower(*part.project, options) && good;
-        for (std::size_t i = 0; good && i < parts.size(); ++i) good = make_finite(*parts[i].project, options_for(parts, i, options));
-        if (good) check_names(parts, options);
-        find_shared_names(parts);
-    }
+    std::vector<Part> parts = apart(read(options), options, frontend::units);
+    complete(parts, options);
+    label(parts);
     parts.front().project->seconds = seconds_since(start);
     return parts;
+}
+
+std::vector<Part> read_parts(const Options& options) {
+    return apart(read(options), options, [](const frontend::Model& model) {
+        std::vector<frontend::Unit> units;
+        for (std::vector<std::size_t> group : frontend::groups(model)) units.push_back({std::move(group), false});
+        return units;
+    });
 }
 
 csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::Time time) {
@@ -242,8 +303,9 @@ void check_names(const std::vector<Part>& parts, const Options& options) {
         found = found || !code_components(system, options.component).empty();
         for (const ir::ComponentRef& ref : all_components(system)) components.push_back(ref.path);
         for (const ir::Property& property : system.properties) assertions.push_back(property.name);
-        for (const diagnostics::Diagnostic& finding : part.project->diagnostics.sorted())
-            if (finding.rule == &frontend::syntax::foreign_assertion) assertions.push_back(finding.arguments.front());
+        for (const auto& file : part.project->model->files)
+            for (const frontend::KeptPart& kept : file->kept)
+                if (kept.claims) assertions.push_back(kept.name);
     }
     if (!found) unknown("--component", options.component, "module, controller or state machine", std::move(components));
     if (!options.assertion.empty() && std::find(assertions.begin(), assertions.end(), options.assertion) == assertions.end())
@@ -271,6 +333,8 @@ bool acceptable(const Project& project, const Options& options) {
 bool show_diagnostics(const Project& project, const Options& options) {
     const bool good = acceptable(project, options);
     if (options.format == Format::json) {
+        // It is the run's answer: what a limit would have to say comes too late, and would be a second document.
+        if (!good) options.run->finish();
         if (!good) print_exact(diagnostics::render_json(project.sources, project.diagnostics) + "\n");
     } else if (!options.quiet || !good) {
         diagnostics::TextStyle style;

@@ -16,13 +16,19 @@ namespace robochart::app {
 
 /// Everything known about the model of this run.
 struct Project {
+    explicit Project(std::shared_ptr<diagnostics::SourceManager> shared = std::make_shared<diagnostics::SourceManager>())
+        : texts(std::move(shared)), sources(*texts) {}
+
     std::string name;                 ///< of the first input, without folder and extension: names the files written
-    diagnostics::SourceManager sources;
+    std::string label;                ///< in front of what is said of it: "NAME: " where parts have components of one name
+    std::string folder;               ///< below which its components' files go: "NAME/" there
+    std::shared_ptr<diagnostics::SourceManager> texts;
+    diagnostics::SourceManager& sources;  ///< of all parts of a run
     diagnostics::Diagnostics diagnostics;
     std::unique_ptr<frontend::Model> model;
     ir::System system;
     ir::Instantiation instantiation;
-    std::set<std::string> shared_names;  ///< that components of one kind in several packages of this run have
+    std::set<std::string> shared_names;  ///< that components of one kind in several of its packages have
     double seconds = 0;               ///< reading, resolving, lowering
 };
 
@@ -30,13 +36,16 @@ struct Project {
 /// them, and what the options name and the model does not have.
 [[nodiscard]] std::unique_ptr<Project> load(const Options&);
 
-/// The project, part by part: what does not belong together is made finite apart (frontend/units.hpp). One part where it
-/// all does, or where reading it fails. What the options name has to be in some part.
+/// The inputs, part by part: what does not belong together is resolved and made finite apart (frontend/units.hpp), each
+/// part as if it were alone. One part where it all belongs together. A part with errors is not lowered or made finite;
+/// its diagnostics have them. What the options name has to be in some part.
 struct Part {
     std::unique_ptr<Project> project;
     bool again = false;  ///< its components are in a part before it too
 };
 [[nodiscard]] std::vector<Part> load_parts(const Options&);
+/// The same as far as reading and resolving go, whatever the instantiations; errors are in the diagnostics.
+[[nodiscard]] std::vector<Part> read_parts(const Options&);
 
 /// The semantics in one time, type checked; diagnostics are added to the project's. Throws std::logic_error where the
 /// script is wrong and nothing of it is the user's.

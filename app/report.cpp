@@ -12,7 +12,7 @@ namespace robochart::app {
 namespace {
 
 std::string_view word(Answer answer) {
-    constexpr std::array<std::string_view, 5> words{"holds", "FAILS", "inconclusive", "no check", "error"};
+    constexpr std::array<std::string_view, 6> words{"holds", "FAILS", "inconclusive", "no check", "error", "not checked"};
     return words[static_cast<std::size_t>(answer)];
 }
 
@@ -124,11 +124,17 @@ std::string closing(const Report& report) {
         if (count(Answer::fails) > 0) parts.push_back(fmt::format("{} fail", count(Answer::fails)));
         if (count(Answer::inconclusive) > 0) parts.push_back(fmt::format("{} inconclusive", count(Answer::inconclusive)));
         if (count(Answer::error) > 0) parts.push_back(fmt::format("{} cannot be evaluated", count(Answer::error)));
+        if (count(Answer::unchecked) > 0) parts.push_back(fmt::format("{} not checked", count(Answer::unchecked)));
         if (count(Answer::no_check) > 0) parts.push_back(fmt::format("{} without a check", count(Answer::no_check)));
     }
     if (!report.conformance.empty()) {
         const auto good = std::count_if(report.conformance.begin(), report.conformance.end(), [](const auto& c) { return c.result.outcome == conformance::Outcome::conforms; });
         parts.push_back(fmt::format("{} of {} controllers conform", good, report.conformance.size()));
+    }
+    if (!report.refused.empty()) {
+        std::vector<std::string> names;
+        for (const RefusedReport& each : report.refused) names.push_back(diagnostics::shown(each.model));
+        parts.push_back(fmt::format("refused, with errors: {}", fmt::join(names, ", ")));
     }
     if (!report.unclaimed.empty()) parts.push_back(report.unclaimed);
     if (!report.limit.empty()) parts.push_back("inconclusive: " + report.limit);
@@ -152,9 +158,9 @@ Exit Report::exit() const {
     const auto code = [&](conformance::Outcome outcome) {
         return std::any_of(conformance.begin(), conformance.end(), [&](const auto& c) { return c.result.outcome == outcome; });
     };
-    if (nothing_checked || any(Answer::error) || code(conformance::Outcome::not_generated)) return Exit::bad_input;
+    if (nothing_checked || !refused.empty() || any(Answer::error) || code(conformance::Outcome::not_generated)) return Exit::bad_input;
     if (any(Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::not_schedulable)) return Exit::failed;
-    if (!limit.empty() || any(Answer::inconclusive) || code(conformance::Outcome::inconclusive)) return Exit::inconclusive;
+    if (!limit.empty() || any(Answer::inconclusive) || any(Answer::unchecked) || code(conformance::Outcome::inconclusive)) return Exit::inconclusive;
     return Exit::success;
 }
 
@@ -176,6 +182,9 @@ std::string render_text(const Report& report, const Options& options) {
     if (!options.quiet) {
         write_files(out, "CSP semantics", report.csp_files);
         write_files(out, "C++", report.cpp_files);
+        write_files(out, "monitors", report.monitor_files);
+        write_files(out, "tests", report.test_files);
+        for (const std::string& remark : report.remarks) out += fmt::format("  {}\n", remark);
     }
     if (const std::string last = closing(report); !last.empty()) out += fmt::format("{}{}\n", options.quiet ? "" : "\n", last);
     return out;

@@ -18,6 +18,7 @@ enum class Answer {
     inconclusive,
     no_check,  ///< the claim has no check in this semantics; said, not counted as holding
     error,     ///< the claim could not be evaluated: bad input
+    unchecked, ///< a claim of a kind that is not decided here: nothing is known of it
 };
 
 /// Why something that was to be decided is inconclusive while nothing is known of it.
@@ -65,6 +66,12 @@ struct FileReport {
     std::size_t bytes = 0;
 };
 
+/// A model among several that has errors: nothing is said of it, and the others are judged without it.
+struct RefusedReport {
+    std::string model;
+    std::string diagnostics;  ///< schema "robochart-verify/diagnostics/1"
+};
+
 struct Report {
     std::string model;                    ///< the inputs as given
     std::string summary;                  ///< "1 state machine, 2 operations, …"
@@ -75,7 +82,9 @@ struct Report {
     std::vector<BoundReport> bounds;
     std::vector<SizeReport> sizes;
     std::vector<ConformanceReport> conformance;
-    std::vector<FileReport> csp_files, cpp_files;
+    std::vector<FileReport> csp_files, cpp_files, monitor_files, test_files;
+    std::vector<std::string> remarks;     ///< on the files written
+    std::vector<RefusedReport> refused;
     std::string unclaimed;                ///< said where no assertion was checked, though some were to be; "": some were
     bool nothing_checked = false;         ///< and nothing else was done either
     std::string limit;                    ///< why the run ended before everything was looked at; "" if it did not

@@ -25,7 +25,7 @@ Json counterexample(const runs::Run& run) {
 }
 
 Json assertion(const AssertionReport& a) {
-    constexpr std::array<const char*, 5> words{"holds", "fails", "inconclusive", "no check", "error"};
+    constexpr std::array<const char*, 6> words{"holds", "fails", "inconclusive", "no check", "error", "not checked"};
     Json json{{"title", a.title}, {"place", a.place}, {"answer", words[static_cast<std::size_t>(a.answer)]}, {"statistics", statistics(a.statistics)}};
     if (!a.reason.empty()) json["reason"] = a.reason;
     if (a.run) json["counterexample"] = counterexample(*a.run);
@@ -90,6 +90,11 @@ std::string render_json(const Report& report) {
     for (const ConformanceReport& c : report.conformance) json["conformance"].push_back(conformance_json(c));
     json["cspFiles"] = files(report.csp_files);
     json["cppFiles"] = files(report.cpp_files);
+    if (!report.monitor_files.empty()) json["monitorFiles"] = files(report.monitor_files);
+    if (!report.test_files.empty()) json["testFiles"] = files(report.test_files);
+    if (!report.remarks.empty()) json["remarks"] = report.remarks;
+    for (const RefusedReport& each : report.refused)
+        json["refused"].push_back({{"model", each.model}, {"diagnostics", Json::parse(each.diagnostics, nullptr, false)}});
     // Names come from the user's files: bytes that are not UTF-8 are replaced rather than refused.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

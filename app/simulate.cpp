@@ -91,11 +91,15 @@ Exit exit_of(const simulation::RunResult& result) {
 }
 
 Exit before_trials(const Options& options, const std::string& why) {
-    if (options.format == Format::json)
-        print_exact(fmt::format(R"({{"schema":"robochart-verify/simulation/1","interrupted":true,"limit":{},"trials":[],"bands":[],"files":[],"exit":{}}})"
-                                "\n",
-                                diagnostics::json_string(why), static_cast<int>(Exit::inconclusive)));
-    else app::print_text(fmt::format("{} before the trials had ended: the bands are not judged\n", why));
+    const std::string text = fmt::format("{} before the trials had ended: the bands are not judged\n", why);
+    if (options.format == Format::json) {
+        print_exact(fmt::format("{{\"schema\":\"robochart-verify/simulation/1\",\"scenario\":{},\"trials\":[],\"interrupted\":true,"
+                                "\"limit\":{},\"bands\":[],\"files\":[],\"exit\":{}}}\n",
+                                diagnostics::json_string(options.inputs.front()), diagnostics::json_string(why), static_cast<int>(Exit::inconclusive)));
+        print_error_text(text);
+    } else {
+        app::print_text(text);
+    }
     return Exit::inconclusive;
 }
 

@@ -26,9 +26,9 @@ SizeReport::Size size_of(cspm::Session& session, const cspm::ExprPtr& process, c
 
 }  // namespace
 
-void measure_sizes(cspm::Session& session, const csp_emit::Emission& emission, csp_emit::Time time, const Options& options, Report& report) {
+void measure_sizes(const Project& project, cspm::Session& session, const csp_emit::Emission& emission, csp_emit::Time time, const Options& options, Report& report) {
     for (const csp_emit::ComponentProcesses& component : emission.components) try {
-            SizeReport size{component.path, time == csp_emit::Time::timed ? "timed" : "untimed",
+            SizeReport size{project.label + component.path, time == csp_emit::Time::timed ? "timed" : "untimed",
                             size_of(session, component.process, options), size_of(session, component.compressed, options)};
             const auto edit = options.run->edit();
             report.sizes.push_back(std::move(size));

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <tuple>
 
 #include "app/output.hpp"
 #include "app/rules.hpp"
@@ -66,41 +67,56 @@ std::vector<std::string> logs(const Options& options, diagnostics::Diagnostics& 
 /// Checkers by component and cycle length; made when the first log needs one.
 class Checkers {
 public:
-    Checkers(Project& project, const Options& options) : project_(project), options_(options), limits_(limits(options, "traces")) {}
+    Checkers(const std::vector<Part>& parts, const Options& options) : parts_(parts), options_(options), limits_(limits(options, "traces")) {}
 
     conformance::TraceChecker* of(const conformance::TraceHeader& header) {
         const std::string wanted = !options_.component.empty() ? options_.component : header.component;
-        auto components = code_components(project_.system, wanted);
-        if (components.empty()) components = code_components(project_.system, "");
-        if (components.empty()) {
-            project_.diagnostics.report(rules::no_component, {}, {wanted.empty() ? "the model" : wanted});
-            return nullptr;
-        }
+        std::vector<Found> all = found(wanted);
+        if (all.empty()) all = found("");
+        if (all.empty()) return refuse(parts_.front(), rules::no_component, {wanted.empty() ? "the model" : wanted});
+        const auto& [part, component] = all.front();
+        if (!wanted.empty() && all.size() > 1 && all[1].first != part)
+            return refuse(*part, rules::bad_option, {fmt::format("--traces: {} and {} both have a component {}; compare the log with one of them",
+                                                                 part->project->name, all[1].first->project->name, wanted)});
         const std::uint32_t cycle = options_.cycle_given ? options_.cycle : header.cycle;
-        Entry& entry = entries_[{qualified(components.front()), cycle}];
-        if (entry.checker == nullptr && entry.error.empty()) load(entry, components.front(), cycle);
-        if (!entry.error.empty()) project_.diagnostics.report(rules::no_monitor, {}, {qualified(components.front()), entry.error});
+        Entry& entry = entries_[{part, qualified(component), cycle}];
+        if (entry.checker == nullptr && entry.error.empty()) load(entry, *part->project, component, cycle);
+        if (!entry.error.empty()) return refuse(*part, rules::no_monitor, {qualified(component), entry.error});
         return entry.checker.get();
     }
 
 private:
+    using Found = std::pair<const Part*, ir::ComponentRef>;
     struct Entry {
         std::unique_ptr<conformance::CyclicModel> model;
         std::unique_ptr<conformance::TraceChecker> checker;
         std::string error;
     };
-    void load(Entry& entry, const ir::ComponentRef& component, std::uint32_t cycle) {
-        entry.model = conformance::CyclicModel::load(project_.system, project_.instantiation, component, cycle, limits_, project_.sources,
-                                                     project_.diagnostics, entry.error);
+
+    /// The first component of this name in each part.
+    [[nodiscard]] std::vector<Found> found(const std::string& wanted) const {
+        std::vector<Found> result;
+        for (const Part& part : parts_)
+            if (const auto components = code_components(part.project->system, wanted); !part.again && !components.empty())
+                result.emplace_back(&part, components.front());
+        return result;
+    }
+    static conformance::TraceChecker* refuse(const Part& part, const diagnostics::Rule& rule, std::vector<std::string> arguments) {
+        part.project->diagnostics.report(rule, {}, std::move(arguments));
+        return nullptr;
+    }
+    void load(Entry& entry, Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
+        entry.model = conformance::CyclicModel::load(project.system, project.instantiation, component, cycle, limits_, project.sources,
+                                                     project.diagnostics, entry.error);
         if (entry.model == nullptr) return;
         entry.checker = std::make_unique<conformance::TraceChecker>(
-            *entry.model, std::vector<std::string>{qualified(component), component.path}, limits_, project_.sources);
+            *entry.model, std::vector<std::string>{qualified(component), component.path}, limits_, project.sources);
     }
 
-    Project& project_;
+    const std::vector<Part>& parts_;
     const Options& options_;
     refine::Limits limits_;
-    std::map<std::pair<std::string, std::uint32_t>, Entry> entries_;
+    std::map<std::tuple<const Part*, std::string, std::uint32_t>, Entry> entries_;
 };
 
 /// The header alone, as far as it is in order: which component the log is of.
@@ -219,8 +235,9 @@ std::string subject(const Options& options) { return options.component.empty() ?
 
 }  // namespace
 
-Exit conform_traces(Project& project, const Options& options) {
+Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     const auto start = std::chrono::steady_clock::now();
+    Project& project = *parts.front().project;  // takes what is found of the logs; texts are those of all parts
     Totals totals;
     options.run->last_word([&options](const std::string& why) {
         Totals none;
@@ -231,7 +248,7 @@ Exit conform_traces(Project& project, const Options& options) {
     });
     const std::vector<std::string> paths = logs(options, project.diagnostics);
     try {
-        Checkers checkers(project, options);
+        Checkers checkers(parts, options);
         for (const std::string& path : paths) check_log(path, project, checkers, totals);
     } catch (const process::Interrupted& limit) {
         totals.limit = limit.what();
@@ -240,13 +257,17 @@ Exit conform_traces(Project& project, const Options& options) {
     } catch (const conformance::AlphabetError& mismatch) {
         project.diagnostics.report(rules::no_monitor, {}, {subject(options), mismatch.what()});
     }
-    if (totals.runs == 0 && totals.limit.empty() && project.diagnostics.ok())
+    const auto in_order = [](const Part& part) { return part.project->diagnostics.ok(); };
+    if (totals.runs == 0 && totals.limit.empty() && std::all_of(parts.begin(), parts.end(), in_order))
         project.diagnostics.report(rules::bad_option, {}, {"--traces: there is nothing to compare, the logs have no runs"});
     totals.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     options.run->finish();
-    const bool readable = show_diagnostics(project, options);
-    if (options.format == Format::json && !readable) return refusal(project);
-    const Exit exit = readable ? exit_of(totals) : refusal(project);
+    const Project* wrong = nullptr;
+    for (const Part& part : parts)
+        if ((options.format == Format::text || wrong == nullptr) && !show_diagnostics(*part.project, options) && wrong == nullptr)
+            wrong = part.project.get();
+    if (options.format == Format::json && wrong != nullptr) return refusal(*wrong);
+    const Exit exit = wrong == nullptr ? exit_of(totals) : refusal(*wrong);
     if (options.format == Format::json) print_json(totals, exit);
     else print_text(totals, options);
     return exit;

@@ -24,12 +24,10 @@ void check_assertions(Project&, const Options&, Report&);
 [[nodiscard]] bool write_cpp(Project&, const Options&, Report&);
 void check_conformance(Project&, const Options&, Report&);
 /// Writes monitor/COMPONENT/… below the output folder.
-Exit emit_monitors(Project&, const Options&);
+[[nodiscard]] bool write_monitors(Project&, const Options&, Report&);
 /// Writes tests/COMPONENT/… below the output folder.
-Exit emit_tests(Project&, const Options&);
-/// conform --traces: logs of runs against the model.
-Exit conform_traces(Project&, const Options&);
-/// The phase asked for by --print, to stdout.
-Exit print_phase(Project&, const Options&);
+[[nodiscard]] bool write_tests(Project&, const Options&, Report&);
+/// conform --traces: logs of runs against the models.
+Exit conform_traces(const std::vector<Part>&, const Options&);
 
 }  // namespace robochart::app

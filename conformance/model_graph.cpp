@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <unordered_set>
 
 namespace robochart::conformance {
 
@@ -82,48 +83,53 @@ const std::vector<ModelEdge>& ModelGraph::edges(ModelState state) {
     return edges_[state].edges;
 }
 
+namespace {
+
+/// Looks at the edges of every state that can be reached before time passes, until one is enough. False where there are
+/// more states than are looked at.
+template <class Enough>
+bool look_before_time_passes(ModelGraph& graph, ModelState start, Enough enough) {
+    constexpr std::size_t most = 20'000;
+    std::unordered_set<ModelState> seen{start};
+    std::vector<ModelState> open{start};
+    while (!open.empty()) {
+        if (seen.size() > most) return false;
+        const ModelState state = open.back();
+        open.pop_back();
+        for (const ModelEdge& edge : graph.edges(state)) {
+            if (enough(edge)) return true;
+            if (edge.role.kind != ModelRole::Kind::tock && seen.insert(edge.target).second) open.push_back(edge.target);
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+/// With too many states the answer is no: the model is then said to stop time, not excused for it.
 bool ModelGraph::goes_on(ModelState start) {
     const auto found = goes_on_.find(start);
     if (found != goes_on_.end()) return found->second;
-    // Beyond this the answer is no: the model is then said to stop time, not excused for it.
-    constexpr std::size_t most = 20'000;
     bool result = false;
-    std::unordered_map<ModelState, bool> seen{{start, true}};
-    std::vector<ModelState> open{start};
-    while (!open.empty() && !result && seen.size() <= most) {
-        const ModelState state = open.back();
-        open.pop_back();
-        for (const ModelEdge& edge : edges(state)) {
-            using Kind = ModelRole::Kind;
-            const Kind kind = edge.role.kind;
-            result = result || kind == Kind::tock || kind == Kind::tick || kind == Kind::terminate;
-            if (seen.emplace(edge.target, true).second) open.push_back(edge.target);
-        }
-    }
+    (void)look_before_time_passes(*this, start, [&](const ModelEdge& edge) {
+        using Kind = ModelRole::Kind;
+        const Kind kind = edge.role.kind;
+        result = kind == Kind::tock || kind == Kind::tick || kind == Kind::terminate;
+        return result;
+    });
     return goes_on_.emplace(start, result).first->second;
 }
 
+/// With too many states the answer is yes for all: fewer readings are as good as none, and nothing else changes.
 const std::vector<bool>& ModelGraph::hears(ModelState start) {
     const auto found = hears_.find(start);
     if (found != hears_.end()) return found->second;
     std::vector<bool> heard(alphabet_->interface().inputs.size());
-    std::unordered_map<ModelState, bool> seen{{start, true}};
-    std::vector<ModelState> open{start};
-    // Beyond this the answer is yes for all: fewer readings are as good as none, and nothing else changes.
-    constexpr std::size_t most = 20'000;
-    while (!open.empty()) {
-        if (seen.size() > most) {
-            heard.assign(heard.size(), true);
-            break;
-        }
-        const ModelState state = open.back();
-        open.pop_back();
-        for (const ModelEdge& edge : edges(state)) {
-            if (edge.role.kind == ModelRole::Kind::tock) continue;
-            if (edge.role.kind == ModelRole::Kind::input) heard[edge.role.index] = true;
-            if (seen.emplace(edge.target, true).second) open.push_back(edge.target);
-        }
-    }
+    const bool all = look_before_time_passes(*this, start, [&](const ModelEdge& edge) {
+        if (edge.role.kind == ModelRole::Kind::input) heard[edge.role.index] = true;
+        return false;
+    });
+    if (!all) heard.assign(heard.size(), true);
     return hears_.emplace(start, std::move(heard)).first->second;
 }
 

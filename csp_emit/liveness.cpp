@@ -60,6 +60,7 @@ private:
     ExprPtr argument(const Expr& expr, const Call& call, std::size_t parameter) const;
 
     const Candidates& candidates_;
+    std::vector<ExprPtr> read_;  ///< each candidate's name: most arguments of most calls, so they are one tree
     FamilyIndex index_;
     std::unordered_map<std::string, std::size_t> number_;  ///< of each candidate; looked up only
     std::vector<Names> used_;                              ///< by function; last: the initial process
@@ -78,7 +79,10 @@ Family::Family(const std::vector<Function>& functions, const ExprPtr& initial, c
       used_(functions.size() + 1),
       calls_to_(functions.size()),
       calls_over_(functions.size()) {
-    for (const std::string& name : candidates.names) number_.emplace(name, number_.size());
+    for (const std::string& name : candidates.names) {
+        number_.emplace(name, number_.size());
+        read_.push_back(b::name(name));
+    }
     for (const auto& [value, entry] : candidates.entries) returning_.insert(index_.at(entry.behind));
     for (std::size_t i = 0; i < functions.size(); ++i) survey(i, *functions[i].body);
     survey(functions.size(), *initial);
@@ -199,7 +203,7 @@ ExprPtr Family::argument(const Expr& expr, const Call& call, std::size_t paramet
     for (std::size_t i = 1; i + 1 < expr.args.size(); i += 2)
         if (expr.args[i]->text == name) return expr.args[i + 1];
     if (call.after_tock && ticking(parameter) != nullptr) return candidates_.ticking.at(name);
-    return b::name(name);
+    return read_[parameter];
 }
 
 ExprPtr Family::dense_call(const Expr& expr) const {

@@ -232,7 +232,7 @@ private:
     std::vector<CellId> by_size() const;
     double values_of(const Cell& cell) const;
     double estimate(const std::vector<Function>& functions, const Evaluations& evaluations,
-                    const std::map<std::string, double>& sizes) const;
+                    const std::map<std::string, double>& sizes, const std::vector<Remembered>& remembered) const;
     Remembered memory_of(CellId cell);
     void external_writes(const Activation& config, const View& view, std::vector<ExprPtr>& out);
     std::vector<ExprPtr> external_write_events() const;

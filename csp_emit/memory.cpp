@@ -115,12 +115,12 @@ double MachineEmitter::values_of(const Cell& cell) const {
     }
 }
 
-/// An upper bound of the states of the machine's process, by the sizes of the carriers.
+/// An upper bound of the states of the machine's process with these variables in memories, by the sizes of the carriers.
 double MachineEmitter::estimate(const std::vector<Function>& functions, const Evaluations& evaluations,
-                                const std::map<std::string, double>& sizes) const {
-    const auto held = evaluations.held(remembered_);
+                                const std::map<std::string, double>& sizes, const std::vector<Remembered>& remembered) const {
+    const auto held = evaluations.held(remembered);
     std::set<std::string> outside;
-    for (const Remembered& variable : remembered_) outside.insert(variable.parameter);
+    for (const Remembered& variable : remembered) outside.insert(variable.parameter);
     double sum = 0;
     for (std::size_t i = 0; i < functions.size(); ++i) {
         double product = 1;
@@ -166,7 +166,8 @@ Remembered MachineEmitter::memory_of(CellId id) {
     return result;
 }
 
-/// Largest variables first, until the rest is small enough to be parameters.
+/// Largest variables first, as few as make the rest small enough to be parameters. One variable more never makes the
+/// estimate larger: it counts no longer, or where a function holds it as before, and what is held because of it shrinks.
 void MachineEmitter::choose_memories(const std::vector<Function>& functions) {
     const std::vector<CellId> candidates = by_size();
     std::map<std::string, double> sizes;
@@ -174,10 +175,23 @@ void MachineEmitter::choose_memories(const std::vector<Function>& functions) {
     std::set<std::string> names;
     for (const CellId cell : candidates) names.insert(cells_[cell].name);
     const Evaluations evaluations(functions, names);
-    for (const CellId cell : candidates) {
-        if (estimate(functions, evaluations, sizes) <= project().options.states_of_a_process) return;
-        remembered_.push_back(memory_of(cell));
+    const auto small_with = [&](std::size_t count) {
+        std::vector<Remembered> first(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Cell& cell = cells_[candidates[i]];
+            first[i].parameter = cell.name;
+            if (cell.shared) first[i].shared = cell.channel;
+        }
+        return estimate(functions, evaluations, sizes, first) <= project().options.states_of_a_process;
+    };
+    std::size_t least = 0;
+    std::size_t most = candidates.size();
+    while (least < most) {
+        const std::size_t middle = (least + most) / 2;
+        if (small_with(middle)) most = middle;
+        else least = middle + 1;
     }
+    for (std::size_t i = 0; i < least; ++i) remembered_.push_back(memory_of(candidates[i]));
 }
 
 }  // namespace robochart::csp_emit

@@ -46,16 +46,30 @@ public:
 private:
     ExprPtr rewritten_call(const Expr& expr, std::size_t target, const Place& place) const;
 
+    /// A parameter of a function: what it remembers, if it does, and whether the function holds it then.
+    struct Parameter {
+        const Remembered* variable = nullptr;
+        bool held = false;
+    };
+
     const std::vector<Function>& functions_;
     std::map<std::string, const Remembered*> variables_;
     FamilyIndex index_;
     std::vector<std::set<std::string>> held_;
+    std::vector<std::vector<Parameter>> parameters_;  ///< by function
 };
 
 Memories::Memories(const std::vector<Function>& functions, const std::vector<Remembered>& variables)
     : functions_(functions), index_(index_of(functions)) {
     for (const Remembered& variable : variables) variables_[variable.parameter] = &variable;
     held_ = Evaluations(functions, parameters_of(variables)).held(variables);
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        std::vector<Parameter>& parameters = parameters_.emplace_back();
+        for (const std::string& name : functions[i].parameters) {
+            const auto found = variables_.find(name);
+            parameters.push_back({found == variables_.end() ? nullptr : found->second, held_[i].count(name) != 0});
+        }
+    }
 }
 
 ExprPtr Memories::rewritten(const ExprPtr& expr, const Place& place) const {
@@ -71,22 +85,21 @@ ExprPtr Memories::rewritten_call(const Expr& expr, std::size_t target, const Pla
     std::vector<const Remembered*> reads;
     std::vector<std::pair<const Remembered*, ExprPtr>> writes;
     for (std::size_t i = 1; i < expr.args.size(); ++i) {
-        const std::string& parameter = functions_[target].parameters[i - 1];
-        const auto found = variables_.find(parameter);
-        if (found == variables_.end()) {
+        const auto [variable, held] = parameters_[target][i - 1];
+        if (variable == nullptr) {
             arguments.push_back(expr.args[i]);
             continue;
         }
         if (is_unneeded(*expr.args[i])) {
-            if (held_[target].count(parameter) != 0) arguments.push_back(expr.args[i]);
+            if (held) arguments.push_back(expr.args[i]);
             continue;
         }
-        const bool same = passes_on(*expr.args[i], parameter);
-        const bool there = same || !found->second->shared.empty() ||
-                           (place.start && cspm::equal(expr.args[i], found->second->initial));
-        if (!there) writes.emplace_back(found->second, expr.args[i]);
-        if (held_[target].count(parameter) == 0) continue;
-        if (same && place.held.count(parameter) == 0) reads.push_back(found->second);
+        const bool same = passes_on(*expr.args[i], variable->parameter);
+        const bool there =
+            same || !variable->shared.empty() || (place.start && cspm::equal(expr.args[i], variable->initial));
+        if (!there) writes.emplace_back(variable, expr.args[i]);
+        if (!held) continue;
+        if (same && place.held.count(variable->parameter) == 0) reads.push_back(variable);
         arguments.push_back(expr.args[i]);
     }
     ExprPtr result = b::call(functions_[target].name, arguments);
@@ -112,6 +125,10 @@ b::Exprs shared_events(const Remembered& variable) {
 
 Evaluations::Evaluations(const std::vector<Function>& functions, const std::set<std::string>& parameters)
     : functions_(functions), parameters_(parameters), index_(index_of(functions)), uses_(functions.size()) {
+    for (const Function& function : functions) {
+        std::vector<bool>& asked = asked_.emplace_back();
+        for (const std::string& parameter : function.parameters) asked.push_back(parameters.count(parameter) != 0);
+    }
     for (std::size_t i = 0; i < functions.size(); ++i) survey(*functions[i].body, uses_[i]);
 }
 
@@ -129,7 +146,7 @@ void Evaluations::survey(const Expr& expr, Use& use) const {
 void Evaluations::survey_call(const Expr& expr, std::size_t target, Use& use) const {
     for (std::size_t i = 1; i < expr.args.size(); ++i) {
         const std::string& parameter = functions_[target].parameters[i - 1];
-        if (passes_on(*expr.args[i], parameter) && parameters_.count(parameter) != 0) continue;
+        if (asked_[target][i - 1] && passes_on(*expr.args[i], parameter)) continue;
         Changed changed{target, parameter, {}};
         mention(*expr.args[i], changed.names);
         if (!changed.names.empty()) use.changed.push_back(std::move(changed));

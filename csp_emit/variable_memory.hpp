@@ -52,6 +52,7 @@ private:
     const std::vector<Function>& functions_;
     const std::set<std::string>& parameters_;
     FamilyIndex index_;
+    std::vector<std::vector<bool>> asked_;  ///< by function, of each of its parameters: is it one of `parameters_`?
     std::vector<Use> uses_;
 };
 

@@ -82,7 +82,10 @@ std::string Budget::reached() {
         why = "the time limit was reached";
     else if (memory_exceeded(now))
         why = fmt::format("the memory limit of {} MiB was reached", limits_.memory_bytes >> 20U);
-    if (why.empty()) return why;
+    if (why.empty()) {
+        stopped_ = false;  // whoever interrupted may have taken it back
+        return why;
+    }
     stopped_ = true;
     return why + while_what();
 }

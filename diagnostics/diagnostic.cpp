@@ -52,6 +52,27 @@ Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::st
     return items_.back();
 }
 
+void Diagnostics::add(const Diagnostics& other) {
+    const auto kept = [&](Severity severity) {
+        return static_cast<std::size_t>(std::count_if(other.items_.begin(), other.items_.end(),
+                                                      [&](const Diagnostic& each) { return each.rule->severity == severity; }));
+    };
+    for (const Diagnostic& finding : other.items_) report(*finding.rule, finding.span, finding.arguments) = finding;
+    errors_ += other.errors_ - kept(Severity::error);
+    warnings_ += other.warnings_ - kept(Severity::warning);
+    dropped_ += other.dropped_;
+    wrong_.insert(other.wrong_.begin(), other.wrong_.end());
+}
+
+Diagnostics Diagnostics::about(const std::set<SourceId>& texts) const {
+    Diagnostics result;
+    result.budget_ = budget_;
+    result.allowed_ = allowed_;
+    for (const Diagnostic& finding : items_)
+        if (texts.contains(finding.span.source)) result.report(*finding.rule, finding.span, finding.arguments) = finding;
+    return result;
+}
+
 std::vector<Diagnostic> Diagnostics::sorted() const {
     std::vector<Diagnostic> result = items_;
     const auto key = [](const Diagnostic& d) {

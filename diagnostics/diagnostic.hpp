@@ -66,6 +66,10 @@ public:
     /// Later warnings of this code are neither kept nor counted; errors always are.
     void allow(std::string code) { allowed_.insert(std::move(code)); }
 
+    /// Takes over the findings of another.
+    void add(const Diagnostics& other);
+    /// Those about these texts, under the same limits and allowances.
+    [[nodiscard]] Diagnostics about(const std::set<SourceId>& texts) const;
     [[nodiscard]] std::vector<Diagnostic> sorted() const;
     [[nodiscard]] std::size_t errors() const { return errors_; }
     [[nodiscard]] std::size_t warnings() const { return warnings_; }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnostics/control.hpp"
 #include "diagnostics/utf8.hpp"
 
 namespace robochart::diagnostics {
@@ -18,25 +19,13 @@ std::string each(const std::string& text, Escape escape) {
     return result;
 }
 
-bool control(char c) {
-    return static_cast<unsigned char>(c) < 0x20U || c == 0x7F;
-}
-
 bool letter_or_digit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
 std::string control_escape(char c) {
-    switch (c) {
-        case '\n':
-            return "\\n";
-        case '\r':
-            return "\\r";
-        case '\t':
-            return "\\t";
-        default:
-            return fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    }
+    if (const auto letter = letter_of_control(c)) return {'\\', *letter};
+    return fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
 }
 
 /// The code point of a well-formed sequence.
@@ -67,7 +56,7 @@ std::string visible(std::string_view text, Escape ascii, bool lines) {
         else if (length == 1 && lines && (c == '\n' || c == '\t'))
             result += c;
         else if (length == 1)
-            result += control(c) ? control_escape(c) : ascii(c);
+            result += is_control(c) ? control_escape(c) : ascii(c);
         else if (const unsigned code = decoded(text.substr(0, length)); invisible(code))
             result += fmt::format("\\u{:04x}", code);
         else
@@ -89,12 +78,8 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 std::string cspm_escaped(const std::string& text, char quote) {
     std::string result(1, quote);
     for (const char c : text) {
-        if (c == '\n')
-            result += "\\n";
-        else if (c == '\t')
-            result += "\\t";
-        else if (c == '\r')
-            result += "\\r";
+        if (const auto letter = letter_of_control(c))
+            (result += '\\') += *letter;
         else if (c == quote || c == '\\')
             (result += '\\') += c;
         else

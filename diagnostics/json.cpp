@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "diagnostics/control.hpp"
 #include "diagnostics/fixes.hpp"
 #include "diagnostics/render.hpp"
 #include "diagnostics/utf8.hpp"
@@ -30,22 +31,9 @@ std::size_t utf8_length(std::string_view text) {
 namespace {
 
 std::string escaped(char c) {
-    switch (c) {
-        case '"':
-            return "\\\"";
-        case '\\':
-            return "\\\\";
-        case '\n':
-            return "\\n";
-        case '\r':
-            return "\\r";
-        case '\t':
-            return "\\t";
-        default:
-            break;
-    }
-    if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) return fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    return {c};
+    if (c == '"' || c == '\\') return {'\\', c};
+    if (const auto letter = letter_of_control(c)) return {'\\', *letter};
+    return is_control(c) ? fmt::format("\\u{:04x}", static_cast<unsigned>(c)) : std::string{c};
 }
 
 std::string_view severity_name(Severity severity) {
@@ -107,13 +95,14 @@ std::string json_string(std::string_view text) {
     return out + "\"";
 }
 
-std::string render_json(const SourceManager& sources, const Diagnostics& diagnostics) {
+std::string render_json(const SourceManager& sources, const Diagnostics& diagnostics, std::string_view limit) {
     const auto items =
         json_array(diagnostics.sorted(), [&](const Diagnostic& d) { return json_diagnostic(sources, d); });
     return fmt::format(
-        R"({{"schema":"robochart-verify/diagnostics/1","errors":{},"warnings":{},"dropped":{},"diagnostics":{}}})"
+        R"({{"schema":"robochart-verify/diagnostics/1","errors":{},"warnings":{},"dropped":{},{}"diagnostics":{}}})"
         "\n",
-        diagnostics.errors(), diagnostics.warnings(), diagnostics.dropped(), items);
+        diagnostics.errors(), diagnostics.warnings(), diagnostics.dropped(),
+        limit.empty() ? "" : fmt::format(R"("limit":{},)", json_string(limit)), items);
 }
 
 }  // namespace robochart::diagnostics

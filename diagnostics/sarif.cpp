@@ -79,7 +79,20 @@ std::string described(const Rule* rule) {
 
 }  // namespace
 
-std::string render_sarif(const SourceManager& sources, const Diagnostics& diagnostics, std::string_view version) {
+namespace {
+
+/// SARIF 2.1.0, 3.20: a run that was cut short says so here; its results are not all.
+std::string invocations(std::string_view limit) {
+    if (limit.empty()) return {};
+    return fmt::format(
+        R"("invocations":[{{"executionSuccessful":false,"toolExecutionNotifications":[{{"level":"error","message":{}}}]}}],)",
+        text(limit));
+}
+
+}  // namespace
+
+std::string render_sarif(const SourceManager& sources, const Diagnostics& diagnostics, std::string_view version,
+                         std::string_view limit) {
     const std::vector<Diagnostic> findings = diagnostics.sorted();
     // Rows that share a code are one rule to the readers of SARIF: the first row by place describes it.
     std::vector<const Rule*> rules;
@@ -92,10 +105,10 @@ std::string render_sarif(const SourceManager& sources, const Diagnostics& diagno
     const std::string results = array(findings, [&](const Diagnostic& d) { return result(sources, d, index(d)); });
     return fmt::format(
         R"({{"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0","runs":[{{"tool":{{"driver":{{)"
-        R"("name":"robochart-verify","version":{},"rules":{}}}}},"columnKind":"unicodeCodePoints","results":{},)"
+        R"("name":"robochart-verify","version":{},"rules":{}}}}},{}"columnKind":"unicodeCodePoints","results":{},)"
         R"("properties":{{"errors":{},"warnings":{},"dropped":{}}}}}]}})"
         "\n",
-        json_string(version), array(rules, described), results, diagnostics.errors(), diagnostics.warnings(),
+        json_string(version), array(rules, described), invocations(limit), results, diagnostics.errors(), diagnostics.warnings(),
         diagnostics.dropped());
 }
 

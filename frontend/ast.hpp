@@ -469,8 +469,18 @@ struct CspBlock final {
 // ---------------------------------------------------------------- files
 
 /// A parsed `.rct` or `.assertions` file.
+/// The head of a part of an assertion file that is kept as text: nothing here evaluates it.
+struct KeptPart {
+    std::string form;     ///< the words that it begins with: `prob property`, `sleec assertion`, `defs`
+    std::string name;
+    Span span;            ///< of both
+    bool claims = false;  ///< it asks something of the model; else it defines something for those that do
+    bool probabilistic = true;  ///< else of another tool
+};
+
 struct File {
     diagnostics::SourceId source = diagnostics::SourceId::none;
+    std::string folder;     ///< that it lies in, from the root, with "/" at its end
     QualifiedName package;  ///< empty: unnamed package
     std::vector<Import> imports;
     std::vector<std::string> diagrams;
@@ -482,6 +492,7 @@ struct File {
     std::vector<Assertion> assertions;
     std::vector<CspBlock> csp_blocks;
     std::vector<std::string> verbatim;  ///< PRISM parts and others kept as text
+    std::vector<KeptPart> kept;         ///< what they are
     bool is_library = false;            ///< a toolkit that comes with the tool
     bool has_syntax_errors = false;     ///< parts may be missing; rules about absent things stay silent
     std::vector<std::string> lost_names;  ///< names in parts that were not understood

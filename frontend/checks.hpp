@@ -32,5 +32,7 @@ void check_unique(const Model& model, const Names& names, Diagnostics& out);
 void check_imports(const Model& model, const Names& names, Diagnostics& out);
 /// Assertions of one name in a file: RC-N03.
 void check_unique(const File& file, Diagnostics& out);
+/// Parts of an assertion file that nothing evaluates: RC-Q09, RC-Q10. (RC-P33 is the reader's.)
+void check_kept(const File& file, Diagnostics& out);
 
 }  // namespace robochart::frontend

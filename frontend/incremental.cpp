@@ -164,6 +164,7 @@ bool Resolution::State::must_begin_anew(const Model& model) const {
 void Resolution::State::resolve(Model& model, Diagnostics& out) {
     if (must_begin_anew(model)) forget();
     Diagnostics found;
+    found.within(out.budget());
     if (!many_ && run(model, found) && are_few(found)) {
         valid_ = true;
         report_again(found.sorted(), out);
@@ -206,6 +207,7 @@ bool Resolution::State::run(Model& model, Diagnostics& out) {
 bool Resolution::State::resolve_names(Model& model, const Names& names, const std::vector<File*>& files,
                                       Diagnostics& out) {
     Diagnostics found;
+    found.within(out.budget());
     Finder finder(names, found);
     Resolver resolver(model, finder);
     for (File* file : files) {
@@ -240,6 +242,7 @@ void Resolution::State::warn(const Model& model, const Names& names, Diagnostics
         if (!may_lint(*file, out)) continue;
         if (!known.warnings) {
             Diagnostics found;
+            found.within(out.budget());
             lint_file(*file, names, written_by_, found);
             known.warnings = found.sorted();
         }

@@ -24,7 +24,8 @@ public:
     void replace(std::unique_ptr<File>& place, std::unique_ptr<File> fresh);
     /// Files came to the model or left it: the next `resolve` begins anew.
     void forget();
-    /// Fills the model and reports what is wrong, as the function of this name does.
+    /// Fills the model and reports what is wrong, as the function of this name does. Where it is ended by the budget of
+    /// `out`, `forget` has to follow.
     void resolve(Model& model, diagnostics::Diagnostics& out);
     /// How many files the last `resolve` looked into for names and types.
     [[nodiscard]] std::size_t files_resolved() const;

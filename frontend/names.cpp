@@ -2,6 +2,7 @@
 #include "frontend/names.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "diagnostics/fixes.hpp"
@@ -41,6 +42,13 @@ void adopt_nodes(NodeContainer& container, const Declaration& parent) {
 }
 
 }  // namespace
+
+std::size_t nearness(const File& a, const File& b) {
+    if (&a == &b) return std::numeric_limits<std::size_t>::max();
+    if (a.is_library || b.is_library) return 0;
+    const auto apart = std::mismatch(a.folder.begin(), a.folder.end(), b.folder.begin(), b.folder.end());
+    return 1 + static_cast<std::size_t>(std::count(a.folder.begin(), apart.first, '/'));
+}
 
 Names::Names(const Model& model) {
     for (const auto& file : model.files) enter_file(*file);
@@ -109,16 +117,34 @@ void Names::enter_component(Component& component, const std::string& full) {
     for (auto& connection : component.connections) connection->parent = &component;
 }
 
-/// Of several with one name, the file's own comes first.
-const Declaration* Names::at(const std::string& full, const Kinds& kinds, const File* file) const {
-    const Declaration* first = nullptr;
-    for (const Declaration* declaration : all(full)) {
-        if (!kinds.has(declaration->kind)) continue;
-        const auto owner = files_.find(declaration->kind == DeclKind::enum_literal ? declaration->parent : declaration);
-        if (owner != files_.end() && owner->second == file) return declaration;
-        if (first == nullptr) first = declaration;
+const File* Names::file_of(const Declaration& declaration) const {
+    const auto owner = files_.find(declaration.kind == DeclKind::enum_literal ? declaration.parent : &declaration);
+    return owner != files_.end() ? owner->second : nullptr;
+}
+
+/// Does it stand in that declaration, at any depth? Any does where none is named.
+bool stands_inside(const Declaration* declaration, const Declaration* around) {
+    while (declaration != nullptr && declaration != around) declaration = declaration->parent;
+    return declaration == around;
+}
+
+/// Of several with one name that of the nearest file; of equally near ones the first. `inside`: only what is inside it,
+/// and not in another declaration of its name.
+const Declaration* Names::at(const std::string& full, const Kinds& kinds, const File* file,
+                             const Declaration* inside) const {
+    const Declaration* best = nullptr;
+    std::size_t near = 0;
+    const std::vector<const Declaration*>& declared = all(full);
+    for (const Declaration* declaration : declared) {
+        if (!kinds.has(declaration->kind) || !stands_inside(declaration, inside)) continue;
+        const File* const owner = declared.size() > 1 && file != nullptr ? file_of(*declaration) : nullptr;
+        const std::size_t how_near = owner != nullptr ? nearness(*file, *owner) : 0;
+        if (best == nullptr || how_near > near) {
+            best = declaration;
+            near = how_near;
+        }
     }
-    return first;
+    return best;
 }
 
 const std::vector<const Declaration*>& Names::all(const std::string& full_name) const {
@@ -131,9 +157,12 @@ const Declaration* Names::find(const Place& place, const QualifiedName& name, co
     if (name.empty()) return nullptr;
     const std::string text = name.text();
     for (const Declaration* around = place.inside; around != nullptr; around = around->parent)
-        if (const Declaration* found = at(qualified(full_name(around), text), kinds, place.file)) return found;
+        if (const Declaration* found = at(qualified(full_name(around), text), kinds, place.file, around)) return found;
     if (place.file != nullptr) {
-        if (const Declaration* found = at(qualified(place.file->package.text(), text), kinds, place.file)) return found;
+        const Declaration* const own = at(qualified(place.file->package.text(), text), kinds, place.file);
+        // Files of no package that lie elsewhere may be another project's: what is imported from nearby goes first.
+        if (own != nullptr && !place.file->package.empty()) return own;
+        const std::size_t near = own == nullptr ? 0 : nearness(*place.file, *file_of(*own));
         for (const Import& import : place.file->imports) {
             const bool names_it = !import.wildcard && import.name.parts.back() == name.parts.front();
             const std::string prefix = import.name.text();
@@ -141,8 +170,10 @@ const Declaration* Names::find(const Place& place, const QualifiedName& name, co
                                      : names_it      ? prefix + text.substr(name.parts.front().size())
                                                      : std::string();
             if (full.empty()) continue;
-            if (const Declaration* found = at(full, kinds, place.file)) return found;
+            const Declaration* const found = at(full, kinds, place.file);
+            if (found != nullptr && (own == nullptr || nearness(*place.file, *file_of(*found)) > near)) return found;
         }
+        if (own != nullptr) return own;
     }
     return at(text, kinds, place.file);
 }

@@ -31,6 +31,9 @@ struct Place {
     const Declaration* inside = nullptr;
 };
 
+/// How near two files are: all for a file itself, else the folders that both lie in; toolkits are farther than any file.
+[[nodiscard]] std::size_t nearness(const File& a, const File& b);
+
 /// All names declared at package level or inside components, by their full name `P::C::S`.
 class Names {
 public:
@@ -38,7 +41,8 @@ public:
     explicit Names(const Model& model);
 
     /// What a name stands for at a place: the enclosing declarations, the package, its imports, unnamed packages.
-    /// Null if there is nothing of these kinds.
+    /// Null if there is nothing of these kinds. Of several declarations of one name that of the nearest file is meant
+    /// (`nearness`): projects that lie side by side may use the same names.
     [[nodiscard]] const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds) const;
     /// All declarations entered under a full name.
     [[nodiscard]] const std::vector<const Declaration*>& all(const std::string& full_name) const;
@@ -70,7 +74,9 @@ private:
     void enter(Declaration& declaration, const Declaration* parent, const std::string& prefix);
     void enter_type(TypeDeclaration& type, const std::string& prefix);
     void enter_component(Component& component, const std::string& full);
-    [[nodiscard]] const Declaration* at(const std::string& full, const Kinds& kinds, const File* file) const;
+    [[nodiscard]] const Declaration* at(const std::string& full, const Kinds& kinds, const File* file,
+                                        const Declaration* inside = nullptr) const;
+    [[nodiscard]] const File* file_of(const Declaration& declaration) const;
 
     std::map<std::string, std::vector<const Declaration*>> by_name_;
     std::map<std::string, std::vector<const Declaration*>, std::less<>> by_simple_name_;

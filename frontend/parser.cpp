@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "frontend/names.hpp"
 #include "frontend/project.hpp"
@@ -421,9 +422,23 @@ std::unique_ptr<File> Parser::file() {
     return result;
 }
 
+namespace {
+
+/// Of a display path, which may be relative.
+std::string folder_of(const std::string& path) {
+    std::error_code code;
+    const std::filesystem::path absolute = std::filesystem::absolute(path, code);
+    const std::string folder = (code ? std::filesystem::path(path) : absolute).lexically_normal().parent_path().string();
+    return folder.ends_with("/") ? folder : folder + "/";
+}
+
+}  // namespace
+
 std::unique_ptr<File> parse(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions,
                             diagnostics::Diagnostics& out) {
-    return Parser(sources, source, is_assertions, out).file();
+    std::unique_ptr<File> file = Parser(sources, source, is_assertions, out).file();
+    file->folder = folder_of(sources.path(source));
+    return file;
 }
 
 }  // namespace robochart::frontend

@@ -243,6 +243,7 @@ private:
     void hyphenated_word(std::string_view first, std::string_view second);
     [[nodiscard]] bool at_foreign_assertion() const;
     void foreign_assertion(File& file);
+    [[nodiscard]] KeptPart kept_part() const;
     [[nodiscard]] bool at_assertion_member() const;
     [[nodiscard]] bool at_property_word() const;
 

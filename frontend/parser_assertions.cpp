@@ -52,6 +52,7 @@ void Parser::foreign_assertion(File& file) {
     advance();
     advance();
     const std::string name(peek().text);
+    file.kept.push_back({word + " assertion", name, diagnostics::join(begin, peek().span), true, false});
     while (!at_end() && !at_assertion_member()) advance();
     const Span span = since(begin);
     report(syntax::foreign_assertion, {begin.source, begin.begin, span.end}, {name, word});
@@ -91,10 +92,32 @@ void Parser::assertion_member(File& file) {
     while (!at_end() && !at_assertion_member()) advance();
 }
 
+/// `prob property P`, `prob generate path P`, `defs D`: how a part that is kept as text begins. Of a name in parts, as
+/// `instantiate P::T`, the whole.
+KeptPart Parser::kept_part() const {
+    KeptPart part{std::string(peek().text), {}, peek().span, at_word("prob"), true};
+    std::size_t at = 1;
+    const auto take = [&](std::string& to) {
+        to += peek(at).text;
+        part.span = diagnostics::join(part.span, peek(at).span);
+        ++at;
+    };
+    const bool generates = at_word("generate", 1);
+    if (part.claims) take(part.form += " ");
+    if (generates && at_word("path", at)) take(part.form += " ");
+    if (peek(at).kind == TokenKind::identifier || peek(at).kind == TokenKind::string) take(part.name);
+    while (peek(at).is("::") && peek(at + 1).kind == TokenKind::identifier) {
+        take(part.name);
+        take(part.name);
+    }
+    return part;
+}
+
 /// A PRISM part: up to the next member.
 void Parser::verbatim(File& file) {
     const Span begin = peek().span;
     const bool rewards = at_word("rewards");
+    file.kept.push_back(kept_part());
     advance();
     while (!at_end() && (rewards ? !at_word("endrewards") : !at_assertion_member())) advance();
     if (rewards) accept_word("endrewards");

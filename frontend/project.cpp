@@ -179,10 +179,13 @@ void update_toolkits(SourceManager& sources, Model& model, Diagnostics& out) {
     add_toolkits(sources, model, out);
 }
 
-std::unique_ptr<Model> load_files(SourceManager& sources, const std::vector<std::string>& paths, Diagnostics& out) {
+std::unique_ptr<Model> load_texts(SourceManager& sources, const std::vector<diagnostics::SourceId>& texts,
+                                  Diagnostics& out) {
     auto model = std::make_unique<Model>();
-    for (const std::string& each : paths)
-        if (auto file = read(sources, each, out)) model->files.push_back(std::move(file));
+    for (const diagnostics::SourceId text : texts) {
+        model->files.push_back(parse(sources, text, is_assertions(sources.path(text)), out));
+        report_empty(*model->files.back(), sources, out);
+    }
     add_toolkits(sources, *model, out);
     resolve(*model, out);
     return model;

@@ -38,8 +38,9 @@ void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnosti
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::vector<std::string>& paths,
                                                   diagnostics::Diagnostics&);
 
-/// The same for these files and no others.
-[[nodiscard]] std::unique_ptr<Model> load_files(diagnostics::SourceManager&, const std::vector<std::string>& paths,
+/// The same for files whose texts are known already, and no others.
+[[nodiscard]] std::unique_ptr<Model> load_texts(diagnostics::SourceManager&,
+                                                const std::vector<diagnostics::SourceId>& texts,
                                                 diagnostics::Diagnostics&);
 
 /// The model as indented text, one node a line, for `--print ast` (before) and `--print model` (after resolution:

@@ -8,6 +8,7 @@
 #include "frontend/project.hpp"
 #include "frontend/reset.hpp"
 #include "frontend/resolver.hpp"
+#include "frontend/rules.hpp"
 
 namespace robochart::frontend {
 
@@ -42,6 +43,14 @@ void check(const Declaration& declaration, bool whole, Diagnostics& out) {
 
 }  // namespace
 
+void check_kept(const File& file, Diagnostics& out) {
+    for (const KeptPart& part : file.kept) {
+        if (!part.probabilistic) continue;
+        if (part.claims) out.report(rules::probabilistic_claim, part.span, {part.name, part.form});
+        else out.report(rules::probabilistic_part, part.span, {part.form + (part.name.empty() ? "" : " " + part.name)});
+    }
+}
+
 void check(const Model& model, const Names& names, Diagnostics& out) {
     check_unique(model, names, out);
     check_imports(model, names, out);
@@ -49,6 +58,7 @@ void check(const Model& model, const Names& names, Diagnostics& out) {
         std::none_of(model.files.begin(), model.files.end(), [](const auto& file) { return file->has_syntax_errors; });
     for (const auto& file : model.files) {
         check_unique(*file, out);
+        check_kept(*file, out);
         for (const auto& declaration : file->declarations) check(*declaration, whole, out);
     }
 }

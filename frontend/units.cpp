@@ -6,7 +6,9 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 
+#include "frontend/names.hpp"
 #include "frontend/occurrences.hpp"
 
 namespace robochart::frontend {
@@ -34,13 +36,14 @@ bool in_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The words in front of `::`.
+/// The words in front of `::` that begin a name: what is behind one is inside it.
 std::set<std::string> first_parts(const std::string& text) {
     std::set<std::string> result;
     for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::", at + 2)) {
         std::size_t begin = at;
         while (begin > 0 && in_name(text[begin - 1])) --begin;
-        if (begin < at) result.insert(text.substr(begin, at - begin));
+        const bool inside = begin >= 2 && text.compare(begin - 2, 2, "::") == 0;
+        if (begin < at && !inside) result.insert(text.substr(begin, at - begin));
     }
     return result;
 }
@@ -58,17 +61,20 @@ public:
             if (file.is_library) continue;
             files_[file.source] = i;
             if (!file.package.empty()) packages_[file.package.text()].push_back(i);
-            for (const auto& declaration : file.declarations) declared_[declaration->name].push_back(i);
+            for (const auto& declaration : file.declarations) {
+                named_[declaration->name].push_back(i);
+                declared_[key(file, *declaration)].push_back(i);
+            }
         }
     }
 
     std::vector<std::vector<std::size_t>> find() {
-        for (const auto& [name, files] : packages_)
-            for (const std::size_t file : files) tie(files.front(), file);
+        for (const auto& [name, files] : packages_) same_package(files);
         references();
         for (const auto& [source, i] : files_) {
             imports(i);
             blocks(i);
+            broken(i);
         }
         loose_assertions();
         std::map<std::size_t, std::vector<std::size_t>> result;
@@ -80,6 +86,20 @@ public:
     }
 
 private:
+    /// What names a declaration of a package: things of other kinds may be called the same.
+    using Key = std::tuple<std::string, std::string, DeclKind>;
+    static Key key(const File& file, const Declaration& declaration) {
+        return {file.package.text(), std::string(declaration.name), declaration.kind};
+    }
+
+    /// To those of the files that are nearest: which of them is meant cannot be told.
+    void tie_nearest(std::size_t file, const std::vector<std::size_t>& others) {
+        std::size_t near = 0;
+        for (const std::size_t other : others) near = std::max(near, nearness(*model_.files[file], *model_.files[other]));
+        for (const std::size_t other : others)
+            if (nearness(*model_.files[file], *model_.files[other]) == near) tie(file, other);
+    }
+
     void tie(std::size_t a, std::size_t b) {
         if (a == b) return;
         groups_.join(a, b);
@@ -87,12 +107,28 @@ private:
         tied_.insert(b);
     }
 
+    /// Those in one folder, and in one above another.
+    void same_package(const std::vector<std::size_t>& files) {
+        std::map<std::string, std::size_t, std::less<>> first;  // by folder
+        for (const std::size_t file : files) first.emplace(model_.files[file]->folder, file);
+        for (const std::size_t file : files) {
+            const std::string_view folder = model_.files[file]->folder;
+            for (std::size_t end = folder.find('/'); end != std::string_view::npos; end = folder.find('/', end + 1))
+                if (const auto above = first.find(folder.substr(0, end + 1)); above != first.end()) tie(file, above->second);
+        }
+    }
+
     void references() {
         for (const Occurrence& occurrence : occurrences(model_)) {
             if (occurrence.target == nullptr || occurrence.declares) continue;
             const auto from = files_.find(occurrence.span.source);
             const auto to = files_.find(occurrence.target->span.source);
-            if (from != files_.end() && to != files_.end()) tie(from->second, to->second);
+            if (from == files_.end() || to == files_.end() || from == to) continue;
+            const Declaration* outermost = occurrence.target;
+            while (outermost->parent != nullptr) outermost = outermost->parent;
+            const auto declared = declared_.find(key(*model_.files[to->second], *outermost));
+            tie(from->second, to->second);
+            if (declared != declared_.end() && declared->second.size() > 1) tie_nearest(from->second, declared->second);
         }
     }
 
@@ -101,7 +137,7 @@ private:
             QualifiedName package = import.name;
             for (; !package.empty(); package.parts.pop_back())
                 if (const auto found = packages_.find(package.text()); found != packages_.end()) {
-                    tie(file, found->second.front());
+                    tie_nearest(file, found->second);
                     break;
                 }
         }
@@ -111,23 +147,38 @@ private:
     void blocks(std::size_t file) {
         for (const CspBlock& block : model_.files[file]->csp_blocks)
             for (const std::string& name : first_parts(block.text)) {
-                if (const auto found = declared_.find(name); found != declared_.end())
-                    for (const std::size_t other : found->second) tie(file, other);
+                if (const auto found = named_.find(name); found != named_.end()) tie_nearest(file, found->second);
                 for (const auto& [package, files] : packages_)
-                    if (flattened(package) == name) tie(file, files.front());
+                    if (flattened(package) == name) tie_nearest(file, files);
             }
+    }
+
+    /// What was not understood may be what others beside it need.
+    void broken(std::size_t file) {
+        if (!model_.files[file]->has_syntax_errors) return;
+        std::vector<std::size_t> others;
+        for (const auto& [source, i] : files_)
+            if (i != file) others.push_back(i);
+        tie_nearest(file, others);
     }
 
     void loose_assertions() {
         for (const auto& [source, i] : files_)
-            if (model_.files[i]->is_assertions && !tied_.contains(i))
-                for (const auto& [other, k] : files_) groups_.join(i, k);
+            if (model_.files[i]->is_assertions && !tied_.contains(i)) tie_loose(i);
+    }
+
+    void tie_loose(std::size_t file) {
+        std::vector<std::size_t> models;
+        for (const auto& [source, i] : files_)
+            if (!model_.files[i]->is_assertions) models.push_back(i);
+        tie_nearest(file, models);
     }
 
     const Model& model_;
     Groups groups_;
     std::map<diagnostics::SourceId, std::size_t> files_;
-    std::map<std::string, std::vector<std::size_t>> packages_, declared_;
+    std::map<std::string, std::vector<std::size_t>> packages_, named_;
+    std::map<Key, std::vector<std::size_t>> declared_;
     std::set<std::size_t> tied_;
 };
 
@@ -172,9 +223,13 @@ void split(const Model& model, const std::vector<std::size_t>& group, std::vecto
 
 }  // namespace
 
+std::vector<std::vector<std::size_t>> groups(const Model& model) {
+    return Units(model).find();
+}
+
 std::vector<Unit> units(const Model& model) {
     std::vector<Unit> result;
-    for (const std::vector<std::size_t>& group : Units(model).find()) split(model, group, result);
+    for (const std::vector<std::size_t>& group : groups(model)) split(model, group, result);
     return result;
 }
 

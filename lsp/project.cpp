@@ -99,6 +99,7 @@ void Project::drop(Document& document) {
 /// The new tree takes the old one's place; files are in the order of their paths, as when a project is loaded.
 void Project::parse(Document& document) {
     document.findings = {};
+    document.findings.within(budget_);
     auto tree = frontend::parse(sources_, document.source, document.is_assertions, document.findings);
     frontend::File* made = tree.get();
     const auto old = std::find_if(model_.files.begin(), model_.files.end(),
@@ -122,8 +123,14 @@ void Project::update() {
     for (const auto& [path, document] : documents_)
         if (document->stale) parse(*document);
     findings_ = {};
+    findings_.within(budget_);
     frontend::update_toolkits(sources_, model_, findings_);
-    resolution_.resolve(model_, findings_);
+    try {
+        resolution_.resolve(model_, findings_);
+    } catch (const diagnostics::LimitReached&) {
+        resolution_.forget();
+        throw;
+    }
     current_ = true;
     news_ = true;
 }

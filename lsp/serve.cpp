@@ -1,5 +1,5 @@
-// The loop over streams. One thread reads, so that a cancellation is seen before the request that it cancels is begun,
-// and so that diagnostics wait while the editor is still sending.
+// The loop over streams. One thread reads, so that a cancellation is seen before the request that it cancels is begun or
+// while it is worked on, and so that diagnostics wait while the editor is still sending.
 #include <condition_variable>
 #include <istream>
 #include <mutex>
@@ -13,41 +13,55 @@ namespace robochart::lsp {
 
 namespace {
 
-/// Frames on their way from the reading thread.
+/// What has come, taken apart by the reading thread: an end, or a message or what was wrong with it.
+struct Arrival {
+    bool end = false;
+    Json message;
+    std::string fault;
+};
+
+/// Arrivals on their way from the reading thread.
 class Inbox {
 public:
-    void put(Frame frame) {
+    void put(Arrival arrival) {
         const std::lock_guard lock(mutex_);
-        frames_.push_back(std::move(frame));
+        arrivals_.push_back(std::move(arrival));
         filled_.notify_one();
     }
     /// Everything there is; waits for something if `wait`.
-    std::deque<Frame> take(bool wait) {
+    std::deque<Arrival> take(bool wait) {
         std::unique_lock lock(mutex_);
-        if (wait) filled_.wait(lock, [this] { return !frames_.empty(); });
-        return std::exchange(frames_, {});
+        if (wait) filled_.wait(lock, [this] { return !arrivals_.empty(); });
+        return std::exchange(arrivals_, {});
     }
 
 private:
     std::mutex mutex_;
     std::condition_variable filled_;
-    std::deque<Frame> frames_;
+    std::deque<Arrival> arrivals_;
 };
 
-/// `exit` is the last message: reading behind it could wait for ever.
-bool is_exit(const Frame& frame) {
-    if (frame.kind != Frame::Kind::message || frame.text.find("\"exit\"") == std::string::npos) return false;
-    std::string error;
-    const Json message = read_json(frame.text, error);
-    return message["method"].text() == "exit" && !message.has("id");
+Arrival arrival_of(Frame frame) {
+    Arrival arrival;
+    arrival.end = frame.kind == Frame::Kind::end;
+    if (frame.kind == Frame::Kind::fault) arrival.fault = std::move(frame.text);
+    if (frame.kind == Frame::Kind::message) arrival.message = read_json(frame.text, arrival.fault);
+    return arrival;
 }
 
-void read_all(std::istream& in, Inbox& inbox) {
+/// `exit` is the last message: reading behind it could wait for ever.
+bool is_exit(const Arrival& arrival) {
+    return arrival.fault.empty() && arrival.message["method"].text() == "exit" && !arrival.message.has("id");
+}
+
+void read_all(std::istream& in, Inbox& inbox, Interruption& interruption) {
     FrameReader reader(in);
     while (true) {
-        Frame frame = reader.next();
-        const bool last = frame.kind == Frame::Kind::end || is_exit(frame);
-        inbox.put(std::move(frame));
+        Arrival arrival = arrival_of(reader.next());
+        if (arrival.end) interruption.input_ended();
+        else if (arrival.fault.empty()) interruption.arrived(arrival.message);
+        const bool last = arrival.end || is_exit(arrival);
+        inbox.put(std::move(arrival));
         if (last) return;
     }
 }
@@ -57,13 +71,12 @@ void read_all(std::istream& in, Inbox& inbox) {
 int serve(std::istream& in, std::ostream& out) {
     Server server([&out](const std::string& text) { write_frame(out, text); });
     Inbox inbox;
-    std::thread reader([&] { read_all(in, inbox); });
+    std::thread reader([&] { read_all(in, inbox, server.interruption()); });
     bool ended = false;
     const auto receive = [&](bool wait) {
-        for (Frame& frame : inbox.take(wait)) {
-            if (frame.kind == Frame::Kind::message) server.receive(std::move(frame.text));
-            if (frame.kind == Frame::Kind::fault) server.receive_fault(frame.text);
-            ended = ended || frame.kind == Frame::Kind::end;
+        for (Arrival& arrival : inbox.take(wait)) {
+            ended = ended || arrival.end;
+            if (!arrival.end) server.receive(std::move(arrival.message), std::move(arrival.fault));
         }
     };
     while (!server.exit_code() && (!ended || server.has_work())) {

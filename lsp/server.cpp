@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "lsp/capabilities.hpp"
 #include "lsp/documents.hpp"
@@ -60,20 +61,27 @@ bool is_id(const Json& id) {
     return id.is_text() || id.is_number();
 }
 
+diagnostics::Limits limits_of(const Interruption& interruption) {
+    diagnostics::Limits limits;
+    limits.memory_bytes = std::numeric_limits<std::uint64_t>::max();
+    limits.interrupted = [&interruption] { return interruption.reason() != Interruption::Reason::none; };
+    return limits;
+}
+
 }  // namespace
 
-Server::Server(std::function<void(const std::string&)> send) {
+Server::Server(std::function<void(const std::string&)> send) : budget_(limits_of(interruption_)), session_(&budget_) {
     session_.send = [send = std::move(send)](const Json& message) { send(message.write()); };
 }
 
-void Server::receive(std::string text) {
-    Message message;
-    message.json = read_json(text, message.fault);
-    queue_.push_back(std::move(message));
+void Server::receive(const std::string& text) {
+    std::string fault;
+    Json message = read_json(text, fault);
+    receive(std::move(message), std::move(fault));
 }
 
-void Server::receive_fault(const std::string& what) {
-    queue_.push_back({nullptr, what});
+void Server::receive(Json message, std::string fault) {
+    queue_.push_back({std::move(message), std::move(fault)});
 }
 
 void Server::step() {
@@ -81,13 +89,17 @@ void Server::step() {
     queue_.pop_front();
     if (exit_code_) return;
     if (!message.fault.empty()) return fail(nullptr, ErrorCode::parse_error, message.fault);
+    interruption_.handled(message.json);
     handle(message.json);
 }
 
 void Server::idle() {
     if (phase_ != Phase::running || exit_code_) return;
+    const Interruption::Work work(interruption_, nullptr);
     try {
         publish(session_);
+    } catch (const diagnostics::LimitReached&) {
+        // What is newer comes first; then it is tried again.
     } catch (const std::exception& error) {
         log("diagnostics", error.what());
     }
@@ -103,7 +115,7 @@ void Server::handle(const Json& message) {
 }
 
 bool Server::is_cancelled(const Json& id) const {
-    return std::any_of(queue_.begin(), queue_.end(), [&](const Message& m) {
+    return interruption_.is_cancelled(id) || std::any_of(queue_.begin(), queue_.end(), [&](const Message& m) {
         return m.json["method"].text() == "$/cancelRequest" && m.json["params"]["id"] == id;
     });
 }
@@ -111,14 +123,24 @@ bool Server::is_cancelled(const Json& id) const {
 void Server::request(const Json& message) {
     const Json& id = message["id"];
     if (!is_id(id)) return fail(nullptr, ErrorCode::invalid_request, "an id must be a number or a string");
-    if (is_cancelled(id)) return fail(id, ErrorCode::request_cancelled, "cancelled");
+    // The way out is always open.
+    if (message["method"].text() != "shutdown" && is_cancelled(id)) return fail(id, ErrorCode::request_cancelled, "cancelled");
+    const Interruption::Work work(interruption_, id);
     try {
         respond(id, answer(message["method"].text(), message["params"]));
+    } catch (const diagnostics::LimitReached&) {
+        ended_early(id);
     } catch (const Refusal& refusal) {
         fail(id, refusal.code(), refusal.what());
     } catch (const std::exception& error) {
         fail(id, ErrorCode::internal_error, fmt::format("a fault of this program: {}", error.what()));
     }
+}
+
+void Server::ended_early(const Json& id) {
+    if (interruption_.reason() == Interruption::Reason::modified)
+        return fail(id, ErrorCode::content_modified, "the text has changed meanwhile");
+    fail(id, ErrorCode::request_cancelled, "cancelled");
 }
 
 Json Server::answer(const std::string& method, const Json& params) {

@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "diagnostics/budget.hpp"
+#include "lsp/interruption.hpp"
 #include "lsp/session.hpp"
 
 namespace robochart::lsp {
@@ -17,10 +19,12 @@ public:
     /// `send` takes each message to the editor, as JSON text.
     explicit Server(std::function<void(const std::string&)> send);
 
+    /// What the reading thread tells while the server works.
+    [[nodiscard]] Interruption& interruption() { return interruption_; }
     /// Puts a message into the queue.
-    void receive(std::string text);
-    /// Puts a fault of the stream into the queue: it is answered with a parse error.
-    void receive_fault(const std::string& what);
+    void receive(const std::string& text);
+    /// The same for one that was read already. With a fault, which is answered with a parse error, there is none.
+    void receive(Json message, std::string fault);
     /// Handles the first message of the queue. A request that the queue also cancels is not begun.
     void step();
     [[nodiscard]] bool has_work() const { return !queue_.empty(); }
@@ -43,10 +47,13 @@ private:
     [[nodiscard]] Json answer(const std::string& method, const Json& params);
     [[nodiscard]] Json initialize(const Json& params);
     [[nodiscard]] bool is_cancelled(const Json& id) const;
+    void ended_early(const Json& id);
     void log(const std::string& where, const char* what);
     void respond(const Json& id, Json result);
     void fail(const Json& id, ErrorCode code, const std::string& why);
 
+    Interruption interruption_;
+    diagnostics::Budget budget_;  ///< ends what `interruption_` says should end
     Session session_;
     std::deque<Message> queue_;
     Phase phase_ = Phase::fresh;

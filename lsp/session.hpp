@@ -19,6 +19,7 @@ enum class ErrorCode {
     internal_error = -32603,
     not_initialized = -32002,
     request_cancelled = -32800,
+    content_modified = -32801,
     request_failed = -32803,
 };
 
@@ -43,6 +44,8 @@ struct Client {
 };
 
 struct Session {
+    explicit Session(diagnostics::Budget* budget = nullptr) : workspace(budget) {}
+
     Workspace workspace;
     Client client;
     std::function<void(const Json&)> send;  ///< messages to the editor

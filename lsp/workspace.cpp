@@ -84,7 +84,7 @@ std::string Workspace::root_of(const std::string& path) const {
 Project& Workspace::project_at(const std::string& root) {
     for (const auto& project : projects_)
         if (project->folder() == root && !root.empty()) return *project;
-    projects_.push_back(std::make_unique<Project>(root));
+    projects_.push_back(std::make_unique<Project>(root, budget_));
     return *projects_.back();
 }
 

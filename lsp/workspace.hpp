@@ -39,8 +39,10 @@ struct Document {
 /// touch is resolved anew.
 class Project {
 public:
-    /// An empty folder name stands for texts without a place on disk.
-    explicit Project(std::string folder) : folder_(std::move(folder)) {}
+    /// An empty folder name stands for texts without a place on disk. What brings the model up to date polls the budget,
+    /// if there is one; ended by it, it begins anew when it is asked again.
+    explicit Project(std::string folder, diagnostics::Budget* budget = nullptr)
+        : folder_(std::move(folder)), budget_(budget) {}
 
     [[nodiscard]] const std::string& folder() const { return folder_; }
     [[nodiscard]] Document* find(const std::string& path);
@@ -78,6 +80,7 @@ private:
     void update();
 
     std::string folder_;
+    diagnostics::Budget* budget_;
     SourceManager sources_;
     std::map<std::string, std::unique_ptr<Document>> documents_;
     std::map<std::string, SourceId> ids_;  ///< of every path ever seen
@@ -92,6 +95,8 @@ private:
 /// All projects.
 class Workspace {
 public:
+    explicit Workspace(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
+
     void add_folder(const std::string& path);
     void remove_folder(const std::string& path);
 
@@ -116,6 +121,7 @@ private:
     void rebuild();
     void disown(const Project& project);
 
+    diagnostics::Budget* budget_;
     std::vector<std::string> folders_;
     std::vector<std::unique_ptr<Project>> projects_;
     std::vector<std::string> orphans_;

@@ -27,6 +27,7 @@ Code& Resolver::new_code(const Expr& expr) {
 }
 
 const Code* Resolver::compile(const ExprPtr& expr) {
+    if (poll_) poll_();
     switch (expr->kind) {
         case ExprKind::parenthesised:
             return compile(expr->args[0]);

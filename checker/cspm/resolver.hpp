@@ -18,6 +18,8 @@ class Resolver {
 public:
     Resolver(Program& program, ValueStore& store);
 
+    /// Called now and then while a script is compiled; may throw.
+    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
     /// Declares and compiles a script's declarations.
     void script(const Script& script);
     /// Compiles an expression in the script's global scope; `place` (an assertion of the script) gives the scope
@@ -129,6 +131,7 @@ private:
     std::deque<Scope> scopes_;
     std::deque<Module> modules_;
     std::deque<std::function<void()>> jobs_;
+    std::function<void()> poll_;
     std::map<const Decl*, Place> places_;
     Scope* global_ = nullptr;
     Scope* scope_ = nullptr;

@@ -13,6 +13,7 @@
 #include "checker/cspm/unread_parameters.hpp"
 #include "checker/lts/term_system.hpp"
 #include "checker/machine/compiler.hpp"
+#include "checker/machine/not_compiled.hpp"
 #include "checker/process/operational_semantics.hpp"
 #include "checker/refine/budget.hpp"
 
@@ -78,7 +79,7 @@ void negate(refine::Verdict& verdict) {
 }  // namespace
 
 struct Session::Impl {
-    explicit Impl(Script given)
+    Impl(Script given, diagnostics::Budget* budget)
         : script(std::move(given)),
           terms(events),
           semantics(terms, &compressor),
@@ -86,10 +87,12 @@ struct Session::Impl {
           resolver(program, store),
           evaluator(program, store, events, terms) {
         compressor.use(compiler);
+        if (budget != nullptr) resolver.watch([budget] { budget->poll(); });
         on_deep_stack([this] {
             resolver.script(script);
             find_unread_parameters(program);
         });
+        resolver.watch({});
     }
 
     struct Ready {
@@ -167,6 +170,15 @@ struct Session::Impl {
         progress.states = stage.states;
     }
 
+    /// While something is compiled. A component with more states than the check may have is not compiled: it runs as a
+    /// term, of which only those states count that the whole reaches.
+    std::function<void()> polling_within(refine::Budget& budget, const refine::Limits& limits) const {
+        return [this, &budget, most = limits.max_states] {
+            budget.charge();
+            if (compiler.stage().states > most) throw machine::NotCompiled("a component has too many states");
+        };
+    }
+
     struct Sides {
         std::unique_ptr<lts::TransitionSystem> first, second;  ///< second: only of a refinement
     };
@@ -175,7 +187,7 @@ struct Session::Impl {
         refine::Budget budget(limits, refine::Progress::Phase::compiling);
         budget.report_by([this](refine::Progress& progress) { tell_stage(progress); });
         const Polling polling(*this, budget);
-        const auto poll = [&budget] { budget.charge(); };
+        const std::function<void()> poll = polling_within(budget, limits);
         Sides result;
         result.first = side(assertion.assertion.specification, assertion, poll);
         if (assertion.assertion.kind == AssertionKind::refinement)
@@ -233,7 +245,7 @@ struct Session::Impl {
     Evaluator evaluator;
 };
 
-Session::Session(Script script) : impl_(std::make_unique<Impl>(std::move(script))) {}
+Session::Session(Script script, diagnostics::Budget* budget) : impl_(std::make_unique<Impl>(std::move(script), budget)) {}
 Session::~Session() = default;
 
 const Script& Session::script() const {
@@ -313,7 +325,7 @@ std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr, cons
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
     budget.report_by([this](refine::Progress& progress) { impl_->tell_stage(progress); });
     const Impl::Polling polling(*impl_, budget);
-    return impl_->system(process(expr), expr->span, [&budget] { budget.charge(); });
+    return impl_->system(process(expr), expr->span, impl_->polling_within(budget, limits));
 }
 
 process::EventSet Session::events(const ExprPtr& expr) {

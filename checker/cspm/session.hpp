@@ -28,7 +28,8 @@ struct AssertionResult {
 /// One loaded script with its events, terms and definitions. Not thread-safe.
 class Session {
 public:
-    explicit Session(Script script);
+    /// The budget is polled while the script is made ready: instances of modules copy what they are made of.
+    explicit Session(Script script, diagnostics::Budget* budget = nullptr);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;

@@ -193,6 +193,7 @@ ComponentPtr Compiler::region(TermId term, const std::function<void()>& poll) {
 
 std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std::function<void()>& poll) {
     process::TermStore& terms = semantics_.terms();
+    stage_ = {};
     try {
         std::optional<Skeleton> skeleton = skeleton_of(terms, term, {}, poll);
         if (!skeleton) return nullptr;

@@ -124,6 +124,18 @@ TemporaryFile::TemporaryFile(const std::string& name, const std::string& text)
     std::ofstream(path_, std::ios::binary) << text;
 }
 
+Folder::Folder(const std::vector<std::pair<std::string, std::string>>& files) : path_(fresh_folder()) {
+    for (const auto& [name, text] : files) {
+        fs::create_directories(fs::path(path(name)).parent_path());
+        std::ofstream(path(name), std::ios::binary) << text;
+    }
+}
+
+Folder::~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
 TemporaryFile::~TemporaryFile() {
     fs::remove_all(folder_);
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace robochart::app::testing {
@@ -35,6 +36,21 @@ public:
 
 private:
     std::string folder_;
+    std::string path_;
+};
+
+/// A fresh temporary folder that lives as long as the object, with these files in it.
+class Folder {
+public:
+    explicit Folder(const std::vector<std::pair<std::string, std::string>>& files = {});
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    /// Of a file in it, which need not exist; "" for the folder itself.
+    [[nodiscard]] std::string path(const std::string& name = "") const { return name.empty() ? path_ : path_ + "/" + name; }
+    [[nodiscard]] std::string operator/(const std::string& name) const { return path(name); }
+
+private:
     std::string path_;
 };
 

@@ -13,37 +13,31 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using testing::Folder;
 using testing::repository;
 using testing::run;
 using testing::TemporaryFile;
 
-/// A folder that is gone with the object.
-struct Folder {
-    Folder() : marker("marker", ""), path(fs::path(marker.path()).parent_path().string() + "/out") {}
-    TemporaryFile marker;
-    std::string path;
-};
-
 TEST(EmitCppTarget, WritesAProjectForEachComponentBelowTheTarget) {
     const Folder folder;
     for (const char* target : {"library", "main", "ros2", "enki", "argos"}) {
-        const auto ran = run({"emit", "cpp", repository("corpus/aggregation"), "--target", target, "--out", folder.path});
+        const auto ran = run({"emit", "cpp", repository("corpus/aggregation"), "--target", target, "--out", folder.path()});
         EXPECT_EQ(ran.exit, 0) << ran.err;
-        const std::string project = folder.path + "/" + target + "/Aggregation";
+        const std::string project = folder.path() + "/" + target + "/Aggregation";
         EXPECT_TRUE(fs::exists(project + "/CMakeLists.txt")) << target;
         EXPECT_TRUE(fs::exists(project + "/controller/AggregationFSM.hpp")) << target;
         EXPECT_FALSE(fs::exists(project + "/controller/Aggregation_explore.cpp")) << "for the conformance check only";
         EXPECT_THAT(ran.out, HasSubstr(project + "/CMakeLists.txt"));
     }
-    EXPECT_FALSE(fs::exists(folder.path + "/cpp"));
+    EXPECT_FALSE(fs::exists(folder.path() + "/cpp"));
 }
 
 TEST(EmitCppTarget, LeavesTheAuthorsFileAlone) {
     const Folder folder;
-    const std::vector<std::string> words{"emit", "cpp", repository("corpus/aggregation"), "--target", "enki", "--out", folder.path};
+    const std::vector<std::string> words{"emit", "cpp", repository("corpus/aggregation"), "--target", "enki", "--out", folder.path()};
     EXPECT_EQ(run(words).exit, 0);
-    const std::string mine = folder.path + "/enki/Aggregation/robot.hpp";
-    const std::string main = folder.path + "/enki/Aggregation/main.cpp";
+    const std::string mine = folder.path() + "/enki/Aggregation/robot.hpp";
+    const std::string main = folder.path() + "/enki/Aggregation/main.cpp";
     std::ofstream(mine) << "// changed\n";
     std::ofstream(main) << "// changed\n";
     EXPECT_EQ(run(words).exit, 0);

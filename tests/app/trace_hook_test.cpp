@@ -27,13 +27,12 @@ std::string contents(const std::string& path) {
 /// A console program of a model, built in a folder of its own.
 class Console {
 public:
-    Console(const std::string& model, const std::string& component, std::vector<std::string> more = {}) : model_(model), marker_("marker", "") {
-        folder_ = fs::path(marker_.path()).parent_path().string();
-        std::vector<std::string> words{"emit", "cpp", model, "--component", component, "--target", "main", "--out", folder_ + "/out"};
+    Console(const std::string& model, const std::string& component, std::vector<std::string> more = {}) : model_(model) {
+        std::vector<std::string> words{"emit", "cpp", model, "--component", component, "--target", "main", "--out", folder_ / "out"};
         words.insert(words.end(), more.begin(), more.end());
         const auto ran = run(words);
         EXPECT_EQ(ran.exit, 0) << ran.err;
-        for (const auto& entry : fs::directory_iterator(folder_ + "/out/main")) project_ = entry.path().string();
+        for (const auto& entry : fs::directory_iterator(folder_ / "out/main")) project_ = entry.path().string();
         // What cmake does (tests/cpp_emit builds projects with it): the sources, with the hook.
         shell("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -DROBOCHART_TRACE=1 -I controller "
               "main.cpp controller/*.cpp -o console");
@@ -69,8 +68,8 @@ private:
         EXPECT_EQ(std::system(("cd '" + project_ + "' && " + command).c_str()), 0) << command;
     }
 
-    std::string model_, folder_, project_;
-    TemporaryFile marker_;
+    testing::Folder folder_;
+    std::string model_, project_;
 };
 
 /// The worked example of docs/traces.md.

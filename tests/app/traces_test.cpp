@@ -15,27 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using testing::Folder;
 using testing::repository;
 using testing::run;
-
-/// A folder that is gone with the object.
-class Folder {
-public:
-    Folder() : path_(fs::temp_directory_path() / ("traces_test_" + std::to_string(::getpid()) + "_" + std::to_string(++made))) {
-        fs::create_directories(path_);
-    }
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
-private:
-    static inline int made = 0;
-    fs::path path_;
-};
 
 std::string contents(const std::string& path) {
     std::ifstream in(path, std::ios::binary);

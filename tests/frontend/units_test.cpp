@@ -66,6 +66,40 @@ TEST(Units, AssertionFilesBelongToWhatTheyAreAbout) {
                 ElementsAre(ElementsAre("a.rct", "b.rct", "x.assertions")));
 }
 
+// Projects side by side may use the same names: the nearest is meant.
+TEST(Units, TheNearestOfOneNameIsMeant) {
+    const std::string claim = "assertion A : S is deadlock-free";
+    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/a/m.assertions", claim}, {"/p/b/m.rct", s}, {"/p/b/m.assertions", claim}}),
+                ElementsAre(ElementsAre("/p/a/m.rct", "/p/a/m.assertions"), ElementsAre("/p/b/m.rct", "/p/b/m.assertions")));
+    EXPECT_THAT(units_of({{"/p/a/m.rct", "package P " + s}, {"/p/b/m.rct", "package P " + s}, {"/p/b/x/n.rct", "import P::S controller C { sref s = S }"}}),
+                ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x/n.rct")));
+    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", s}, {"/p/b/x.assertions", "csp Q csp-begin\nQ = S::D__(0)\ncsp-end"}}),
+                ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
+    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", t}, {"/p/b/x.assertions", "csp Instantiations csp-begin\nnametype core_nat = {0..3}\ncsp-end"}}),
+                ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
+    // A controller's own machines are its own, not those of another of its name.
+    EXPECT_THAT(units_of({{"/p/a/m.rct", "controller C { sref s = S } " + s}, {"/p/b/m.rct", "controller C { stm S { " + body + " }"}}),
+                ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct")));
+    // What is imported from nearby goes before what is of no package and lies elsewhere.
+    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", "package P " + s}, {"/p/b/m.assertions", "import P::* " + claim}}),
+                ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/m.assertions")));
+    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", "controller C { stm S { " + body + " }"}, {"/p/b/x.assertions", "csp Q csp-begin\nQ = C::S::D__(0)\ncsp-end"}}),
+                ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
+    // Nobody can tell which of these is meant, so they meet and the rules report the name.
+    EXPECT_THAT(units_of({{"/p/a.rct", s}, {"/p/b.rct", s}, {"/p/x.assertions", claim}}),
+                ElementsAre(ElementsAre("/p/a.rct", "/p/b.rct", "/p/x.assertions")));
+}
+
+TEST(Units, AFileWithMistakesBelongsToThoseBesideIt) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    Model model;
+    for (const Text& each : {Text{"/p/a/m.rct", "stm S { initial"}, Text{"/p/a/n.rct", t}, Text{"/p/b/m.rct", t}})
+        model.files.push_back(parse(sources, sources.add(each.path, each.text), false, diagnostics));
+    resolve(model, diagnostics);
+    EXPECT_THAT(groups(model), ElementsAre(ElementsAre(0U, 1U), ElementsAre(2U)));
+}
+
 TEST(Units, EachInstantiationIsAUnit) {
     const auto given = [](int most) {
         return "csp Instantiations csp-begin\nnametype core_nat = {0.." + std::to_string(most) +

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <string>
 
 #include "lsp/json.hpp"
@@ -42,7 +43,11 @@ public:
 
     void say(const std::string& text) {
         const std::string frame = "Content-Length: " + std::to_string(text.size()) + "\r\n\r\n" + text;
-        EXPECT_EQ(write(in_, frame.data(), frame.size()), static_cast<ssize_t>(frame.size()));
+        for (std::size_t sent = 0; sent < frame.size();) {
+            const ssize_t some = write(in_, frame.data() + sent, frame.size() - sent);
+            ASSERT_GT(some, 0);
+            sent += static_cast<std::size_t>(some);
+        }
     }
     /// The next message; null at the end.
     Json hear() {
@@ -63,6 +68,7 @@ public:
         std::string error;
         return read_json(body, error);
     }
+    void send(int signal) const { kill(pid_, signal); }
     void end_input() {
         close(in_);
         in_ = -1;
@@ -116,6 +122,54 @@ TEST(Program, EndsWithItsInput) {
     process.hear();
     process.end_input();
     EXPECT_EQ(process.wait(), 1);
+}
+
+/// The opening of a text that takes long to look at.
+std::string large_opening() {
+    std::string text;
+    for (int i = 0; i < 60'000; ++i)
+        text += "stm S" + std::to_string(i) + " { var x : nat initial i state A { entry x = x + 1 } transition t { from i to A } }\\n";
+    return R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":"file:///nowhere/a.rct",)"
+           R"("languageId":"robochart","version":1,"text":")" + text + R"("}}})";
+}
+
+constexpr const char* hover = R"({"jsonrpc":"2.0","id":2,"method":"textDocument/hover","params":{"textDocument":)"
+                              R"({"uri":"file:///nowhere/a.rct"},"position":{"line":0,"character":5}}})";
+
+/// A server in the middle of a long analysis.
+class Busy : public Process {
+public:
+    Busy() {
+        say(initialize);
+        hear();
+        say(large_opening());
+        say(hover);
+        usleep(300'000);
+    }
+};
+
+// The bounds on time are generous: an analysis that goes on is the fault.
+TEST(BusyProgram, AnswersACancelledRequest) {
+    Busy busy;
+    busy.say(R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":2}})");
+    EXPECT_EQ(busy.hear()["error"]["code"].number(), -32800);
+    busy.say(R"({"jsonrpc":"2.0","method":"exit"})");
+    EXPECT_EQ(busy.wait(), 1);
+}
+
+TEST(BusyProgram, LeavesAtOnce) {
+    const auto start = std::chrono::steady_clock::now();
+    Busy leaving;
+    leaving.say(R"({"jsonrpc":"2.0","id":3,"method":"shutdown"})");
+    leaving.say(R"({"jsonrpc":"2.0","method":"exit"})");
+    EXPECT_EQ(leaving.wait(), 0);
+    Busy gone;
+    gone.end_input();
+    EXPECT_EQ(gone.wait(), 1);
+    Busy ended;
+    ended.send(SIGTERM);
+    EXPECT_EQ(ended.wait(), -1) << "by the signal";
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
 }  // namespace

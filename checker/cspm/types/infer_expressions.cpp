@@ -84,6 +84,7 @@ void Inference::expect_events(const Term& term, std::size_t index) {
 // ---------------------------------------------------------------- values
 
 TypeId Inference::infer(const Term& term) {
+    diagnostics_.poll();
     switch (term.syntax->kind) {
         case ExprKind::parenthesised:
             return infer(*term.args[0]);

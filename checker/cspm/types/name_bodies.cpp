@@ -11,6 +11,7 @@ namespace robochart::cspm::types {
 // ---------------------------------------------------------------- expressions
 
 const Term* NameResolver::expression(const ExprPtr& expr) {
+    diagnostics_->poll();
     Term& term = script_->terms.emplace_back();
     term.syntax = expr.get();
     if (depth_ >= max_depth) {

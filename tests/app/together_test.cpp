@@ -1,0 +1,123 @@
+// Models that do not belong together are judged as each alone, however many are given at once: all folders of models
+// beside the repository, where they are at hand. ROBOCHART_TOGETHER=all looks at every model, otherwise at a sample.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/app/command.hpp"
+#include "tests/shared_folder.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Each verdict with its place; what a run of several adds in front of a title does not count, nor how often something
+/// is judged: models given alone bring the files beside them that they need.
+using Verdicts = std::set<std::string>;
+
+nlohmann::json report(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--format", "json", "--timeout", "120"});
+    return nlohmann::json::parse(run(arguments).out, nullptr, false);
+}
+
+/// By the model's own path and line; core assertions have no place, and their titles name the component alone.
+Verdicts verdicts(const nlohmann::json& report) {
+    Verdicts result;
+    if (!report.is_object() || !report.contains("assertions")) return result;
+    for (const auto& each : report["assertions"]) {
+        std::string title = each["title"];
+        if (const auto label = title.find(": "); label != std::string::npos && title.find(' ') > label) title.erase(0, label + 2);
+        result.insert(each["place"].get<std::string>() + " " + title + ": " + each["answer"].get<std::string>());
+    }
+    return result;
+}
+
+/// Every third model, or all of them if that is wanted.
+std::vector<std::string> sample(std::vector<std::string> models) {
+    std::sort(models.begin(), models.end());
+    const char* wanted = std::getenv("ROBOCHART_TOGETHER");
+    if (wanted != nullptr && std::string(wanted) == "all") return models;
+    std::vector<std::string> some;
+    for (std::size_t i = 0; i < models.size(); i += 3) some.push_back(models[i]);
+    return some;
+}
+
+void expect_the_same(const std::vector<std::string>& models, const std::vector<std::string>& options) {
+    Verdicts alone;
+    std::vector<std::string> all{"check"};
+    for (const std::string& model : models) {
+        std::vector<std::string> one{"check", model};
+        one.insert(one.end(), options.begin(), options.end());
+        alone.merge(verdicts(report(one)));
+        all.push_back(model);
+    }
+    all.insert(all.end(), options.begin(), options.end());
+    const Verdicts together = verdicts(report(all));
+    std::string differ;
+    for (const std::string& each : alone)
+        if (!together.contains(each)) differ += "only alone: " + each + "\n";
+    for (const std::string& each : together)
+        if (!alone.contains(each)) differ += "only together: " + each + "\n";
+    EXPECT_EQ(differ, "");
+    EXPECT_FALSE(alone.empty());
+}
+
+std::vector<std::string> folders_of(const fs::path& folder) {
+    std::vector<std::string> result;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.is_directory()) result.push_back(entry.path().string());
+    return result;
+}
+
+TEST(Together, RoboToolsSuiteIsJudgedAsEachFolderAlone) {
+    const fs::path shared = tests::shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "no shared/ beside the repository, ROBOCHART_SHARED not set";
+    expect_the_same(sample(folders_of(shared / "suite/robotool/accept")), {});
+}
+
+TEST(Together, ModelsWithRoboToolsScriptsAreJudgedAsEachAlone) {
+    const fs::path shared = tests::shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "no shared/ beside the repository, ROBOCHART_SHARED not set";
+    std::vector<std::string> models;
+    for (const auto& entry : fs::directory_iterator(shared / "suite/robotool-csp/models"))
+        if (entry.path().extension() == ".rct") models.push_back(entry.path().string());
+    models.push_back((shared / "suite/robotool-csp-2026").string());
+    expect_the_same(sample(models), {"--core", "--untimed"});
+}
+
+TEST(Together, AdversarialModelsAreJudgedAsEachAlone) {
+    const fs::path shared = tests::shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "no shared/ beside the repository, ROBOCHART_SHARED not set";
+    std::vector<std::string> models;
+    for (const std::string& folder : folders_of(shared / "suite/findings/agreeing"))
+        if (fs::exists(fs::path(folder) / "m.assertions")) models.push_back(folder);
+    expect_the_same(sample(models), {});
+}
+
+/// Each has a module `Mo` with a controller `C`.
+TEST(Together, CodeOfModulesOfOneNameIsComparedForEach) {
+    const fs::path shared = tests::shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "no shared/ beside the repository, ROBOCHART_SHARED not set";
+    std::vector<std::string> all{"conform"};
+    std::multiset<std::string> alone, together;
+    const auto take = [](const nlohmann::json& report, std::multiset<std::string>& outcomes) {
+        for (const auto& each : report["conformance"]) outcomes.insert(each["outcome"].get<std::string>());
+    };
+    for (const char* name : {"m05_async_cycle", "m05b_async_cycle_silent", "m05c_async_overwrite"}) {
+        const std::string model = (shared / "suite/findings/agreeing" / name).string();
+        take(report({"conform", model}), alone);
+        all.push_back(model);
+    }
+    take(report(all), together);
+    EXPECT_EQ(together, alone);
+    EXPECT_EQ(together.size(), 3U);
+}
+
+}  // namespace
+}  // namespace robochart::app::testing
