@@ -146,6 +146,8 @@ TEST(Project, NothingIsWrittenTwiceInARun) {
     EXPECT_EQ(ran.exit, 2) << ran.out;
     EXPECT_THAT(ran.err, HasSubstr("error[RC-A03]"));
     EXPECT_THAT(ran.err, HasSubstr("this run has already written a file of this name"));
+}
+
 /// A module `Mo` whose machine `S` counts what it is asked.
 std::string counter(const std::string& next) {
     return "interface I { event ask event told : nat }\n"
