@@ -267,7 +267,6 @@ std::set<std::string> widened_constructs() {
                   "operation that requires an operation",
                   "operation with a required clock",
                   "call of a function with a precondition",
-                  "call of a toolkit function with a precondition",
                   "operation with a required variable",
                   "operation with a variable of its own",
                   "probability",

@@ -68,6 +68,13 @@ Shape widened_shape(std::uint64_t seed) {
     return shape;
 }
 
+Shape toolkits_shape(std::uint64_t seed) {
+    Shape shape = widened_shape(seed);
+    shape.data.functions = shape.data.toolkits = true;
+    (seed % 2 == 0 ? shape.data.sets : shape.data.sequences) = true;
+    return shape;
+}
+
 Shape hostile_shape(std::uint64_t seed) {
     Shape shape = widened_shape(seed);
     shape.hostile = shape.escaped_names = shape.data.strings = true;

@@ -13,7 +13,9 @@ namespace robochart::conformance::test {
 /// The same with other parts of the language, a few at a time: operations that call operations and take variables and
 /// clocks from their callers, names that are repeated, values of all types, ways of junctions that overlap, instances.
 [[nodiscard]] random_models::Shape widened_shape(std::uint64_t seed);
-/// The same with names and strings that mean something in CSPM, C++ and elsewhere.
+/// The same with functions of the model and of the toolkits, many of which have preconditions that can be false.
+[[nodiscard]] random_models::Shape toolkits_shape(std::uint64_t seed);
+/// Widened ones with names and strings that mean something in CSPM, C++ and elsewhere.
 [[nodiscard]] random_models::Shape hostile_shape(std::uint64_t seed);
 
 }  // namespace robochart::conformance::test

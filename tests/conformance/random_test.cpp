@@ -27,7 +27,7 @@ struct NamedShape {
     random_models::Shape (*of)(std::uint64_t seed);
 };
 constexpr std::array shapes = {NamedShape{"core", core_shape}, NamedShape{"widened", widened_shape},
-                               NamedShape{"hostile", hostile_shape}};
+                               NamedShape{"toolkits", toolkits_shape}, NamedShape{"hostile", hostile_shape}};
 
 /// Where a thousand models are tried; fewer do not have everything.
 void expect_everything(const Tally& tally) {
@@ -110,6 +110,19 @@ TEST(RandomModels, WidenedHaveEveryConstruct) {
         for (const std::string& word : constructs(system)) ++counts[word];
     }
     for (const std::string& word : widened_constructs()) EXPECT_GE(counts[word], 3U) << word << " is made too seldom";
+}
+
+/// Calls that may be outside a precondition, of which the widened shape has those of the model's own functions only.
+TEST(RandomModels, OfToolkitsCallWhatHasPreconditions) {
+    std::size_t found = 0;
+    constexpr std::size_t models = 200;
+    for (std::uint64_t seed = 0; seed < models; ++seed) {
+        const auto loaded = random_models::load(random_models::well_formed(seed, toolkits_shape(seed)));
+        ASSERT_EQ(loaded->findings.errors(), 0U) << "seed " << seed << "\n" << loaded->report();
+        const ir::System system = ir::lower(loaded->model, loaded->sources, loaded->findings);
+        found += constructs(system).count("call of a toolkit function with a precondition");
+    }
+    EXPECT_GE(found, 3U);
 }
 
 /// Whatever the code answers where the model leaves a choice, it does what the model allows.
