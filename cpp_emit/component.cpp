@@ -18,9 +18,6 @@ namespace {
 using diagnostics::Diagnostics;
 
 /// Names that generated State, Inputs and platform classes use themselves.
-const std::set<std::string> state_names = {"at",    "wait",  "leaving", "filler", "kept", "State", "Inputs",   "At",
-                                           "Event", "Types", "Real",    "Nat",    "Int",  "std",   "robochart"};
-
 template <class Item>
 const Item* find_named(const std::vector<Item>& items, const std::string& name) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
@@ -504,9 +501,8 @@ private:
             function.method = platform.unique(system_.functions[function.id.index].name);
             if (function.guarded) function.precondition = preconditions.unique("pre_" + function.method);
         }
-        std::set<std::string> taken = state_names;
+        std::set<std::string> taken = never_members(system_, component_);
         for (const Unit& unit : component_.units) take_thread_members(unit, taken);
-        for (const ir::TypeId type : component_.enumerations) taken.insert(declared_name(system_.type(type)));
         NameScope inputs(taken);
         NameScope state(taken);
         if (component_.composed())

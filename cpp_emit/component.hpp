@@ -203,6 +203,8 @@ struct Component {
     [[nodiscard]] std::pair<const Unit*, ir::ClockId> clock(const Unit&, ir::ClockId) const;
 };
 
+/// Names that no member of a state may have: those of other members and of types, the units' as far as they have them.
+[[nodiscard]] std::set<std::string> never_members(const ir::System&, const Component&);
 /// Names for what a core declares for its machines: none of its own things, nor of what is a member somewhere.
 [[nodiscard]] NameScope core_type_scope(const Component&);
 

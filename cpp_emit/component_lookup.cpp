@@ -2,8 +2,17 @@
 #include <algorithm>
 
 #include "cpp_emit/component.hpp"
+#include "cpp_emit/types.hpp"
 
 namespace robochart::cpp_emit {
+
+std::set<std::string> never_members(const ir::System& system, const Component& component) {
+    std::set<std::string> names = {"at",    "wait",  "leaving", "filler", "kept", "State", "Inputs",   "At",
+                                   "Event", "Types", "Real",    "Nat",    "Int",  "std",   "robochart"};
+    for (const ir::TypeId type : component.enumerations) names.insert(declared_name(system.type(type)));
+    for (const Unit& unit : component.units) names.insert({unit.frame, unit.points});
+    return names;
+}
 
 NameScope core_type_scope(const Component& component) {
     NameScope scope(own_type_names());

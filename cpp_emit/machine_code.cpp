@@ -19,7 +19,7 @@ using ir::NodeId;
 namespace {
 
 std::set<std::string> taken_fields(const Generation& generation, const Unit& unit) {
-    std::set<std::string> taken = {"at", "wait", "leaving", "filler", "kept"};
+    std::set<std::string> taken = never_members(generation.system, generation.component);
     taken.insert(unit.clock_fields.begin(), unit.clock_fields.end());
     taken.insert(unit.variable_fields.begin(), unit.variable_fields.end());
     if (!unit.root) return taken;

@@ -259,5 +259,27 @@ TEST(Regressions, PreconditionsHoldAnyExpression) {
         "module M { robotic platform P { event out } cref c = C connection c on out to P on out (_async) }\n");
 }
 
+/// The code's names of values are the model's, also below packages of several names.
+TEST(Regressions, LiteralsOfNestedPackages) {
+    expect_conforming(
+        "package a::b::c\nenumeration Mode { one two(boolean) }\n"
+        "stm S { event e : Mode event out : Mode var x : Mode initial i state A { } transition t0 { from i to A }\n"
+        "transition t1 { from A to A trigger e?x action out!x } }\n");
+}
+
+/// States of operations are members that are called like them.
+TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
+    const std::string body = " initial i state A { entry wait(1) } final f transition t { from i to A }\n"
+                             "transition u { from A to f } }\n";
+    expect_conforming(
+        "interface Ops { State(n : nat) Nat() Types() op() opFrame() }\n"
+        "operation State(n : nat) {" + body + "operation Nat() {" + body + "operation Types() {" + body +
+        "operation op() {" + body + "operation opFrame() {" + body +
+        "stm S { requires Ops initial i state A { entry State(1); Nat(); Types(); op(); opFrame() }\n"
+        "transition t0 { from i to A } }\n"
+        "controller C { opref o = State opref n = Nat opref t = Types opref p = op opref q = opFrame sref s = S }\n"
+        "module M { robotic platform P { } cref c = C }\n");
+}
+
 }  // namespace
 }  // namespace robochart::conformance
