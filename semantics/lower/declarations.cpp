@@ -34,6 +34,7 @@ private:
     void initial_values();
     template <class Item>
     void check_names(const std::vector<Item>& items, const std::string& kind);
+    [[nodiscard]] bool owns_variables() const;
     [[nodiscard]] VariableScope scope(const ast::InterfaceClause* clause) const;
 
     Lowering& lowering_;
@@ -49,6 +50,11 @@ std::string name_of(const ast::InterfaceClause* clause) {
 }
 
 /// Machines and controllers share what they require; a platform shows what it provides (semantics 3.7).
+/// A machine or an operation, in whose process its own variables are.
+bool Collector::owns_variables() const {
+    return context_.kind == ast::DeclKind::state_machine || context_.kind == ast::DeclKind::operation;
+}
+
 VariableScope Collector::scope(const ast::InterfaceClause* clause) const {
     if (clause == nullptr) return VariableScope::local;
     const bool platform = context_.kind == ast::DeclKind::platform;
@@ -147,13 +153,13 @@ void Collector::initial_values() {
                 lower_expression(lowering_, result_.names, *value, result_.variables[i].type);
 }
 
-/// Semantics and code know members by their names.
+/// Semantics and code know members by their names; but a machine's own variables, which only it has.
 template <class Item>
 void Collector::check_names(const std::vector<Item>& items, const std::string& kind) {
     std::map<std::string, diagnostics::Span> named;
     for (const Item& item : items) {
         if constexpr (requires { item.scope; })
-            if (item.scope != VariableScope::required) continue;
+            if (item.scope != VariableScope::required && owns_variables()) continue;
         const auto [first, added] = named.try_emplace(item.name, item.origin.span);
         if (!added)
             lowering_.diagnostics.report(rules::declared_twice, item.origin.span, {context_.name, kind, item.name})
