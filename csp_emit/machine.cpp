@@ -50,8 +50,7 @@ ExprPtr MachineEmitter::without_body() const {
 }
 
 ComponentEmission MachineEmitter::emit() {
-    std::vector<const ir::Machine*> chain;
-    collect_constants(machine(), chain);
+    collect_constants(machine(), running_);
     open_frame(machine(), 0, "");
     const bool bodiless = machine().kind == ir::MachineKind::operation && !machine().initial.valid();
     ExprPtr initial = bodiless ? without_body() : go(start(), initial_values());

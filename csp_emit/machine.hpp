@@ -270,6 +270,7 @@ private:
     std::map<std::string, CellId> cell_named_;
     std::vector<Frame> frames_;
     std::vector<ConstantParameter> constants_;
+    std::vector<const ir::Machine*> running_;  ///< the machine and the operations that it comes to call
     std::map<std::pair<std::uint32_t, const ir::Stmt*>, std::uint32_t> callees_;
     std::map<std::tuple<std::uint32_t, const ir::Stmt*, std::size_t>, CellId> statement_cells_;
     std::optional<bool> recursive_;  ///< whether some operation may call itself

@@ -79,6 +79,10 @@ ExprPtr MachineEmitter::clock_limit(const ir::Machine& opened, const std::string
     std::int64_t literal = 0;
     b::Exprs sets;
     auto machines = callable();
+    // What the machine never comes to call does not run here, and its constants are not known here.
+    std::erase_if(machines, [this](const ir::Machine* each) {
+        return std::find(running_.begin(), running_.end(), each) == running_.end();
+    });
     std::erase(machines, &opened);
     machines.insert(machines.begin(), &opened);
     for (const ir::Machine* checked : machines) {
