@@ -132,6 +132,25 @@ TEST(Operations, DefinedOnesRunInTheirCallersPlaceAndBlockOnAFalsePrecondition) 
               "holds");
 }
 
+// An operation that the machine never calls says nothing about its clock: its constants are not known there.
+TEST(Operations, ThatAreNotCalledDoNotBoundTheClocksOfAMachine) {
+    const auto m = testing::model(R"(
+        interface Ops { op() other() }
+        operation op() { initial i final f transition t0 { from i to f } }
+        operation other() { const c : nat = 1 clock T initial i state A { } final f transition t0 { from i to A }
+                            transition t1 { from A to f condition since(T) >= c } }
+        controller C { event e opref o = op opref p = other
+            stm S { requires Ops event e clock T initial i state A { entry op() } state B { }
+                    transition t0 { from i to A } transition t1 { from A to B trigger e condition since(T) >= 1 } }
+            connection C on e to S on e })");
+    EXPECT_EQ(testing::equal(*m, Time::timed, "C::D__(0)", "Spec", R"(
+        Spec = tock -> After
+        After = C::e.in -> Done [] tock -> After
+        Done = tock -> Done)"),
+              "holds")
+        << m->messages();
+}
+
 /// W writes x once, R outputs what it sees.
 const char* const shared = R"(
 interface V { var x : nat }
