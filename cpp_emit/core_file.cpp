@@ -383,7 +383,7 @@ std::string package_namespace(const std::string& package) {
     std::size_t begin = 0;
     while (begin <= package.size() && !package.empty()) {
         const std::size_t end = std::min(package.find("::", begin), package.size());
-        NameScope scope(result.empty() ? reserved_at_global_scope : reserved_in_cpp);
+        NameScope scope(result.empty() ? reserved_at_global_scope : reserved_below_global_scope);
         result += (result.empty() ? "" : "::") + scope.unique(package.substr(begin, end - begin));
         begin = end + 2;
     }

@@ -55,11 +55,16 @@ bool reserved_in_cpp(std::string_view name) {
            of_runtime(name);
 }
 
+bool reserved_below_global_scope(std::string_view name) {
+    // The namespace of the runtime, then what the projects' own code has and includes.
+    static constexpr std::array outside = {"robochart", "rclcpp", "Body", "CVector2", "Eigen",
+                                           "Enki",      "Eye",    "Puck", "argos",    "testing"};
+    return reserved_in_cpp(name) || std::find(outside.begin(), outside.end(), name) != outside.end();
+}
+
 bool reserved_at_global_scope(std::string_view name) {
-    // The last are of the projects' own code and of what it includes.
-    static constexpr std::array projects = {"Body", "CVector2", "Eigen", "Enki", "Eye", "Puck", "argos", "testing"};
-    return reserved_in_cpp(name) || listed(reserved_globals(), name) || listed(reserved_own_types(), name) ||
-           listed(reserved_own_members(), name) || std::find(projects.begin(), projects.end(), name) != projects.end();
+    return reserved_below_global_scope(name) || listed(reserved_globals(), name) ||
+           listed(reserved_own_types(), name) || listed(reserved_own_members(), name);
 }
 
 std::set<std::string> own_type_names() {

@@ -11,6 +11,8 @@ namespace robochart::cpp_emit {
 /// True for what no name of the model may be in generated code: keywords and alternative tokens of C++20, and macros of
 /// the headers of C, C++ and POSIX (reserved.hpp).
 [[nodiscard]] bool reserved_in_cpp(std::string_view name);
+/// A namespace of this name would hide what generated code inside it refers to.
+[[nodiscard]] bool reserved_below_global_scope(std::string_view name);
 /// The same and what those headers declare at global scope, for namespaces there.
 [[nodiscard]] bool reserved_at_global_scope(std::string_view name);
 

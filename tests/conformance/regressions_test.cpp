@@ -267,6 +267,11 @@ TEST(Regressions, LiteralsOfNestedPackages) {
         "transition t1 { from A to A trigger e?x action out!x } }\n");
 }
 
+/// A namespace inside another hides one outside.
+TEST(Regressions, APackageInsideAnotherIsCalledLikeTheRuntime) {
+    expect_conforming("package a::robochart\n" + machine("clock T", "state A { entry wait(1) ; move(x) }"));
+}
+
 /// States of operations are members that are called like them.
 TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
     const std::string body = " initial i state A { entry wait(1) } final f transition t { from i to A }\n"
