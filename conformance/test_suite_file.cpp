@@ -16,36 +16,16 @@ std::vector<std::string> shown_names(const std::vector<Channel>& channels) {
     return cpp_emit::trace_names(names);
 }
 
-/// A character of a string as logs have it (docs/traces.md).
-std::string logged(char c) {
-    constexpr std::string_view marks = "\"\\!?/";
-    const bool plain = c > ' ' && c < 0x7F && marks.find(c) == std::string_view::npos;
-    return plain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-}
-
-/// The string of CSPM that begins at `at`, as logs have it; `at` is behind it then.
-std::string logged_string(const std::string& told, std::size_t& at) {
-    std::string result = "\"";
-    for (++at; at < told.size() && told[at] != '"'; ++at) {
-        const bool escaped = told[at] == '\\' && at + 1 < told.size();
-        if (!escaped) {
-            result += logged(told[at]);
-            continue;
-        }
-        const char letter = told[++at];
-        result += logged(letter == 'n' ? '\n' : letter == 't' ? '\t' : letter == 'r' ? '\r' : letter);
-    }
-    return result + '"';
-}
-
-/// "a, b" outside of brackets and strings as "a!b".
+/// "a, b" outside of brackets and quotes as "a!b". Quotes inside a string are octal escapes here as in logs.
 std::string arguments(const std::string& told) {
     std::string result;
     int depth = 0;
+    bool quoted = false;
     for (std::size_t i = 0; i < told.size(); ++i) {
         const char c = told[i];
-        if (c == '"') {
-            result += logged_string(told, i);
+        if (c == '"') quoted = !quoted;
+        if (quoted) {
+            result += c;
             continue;
         }
         if (c == '(' || c == '{' || c == '<') ++depth;
@@ -72,7 +52,7 @@ public:
             const Register& input = model_.interface().inputs[i];
             text += inputs_[i] + '?';
             if (!input.values.empty())
-                text += arguments(people_text(input.carrier, input.values[readings[i] - 1], model_.interface().scale));
+                text += people_text(input.carrier, input.values[readings[i] - 1], model_.interface().scale);
             text += ' ';
         }
         return text;

@@ -188,7 +188,7 @@ std::string run_stream(std::string_view bytes) {
     std::vector<std::string> sent;
     lsp::Server server([&](const std::string& message) { sent.push_back(message); });
     for (lsp::Frame frame = reader.next(); frame.kind != lsp::Frame::Kind::end; frame = reader.next()) {
-        frame.kind == lsp::Frame::Kind::message ? server.receive(frame.text) : server.receive_fault(frame.text);
+        frame.kind == lsp::Frame::Kind::message ? server.receive(frame.text) : server.receive(nullptr, frame.text);
         while (server.has_work()) server.step();
         server.idle();
     }

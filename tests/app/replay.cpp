@@ -364,7 +364,7 @@ void replay_time(Project& project, const Options& options, csp_emit::Time time, 
 
 }  // namespace
 
-void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) {
+void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) try {
     Options options;
     options.verb = Verb::check;
     options.inputs = inputs;
@@ -382,6 +382,8 @@ void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) {
     const json parsed = json::parse(render_json(report));
     for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed})
         replay_time(*project, options, time, parsed, sum);
+} catch (const diagnostics::LimitReached&) {
+    // Counterexamples that were compared by then count.
 }
 
 }  // namespace robochart::app::testing

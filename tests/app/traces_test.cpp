@@ -93,6 +93,16 @@ TEST(TestSuites, AreEmittedAndAreRunsOfTheModel) {
     EXPECT_THAT(checked.out, HasSubstr(" 0 rejected, 0 inconclusive"));
 }
 
+TEST(TestSuites, WriteStringsAsLogsHaveThem) {
+    const Folder folder;
+    const testing::TemporaryFile model("m.rct", R"(stm S { event a event o : string initial i state A { } transition t0 { from i to A }
+        transition t { from A to A trigger a action o ! "a, (b!c\"d\\" } })");
+    const auto emitted = run({"emit", "tests", model.path(), "--out", folder / "out"});
+    EXPECT_EQ(emitted.exit, 0) << emitted.err;
+    const auto checked = run({"conform", model.path(), "--traces", folder / "out/tests"});
+    EXPECT_EQ(checked.exit, 0) << checked.out << checked.err << contents(folder / "out/tests/S/S.trace");
+}
+
 /// A model that leaves a choice: the GoogleTest that is written, linked with an implementation that makes the second
 /// choice, and with one that does what the model never does.
 TEST(TestSuites, FollowAnImplementationWhereTheModelLeavesAChoice) {

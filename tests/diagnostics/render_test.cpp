@@ -98,6 +98,12 @@ TEST(RenderJson, EscapesAndPlaces) {
         "\n");
 }
 
+TEST(RenderJson, SaysWhyItIsNotAll) {
+    EXPECT_EQ(render_json({}, {}, "the time limit was reached"),
+              R"({"schema":"robochart-verify/diagnostics/1","errors":0,"warnings":0,"dropped":0,"limit":"the time limit was reached","diagnostics":[]})"
+              "\n");
+}
+
 TEST(JsonString, EscapesControlCharactersAndReplacesBrokenBytes) {
     EXPECT_EQ(json_string("a\\\t\x01\x7F"), R"("a\\\t\u0001\u007f")");
     EXPECT_EQ(json_string("\xC3\xA9\xC3"), "\"\xC3\xA9\xEF\xBF\xBD\"");
@@ -123,6 +129,24 @@ TEST(Diagnostics, KeepsTheFirstTwoHundredOfEachSeverityAndCountsTheRest) {
     out.report(junction_rule, {}, {"late"});
     EXPECT_FALSE(out.ok());
     EXPECT_EQ(out.sorted().size(), Diagnostics::max_kept + 1);  // warnings never hide an error
+}
+
+TEST(Diagnostics, AreTakenTogetherAndApart) {
+    Diagnostics a, b;
+    for (std::uint32_t i = 0; i < Diagnostics::max_kept + 3; ++i) a.report(odd_rule, {SourceId{0}, i, i + 1});
+    b.report(junction_rule, {SourceId{1}, 0, 1}, {"j"}).notes.push_back({{}, "why"});
+    Diagnostics both;
+    both.add(a);
+    both.add(b);
+    EXPECT_EQ(both.warnings(), Diagnostics::max_kept + 3);
+    EXPECT_EQ(both.errors(), 1U);
+    EXPECT_EQ(both.dropped(), 3U);
+    EXPECT_TRUE(both.has_errors_in(SourceId{1}));
+    const Diagnostics second = both.about({SourceId{1}});
+    ASSERT_EQ(second.sorted().size(), 1U);
+    EXPECT_EQ(second.sorted().front().notes.size(), 1U);
+    EXPECT_FALSE(second.ok());
+    EXPECT_TRUE(both.about({SourceId{0}}).ok());
 }
 
 }  // namespace

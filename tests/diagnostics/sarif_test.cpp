@@ -114,6 +114,15 @@ TEST(Sarif, WithoutFindingsIsARunToo) {
     EXPECT_TRUE(run.at("results").empty());
 }
 
+// SARIF 2.1.0, 3.20: of a run that was cut short the results are not all.
+TEST(Sarif, OfARunThatWasCutShortSaysSo) {
+    const json run = json::parse(render_sarif({}, {}, "1", "the time limit was reached")).at("runs").at(0);
+    const json& invocation = run.at("invocations").at(0);
+    EXPECT_EQ(invocation.at("executionSuccessful"), false);
+    EXPECT_EQ(invocation.at("toolExecutionNotifications").at(0).at("message").at("text"), "the time limit was reached");
+    EXPECT_FALSE(json::parse(render_sarif({}, {}, "1")).at("runs").at(0).contains("invocations"));
+}
+
 TEST(Sarif, SurvivesWhatIsNotText) {
     SourceManager sources;
     const SourceId id = sources.add("/x\xFF y.rct", "\xED\xA0\x80\x01");

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "checker/cspm/build.hpp"
+#include "checker/cspm/reader.hpp"
+#include "checker/cspm/types.hpp"
 #include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {
@@ -61,6 +63,37 @@ assert Small::Zero :[has trace [T]]: <Small::get.0>
 
 // In a timed section with zero durations tock is always possible beside an event that waits, and
 // timed_priority lets no time pass while a tau is possible (semantics 3.10).
+/// Making instances copies what they are made of: the budget is asked meanwhile.
+TEST(SessionTest, InstancesAreMadeWithinABudget) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics findings;
+    std::string text = "module M(n)\n x = n + 1\nexports\n y = x * 2\nendmodule\n";
+    for (int i = 0; i < 200; ++i) text += "instance I" + std::to_string(i) + " = M(" + std::to_string(i) + ")\n";
+    const Script script = read(sources, sources.add("s.csp", text), findings);
+    ASSERT_TRUE(findings.ok());
+    diagnostics::Budget budget;
+    EXPECT_NO_THROW(Session(script, &budget));
+    budget.interrupt();
+    EXPECT_THROW(Session(script, &budget), diagnostics::LimitReached);
+    findings.within(&budget);
+    EXPECT_THROW((void)check_types(script, findings), diagnostics::LimitReached);
+}
+
+/// P has a thousand states on its own, of which the whole reaches five: the bound is on those of the check.
+TEST(SessionTest, LargeComponentsWithinSmallChecksAreDecided) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics findings;
+    const Script script = read(sources, sources.add("s.csp", "channel a : {0..999}\nP(n) = a!n -> P((n + 1) % 1000)\n"
+                                                             "Q(n) = n < 4 & a!n -> Q(n + 1)\nassert P(0) [|{|a|}|] Q(0) :[deadlock free]\n"), findings);
+    ASSERT_TRUE(findings.ok());
+    for (const std::uint64_t most : {std::uint64_t{20}, std::uint64_t{100'000}}) {
+        Session session(script);
+        refine::Limits limits;
+        limits.max_states = most;
+        EXPECT_EQ(session.check(*session.assertions().front(), limits).verdict.outcome, refine::Outcome::fails) << most;
+    }
+}
+
 TEST(SessionTest, TimedSections) {
     expect_outcomes(R"(channel a, b, tock
 OneStep(_) = 0
