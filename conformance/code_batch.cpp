@@ -28,7 +28,7 @@ void append_text(std::string& text, const std::string& source, std::set<std::str
         begin = end + 1;
         if (line.starts_with("#include <") || line.starts_with("#include \"robochart/")) includes.emplace(line);
         if (line.starts_with("#include") || line.starts_with("#pragma") || line.starts_with("#define")) continue;
-        text += line == entry ? "const rc_interface* explore() {" : line;
+        text += line == entry ? "const rc_interface* robochart_explore_candidate() {" : line;
         text += '\n';
     }
 }
@@ -67,7 +67,7 @@ std::vector<cpp_emit::OutputFile> batch_files(const std::vector<const cpp_emit::
         text += fmt::format("}}  // namespace candidate_{}\n\n", i);
         text += fmt::format(
             "extern \"C\" __attribute__((visibility(\"default\"))) const rc_interface* robochart_explore_{0}(void) {{\n"
-            "    return candidate_{0}::explore();\n}}\n\n",
+            "    return candidate_{0}::robochart_explore_candidate();\n}}\n\n",
             i);
     }
     files.push_back({batch_source, preamble(includes) + text});
