@@ -445,9 +445,7 @@ void ProgramWriter::require_preconditions(const Unit& operation, const std::stri
     for (const auto& condition : operation.machine->preconditions) {
         const CppExpr holds = expressions.expression_asked(*condition);
         const bool negated = generation_.mutation.hits(Fault::precondition_negated);
-        const std::string text = negated ? negation(holds).whole() : holds.whole();
-        const bool one = text.find(',') == std::string::npos;  // argument of a macro
-        code().line(fmt::format("ROBOCHART_PRECONDITION({});", one ? text : "(" + text + ")"));
+        code().line(fmt::format("ROBOCHART_PRECONDITION({});", (negated ? negation(holds) : holds).whole()));
     }
 }
 
