@@ -127,7 +127,7 @@ TEST(Program, EndsWithItsInput) {
 /// The opening of a text that takes long to look at.
 std::string large_opening() {
     std::string text;
-    for (int i = 0; i < 60'000; ++i)
+    for (int i = 0; i < 150'000; ++i)
         text += "stm S" + std::to_string(i) + " { var x : nat initial i state A { entry x = x + 1 } transition t { from i to A } }\\n";
     return R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":"file:///nowhere/a.rct",)"
            R"("languageId":"robochart","version":1,"text":")" + text + R"("}}})";
