@@ -1,6 +1,8 @@
 // Types: structural interning.
 #include "semantics/lower/types.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace robochart::ir {
@@ -82,7 +84,42 @@ TypeKind kind_of(const frontend::TypeDeclaration& declaration) {
     return declaration.kind == frontend::DeclKind::record_type ? TypeKind::record : TypeKind::given;
 }
 
+/// `T` as RoboChart writes it; "?" where a part is not known.
+std::string written(const System& system, const Type& type) {
+    const auto part = [&](std::size_t i) {
+        const Type& found = system.type(type.args.at(i));
+        return found.kind == TypeKind::unit || found.name.empty() ? std::string("?") : found.name;
+    };
+    const auto operand = [&](std::size_t i) {
+        const TypeKind kind = system.type(type.args.at(i)).kind;
+        const bool loose = kind == TypeKind::product || kind == TypeKind::function || kind == TypeKind::relation;
+        return loose ? "(" + part(i) + ")" : part(i);
+    };
+    switch (type.kind) {
+        case TypeKind::sequence:
+            return "Seq(" + part(0) + ")";
+        case TypeKind::set:
+            return "Set(" + part(0) + ")";
+        case TypeKind::function:
+            return operand(0) + " -> " + operand(1);
+        case TypeKind::relation:
+            return operand(0) + " <-> " + operand(1);
+        case TypeKind::product: {
+            std::string text;
+            for (std::size_t i = 0; i < type.args.size(); ++i) text += (i > 0 ? " * " : "") + operand(i);
+            return text;
+        }
+        case TypeKind::vector:
+            return fmt::format("vector({}, {})", part(0), type.sizes.at(0));
+        case TypeKind::matrix:
+            return fmt::format("matrix({}, {}, {})", part(0), type.sizes.at(0), type.sizes.at(1));
+        default:
+            return type.name;
+    }
+}
+
 TypeId add(Lowering& lowering, Type type) {
+    if (type.name.empty()) type.name = written(lowering.system, type);
     const TypeId id{static_cast<std::uint32_t>(lowering.system.types.size())};
     lowering.types.emplace(key_of(type), id);
     lowering.system.types.push_back(std::move(type));

@@ -286,5 +286,15 @@ TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
         "module M { robotic platform P { } cref c = C }\n");
 }
 
+/// Types that only calls of toolkit functions make have names of their own: of two tuples without, one took the other's
+/// place.
+TEST(Regressions, TuplesThatOnlyToolkitFunctionsNeed) {
+    expect_conforming(
+        "import relation_toolkit::*\n" +
+        machine("var v : Set(boolean) event go",
+                "state A { entry v = second((|true, {}|)) ; v = rimage({}, {3}) ; v = ran({(|3, false|), (|0, true|)}) }\n"
+                "transition t1 { from A to A trigger go }"));
+}
+
 }  // namespace
 }  // namespace robochart::conformance
