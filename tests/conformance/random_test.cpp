@@ -125,6 +125,15 @@ TEST(RandomModels, OfToolkitsCallWhatHasPreconditions) {
     EXPECT_GE(found, 3U);
 }
 
+/// A few of each other shape; scripts/random_conformance.sh does many.
+TEST(RandomModels, OfTheOtherShapesConform) {
+    for (const NamedShape& shape : shapes) {
+        SCOPED_TRACE(shape.name);
+        const Campaign campaign = run(shape.of, false, tests::rounds(60));
+        EXPECT_GE(campaign.tally().conforming * 2, campaign.tally().models) << "too few can be explored";
+    }
+}
+
 /// Whatever the code answers where the model leaves a choice, it does what the model allows.
 TEST(RandomModels, ConformInAllChoices) {
     const Campaign campaign = run(core_shape, true, tests::rounds(50));
