@@ -1,4 +1,4 @@
-// Files that a verb writes below the output folder, each told to the report once it is there.
+// Files that a verb writes below the output folder, each in the report once it is there.
 #pragma once
 
 #include <fmt/format.h>

@@ -17,11 +17,6 @@ using ir::ExprKind;
 
 namespace {
 
-bool binds(ExprKind kind) {
-    return kind == ExprKind::forall || kind == ExprKind::exists || kind == ExprKind::exists_unique ||
-           kind == ExprKind::lambda || kind == ExprKind::the || kind == ExprKind::set_comprehension;
-}
-
 CppExpr all_of(const std::vector<CppExpr>& conditions) {
     CppExpr result;
     for (const CppExpr& condition : conditions) result = conjunction(result, condition);
@@ -35,7 +30,7 @@ void append(std::vector<CppExpr>& list, const std::vector<CppExpr>& more) {
 }  // namespace
 
 std::vector<CppExpr> ExpressionWriter::preconditions(const ir::Expr& expr) const {
-    if (binds(expr.kind)) return bound_preconditions(expr);
+    if (ir::binds(expr.kind)) return bound_preconditions(expr);
     std::vector<CppExpr> result;
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (!expr.args[i]) continue;

@@ -3,6 +3,7 @@
 // condition is asked for every value that the body is evaluated for.
 #include "csp_emit/translator.hpp"
 #include "csp_emit/types.hpp"
+#include "semantics/preconditions.hpp"
 #include "semantics/toolkit.hpp"
 
 namespace robochart::csp_emit {
@@ -13,11 +14,6 @@ using ir::ExprKind;
 
 namespace {
 
-bool binds(ExprKind kind) {
-    return kind == ExprKind::forall || kind == ExprKind::exists || kind == ExprKind::exists_unique ||
-           kind == ExprKind::lambda || kind == ExprKind::the || kind == ExprKind::set_comprehension;
-}
-
 void append(b::Exprs& list, const b::Exprs& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
@@ -25,7 +21,7 @@ void append(b::Exprs& list, const b::Exprs& more) {
 }  // namespace
 
 b::Exprs Translator::preconditions(const ir::Expr& expr) const {
-    if (binds(expr.kind)) return bound_preconditions(expr);
+    if (ir::binds(expr.kind)) return bound_preconditions(expr);
     b::Exprs result;
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (!expr.args[i]) continue;

@@ -9,15 +9,15 @@
 
 namespace robochart::ir {
 
-namespace {
-
-/// Functions may call themselves in their preconditions.
-constexpr int deepest_call = 64;
-
 bool binds(ExprKind kind) {
     return kind == ExprKind::forall || kind == ExprKind::exists || kind == ExprKind::exists_unique ||
            kind == ExprKind::lambda || kind == ExprKind::the || kind == ExprKind::set_comprehension;
 }
+
+namespace {
+
+/// Functions may call themselves in their preconditions.
+constexpr int deepest_call = 64;
 
 /// Whether the value depends on the state: such expressions need not be tried.
 bool depends_on_state(const Expr& expr) {

@@ -8,6 +8,9 @@
 
 namespace robochart::ir {
 
+/// Whether the expression has variables of its own: preconditions inside are asked for each of their values.
+[[nodiscard]] bool binds(ExprKind);
+
 /// Whether the function may be called with these arguments; the functions that its preconditions call are asked first.
 /// Throws as evaluate() does.
 [[nodiscard]] bool precondition_holds(const System&, const Instantiation&, const Function&,
