@@ -2,7 +2,7 @@
 # cmake -DFOLDER=docs/rules -DOUTPUT=page_texts.cpp -P embed_pages.cmake
 file(GLOB pages ${FOLDER}/*.md)
 list(SORT pages)
-set(text "// Made from docs/rules by app/embed_pages.cmake.\n#include \"app/pages.hpp\"\n\n")
+set(text "// Made from docs/rules by app/embed_pages.cmake.\n#include \"app/command/rule_pages.hpp\"\n\n")
 string(APPEND text "namespace robochart::app {\n\nconst std::vector<PageText>& page_texts() {\n")
 string(APPEND text "    static const std::vector<PageText> pages = {\n")
 foreach(page ${pages})

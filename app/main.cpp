@@ -1,7 +1,7 @@
 // robochart-verify: the command.
-#include "app/options.hpp"
-#include "app/run.hpp"
-#include "app/verbs.hpp"
+#include "app/command/options.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "checker/cspm/reader.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/session.hpp"
 
 namespace {

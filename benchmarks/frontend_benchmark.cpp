@@ -15,8 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "frontend/project.hpp"
-#include "random_models/well_formed.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/syntax/parse.hpp"
+#include "tests/random_models/models/well_formed.hpp"
 
 namespace {
 

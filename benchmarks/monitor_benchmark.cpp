@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-#include "app/monitor.hpp"
+#include "app/verbs/monitor.hpp"
 #include "benchmarks/cpu_time.hpp"
 #include "benchmarks/scaled.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "simulation/scenario.hpp"
+#include "simulation/scenario/scenario.hpp"
 
 namespace robochart {
 

@@ -1,5 +1,5 @@
 # Builds the lists of cpp_emit/reserved into the program: one sorted table of names a list.
-set(text "// Lists of cpp_emit/reserved, built in by embed_reserved.cmake.\n#include \"cpp_emit/reserved.hpp\"\n\nnamespace robochart::cpp_emit {\n\n")
+set(text "// Lists of cpp_emit/reserved, built in by embed_reserved.cmake.\n#include \"cpp_emit/plan/reserved.hpp\"\n\nnamespace robochart::cpp_emit {\n\n")
 foreach(list macros globals own_types own_members)
   file(STRINGS ${RESERVED_DIR}/${list}.txt names REGEX "^[A-Za-z]")
   list(SORT names)

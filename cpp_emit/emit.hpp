@@ -5,73 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "cpp_emit/fault.hpp"
+#include "cpp_emit/plan/options.hpp"
 #include "diagnostics/diagnostic.hpp"
-#include "semantics/instantiation.hpp"
-#include "semantics/ir.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
 
 namespace robochart::cpp_emit {
-
-/// A file to be written: path relative to the output folder, and its text.
-struct OutputFile {
-    std::string path;
-    std::string text;
-    bool keep = false;  ///< its reader's to change: not written where it is there
-};
-
-/// What is emitted: the classes with everything that the conformance check needs, or a project that builds as it
-/// stands.
-enum class Target {
-    sources,  ///< the classes, the exploration interface, a console driver
-    library,  ///< a CMake library to install
-    main,     ///< a console program
-    ros2,     ///< a package with a node
-    enki,     ///< e-pucks in Enki
-    argos,    ///< a controller of ARGoS
-};
-
-/// How a machine whose programs never wait finds what an event does (dispatch).
-enum class Strategy {
-    automatic,      ///< by the number of states in which it rests
-    nested_switch,  ///< by state, then by event
-    table,          ///< a dense table of cases, one switch over them
-};
-
-struct Options {
-    Target target = Target::sources;
-    Strategy strategy = Strategy::automatic;
-    Fault fault = Fault::none;
-    std::uint32_t fault_site = 0;  ///< which applicable place (transition, call, … in textual order) carries the fault
-    std::uint32_t cycle_length = 1;  ///< time units that pass between two control cycles
-    /// Where the model leaves a choice between transitions or of a wait, the code asks its platform (`pick`); else it
-    /// takes the first, without a place to ask at.
-    bool choices = false;
-    /// The exploration interface is needed: what has more values than its tables take is refused (RC-G13). Else the
-    /// interface is left out then, with a note (RC-G15).
-    bool explored = true;
-    /// For comments with file and line; null: comments name the model's elements only.
-    const diagnostics::SourceManager* sources = nullptr;
-};
-
-/// What a cycle does is as it should be.
-[[nodiscard]] constexpr bool faultless_cycle(const Options& options) {
-    return options.fault == Fault::none || in_event_face(options.fault);
-}
-
-struct Emission {
-    std::vector<OutputFile> files;  ///< headers, sources, CMakeLists.txt, the runtime headers
-    std::string
-        shim;  ///< path of the source that exports the exploration interface (runtime/explore_abi.h); "" if none
-    std::vector<std::string> sources;  ///< paths of the sources to compile with it
-    std::uint32_t fault_sites = 0;     ///< how many places the requested fault applies to
-};
 
 /// Emits the controller of one state machine, controller or module. `component` is the path as in
 /// ir::ComponentRef ("AggregationFSM", "AggregationModule"). What cannot be generated is refused by name.
 [[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                             const Options&, diagnostics::Diagnostics&);
-
-/// All headers that generated code may include, below robochart/.
-[[nodiscard]] std::vector<OutputFile> shipped_headers();
 
 }  // namespace robochart::cpp_emit

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cpp_emit/face.hpp"
+#include "cpp_emit/api/class_api.hpp"
 
 namespace robochart::cpp_emit {
 

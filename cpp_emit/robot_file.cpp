@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cpp_emit/project.hpp"
-#include "cpp_emit/types.hpp"
+#include "cpp_emit/plan/types.hpp"
 
 namespace robochart::cpp_emit {
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "cpp_emit/project.hpp"
-#include "cpp_emit/rules.hpp"
-#include "cpp_emit/types.hpp"
+#include "cpp_emit/plan/rules.hpp"
+#include "cpp_emit/plan/types.hpp"
 
 namespace robochart::cpp_emit {
 

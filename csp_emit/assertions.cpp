@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "checker/cspm/build.hpp"
-#include "csp_emit/expressions.hpp"
-#include "csp_emit/machine.hpp"
-#include "csp_emit/names.hpp"
-#include "csp_emit/rules.hpp"
-#include "csp_emit/types.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/expressions/expressions.hpp"
+#include "csp_emit/machine/machine.hpp"
+#include "csp_emit/base/names.hpp"
+#include "csp_emit/base/rules.hpp"
+#include "csp_emit/base/types.hpp"
 
 namespace robochart::csp_emit {
 
@@ -287,7 +287,7 @@ std::vector<DeclPtr> Asserter::reachability(const ir::Property& property) const 
 }
 
 /// `clock C is initialised`: no guard reads it before its first reset, and some run resets it. A copy of the machine
-/// that keeps watch (watch.cpp) tells both.
+/// that keeps watch (clock_initialisation.cpp) tells both.
 void Asserter::initialisation(const ir::Property& property, Obligation& out) {
     const ComponentEmission& subject = *component(property.subject);
     MachineContext context;

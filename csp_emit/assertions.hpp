@@ -1,8 +1,8 @@
 // Assertions of the model as CSPM assertions (assertions.md, section 4: the table).
 #pragma once
 
-#include "csp_emit/component.hpp"
-#include "csp_emit/names.hpp"
+#include "csp_emit/base/component.hpp"
+#include "csp_emit/base/names.hpp"
 
 namespace robochart::csp_emit {
 

@@ -4,21 +4,21 @@
 #include <algorithm>
 #include <set>
 
-#include "checker/cspm/build.hpp"
-#include "checker/cspm/reader.hpp"
-#include "csp_emit/apart.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "csp_emit/base/script_library.hpp"
+#include "csp_emit/passes/name_clashes.hpp"
 #include "csp_emit/assertions.hpp"
-#include "csp_emit/controller.hpp"
-#include "csp_emit/expressions.hpp"
-#include "csp_emit/instantiations.hpp"
-#include "csp_emit/library.hpp"
-#include "csp_emit/machine.hpp"
-#include "csp_emit/module.hpp"
-#include "csp_emit/rules.hpp"
-#include "csp_emit/safe_names.hpp"
-#include "csp_emit/shared_modules.hpp"
-#include "csp_emit/types.hpp"
-#include "semantics/query.hpp"
+#include "csp_emit/compose/controller.hpp"
+#include "csp_emit/expressions/expressions.hpp"
+#include "csp_emit/compose/instantiations.hpp"
+#include "csp_emit/machine/machine.hpp"
+#include "csp_emit/compose/module.hpp"
+#include "csp_emit/base/rules.hpp"
+#include "csp_emit/passes/safe_names.hpp"
+#include "csp_emit/passes/shared_modules.hpp"
+#include "csp_emit/base/types.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
 

@@ -1,6 +1,6 @@
 // Scripts as files for FDR, laid out as RoboTool does (semantics 3.1): definitions, and assertions that include them.
-#include "checker/cspm/build.hpp"
-#include "checker/cspm/reader.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/emit.hpp"
 
 namespace robochart::csp_emit {

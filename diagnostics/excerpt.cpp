@@ -47,10 +47,6 @@ std::vector<Cell> split_cells(std::string_view line, std::size_t first, std::siz
     return cells;
 }
 
-bool is_continuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
 /// The nearest start of a character at or before `offset`.
 std::size_t align(std::string_view line, std::size_t offset) {
     for (std::size_t back = 0; back < 3 && offset > 0 && offset < line.size() && is_continuation(line[offset]); ++back)

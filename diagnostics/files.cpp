@@ -17,34 +17,13 @@
 #include <filesystem>
 #include <utility>
 
+#include "diagnostics/descriptor.hpp"
+
 namespace robochart::diagnostics {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// An open file or folder.
-class Descriptor {
-public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-    Descriptor& operator=(Descriptor&& other) noexcept {
-        std::swap(number_, other.number_);
-        return *this;
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int get() const { return number_; }
-    [[nodiscard]] bool open() const { return number_ >= 0; }
-    /// False with errno where what was written could not be kept.
-    bool close() { return ::close(std::exchange(number_, -1)) == 0; }
-
-private:
-    int number_;
-};
 
 std::string failure(const std::string& path, const std::string& cause) {
     return fmt::format("cannot write {}: {}", path, cause);

@@ -11,6 +11,9 @@
 #include <cstring>
 #include <utility>
 
+#include "diagnostics/descriptor.hpp"
+#include "diagnostics/utf8.hpp"
+
 namespace robochart::diagnostics {
 
 namespace {
@@ -24,25 +27,6 @@ std::vector<std::uint32_t> find_line_starts(std::string_view text) {
     }
     return starts;
 }
-
-bool is_continuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
-/// An open file; -1 for none.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int get() const { return number_; }
-
-private:
-    int number_;
-};
 
 std::string too_large(std::uintmax_t bytes) {
     return fmt::format("too large: {} bytes, at most {} are read", bytes, SourceManager::max_bytes);

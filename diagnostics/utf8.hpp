@@ -9,6 +9,11 @@ namespace robochart::diagnostics {
 /// Length in bytes of the well-formed UTF-8 sequence at the front of `text`; 0 if there is none.
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
+/// A byte inside a UTF-8 sequence, behind its first.
+[[nodiscard]] inline bool is_continuation(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
 /// What is shown in place of a byte that is not UTF-8 (U+FFFD).
 inline constexpr std::string_view replacement_character = "\xEF\xBF\xBD";
 

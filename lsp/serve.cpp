@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "lsp/server.hpp"
-#include "lsp/transport.hpp"
+#include "lsp/protocol/transport.hpp"
 
 namespace robochart::lsp {
 

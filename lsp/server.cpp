@@ -7,9 +7,9 @@
 #include <array>
 #include <limits>
 
-#include "lsp/capabilities.hpp"
-#include "lsp/documents.hpp"
-#include "lsp/features.hpp"
+#include "lsp/features/capabilities.hpp"
+#include "lsp/features/documents.hpp"
+#include "lsp/features/features.hpp"
 
 namespace robochart::lsp {
 

@@ -9,8 +9,8 @@
 #include "csp_emit/emit.hpp"
 #include "diagnostics/source.hpp"
 #include "runs/run.hpp"
-#include "semantics/instantiation.hpp"
-#include "semantics/ir.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
 
 namespace robochart::runs {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "semantics/instantiation.hpp"
-#include "semantics/ir.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
 #include "runs/run.hpp"
 
 namespace robochart::runs {

@@ -37,7 +37,7 @@ generated() {
   local random=build/fuzz/random
   rm -rf "$random"
   for seed in $(seq 1 40); do
-    build/fuzz/random_models/random_models_tool --out "$random/$seed" --seed "$seed" >/dev/null
+    build/fuzz/tests/random_models/random_models_tool --out "$random/$seed" --seed "$seed" >/dev/null
   done
   gather model rct "$random"
   gather semantics rct "$random"
@@ -55,9 +55,9 @@ generated() {
 }
 
 # Sessions with an editor: models under a first line of questions and changes, alone and divided by form feeds from
-# what uses them (fuzz/editor.cpp).
+# what uses them (tests/fuzz/targets/editor.cpp).
 sessions() {
-  local steps=fuzz/regressions/editor/while_typed.txt file
+  local steps=tests/fuzz/regressions/editor/while_typed.txt file
   mkdir -p "$seeds/editor"
   for file in "$seeds"/model/*; do
     { head -n 1 "$steps" && cat "$file"; } >"$seeds/editor/$(basename "$file")"
@@ -72,13 +72,13 @@ sessions() {
   done
 }
 
-gather model rct corpus tests/frontend/fixtures frontend/library
+gather model rct corpus tests/frontend/fixtures frontend/toolkits/library
 gather semantics rct corpus tests/app/agreeing tests/conformance/models tests/cpp_emit/models
 gather assertions assertions corpus tests/frontend/fixtures
 gather script csp editors/vscode/tests
 for target in "${targets[@]}"; do
   mkdir -p "$seeds/$target"
-  find "fuzz/regressions/$target" -type f -exec cp {} "$seeds/$target/" \; 2>/dev/null || true
+  find "tests/fuzz/regressions/$target" -type f -exec cp {} "$seeds/$target/" \; 2>/dev/null || true
 done
 examples
 generated
@@ -86,12 +86,12 @@ sessions
 
 # One run of at most so many seconds; adds its CPU seconds and executions to `spent` and `executions`.
 run() {
-  local target="$1" limit="$2" log="build/fuzz/$1.log" dictionary="fuzz/robochart.dict" code=0
-  [ "$target" != script ] || dictionary="fuzz/cspm.dict"
-  [ "$target" != stream ] || dictionary="fuzz/protocol.dict"
+  local target="$1" limit="$2" log="build/fuzz/$1.log" dictionary="tests/fuzz/robochart.dict" code=0
+  [ "$target" != script ] || dictionary="tests/fuzz/cspm.dict"
+  [ "$target" != stream ] || dictionary="tests/fuzz/protocol.dict"
   TIMEFORMAT=%0U
   local cpu
-  cpu="$({ time nice -n 10 "build/fuzz/fuzz/fuzz_$target" -max_len=20000 -timeout=60 -rss_limit_mb=2048 \
+  cpu="$({ time nice -n 10 "build/fuzz/tests/fuzz/targets/fuzz_$target" -max_len=20000 -timeout=60 -rss_limit_mb=2048 \
     -dict="$dictionary" -max_total_time="$limit" -print_final_stats=1 -artifact_prefix="build/fuzz/found/$target/" \
     "build/fuzz/corpus/$target" "$seeds/$target" >"$log" 2>&1; } 2>&1)" || code=$?
   spent=$((spent + cpu))

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Mutates the models and scripts of the repository (and of ../shared, where it is) and runs the whole command on them.
 # scripts/hostile_inputs.sh [INPUTS [FIRST_SEED]], by default 30,000 from a new seed, which it prints. What breaks a promise
-# is kept in build/hostile/SEED (fuzz/whole_command.py says what is promised).
+# is kept in build/hostile/SEED (tests/fuzz/whole_command.py says what is promised).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 inputs="${1:-30000}"
@@ -11,9 +11,9 @@ if [ ! -x build/release/app/robochart-verify ]; then
   cmake --preset release -DROBOCHART_TESTS=OFF
   cmake --build --preset release --target robochart-verify
 fi
-roots=(corpus tests fuzz)
+roots=(corpus tests)
 for shared in "${ROBOCHART_SHARED:-../shared}"/suite "${ROBOCHART_SHARED:-../shared}"/bench; do
   [ -d "$shared" ] && roots+=("$shared")
 done
 echo "seed $seed"
-exec python3 fuzz/whole_command.py build/release/app/robochart-verify "${roots[@]}" --inputs "$inputs" --seed "$seed"
+exec python3 tests/fuzz/whole_command.py build/release/app/robochart-verify "${roots[@]}" --inputs "$inputs" --seed "$seed"

@@ -3,7 +3,7 @@
 # compared with the model's semantics; prints what came of them, and each cause of a disagreement with a small model.
 # Builds the tests of the component in release form first.
 # Arguments: how many models (default 100000), the first seed (default 0), the compiler (default c++).
-# ROBOCHART_MODELS says which models: widened (default), core, toolkits, hostile (tests/conformance/random_shapes.hpp);
+# ROBOCHART_MODELS says which models: widened (default), core, toolkits, hostile (tests/conformance/random/random_shapes.hpp);
 # ROBOCHART_JOBS how many processes work (default: one a processor). Seeds are done in ranges of 500; what is done is kept
 # below build/random_conformance for the program as it is, so that a run that was interrupted goes on where it stood.
 # A single model that disagrees is cut down (`scripts/random_conformance.sh 1 SEED`).

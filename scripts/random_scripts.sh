@@ -8,4 +8,4 @@ export ROBOCHART_SEEDS="${1:-1000}"
 export ROBOCHART_FIRST_SEED="${2:-0}"
 cmake --preset release -DROBOCHART_TESTS=ON
 cmake --build --preset release --target tests_random_models
-build/release/tests/random_models/tests_random_models --gtest_filter='Semantics.*'
+build/release/tests/random_models/tests/tests_random_models --gtest_filter='Semantics.*'

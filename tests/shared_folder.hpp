@@ -4,13 +4,15 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "tests/source_folder.hpp"
+
 namespace robochart::tests {
 
 /// The folder that ROBOCHART_SHARED names, or `shared` beside the repository or beside the folder of its worktrees;
 /// empty if there is none.
 inline std::filesystem::path shared_folder() {
     namespace fs = std::filesystem;
-    const fs::path root = ROBOCHART_SOURCE_DIR;
+    const fs::path root = tests::source_folder();
     const char* named = std::getenv("ROBOCHART_SHARED");
     if (named != nullptr) return fs::is_directory(named) ? fs::path(named) : fs::path();
     for (const fs::path& folder : {root / "../shared", root / "../../shared"})

@@ -6,16 +6,16 @@
 #include <functional>
 #include <new>
 
-#include "checker/cspm/deep_stack.hpp"
-#include "checker/cspm/evaluator.hpp"
-#include "checker/cspm/reader.hpp"
-#include "checker/cspm/resolver.hpp"
-#include "checker/cspm/unread_parameters.hpp"
-#include "checker/lts/term_system.hpp"
+#include "checker/cspm/types/deep_stack.hpp"
+#include "checker/cspm/eval/evaluator.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/eval/resolver.hpp"
+#include "checker/cspm/eval/unread_parameters.hpp"
 #include "checker/machine/compiler.hpp"
 #include "checker/machine/not_compiled.hpp"
 #include "checker/process/operational_semantics.hpp"
-#include "checker/refine/budget.hpp"
+#include "checker/process/term_system.hpp"
+#include "checker/refine/search/budget.hpp"
 
 namespace robochart::cspm {
 
@@ -42,7 +42,7 @@ public:
     void watch(const std::function<void()>& poll) override { system_.watch(poll); }
 
 private:
-    lts::TermSystem system_;
+    process::TermSystem system_;
     Span span_;
 };
 

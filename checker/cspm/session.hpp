@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "checker/cspm/evaluation_error.hpp"
-#include "checker/cspm/observed_call.hpp"
-#include "checker/cspm/syntax.hpp"
+#include "checker/cspm/eval/evaluation_error.hpp"
+#include "checker/cspm/syntax/observed_call.hpp"
+#include "checker/cspm/syntax/syntax.hpp"
 #include "checker/lts/transition_system.hpp"
 #include "checker/process/behaviour.hpp"
 #include "checker/process/term.hpp"
-#include "checker/refine/check.hpp"
+#include "checker/refine/verdict/check.hpp"
 #include "diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm {

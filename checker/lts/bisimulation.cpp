@@ -101,7 +101,7 @@ void Refinement::mark(StateIndex state) {
         list.push_back(next);
         if (!branching_) continue;
         for (std::uint64_t i = first_source_[next]; i < first_source_[next + 1U]; ++i)
-            if (sources_[i].second == process::tau && block_[sources_[i].first] == block_[next])
+            if (sources_[i].second == tau && block_[sources_[i].first] == block_[next])
                 pending.push_back(sources_[i].first);
     }
 }
@@ -134,11 +134,11 @@ Signature Refinement::signature_of(StateIndex state, const std::map<StateIndex, 
     Signature result;
     const Block own = block_[state];
     for (const Edge& edge : graph_.edges(state)) {
-        const bool inert = branching_ && edge.event == process::tau && block_[edge.target] == own;
+        const bool inert = branching_ && edge.event == tau && block_[edge.target] == own;
         if (!inert) {
             result.push_back({edge.event, block_[edge.target]});
         } else if (edge.target == state) {
-            result.push_back({process::tau, endless});
+            result.push_back({tau, endless});
         } else {
             const auto known = fresh.find(edge.target);
             const Signature& through = known != fresh.end() ? *known->second : signatures_[own];

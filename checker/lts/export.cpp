@@ -9,15 +9,15 @@
 namespace robochart::lts {
 namespace {
 
-std::string label(const process::EventTable& events, Event event) {
-    if (event == process::tau) return "tau";
-    if (event == process::tick) return "tick";
+std::string label(const EventTable& events, Event event) {
+    if (event == tau) return "tau";
+    if (event == tick) return "tick";
     return diagnostics::label_text(events.name(event));
 }
 
 }  // namespace
 
-void write_aut(const Graph& graph, const process::EventTable& events, std::ostream& out) {
+void write_aut(const Graph& graph, const EventTable& events, std::ostream& out) {
     fmt::print(out, "des (0,{},{})\n", graph.edge_count(), graph.size());
     for (StateIndex state = 0; state < graph.size(); ++state)
         for (const Edge& edge : graph.edges(state))
@@ -41,12 +41,12 @@ std::string expression(const std::string& event) {
 }
 
 /// What a state offers: STOP, SKIP, or prefixes in choice.
-std::string offer(std::span<const Edge> edges, const process::EventTable& events, const std::string& name) {
+std::string offer(std::span<const Edge> edges, const EventTable& events, const std::string& name) {
     std::string text;
     for (const Edge& edge : edges) {
-        if (edge.event == process::tau) continue;
+        if (edge.event == tau) continue;
         if (!text.empty()) text += " [] ";
-        if (edge.event == process::tick)
+        if (edge.event == tick)
             text += "SKIP";
         else
             text += fmt::format("{} -> {}{}", expression(events.name(edge.event)), name, edge.target);
@@ -56,14 +56,14 @@ std::string offer(std::span<const Edge> edges, const process::EventTable& events
 
 }  // namespace
 
-void write_csp(const Graph& graph, const process::EventTable& events, const std::string& name, std::ostream& out) {
+void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out) {
     fmt::print(out, "{0} = {0}0\n", name);
     for (StateIndex state = 0; state < graph.size(); ++state) {
         const std::string visible = offer(graph.edges(state), events, name);
         std::string hidden;
         std::size_t taus = 0;
         for (const Edge& edge : graph.edges(state)) {
-            if (edge.event != process::tau) continue;
+            if (edge.event != tau) continue;
             hidden += fmt::format("{}{}{}", taus++ > 0 ? " |~| " : "", name, edge.target);
         }
         fmt::print(out, "{}{} = ", name, state);
@@ -76,7 +76,7 @@ void write_csp(const Graph& graph, const process::EventTable& events, const std:
     }
 }
 
-void write_dot(const Graph& graph, const process::EventTable& events, std::ostream& out) {
+void write_dot(const Graph& graph, const EventTable& events, std::ostream& out) {
     fmt::print(out, "digraph lts {{\n  node [shape=circle];\n  start [shape=point];\n  start -> 0;\n");
     for (StateIndex state = 0; state < graph.size(); ++state) {
         fmt::print(out, "  {};\n", state);

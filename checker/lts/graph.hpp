@@ -49,27 +49,27 @@ struct Exploration {
 /// A graph behind the narrow waist.
 class GraphSystem final : public TransitionSystem {
 public:
-    GraphSystem(const Graph& graph, const process::EventTable& events) : graph_(graph), events_(events) {}
+    GraphSystem(const Graph& graph, const EventTable& events) : graph_(graph), events_(events) {}
     [[nodiscard]] std::size_t width() const override { return 1; }
     void initial(std::span<Word> state) override { state[0] = 0; }
     void successors(StateView state, SuccessorSink& sink) override;
     [[nodiscard]] std::unique_ptr<TransitionSystem> another() const override {
         return std::make_unique<GraphSystem>(graph_, events_);
     }
-    [[nodiscard]] const process::EventTable& events() const override { return events_; }
+    [[nodiscard]] const EventTable& events() const override { return events_; }
     [[nodiscard]] std::string describe(StateView state) const override;
 
 private:
     const Graph& graph_;
-    const process::EventTable& events_;
+    const EventTable& events_;
 };
 
 /// Aldebaran format as CADP and mCRL2 read it; tau is written "tau", termination "tick".
-void write_aut(const Graph& graph, const process::EventTable& events, std::ostream& out);
+void write_aut(const Graph& graph, const EventTable& events, std::ostream& out);
 /// CSPM definitions of `name` and a process a state, `name` with the state's number: equal to the graph in T, F and FD.
 /// The channels must be declared. A state with several taus and something else gets one tau more on the way to them.
-void write_csp(const Graph& graph, const process::EventTable& events, const std::string& name, std::ostream& out);
+void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out);
 /// Graphviz.
-void write_dot(const Graph& graph, const process::EventTable& events, std::ostream& out);
+void write_dot(const Graph& graph, const EventTable& events, std::ostream& out);
 
 }  // namespace robochart::lts

@@ -29,7 +29,7 @@ private:
                 continue;
             }
             const Edge& edge = edges[next_edge_[state]++];
-            if (edge.event != process::tau) continue;
+            if (edge.event != tau) continue;
             if (number_[edge.target] == 0)
                 enter(edge.target);
             else if (result_.component[edge.target] == no_state)
@@ -55,7 +55,7 @@ private:
     }
     bool loops(StateIndex state) const {
         const std::span<const Edge> edges = graph_.edges(state);
-        return std::find(edges.begin(), edges.end(), Edge{process::tau, state}) != edges.end();
+        return std::find(edges.begin(), edges.end(), Edge{tau, state}) != edges.end();
     }
 
     const Graph& graph_;
@@ -86,11 +86,11 @@ Graph contract(const Graph& graph, const TauComponents& components) {
     Graph result;
     for (StateIndex component = 0; component < members.size(); ++component) {
         std::vector<Edge> edges;
-        if (components.cyclic[component]) edges.push_back({process::tau, component});
+        if (components.cyclic[component]) edges.push_back({tau, component});
         for (StateIndex state : members[component])
             for (const Edge& edge : graph.edges(state)) {
                 const StateIndex target = components.component[edge.target];
-                if (edge.event != process::tau || target != component) edges.push_back({edge.event, target});
+                if (edge.event != tau || target != component) edges.push_back({edge.event, target});
             }
         std::sort(edges.begin(), edges.end());
         edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "checker/process/term.hpp"
+#include "checker/lts/event.hpp"
+
 
 namespace robochart::lts {
 
-using process::Event;
 using Word = std::uint32_t;
 using StateView = std::span<const Word>;
 
@@ -37,7 +37,7 @@ public:
     /// that is not possible.
     [[nodiscard]] virtual std::unique_ptr<TransitionSystem> another() const { return nullptr; }
     /// Names of events; systems that are compared share one table.
-    [[nodiscard]] virtual const process::EventTable& events() const = 0;
+    [[nodiscard]] virtual const EventTable& events() const = 0;
     /// `poll` is called now and then during long work inside the system, and may throw to stop it. Empty: none.
     virtual void watch(const std::function<void()>& /*poll*/) {}
     /// The same process by a slower semantics that shares nothing with this one but the definitions: what a search

@@ -8,11 +8,11 @@
 #include <optional>
 #include <set>
 
-#include "checker/lts/compressor.hpp"
 #include "checker/machine/component.hpp"
 #include "checker/machine/explicit_machine.hpp"
 #include "checker/machine/skeleton.hpp"
 #include "checker/machine/supercombinator_system.hpp"
+#include "checker/process/bisimulation_compressor.hpp"
 #include "checker/process/compressor.hpp"
 
 namespace robochart::machine {
@@ -77,7 +77,7 @@ public:
 
 private:
     Compiler* compiler_ = nullptr;
-    lts::BisimulationCompressor compressor_;
+    process::BisimulationCompressor compressor_;
 };
 
 }  // namespace robochart::machine

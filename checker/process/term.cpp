@@ -51,21 +51,6 @@ private:
 
 }  // namespace
 
-EventTable::EventTable() {
-    intern("τ");
-    intern("✓");
-}
-
-Event EventTable::intern(std::string_view name) {
-    const auto [entry, fresh] = ids_.emplace(std::string(name), static_cast<Event>(names_.size()));
-    if (fresh) names_.push_back(entry->first);
-    return entry->second;
-}
-
-const std::string& EventTable::name(Event event) const {
-    return names_.at(event);
-}
-
 struct TermStore::Impl {
     std::deque<Term> terms;  // references stay valid while terms are added
     std::vector<std::uint32_t> hashes;

@@ -5,31 +5,19 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
-#include <unordered_map>
 #include <vector>
+
+#include "checker/lts/event.hpp"
 
 namespace robochart::process {
 
-using Event = std::uint32_t;
-inline constexpr Event tau = 0;   ///< the invisible action
-inline constexpr Event tick = 1;  ///< successful termination, printed as ✓
-inline constexpr Event first_visible = 2;
+using lts::Event;
+using lts::EventSet;
+using lts::EventTable;
+using lts::first_visible;
+using lts::tau;
+using lts::tick;
 
-/// Names of events. Ids are dense; visible events are numbered in the order of their first interning.
-class EventTable {
-public:
-    EventTable();
-    Event intern(std::string_view name);
-    [[nodiscard]] const std::string& name(Event) const;
-    [[nodiscard]] std::size_t size() const { return names_.size(); }
-
-private:
-    std::vector<std::string> names_;
-    std::unordered_map<std::string, Event> ids_;
-};
-
-using EventSet = std::vector<Event>;  ///< ascending, without tau; tick only where said
 using EventPair = std::pair<Event, Event>;
 using Renaming = std::vector<EventPair>;  ///< ascending (from, to); events not named keep their name
 

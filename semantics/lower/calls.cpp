@@ -5,7 +5,7 @@
 #include <boost/graph/depth_first_search.hpp>
 
 #include "semantics/lower/components.hpp"
-#include "semantics/query.hpp"
+#include "semantics/ir/query.hpp"
 #include "semantics/rules.hpp"
 
 namespace robochart::ir {

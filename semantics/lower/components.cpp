@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "semantics/lower/machines.hpp"
-#include "semantics/query.hpp"
+#include "semantics/ir/query.hpp"
 #include "semantics/rules.hpp"
 
 namespace robochart::ir {

@@ -65,11 +65,4 @@ private:
     return std::make_shared<const Expr>(std::move(expr));
 }
 
-/// The id of a declaration, invalid if the map has none.
-template <class Id>
-[[nodiscard]] Id look_up(const ByDeclaration<Id>& map, const ast::Declaration* declaration) {
-    const auto it = map.find(declaration);
-    return it == map.end() ? Id{} : it->second;
-}
-
 }  // namespace robochart::ir

@@ -1,16 +1,13 @@
 // Small makers and the conversions between number types.
 #include <algorithm>
 
+#include "semantics/lower/expression_lowering.hpp"
 #include "semantics/lower/expressions.hpp"
 #include "semantics/lower/types.hpp"
-#include "semantics/visit.hpp"
+#include "semantics/ir/visit.hpp"
 
 namespace robochart::ir {
 namespace {
-
-ExprPtr share(Expr expr) {
-    return std::make_shared<const Expr>(std::move(expr));
-}
 
 bool mentions(const ExprPtr& expr, ExprKind a, ExprKind b) {
     bool found = false;

@@ -3,7 +3,7 @@
 
 #include "semantics/lower/expression_lowering.hpp"
 #include "semantics/lower/types.hpp"
-#include "semantics/numbers.hpp"
+#include "semantics/ir/numbers.hpp"
 #include "semantics/rules.hpp"
 
 namespace robochart::ir {

@@ -8,15 +8,22 @@
 
 #include "diagnostics/diagnostic.hpp"
 #include "diagnostics/source.hpp"
-#include "frontend/ast.hpp"
-#include "frontend/types.hpp"
-#include "semantics/ir.hpp"
+#include "frontend/syntax/ast.hpp"
+#include "frontend/types/types.hpp"
+#include "semantics/ir/ir.hpp"
 
 namespace robochart::ir {
 
 /// Maps with declarations as keys are for look-up only; nothing iterates over them.
 template <class T>
 using ByDeclaration = std::map<const frontend::Declaration*, T>;
+
+/// The id of a declaration, invalid if the map has none.
+template <class Id>
+[[nodiscard]] Id look_up(const ByDeclaration<Id>& map, const frontend::Declaration* declaration) {
+    const auto it = map.find(declaration);
+    return it == map.end() ? Id{} : it->second;
+}
 
 /// The core types, interned first in every System.
 inline constexpr TypeId boolean_type{0};

@@ -6,7 +6,7 @@
 
 #include "semantics/lower/programs.hpp"
 #include "semantics/rules.hpp"
-#include "semantics/visit.hpp"
+#include "semantics/ir/visit.hpp"
 
 namespace robochart::ir {
 namespace {

@@ -79,12 +79,6 @@ CommKind kind_of(ast::CommKind kind) {
     return CommKind::simple;
 }
 
-template <class Id>
-Id look_up(const ByDeclaration<Id>& map, const ast::Declaration* declaration) {
-    const auto it = map.find(declaration);
-    return it == map.end() ? Id{} : it->second;
-}
-
 /// The part of a communication that triggers and statements share.
 Communication lower_communication(Lowering& lowering, const Names& names, const ast::Communication& source) {
     Communication result;

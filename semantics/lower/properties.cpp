@@ -7,7 +7,7 @@
 #include "diagnostics/one_line.hpp"
 #include "semantics/lower/expressions.hpp"
 #include "semantics/lower/paths.hpp"
-#include "semantics/query.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::ir {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "semantics/lower.hpp"
+#include "semantics/lower/lower.hpp"
 #include "semantics/lower/expression_lowering.hpp"
 #include "semantics/lower/types.hpp"
 

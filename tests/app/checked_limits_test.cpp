@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/run.hpp"
-#include "app/verbs.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
 #include "tests/app/command.hpp"
 

@@ -1,4 +1,5 @@
 #include "tests/app/command.hpp"
+#include "tests/source_folder.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -141,7 +142,7 @@ TemporaryFile::~TemporaryFile() {
 }
 
 std::string repository(const std::string& path) {
-    return std::string(ROBOCHART_SOURCE_DIR) + "/" + path;
+    return tests::source_folder().string() + "/" + path;
 }
 
 }  // namespace robochart::app::testing

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report.hpp"
+#include "app/report/report.hpp"
 
 namespace robochart::app::testing {
 namespace {

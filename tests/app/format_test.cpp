@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "app/diff.hpp"
+#include "app/report/diff.hpp"
 #include "tests/app/command.hpp"
 
 namespace robochart::app::testing {
@@ -142,7 +142,7 @@ TEST(FormatVerb, SaysWhatCannotBeReadOrWritten) {
 }
 
 TEST(FormatVerb, TheModelsOfTheRepositoryAreInTheStyle) {
-    const Ran ran = run({"format", "--check", repository("corpus"), repository("frontend/library")});
+    const Ran ran = run({"format", "--check", repository("corpus"), repository("frontend/toolkits/library")});
     EXPECT_EQ(ran.exit, 0) << "run robochart-verify format on:\n" << ran.out;
 }
 

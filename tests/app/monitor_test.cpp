@@ -1,13 +1,13 @@
 // Monitors beside controllers whose generator was at fault: the trial stops at the first event that is none of the
 // model's, with its element.
-#include "app/monitor.hpp"
+#include "app/verbs/monitor.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/run.hpp"
+#include "app/command/run.hpp"
 #include "command.hpp"
-#include "cpp_emit/drive.hpp"
+#include "cpp_emit/simulator_api.hpp"
 
 namespace robochart::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "app/progress.hpp"
+#include "app/command/progress.hpp"
 #include "tests/app/command.hpp"
 #include "tests/shared_folder.hpp"
 

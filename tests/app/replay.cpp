@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/run.hpp"
-#include "app/verbs.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
 
 namespace robochart::app::testing {

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "random_models/well_formed.hpp"
+#include "tests/random_models/models/well_formed.hpp"
 #include "tests/app/command.hpp"
 #include "tests/rounds.hpp"
 #include "tests/shared_folder.hpp"

@@ -8,14 +8,16 @@
 #include <stdexcept>
 
 #include "diagnostics/render.hpp"
+#include "semantics/instantiate/instantiate.hpp"
 #include "tests/conformance/support.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::conformance::test {
 
 namespace fs = std::filesystem;
 
 Model::Model(const std::string& folder, const ir::InstantiationOptions& options) {
-    const std::string path = folder.front() == '/' ? folder : std::string(ROBOCHART_SOURCE_DIR) + "/" + folder;
+    const std::string path = folder.front() == '/' ? folder : tests::source_folder().string() + "/" + folder;
     const auto model = frontend::load_project(sources, path, diagnostics);
     if (diagnostics.ok()) system = ir::lower(*model, sources, diagnostics);
     if (diagnostics.ok()) instantiation = ir::instantiate(system, options, diagnostics);
@@ -38,7 +40,7 @@ void TemporaryFolder::write(const std::string& name, const std::string& text) co
 }
 
 TemporaryFolder changed_copy(const std::string& file, const std::string& from, const std::string& to) {
-    std::ifstream in(std::string(ROBOCHART_SOURCE_DIR) + "/" + file);
+    std::ifstream in(tests::source_folder().string() + "/" + file);
     std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     std::size_t changes = 0;
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()), ++changes)

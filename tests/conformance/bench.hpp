@@ -6,13 +6,14 @@
 #include <string>
 
 #include "checker/cspm/session.hpp"
-#include "conformance/component.hpp"
-#include "conformance/judge.hpp"
-#include "conformance/shared_object.hpp"
+#include "conformance/model/component.hpp"
+#include "conformance/check/conformance_check.hpp"
+#include "conformance/code/shared_object.hpp"
 #include "csp_emit/emit.hpp"
-#include "frontend/project.hpp"
-#include "semantics/instantiation.hpp"
-#include "semantics/lower.hpp"
+#include "frontend/project/project.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+#include "semantics/lower/lower.hpp"
 
 namespace robochart::conformance::test {
 

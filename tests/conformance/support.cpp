@@ -1,4 +1,5 @@
 #include "tests/conformance/support.hpp"
+#include "tests/source_folder.hpp"
 
 #include <fstream>
 #include <sstream>
@@ -14,7 +15,7 @@ process::Event number(const std::string& event, process::EventTable& events) {
 }
 
 std::string text_of(const std::string& path) {
-    std::ifstream in(std::string(ROBOCHART_SOURCE_DIR) + "/" + path, std::ios::binary);
+    std::ifstream in(tests::source_folder().string() + "/" + path, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();

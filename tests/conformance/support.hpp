@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "checker/lts/transition_system.hpp"
-#include "conformance/interface.hpp"
-#include "conformance/shared_object.hpp"
+#include "conformance/code/interface.hpp"
+#include "conformance/code/shared_object.hpp"
 
 namespace robochart::conformance::test {
 

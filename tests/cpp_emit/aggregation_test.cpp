@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/cpp_emit/harness.hpp"
-#include "tests/semantics/sample_systems.hpp"
+#include "tests/semantics/sample_systems/sample_systems.hpp"
 
 namespace robochart::cpp_emit {
 namespace {

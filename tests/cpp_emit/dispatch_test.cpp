@@ -6,9 +6,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "frontend/project.hpp"
-#include "semantics/lower.hpp"
+#include "frontend/project/project.hpp"
+#include "semantics/lower/lower.hpp"
 #include "tests/cpp_emit/harness.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::cpp_emit {
 namespace {
@@ -119,7 +120,7 @@ TEST_P(Dispatch, DoesWhatACycleDoes) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const auto model =
-        frontend::load_project(sources, std::string(ROBOCHART_SOURCE_DIR) + "/" + wanted.model, diagnostics);
+        frontend::load_project(sources, tests::source_folder().string() + "/" + wanted.model, diagnostics);
     const ir::System system = ir::lower(*model, sources, diagnostics);
     ASSERT_TRUE(diagnostics.ok());
     Options options;
@@ -148,12 +149,12 @@ INSTANTIATE_TEST_SUITE_P(BothWays, Dispatch,
                                             ::testing::Values(Strategy::nested_switch, Strategy::table)));
 
 /// Code that asks its platform does so in both faces: `dispatch` runs as a cycle, and there is nothing for a strategy
-/// to decide. tests/conformance/event_face_test.cpp has both faces compared for every answer.
+/// to decide. tests/conformance/check/dispatch_equivalence_test.cpp has both faces compared for every answer.
 TEST(Strategies, CodeThatAsksRunsAsInACycle) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const auto model = frontend::load_project(
-        sources, std::string(ROBOCHART_SOURCE_DIR) + "/tests/conformance/models/reacts", diagnostics);
+        sources, tests::source_folder().string() + "/tests/conformance/models/reacts", diagnostics);
     const ir::System system = ir::lower(*model, sources, diagnostics);
     for (const bool choices : {false, true}) {
         Options options;
@@ -174,7 +175,7 @@ TEST(Strategies, TheStrategyFollowsTheSize) {
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics diagnostics;
         const auto model = frontend::load_project(
-            sources, std::string(ROBOCHART_SOURCE_DIR) + "/benchmarks/models/" + name + ".rct", diagnostics);
+            sources, tests::source_folder().string() + "/benchmarks/models/" + name + ".rct", diagnostics);
         const ir::System system = ir::lower(*model, sources, diagnostics);
         const std::string machine = name == std::string("m2") ? "M2" : "M4";
         const Emission code = testing::emit_ok(system, testing::component(system, machine));

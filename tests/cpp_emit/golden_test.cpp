@@ -6,14 +6,15 @@
 #include <sstream>
 
 #include "diagnostics/render.hpp"
-#include "frontend/project.hpp"
-#include "semantics/lower.hpp"
+#include "frontend/project/project.hpp"
+#include "semantics/lower/lower.hpp"
 #include "tests/cpp_emit/harness.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::cpp_emit {
 namespace {
 
-const std::string folder = std::string(ROBOCHART_SOURCE_DIR) + "/tests/cpp_emit/golden/";
+const std::string folder = tests::source_folder().string() + "/tests/cpp_emit/golden/";
 
 std::string read(const std::string& name) {
     std::ostringstream text;

@@ -8,6 +8,7 @@
 
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::cpp_emit {
 namespace {
@@ -28,7 +29,7 @@ std::string block(const std::string& page, const std::string& language, std::siz
 void run(const std::string& program, const std::string& model, const std::string& component,
          const std::string& sources) {
     std::ostringstream page;
-    page << std::ifstream(std::string(ROBOCHART_SOURCE_DIR) + "/docs/cpp.md").rdbuf();
+    page << std::ifstream(tests::source_folder().string() + "/docs/cpp.md").rdbuf();
     std::size_t at = page.str().find("// program: " + program);
     ASSERT_NE(at, std::string::npos) << "docs/cpp.md has no program " << program;
     at = page.str().rfind("```cpp", at);

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "semantics/instantiate/instantiate.hpp"
+
 namespace robochart::cpp_emit::testing {
 
 namespace fs = std::filesystem;

@@ -7,6 +7,8 @@
 
 #include "cpp_emit/emit.hpp"
 #include "cpp_emit/runtime/explore_abi.h"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
 
 namespace robochart::cpp_emit::testing {
 

@@ -5,9 +5,12 @@
 #include <memory>
 
 #include "diagnostics/render.hpp"
-#include "frontend/library.hpp"
-#include "frontend/project.hpp"
-#include "semantics/lower.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/syntax/parse.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/lower/lower.hpp"
+#include "frontend/toolkits/toolkits.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::cpp_emit::testing {
 
@@ -30,7 +33,7 @@ ir::System corpus(const std::string& name) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const auto model =
-        frontend::load_project(sources, std::string(ROBOCHART_SOURCE_DIR) + "/corpus/" + name, diagnostics);
+        frontend::load_project(sources, tests::source_folder().string() + "/corpus/" + name, diagnostics);
     return lowered(sources, *model, diagnostics);
 }
 

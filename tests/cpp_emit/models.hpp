@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "semantics/ir.hpp"
+#include "semantics/ir/ir.hpp"
 #include "tests/cpp_emit/harness.hpp"
 
 namespace robochart::cpp_emit::testing {

@@ -1,6 +1,6 @@
 // Names of models in generated code: none is a keyword, a macro of the headers that are there, or a name that generated
 // code uses itself, in whatever place it stands; and what is generated with such names compiles.
-#include "cpp_emit/names.hpp"
+#include "cpp_emit/plan/names.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,10 @@
 #include <set>
 #include <sstream>
 
-#include "cpp_emit/reserved.hpp"
+#include "cpp_emit/plan/reserved.hpp"
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::cpp_emit {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 using testing::Folder;
 
 std::string contents(const std::string& path) {
-    std::ifstream in(std::string(ROBOCHART_SOURCE_DIR) + "/" + path, std::ios::binary);
+    std::ifstream in(tests::source_folder().string() + "/" + path, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();

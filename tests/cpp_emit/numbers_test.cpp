@@ -4,8 +4,8 @@
 
 #include "cpp_emit/runtime/finite.hpp"
 #include "cpp_emit/runtime/runtime.hpp"
-#include "semantics/evaluate.hpp"
-#include "tests/semantics/sample_systems.hpp"
+#include "semantics/evaluate/evaluate.hpp"
+#include "tests/semantics/sample_systems/sample_systems.hpp"
 
 namespace robochart::cpp_emit {
 namespace {

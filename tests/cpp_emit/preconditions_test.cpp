@@ -1,5 +1,5 @@
 // Preconditions of functions in generated code: what is asked, in which order, and where nothing needs asking. That the
-// code does what the model does is shown in tests/conformance/preconditions_test.cpp.
+// code does what the model does is shown in tests/conformance/check/preconditions_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -11,17 +11,19 @@
 #include <vector>
 
 #include "diagnostics/render.hpp"
+#include "semantics/instantiate/instantiate.hpp"
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 #include "tests/needed.hpp"
 #include "tests/shared_folder.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::cpp_emit {
 namespace {
 
 using testing::Folder;
 
-const std::string stub = std::string(ROBOCHART_SOURCE_DIR) + "/tests/cpp_emit/ros2_stub";
+const std::string stub = tests::source_folder().string() + "/tests/cpp_emit/ros2_stub";
 const std::string flags = "-O0 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror";
 
 class Project : public ::testing::Test {

@@ -1,13 +1,14 @@
-// What can't be generated is refused by name: each rule of cpp_emit/rules.hpp by a model that breaks it alone.
-#include "cpp_emit/rules.hpp"
+// What can't be generated is refused by name: each rule of cpp_emit/plan/rules.hpp by a model that breaks it alone.
+#include "cpp_emit/plan/rules.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "semantics/instantiate/instantiate.hpp"
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
-#include "tests/semantics/sample_systems.hpp"
+#include "tests/semantics/sample_systems/sample_systems.hpp"
 
 namespace robochart::cpp_emit {
 namespace {

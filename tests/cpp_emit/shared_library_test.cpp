@@ -1,5 +1,5 @@
 // Programs that are run for the toolkit: their status, their words, and their end.
-#include "cpp_emit/shared_library.hpp"
+#include "cpp_emit/load/shared_library.hpp"
 
 #include <gtest/gtest.h>
 #include <signal.h>

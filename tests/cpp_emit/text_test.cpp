@@ -1,9 +1,9 @@
 // Names and layout of generated text.
 #include <gtest/gtest.h>
 
-#include "cpp_emit/code_writer.hpp"
-#include "cpp_emit/names.hpp"
-#include "cpp_emit/types.hpp"
+#include "cpp_emit/expressions/code_writer.hpp"
+#include "cpp_emit/plan/names.hpp"
+#include "cpp_emit/plan/types.hpp"
 
 namespace robochart::cpp_emit {
 namespace {

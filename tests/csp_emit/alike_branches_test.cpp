@@ -1,11 +1,11 @@
 // Branches that differ in their events only are gathered, and the process stays the same.
-#include "csp_emit/alike_branches.hpp"
+#include "csp_emit/passes/choice_factoring.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "checker/cspm/build.hpp"
-#include "checker/cspm/reader.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {

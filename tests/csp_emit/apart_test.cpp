@@ -3,12 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "checker/cspm/builtins.hpp"
-#include "checker/cspm/printer.hpp"
-#include "checker/cspm/reader.hpp"
-#include "checker/cspm/types.hpp"
-#include "csp_emit/library.hpp"
-#include "frontend/lexer.hpp"
+#include "checker/cspm/types/builtins.hpp"
+#include "checker/cspm/syntax/printer.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/type_check.hpp"
+#include "csp_emit/base/library.hpp"
+#include "frontend/syntax/lexer.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {

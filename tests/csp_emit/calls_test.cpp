@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "checker/cspm/build.hpp"
-#include "checker/cspm/reader.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/csp_emit/fixture.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::csp_emit {
 namespace {
@@ -323,7 +324,7 @@ TEST(Modules, AsynchronousBuffersAreOverwrittenByTheNewest) {
 TEST(Corpus, EveryClaimHolds) {
     for (const char* name : {"aggregation", "swarm_taxis"}) {
         for (const Time time : {Time::untimed, Time::timed}) {
-            const auto m = testing::project(std::string(ROBOCHART_SOURCE_DIR) + "/corpus/" + name);
+            const auto m = testing::project(tests::source_folder().string() + "/corpus/" + name);
             ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
             const auto results = testing::decide(m->emit(time).script);
             ASSERT_TRUE(m->diagnostics.ok()) << m->messages();

@@ -4,8 +4,8 @@
 // that ends in silence, a fault or a script that is no CSPM shows which.
 #include <gtest/gtest.h>
 
-#include "checker/cspm/reader.hpp"
-#include "checker/cspm/types.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/type_check.hpp"
 #include "diagnostics/render.hpp"
 #include "tests/csp_emit/fixture.hpp"
 

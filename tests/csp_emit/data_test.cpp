@@ -1,11 +1,12 @@
 // Data: what expressions are worth, in the script and for the evaluator of the semantics room. The values come from the
-// contracts of the libraries (frontend/library) and from the rules for finite types (semantics 3.13).
+// contracts of the libraries (frontend/toolkits/library) and from the rules for finite types (semantics 3.13).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "checker/cspm/reader.hpp"
-#include "semantics/evaluate.hpp"
-#include "semantics/visit.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "semantics/evaluate/carrier.hpp"
+#include "semantics/evaluate/evaluate.hpp"
+#include "semantics/ir/visit.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {

@@ -4,9 +4,11 @@
 #include <sstream>
 
 #include "diagnostics/render.hpp"
-#include "frontend/library.hpp"
-#include "frontend/project.hpp"
-#include "semantics/lower.hpp"
+#include "frontend/syntax/parse.hpp"
+#include "frontend/toolkits/toolkits.hpp"
+#include "frontend/project/project.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/lower/lower.hpp"
 #include "tests/codes.hpp"
 
 namespace robochart::csp_emit::testing {

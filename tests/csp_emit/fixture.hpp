@@ -7,7 +7,8 @@
 
 #include "csp_emit/emit.hpp"
 #include "diagnostics/diagnostic.hpp"
-#include "semantics/ir.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
 
 namespace robochart::csp_emit::testing {
 

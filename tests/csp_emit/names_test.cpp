@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
-#include "checker/cspm/builtins.hpp"
-#include "checker/cspm/reader.hpp"
-#include "checker/cspm/types.hpp"
+#include "checker/cspm/types/builtins.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/type_check.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {

@@ -5,14 +5,16 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "checker/cspm/build.hpp"
-#include "checker/cspm/reader.hpp"
-#include "checker/cspm/types.hpp"
-#include "csp_emit/liveness.hpp"
-#include "csp_emit/rules.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/type_check.hpp"
+#include "csp_emit/passes/liveness.hpp"
+#include "csp_emit/base/rules.hpp"
+#include "semantics/instantiate/instantiate.hpp"
 #include "tests/csp_emit/fixture.hpp"
-#include "tests/semantics/sample_systems.hpp"
+#include "tests/semantics/sample_systems/sample_systems.hpp"
 #include "tests/shared_folder.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::csp_emit {
 namespace {
@@ -49,7 +51,7 @@ TEST(Script, HandBuiltAggregationReadsBackEqual) {
 
 TEST(Script, CorpusReadsBackEqual) {
     for (const char* name : {"aggregation", "swarm_taxis"}) {
-        const auto m = project(std::string(ROBOCHART_SOURCE_DIR) + "/corpus/" + name);
+        const auto m = project(tests::source_folder().string() + "/corpus/" + name);
         ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
         printed(*m, Time::untimed);
         printed(*m, Time::timed);
@@ -65,7 +67,7 @@ TEST(Script, SharedRoboToolModelsReadBackEqual) {
 }
 
 TEST(Script, UsesRoboToolsNames) {
-    const auto m = project(std::string(ROBOCHART_SOURCE_DIR) + "/corpus/aggregation");
+    const auto m = project(tests::source_folder().string() + "/corpus/aggregation");
     const std::string text = printed(*m, Time::timed);
     for (const char* part : {"module aggregation", "module OP_MoveClockwise", "module AggregationFSM", "module stm_ref",
                              "instance ctrl_ref = AggregationController__(0)", "channel seeWall : InOut",

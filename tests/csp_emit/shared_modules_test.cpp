@@ -1,11 +1,11 @@
 // Modules of equal text become instances of one, under the names they had, where names keep their meaning.
-#include "csp_emit/shared_modules.hpp"
+#include "csp_emit/passes/shared_modules.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "checker/cspm/build.hpp"
-#include "checker/cspm/reader.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {

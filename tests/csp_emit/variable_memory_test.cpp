@@ -1,11 +1,11 @@
 // Variables in memory processes of their own (semantics 3.6) behave as the parameters they replace.
-#include "csp_emit/variable_memory.hpp"
+#include "csp_emit/passes/variable_memory.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "checker/cspm/build.hpp"
-#include "checker/cspm/reader.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {

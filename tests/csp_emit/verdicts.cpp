@@ -1,4 +1,4 @@
-#include "checker/cspm/reader.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/session.hpp"
 #include "tests/csp_emit/fixture.hpp"
 

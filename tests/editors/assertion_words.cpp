@@ -1,5 +1,6 @@
 // See assertion_words.hpp.
 #include "assertion_words.hpp"
+#include "tests/source_folder.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -8,7 +9,7 @@
 namespace robochart::editors {
 
 std::set<std::string> assertion_words() {
-    std::ifstream in(ROBOCHART_SOURCE_DIR "/frontend/parser_assertions.cpp", std::ios::binary);
+    std::ifstream in(tests::source_folder().string() + "/frontend/syntax/parser_assertions.cpp", std::ios::binary);
     const std::string source(std::istreambuf_iterator<char>(in), {});
     const std::regex literal("\"([a-z]+(-[a-z]+)*)\"");
     std::set<std::string> words;

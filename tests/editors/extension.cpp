@@ -1,5 +1,6 @@
 // See extension.hpp.
 #include "extension.hpp"
+#include "tests/source_folder.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -10,7 +11,7 @@ namespace robochart::editors {
 using nlohmann::json;
 
 std::filesystem::path extension_folder() {
-    return std::filesystem::path(ROBOCHART_SOURCE_DIR) / "editors/vscode";
+    return tests::source_folder() / "editors/vscode";
 }
 
 std::string slurp(const std::filesystem::path& path) {

@@ -6,7 +6,8 @@
 
 #include "diagnostics/render.hpp"
 #include "extension.hpp"
-#include "frontend/project.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/syntax/parse.hpp"
 
 namespace robochart::editors {
 namespace {

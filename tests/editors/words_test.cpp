@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "assertion_words.hpp"
-#include "checker/cspm/builtins.hpp"
-#include "checker/cspm/lexer.hpp"
+#include "checker/cspm/types/builtins.hpp"
+#include "checker/cspm/syntax/lexer.hpp"
 #include "extension.hpp"
-#include "frontend/lexer.hpp"
-#include "frontend/project.hpp"
+#include "frontend/syntax/lexer.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/syntax/parse.hpp"
 
 namespace robochart::editors {
 namespace {

@@ -6,7 +6,8 @@
 #include <array>
 
 #include "fixture.hpp"
-#include "frontend/lexer.hpp"
+#include "frontend/syntax/lexer.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::frontend {
 namespace {
@@ -39,7 +40,7 @@ struct Count {
 
 std::vector<fs::path> models() {
     std::vector<fs::path> result;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ROBOCHART_SOURCE_DIR) / "corpus"))
+    for (const auto& entry : fs::recursive_directory_iterator(tests::source_folder() / "corpus"))
         if (entry.path().extension() == ".rct") result.push_back(entry.path());
     std::sort(result.begin(), result.end());
     return result;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "fixture.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::frontend {
 namespace {
@@ -76,7 +77,7 @@ TEST(Suite, RefusesWhatRoboToolRefuses) {
 }
 
 TEST(Suite, LoadsTheCorpus) {
-    const fs::path corpus = fs::path(ROBOCHART_SOURCE_DIR) / "corpus";
+    const fs::path corpus = tests::source_folder() / "corpus";
     if (!fs::is_directory(corpus)) GTEST_SKIP() << "no corpus in this tree";
     for (const fs::path& folder : entries(corpus)) {
         const auto files = fs::is_directory(folder) ? entries(folder) : std::vector<fs::path>();

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "frontend/ast.hpp"
+#include "frontend/syntax/ast.hpp"
 
 namespace robochart::frontend::testing {
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "fuzz/targets.hpp"
+#include "tests/fuzz/targets/targets.hpp"
 
 namespace robochart::fuzz {
 namespace {

@@ -7,16 +7,17 @@
 #include <set>
 #include <sstream>
 
-#include "checker/cspm/lexer.hpp"
-#include "frontend/lexer.hpp"
+#include "checker/cspm/syntax/lexer.hpp"
+#include "frontend/syntax/lexer.hpp"
 #include "tests/editors/assertion_words.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::fuzz {
 namespace {
 
 /// The entries of a dictionary in libFuzzer's form: `"text"` a line, `\\` and `\"` escaped, comments after `#`.
 std::set<std::string> dictionary(const std::string& name) {
-    std::ifstream in(ROBOCHART_SOURCE_DIR "/fuzz/" + name);
+    std::ifstream in(tests::source_folder().string() + "/tests/fuzz/" + name);
     std::set<std::string> entries;
     for (std::string line; std::getline(in, line);) {
         if (line.empty() || line.front() == '#') continue;

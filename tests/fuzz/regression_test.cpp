@@ -1,4 +1,4 @@
-// Inputs that once broke a promise of fuzz/targets.hpp, and the examples kept beside them, on every compiler.
+// Inputs that once broke a promise of tests/fuzz/targets/targets.hpp, and the examples kept beside them, on every compiler.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,14 +6,15 @@
 #include <fstream>
 #include <iterator>
 
-#include "fuzz/targets.hpp"
+#include "tests/fuzz/targets/targets.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = ROBOCHART_SOURCE_DIR;
+const fs::path root = tests::source_folder();
 
 std::string slurp(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
@@ -31,14 +32,14 @@ std::vector<fs::path> files_of(const fs::path& folder) {
 class Regressions : public ::testing::TestWithParam<Target> {};
 
 TEST_P(Regressions, KeepEveryPromise) {
-    const auto files = files_of(root / "fuzz/regressions" / GetParam().name);
+    const auto files = files_of(root / "tests/fuzz/regressions" / GetParam().name);
     ASSERT_FALSE(files.empty());
     for (const fs::path& file : files) EXPECT_EQ(GetParam().run(slurp(file)), "") << file;
 }
 
 /// Every prefix of a text is the text while it is being typed.
 TEST_P(Regressions, KeepEveryPromiseWhileTyped) {
-    for (const fs::path& file : files_of(root / "fuzz/regressions" / GetParam().name)) {
+    for (const fs::path& file : files_of(root / "tests/fuzz/regressions" / GetParam().name)) {
         const std::string text = slurp(file).substr(0, 2000);
         for (std::size_t length = 0; length < text.size(); length += 7)
             ASSERT_EQ(GetParam().run(text.substr(0, length)), "") << file << " until byte " << length;
@@ -49,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Fuzz, Regressions, ::testing::ValuesIn(targets().begin(
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Regressions, EveryFolderHasItsTarget) {
-    for (const auto& entry : fs::directory_iterator(root / "fuzz/regressions")) {
+    for (const auto& entry : fs::directory_iterator(root / "tests/fuzz/regressions")) {
         const std::string name = entry.path().filename().string();
         EXPECT_TRUE(std::any_of(targets().begin(), targets().end(), [&](const Target& t) { return t.name == name; }))
             << name;

@@ -7,11 +7,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "fuzz/targets.hpp"
-#include "random_models/near.hpp"
-#include "random_models/well_formed.hpp"
-#include "tests/random_models/seeds.hpp"
+#include "tests/fuzz/targets/targets.hpp"
+#include "tests/random_models/changes/near.hpp"
+#include "tests/random_models/models/well_formed.hpp"
+#include "tests/random_models/tests/seeds.hpp"
 #include "tests/rounds.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::fuzz {
 namespace {
@@ -39,7 +40,7 @@ std::vector<Project> kept_projects() {
     std::vector<Project> projects;
     for (const char* folder : {"corpus", "tests/app/agreeing", "tests/conformance/models", "tests/cpp_emit/models"}) {
         std::vector<fs::path> models;
-        for (const auto& entry : fs::directory_iterator(fs::path(ROBOCHART_SOURCE_DIR) / folder))
+        for (const auto& entry : fs::directory_iterator(tests::source_folder() / folder))
             if (entry.is_directory()) models.push_back(entry.path());
         std::sort(models.begin(), models.end());
         for (const fs::path& model : models) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lsp/protocol/uri.hpp"
 #include "lsp/server.hpp"
 
 namespace robochart::lsp::testing {

@@ -1,3 +1,4 @@
+#include "app/command/command_line.hpp"
 #include "example.hpp"
 
 #include <fmt/format.h>
@@ -8,15 +9,15 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/options.hpp"
-#include "app/pipeline.hpp"
-#include "app/run.hpp"
-#include "app/simulate.hpp"
-#include "app/verbs.hpp"
-#include "checker/cspm/reader.hpp"
-#include "checker/cspm/types.hpp"
+#include "app/command/options.hpp"
+#include "app/command/pipeline.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/simulate.hpp"
+#include "app/verbs/verbs.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/type_check.hpp"
 #include "diagnostics/render.hpp"
-#include "frontend/project.hpp"
+#include "frontend/project/project.hpp"
 
 namespace robochart::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/pages.hpp"
+#include "app/command/rule_pages.hpp"
 #include "diagnostics/diagnostic.hpp"
 
 namespace robochart::testing {

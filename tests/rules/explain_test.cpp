@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/pages.hpp"
+#include "app/command/rule_pages.hpp"
 
 namespace robochart::app {
 namespace {

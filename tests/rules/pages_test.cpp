@@ -9,14 +9,15 @@
 #include <map>
 #include <sstream>
 
-#include "app/rules.hpp"
+#include "app/command/rules.hpp"
 #include "example.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path fixtures = fs::path(ROBOCHART_SOURCE_DIR) / "tests/frontend/fixtures";
+const fs::path fixtures = tests::source_folder() / "tests/frontend/fixtures";
 
 /// Rules about things that no short example can show; the room's own tests name them.
 const std::set<std::string_view> without_example = {
@@ -138,7 +139,7 @@ TEST(RulePages, LinksLead) {
         for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
             const std::string link = text.substr(at + 2, text.find(')', at) - at - 2);
             if (link.starts_with("http") || link == "CODE.md") continue;  // the form, in the index
-            EXPECT_TRUE(fs::exists(fs::path(ROBOCHART_SOURCE_DIR) / "docs/rules" / link)) << page.code << ": " << link;
+            EXPECT_TRUE(fs::exists(tests::source_folder() / "docs/rules" / link)) << page.code << ": " << link;
         }
     }
 }

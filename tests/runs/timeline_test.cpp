@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "checker/cspm/reader.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/session.hpp"
 
 namespace robochart::runs {

@@ -1,4 +1,4 @@
-// The house rules that a program can check: layout, file heads, rules with fixtures, no leftovers.
+// The rules of the project that a program can check: file heads, rules with fixtures, no leftovers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,46 +9,27 @@
 #include <set>
 #include <sstream>
 
-#include "app/pages.hpp"
-#include "app/rules.hpp"
+#include "app/command/rule_pages.hpp"
+#include "app/command/rules.hpp"
+#include "tests/sanity/source_tree.hpp"
 
-namespace robochart {
+namespace robochart::sanity {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path root = ROBOCHART_SOURCE_DIR;
 
-std::string contents(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
-/// Files of the repository below a folder, build trees left out.
-std::vector<fs::path> files(const fs::path& folder, const std::set<std::string>& extensions) {
-    std::vector<fs::path> found;
-    for (auto it = fs::recursive_directory_iterator(folder); it != fs::recursive_directory_iterator(); ++it) {
-        const std::string name = it->path().filename().string();
-        if (it->is_directory() && (name == "build" || name == "out" || name == ".git" || name == "node_modules")) it.disable_recursion_pending();
-        else if (it->is_regular_file() && extensions.contains(it->path().extension().string())) found.push_back(it->path());
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-}
-
-TEST(Sanity, EveryRoomIsInTheArchitecture) {
-    const std::string text = contents(root / "docs/architecture.md");
-    for (const auto& entry : fs::directory_iterator(root)) {
+TEST(Sanity, EveryComponentIsInTheArchitecture) {
+    const std::string text = contents(root() / "docs/architecture.md");
+    for (const auto& entry : fs::directory_iterator(root())) {
         const std::string name = entry.path().filename().string();
-        const bool room = entry.is_directory() && fs::exists(entry.path() / "CMakeLists.txt");
-        if (!room) continue;
-        EXPECT_THAT(text, ::testing::HasSubstr(name + "/")) << "docs/architecture.md does not name the room " << name;
+        const bool component = entry.is_directory() && fs::exists(entry.path() / "CMakeLists.txt");
+        if (!component) continue;
+        EXPECT_THAT(text, ::testing::HasSubstr(name + "/")) << "docs/architecture.md does not name the component " << name;
     }
 }
 
 TEST(Sanity, HeadersSayWhatTheyAreForAndAreGuarded) {
-    for (const fs::path& path : files(root, {".hpp"})) {
+    for (const fs::path& path : files(root(), {".hpp"})) {
         const std::string text = contents(path);
         EXPECT_TRUE(text.starts_with("//")) << path << " has no head comment";
         // Headers that ship with generated code keep to portable guards.
@@ -59,35 +40,26 @@ TEST(Sanity, HeadersSayWhatTheyAreForAndAreGuarded) {
 
 TEST(Sanity, NoLeftovers) {
     const std::string marks[] = {std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X "};
-    for (const fs::path& path : files(root, {".hpp", ".cpp", ".h", ".txt", ".cmake", ".sh", ".rct", ".assertions"})) {
+    for (const fs::path& path : files(root(), {".hpp", ".cpp", ".h", ".txt", ".cmake", ".sh", ".rct", ".assertions"})) {
         const std::string text = contents(path);
         for (const std::string& mark : marks) EXPECT_EQ(text.find(mark), std::string::npos) << path << " has " << mark;
     }
 }
 
 TEST(Sanity, FilesCanBeHeldInTheHead) {
-    for (const fs::path& path : files(root, {".hpp", ".cpp"})) {
+    for (const fs::path& path : files(root(), {".hpp", ".cpp"})) {
         const std::string text = contents(path);
         EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 800) << path;
     }
 }
 
-/// Files of the program itself.
-std::vector<fs::path> program_files() {
-    std::vector<fs::path> found;
-    for (const char* folder : {"app", "checker", "conformance", "cpp_emit", "csp_emit", "diagnostics", "frontend", "lsp", "semantics", "simulation"})
-        for (const fs::path& path : files(root / folder, {".cpp", ".hpp"})) found.push_back(path);
-    return found;
-}
-
 /// Text that others wrote is ForeignText until one of the functions of diagnostics/escape.hpp lets it out. Who looks at it
 /// as it is stands here: what computes with characters, and what hands them to a syntax tree whose printer escapes.
 TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
-    const std::set<std::string> seams = {"csp_emit/expressions.cpp", "csp_emit/instantiations.cpp", "diagnostics/escape.cpp",
-                                         "diagnostics/escape.hpp", "semantics/evaluate_composed.cpp"};
-    for (const fs::path& path : program_files()) {
-        const std::string name = fs::relative(path, root).string();
-        const bool looks = contents(path).find("unescaped()") != std::string::npos;
+    const std::set<std::string> seams = {"csp_emit/expressions/expressions.cpp", "csp_emit/compose/instantiations.cpp", "diagnostics/escape.cpp",
+                                         "diagnostics/escape.hpp", "semantics/evaluate/evaluate_composed.cpp"};
+    for (const std::string& name : program_files()) {
+        const bool looks = contents(root() / name).find("unescaped()") != std::string::npos;
         EXPECT_TRUE(!looks || seams.contains(name)) << name << " looks at foreign text";
     }
 }
@@ -95,26 +67,24 @@ TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
 /// One escaper a language: who writes a backslash before a quote elsewhere has one of his own.
 TEST(Sanity, NobodyElseEscapes) {
     const std::string by_hand[] = {"'\"' || c == '\\\\'", "&quot;", "&lt;"};
-    for (const fs::path& path : program_files()) {
-        const std::string name = fs::relative(path, root).string();
+    for (const std::string& name : program_files()) {
         if (name == "diagnostics/escape.cpp" || name == "diagnostics/json.cpp" || name.starts_with("cpp_emit/runtime/")) continue;
-        for (const std::string& text : by_hand) EXPECT_EQ(contents(path).find(text), std::string::npos) << name << " escapes by hand: " << text;
+        for (const std::string& text : by_hand) EXPECT_EQ(contents(root() / name).find(text), std::string::npos) << name << " escapes by hand: " << text;
     }
 }
 
 /// Programs are started with their arguments as they are, by one function.
 TEST(Sanity, NoShellIsStarted) {
     const std::regex start(R"((std::system|[^\w]::system|popen|execlp?|execle|execvp?e?|posix_spawnp?)\s*\()");
-    for (const fs::path& path : program_files()) {
-        const std::string name = fs::relative(path, root).string();
-        if (name == "cpp_emit/shared_library.cpp") continue;
-        EXPECT_FALSE(std::regex_search(contents(path), start)) << name << " starts a program";
+    for (const std::string& name : program_files()) {
+        if (name == "cpp_emit/load/shared_library.cpp") continue;
+        EXPECT_FALSE(std::regex_search(contents(root() / name), start)) << name << " starts a program";
     }
 }
 
 TEST(Sanity, EveryRuleIsExplainedAndTested) {
     std::string tests;
-    for (const fs::path& path : files(root / "tests", {".cpp", ".hpp", ".rct", ".assertions", ".csp"}))
+    for (const fs::path& path : files(root() / "tests", {".cpp", ".hpp", ".rct", ".assertions", ".csp"}))
         if (path.filename() != "pages_test.cpp") tests += contents(path);
     std::set<std::string_view> codes;
     std::set<std::pair<std::string_view, std::string_view>> rows;
@@ -139,10 +109,18 @@ std::set<std::vector<std::string>> quoted(const std::string& text, const std::st
     return found;
 }
 
+/// A source by its path, or by its name alone if it lies below csp_emit.
+fs::path source(const std::string& name) {
+    if (name.find('/') != std::string::npos) return root() / name;
+    for (const fs::path& path : files(root() / "csp_emit", {".cpp"}))
+        if (path.filename() == name) return path;
+    return {};
+}
+
 TEST(Sanity, TheSemanticsNamesFunctionsAndTestsThatExist) {
-    const std::string text = contents(root / "docs/semantics.md");
+    const std::string text = contents(root() / "docs/semantics.md");
     std::string tests;
-    for (const fs::path& path : files(root / "tests", {".cpp"})) tests += contents(path);
+    for (const fs::path& path : files(root() / "tests", {".cpp"})) tests += contents(path);
     const auto named_tests = quoted(text, "`([A-Z][A-Za-z]+)\\.([A-Z][A-Za-z]+)`");
     EXPECT_GT(named_tests.size(), 50U);
     for (const auto& name : named_tests) {
@@ -152,10 +130,10 @@ TEST(Sanity, TheSemanticsNamesFunctionsAndTestsThatExist) {
     const auto functions = quoted(text, "`([a-z_/]+\\.cpp): ([a-z_]+)`");
     EXPECT_GT(functions.size(), 50U);
     for (const auto& function : functions) {
-        const fs::path file = function[0].find('/') == std::string::npos ? root / "csp_emit" / function[0] : root / function[0];
-        EXPECT_THAT(contents(file), ::testing::HasSubstr(function[1] + "(")) << "docs/semantics.md names " << function[0];
+        EXPECT_THAT(contents(source(function[0])), ::testing::HasSubstr(function[1] + "("))
+            << "docs/semantics.md names " << function[0];
     }
 }
 
 }  // namespace
-}  // namespace robochart
+}  // namespace robochart::sanity

@@ -1,8 +1,8 @@
 // Expressions built by hand for the tests of this room.
 #pragma once
 
-#include "semantics/ir.hpp"
-#include "tests/semantics/sample_systems.hpp"
+#include "semantics/ir/ir.hpp"
+#include "tests/semantics/sample_systems/sample_systems.hpp"
 
 namespace robochart::ir::samples {
 

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "semantics/instantiation.hpp"
-#include "tests/semantics/lowering_fixture.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "tests/semantics/lower/lowering_fixture.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::ir {

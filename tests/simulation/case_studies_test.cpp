@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "harness.hpp"
-#include "simulation/report.hpp"
+#include "simulation/report/report.hpp"
 #include "tests/needed.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::simulation {
 namespace {
@@ -16,7 +17,7 @@ using testing::Experiment;
 using testing::read_file;
 using testing::replaced;
 
-const std::string corpus = std::string(ROBOCHART_SOURCE_DIR) + "/corpus/";
+const std::string corpus = tests::source_folder().string() + "/corpus/";
 
 std::string aggregation_model() {
     return read_file(corpus + "aggregation/aggregation.rct");

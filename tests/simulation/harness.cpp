@@ -1,3 +1,4 @@
+#include "frontend/syntax/parse.hpp"
 #include "harness.hpp"
 
 #include <gtest/gtest.h>
@@ -7,8 +8,10 @@
 #include <sstream>
 
 #include "diagnostics/render.hpp"
-#include "frontend/project.hpp"
-#include "semantics/lower.hpp"
+#include "frontend/project/project.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/lower/lower.hpp"
+#include "simulation/scenario/read_scenario.hpp"
 
 namespace robochart::simulation::testing {
 

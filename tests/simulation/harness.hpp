@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "diagnostics/diagnostic.hpp"
-#include "semantics/instantiation.hpp"
-#include "simulation/controller.hpp"
-#include "simulation/run.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+#include "simulation/trial/controller.hpp"
+#include "simulation/report/run.hpp"
 
 namespace robochart::simulation::testing {
 

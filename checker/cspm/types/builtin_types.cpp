@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "checker/cspm/builtins.hpp"
+#include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/types/written_type.hpp"
 
 namespace robochart::cspm::types {

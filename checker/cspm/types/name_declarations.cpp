@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "checker/cspm/builtins.hpp"
+#include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/types/names.hpp"
 #include "checker/cspm/types/rules.hpp"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "checker/cspm/syntax.hpp"
+#include "checker/cspm/syntax/syntax.hpp"
 #include "checker/cspm/types/type.hpp"
 
 namespace robochart::cspm::types {

@@ -20,7 +20,8 @@
 #include <numbers>
 #include <vector>
 
-#include "simulation/rules.hpp"
+#include "simulation/scenario/read_scenario.hpp"
+#include "simulation/scenario/rules.hpp"
 
 namespace robochart::simulation {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "simulation/stage.hpp"
+#include "simulation/trial/stage.hpp"
 
 namespace robochart::simulation {
 

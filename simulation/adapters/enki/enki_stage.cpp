@@ -9,7 +9,8 @@
 #include <limits>
 #include <memory>
 
-#include "simulation/rules.hpp"
+#include "simulation/scenario/read_scenario.hpp"
+#include "simulation/scenario/rules.hpp"
 
 namespace robochart::simulation {
 

@@ -1,7 +1,7 @@
 // Robots in Enki, the simulator of the founding paper's first case study (Li et al. 2017, section 3.1). Enki is GPL-2+.
 #pragma once
 
-#include "simulation/stage.hpp"
+#include "simulation/trial/stage.hpp"
 
 namespace robochart::simulation {
 

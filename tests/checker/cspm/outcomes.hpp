@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "checker/cspm/build.hpp"
+#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/session.hpp"
-#include "checker/cspm/types.hpp"
+#include "checker/cspm/types/type_check.hpp"
 #include "tests/checker/cspm/support.hpp"
 
 namespace robochart::cspm::test {

@@ -6,9 +6,9 @@
 #include <iostream>
 
 #include "checker/cspm/session.hpp"
-#include "checker/cspm/types.hpp"
+#include "checker/cspm/types/type_check.hpp"
 #include "tests/checker/cspm/support.hpp"
-#include "tests/checker/refine/random_cases.hpp"
+#include "tests/checker/processes/random_cases.hpp"
 
 namespace robochart::cspm::test {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "checker/cspm/build.hpp"
-#include "checker/cspm/reader.hpp"
-#include "checker/cspm/types.hpp"
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/type_check.hpp"
 #include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "checker/cspm/reader.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "diagnostics/render.hpp"
 #include "tests/shared_folder.hpp"

@@ -8,10 +8,10 @@
 
 #include <set>
 
-#include "checker/lts/term_system.hpp"
-#include "checker/refine/check.hpp"
-#include "tests/checker/refine/random_process.hpp"
-#include "tests/checker/refine/translate.hpp"
+#include "checker/process/term_system.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "tests/checker/processes/random_process.hpp"
+#include "tests/checker/processes/translate.hpp"
 
 namespace robochart::lts {
 namespace {
@@ -134,7 +134,7 @@ RC_GTEST_PROP(Bisimulation, KeepsTheModels, ()) {
     const auto numbers = *rc::gen::container<std::vector<unsigned>>(rc::gen::inRange<unsigned>(0, 2520));
     const refine::naive::Script script = refine::naive::Decoder(numbers).script(1);
     refine::Translation translation(script);
-    TermSystem system = translation.system(script.mains[0]);
+    process::TermSystem system = translation.system(script.mains[0]);
     const auto small = [](std::size_t states) {
         if (states > 500) throw std::length_error("too many states for a test");
     };

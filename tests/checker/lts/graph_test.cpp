@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "checker/lts/term_system.hpp"
+#include "checker/process/term_system.hpp"
 #include "tests/checker/process/scripted.hpp"
 
 namespace robochart::lts {
@@ -14,6 +14,7 @@ namespace {
 using process::Op;
 using process::Scripted;
 using process::TermId;
+using process::TermSystem;
 
 class Graphs : public testing::Test {
 protected:

@@ -6,11 +6,11 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include "checker/lts/term_system.hpp"
+#include "checker/process/term_system.hpp"
 #include "tests/checker/lts/bisimilar.hpp"
 #include "tests/checker/process/scripted.hpp"
-#include "tests/checker/refine/random_process.hpp"
-#include "tests/checker/refine/translate.hpp"
+#include "tests/checker/processes/random_process.hpp"
+#include "tests/checker/processes/translate.hpp"
 #include "tests/rounds.hpp"
 
 namespace robochart::machine {
@@ -35,7 +35,7 @@ protected:
             ADD_FAILURE() << "was not compiled";
             return 0;
         }
-        lts::TermSystem reference(semantics, term);
+        process::TermSystem reference(semantics, term);
         const lts::Graph graph = graph_of(*system);
         EXPECT_TRUE(lts::bisimilar(graph, graph_of(reference)));
         return graph.size();
@@ -232,7 +232,7 @@ TEST_F(Compiled, ServesCompressions) {
     compressor.use(with);
     const TermId hidden = s.over(Op::hide, {pair()}, {"a"});
     const TermId compressed = s.op(Op::compress, {hidden}, static_cast<std::uint32_t>(process::Compression::dbisim));
-    lts::TermSystem small(compressing, compressed);
+    process::TermSystem small(compressing, compressed);
     EXPECT_EQ(graph_of(small).size(), 4U) << "b, b and the end: the a's are inert";
     const auto whole = with.compile(s.over(Op::parallel, {compressed, twice("b")}, {"b"}), {});
     ASSERT_NE(whole, nullptr);
@@ -273,7 +273,7 @@ RC_GTEST_PROP(CompiledProperty, RandomCompositionsDoWhatTheirTermsDo, ()) {
     refine::Translation translation(refine::naive::Decoder(list).script(2));
     const TermId term = joined(translation, refine::naive::Decoder(list).script(2), how);
     try {
-        lts::TermSystem reference(translation.semantics(), term);
+        process::TermSystem reference(translation.semantics(), term);
         const lts::Graph graph = graph_of(reference);
         Compiler compiler(translation.semantics());
         const auto system = compiler.compile(term, {});

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "checker/machine/compiler.hpp"
-#include "checker/refine/check.hpp"
+#include "checker/refine/verdict/check.hpp"
 #include "tests/checker/process/scripted.hpp"
 
 namespace robochart::machine {

@@ -7,11 +7,11 @@
 #include <map>
 
 #include "checker/machine/compiler.hpp"
-#include "checker/refine/check.hpp"
-#include "naive.hpp"
-#include "random_cases.hpp"
-#include "random_process.hpp"
-#include "translate.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "tests/checker/processes/naive.hpp"
+#include "tests/checker/processes/random_cases.hpp"
+#include "tests/checker/processes/random_process.hpp"
+#include "tests/checker/processes/translate.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -93,7 +93,7 @@ std::unique_ptr<lts::TransitionSystem> Agreement::system(Translation& translatio
         if (auto compiled = compiler.compile(translation.term(process), {})) return ++compiled_, std::move(compiled);
         ++left_as_terms_;
     }
-    return std::make_unique<lts::TermSystem>(translation.system(process));
+    return std::make_unique<process::TermSystem>(translation.system(process));
 }
 
 /// What is wrong with the verdict, if anything.

@@ -1,8 +1,8 @@
 // Known families with verdicts and sizes that are published or follow by counting.
 #include <gtest/gtest.h>
 
-#include "checker/lts/term_system.hpp"
-#include "checker/refine/check.hpp"
+#include "checker/process/term_system.hpp"
+#include "checker/refine/verdict/check.hpp"
 #include "classics.hpp"
 
 namespace robochart::refine {
@@ -13,12 +13,12 @@ protected:
     Scripted s;
     process::OperationalSemantics semantics{s.store};
     const Limits limits{};
-    lts::TermSystem system(TermId term) { return {semantics, term}; }
+    process::TermSystem system(TermId term) { return {semantics, term}; }
 };
 
 TEST_F(Classics, SymmetricPhilosophersDeadlock) {
     // Everyone thinks, sits and picks up his left fork: three events each, and no fewer will do.
-    lts::TermSystem table = system(dining_philosophers(s, 3, true));
+    process::TermSystem table = system(dining_philosophers(s, 3, true));
     const Verdict verdict = deadlock_free(table, Model::failures, limits);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
     EXPECT_EQ(verdict.counterexample->kind, ViolationKind::deadlock);
@@ -28,28 +28,28 @@ TEST_F(Classics, SymmetricPhilosophersDeadlock) {
 }
 
 TEST_F(Classics, AsymmetricPhilosophersDoNot) {
-    lts::TermSystem table = system(dining_philosophers(s, 3, false));
+    process::TermSystem table = system(dining_philosophers(s, 3, false));
     const Verdict verdict = deadlock_free(table, Model::failures_divergences, limits);
     EXPECT_EQ(verdict.outcome, Outcome::holds);
     EXPECT_EQ(verdict.statistics.states, 347U);  // checked by others with four tools
     EXPECT_EQ(verdict.statistics.transitions, 947U);
-    lts::TermSystem five = system(dining_philosophers(s, 5, false));
+    process::TermSystem five = system(dining_philosophers(s, 5, false));
     EXPECT_EQ(divergence_free(five, limits).statistics.states, 17711U);
 }
 
 TEST_F(Classics, MilnersSchedulerRunsInTurn) {
     constexpr int count = 6;
     const TermId scheduler = milner_scheduler(s, count);
-    lts::TermSystem whole = system(scheduler);
-    lts::TermSystem turns = system(hide_channels(s, scheduler, {"b", "c"}, count));
-    lts::TermSystem specification = system(round_robin(s, count));
+    process::TermSystem whole = system(scheduler);
+    process::TermSystem turns = system(hide_channels(s, scheduler, {"b", "c"}, count));
+    process::TermSystem specification = system(round_robin(s, count));
     const Verdict verdict = refines(specification, turns, Model::failures_divergences, limits);
     EXPECT_EQ(verdict.outcome, Outcome::holds);
     EXPECT_EQ(verdict.statistics.states, 3U * count << (count - 1));  // Milner 1989: 3 N 2^(N-1) states
     EXPECT_EQ(verdict.statistics.spec_nodes, static_cast<std::uint64_t>(count));
     EXPECT_EQ(deterministic(whole, Model::failures_divergences, limits).outcome, Outcome::holds);
     EXPECT_EQ(deadlock_free(whole, Model::failures_divergences, limits).outcome, Outcome::holds);
-    lts::TermSystem fewer = system(round_robin(s, count - 1));
+    process::TermSystem fewer = system(round_robin(s, count - 1));
     const Verdict wrong = refines(fewer, turns, Model::traces, limits);
     ASSERT_EQ(wrong.outcome, Outcome::fails);
     EXPECT_EQ(s.events.name(*wrong.counterexample->event), "a.5");  // a.0 should come
@@ -58,8 +58,8 @@ TEST_F(Classics, MilnersSchedulerRunsInTurn) {
 
 TEST_F(Classics, ABufferChainIsABuffer) {
     constexpr int places = 5;
-    lts::TermSystem chain = system(buffer_chain(s, places));
-    lts::TermSystem whole = system(buffer(s, places));
+    process::TermSystem chain = system(buffer_chain(s, places));
+    process::TermSystem whole = system(buffer(s, places));
     const Verdict forth = refines(whole, chain, Model::failures_divergences, limits);
     EXPECT_EQ(forth.outcome, Outcome::holds);
     EXPECT_EQ(forth.statistics.states, 243U);     // 3^5: every place is empty, 0 or 1
@@ -69,8 +69,8 @@ TEST_F(Classics, ABufferChainIsABuffer) {
 }
 
 TEST_F(Classics, AShorterChainIsNotTheSameBuffer) {
-    lts::TermSystem chain = system(s.rename(buffer_chain(s, 2), {{"ch.2.0", "ch.3.0"}, {"ch.2.1", "ch.3.1"}}));
-    lts::TermSystem three = system(buffer(s, 3));
+    process::TermSystem chain = system(s.rename(buffer_chain(s, 2), {{"ch.2.0", "ch.3.0"}, {"ch.2.1", "ch.3.1"}}));
+    process::TermSystem three = system(buffer(s, 3));
     EXPECT_EQ(refines(three, chain, Model::traces, limits).outcome, Outcome::holds);
     const Verdict verdict = refines(three, chain, Model::failures, limits);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
@@ -83,7 +83,7 @@ TEST_F(Classics, AShorterChainIsNotTheSameBuffer) {
 }
 
 TEST_F(Classics, IndependentCyclesMultiply) {
-    lts::TermSystem cycles = system(independent_cycles(s, 7));
+    process::TermSystem cycles = system(independent_cycles(s, 7));
     const Verdict verdict = deadlock_free(cycles, Model::failures, limits);
     EXPECT_EQ(verdict.outcome, Outcome::holds);
     EXPECT_EQ(verdict.statistics.states, 16384U);  // 4^7

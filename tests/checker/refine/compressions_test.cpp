@@ -2,11 +2,11 @@
 // compared with the process by the naive checker, both ways, in T, F and FD; in contexts by agreement_test.cpp.
 #include <gtest/gtest.h>
 
-#include "checker/lts/compressor.hpp"
 #include "checker/lts/graph.hpp"
-#include "random_cases.hpp"
-#include "random_process.hpp"
-#include "translate.hpp"
+#include "checker/process/bisimulation_compressor.hpp"
+#include "tests/checker/processes/random_cases.hpp"
+#include "tests/checker/processes/random_process.hpp"
+#include "tests/checker/processes/translate.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -20,7 +20,7 @@ constexpr auto kinds = {Compression::normal,         Compression::sbisim,    Com
                         Compression::model_compress, Compression::explicate, Compression::lazyenumerate};
 
 process::Machine machine_of(Translation& translation, const naive::Process& process) {
-    lts::TermSystem system = translation.system(process);
+    process::TermSystem system = translation.system(process);
     const lts::Exploration explored = lts::explore(system, [](std::size_t) {});
     process::Machine machine;
     for (lts::StateIndex state = 0; state < explored.graph.size(); ++state) {
@@ -51,7 +51,7 @@ TEST(Compressions, KeepTheModelsTheyClaim) {
         const process::Machine explored = machine_of(translation, each.asked.script.mains[1]);
         const Behaviour original(each.graphs.graphs[1], naive::letters_used);
         for (const Compression kind : kinds) {
-            const process::Machine compressed = lts::BisimulationCompressor().compress(explored, kind, {});
+            const process::Machine compressed = process::BisimulationCompressor().compress(explored, kind, {});
             EXPECT_LE(compressed.edges.size(), explored.edges.size());
             if (compressed.edges.size() < explored.edges.size()) ++smaller[kind];
             const naive::Graph graph = graph_of(translation, compressed);

@@ -4,10 +4,10 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include "checker/refine/check.hpp"
-#include "naive.hpp"
-#include "random_process.hpp"
-#include "translate.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "tests/checker/processes/naive.hpp"
+#include "tests/checker/processes/random_process.hpp"
+#include "tests/checker/processes/translate.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -35,8 +35,8 @@ public:
 
     void refined_by(const Process& specification, const Process& implementation) {
         for (const Model model : {Model::traces, Model::failures, Model::failures_divergences}) {
-            lts::TermSystem left = translation_.system(specification);
-            lts::TermSystem right = translation_.system(implementation);
+            process::TermSystem left = translation_.system(specification);
+            process::TermSystem right = translation_.system(implementation);
             RC_ASSERT(refines(left, right, model, Limits{}).outcome == Outcome::holds);
         }
     }

@@ -1,0 +1,22 @@
+// See limits.hpp.
+#include "app/command/limits.hpp"
+
+#include "app/command/progress.hpp"
+#include "app/command/run.hpp"
+
+namespace robochart::app {
+
+refine::Limits limits(const Options& o, const std::string& subject) {
+    refine::Limits result;
+    if (o.run != nullptr) {
+        diagnostics::Budget& budget = o.run->budget();
+        static_cast<diagnostics::Limits&>(result) = budget.limits();
+        result.interrupted = [&budget] { return budget.interrupted(); };
+    }
+    result.max_states = o.max_states;
+    result.progress = progress_of(o, subject);
+    result.threads = o.threads;
+    return result;
+}
+
+}  // namespace robochart::app

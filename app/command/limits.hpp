@@ -1,0 +1,14 @@
+// The limits of one check.
+#pragma once
+
+#include <string>
+
+#include "app/command/options.hpp"
+#include "checker/refine/search/limits.hpp"
+
+namespace robochart::app {
+
+/// The limits of one check: those of the run, and its own; its progress is told as the options ask, as that of `subject`.
+[[nodiscard]] refine::Limits limits(const Options&, const std::string& subject = "");
+
+}  // namespace robochart::app

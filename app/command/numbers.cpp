@@ -1,0 +1,13 @@
+#include "app/command/numbers.hpp"
+
+#include <fmt/format.h>
+
+namespace robochart::app {
+
+std::string with_commas(std::uint64_t value) {
+    std::string digits = fmt::format("{}", value);
+    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+    return digits;
+}
+
+}  // namespace robochart::app

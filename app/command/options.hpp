@@ -1,0 +1,94 @@
+// The command line: verbs, options, exit codes. One table of options in options.cpp feeds `--help` and parsing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "checker/refine/verdict/check.hpp"
+#include "semantics/ir/instantiation.hpp"
+
+namespace robochart::app {
+
+class Run;
+
+/// Exit codes, documented in `--help` (docs/cli.md).
+enum class Exit : int {
+    success = 0,       ///< everything as claimed
+    failed = 1,        ///< some assertion fails, some code does not conform, some file is not formatted
+    bad_input = 2,     ///< the model or script is wrong, or the output cannot be written
+    inconclusive = 3,  ///< a limit was reached, or interrupted
+    usage = 4,
+    internal = 70,     ///< a fault of ours
+};
+
+enum class Verb { verify, check, emit_csp, emit_cpp, emit_monitor, emit_tests, conform, cspm, explain, format, lsp, simulate, validate };
+enum class Format { text, json, sarif, plain, framed_json };
+enum class ProgressMode { automatic, json, never };
+enum class Color { automatic, always, never };
+enum class Times { both, timed, untimed };
+
+/// What `--version` says behind the name.
+inline constexpr const char* program_version = "0.1.0";
+
+/// The command line asks for what there is not: exit code 4.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+struct Options {
+    Verb verb = Verb::verify;
+    std::vector<std::string> inputs;      ///< models (files or folders), scripts, or a rule code
+    std::string out = "out";
+    bool out_given = false;
+    Format format = Format::text;
+    Color color = Color::automatic;
+    bool quiet = false;
+    bool fix = false;                     ///< validate: write certain mends to the files
+    bool show_internal = false;           ///< --trace: raw event traces beside the told counterexample
+    Times times = Times::both;
+    bool core = false;
+    bool sizes = false;                   ///< check: how large the components' processes are
+    bool check = false;                   ///< format: write nothing, tell what would change
+    bool diff = false;                    ///< format: write nothing, show what would change
+    bool assertions = false;              ///< format: standard input is an assertion file
+    std::string assertion;                ///< only this one, "" for all
+    bool typecheck = false;               ///< cspm: names and types only
+    bool types = false;                   ///< cspm: print the types of the script's names and stop
+    bool brief = false;                   ///< cspm: no counterexamples
+    bool reveal_taus = false;             ///< cspm: hidden events by their names
+    bool split = false;                   ///< cspm: what each part did, however many they are
+    std::vector<std::string> exported;    ///< cspm: format and process to write out; empty: none
+    ProgressMode progress = ProgressMode::automatic;
+    std::string component;                ///< emit cpp, conform: only this one
+    std::uint32_t cycle = 1;
+    std::string target;                   ///< emit cpp: a project of this kind; "": the classes alone
+    std::string strategy = "auto";        ///< emit cpp: how the code finds what an event does
+    std::string print;                    ///< phase to print, "" for none
+    std::vector<std::string> constants;   ///< NAME=VALUE
+    std::vector<std::string> ranges;      ///< TYPE=LOW..HIGH
+    std::vector<std::string> allowed;     ///< codes of warnings not wanted
+    std::uint32_t trials = 0;             ///< simulate: instead of the scenario's; 0: as it says
+    std::optional<std::uint64_t> seed;    ///< simulate: instead of the scenario's
+    bool pictures = true;                 ///< simulate: write tables and pictures
+    bool monitor = false;                 ///< simulate: a monitor beside every controller
+    std::string log;                      ///< simulate: folder for logs of every robot, "" for none
+    std::uint64_t walks = 200'000;        ///< conform: cycles of random walks where the whole is too large; 0: none
+    std::string relation = "failures-divergences";  ///< conform --model
+    bool choices = false;                 ///< emit cpp --choices, conform --all-choices
+    std::uint32_t extra_states = 0;       ///< emit tests: that an implementation may have more than the model
+    std::string exported_code;            ///< conform: file for L(G), .aut, .dot or .csp; "" for none
+    std::vector<std::string> traces;      ///< conform: logs (files, folders) to compare with the model instead of code
+    bool cycle_given = false;
+    bool deny_warnings = false;           ///< a warning is as bad as an error
+    std::uint64_t memory_bytes = 0;       ///< 0: what `default_memory` says
+    double timeout_seconds = 0;           ///< of the whole run; 0: none
+    std::uint64_t max_states = 500'000'000;
+    unsigned threads = 0;  ///< 0: one a core
+    Run* run = nullptr;    ///< the run that these options are of: its budget, and signals
+};
+
+}  // namespace robochart::app

@@ -1,0 +1,352 @@
+#include "app/command/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "app/command/command_line.hpp"
+#include "app/command/output.hpp"
+#include "app/command/rules.hpp"
+#include "app/command/run.hpp"
+#include "checker/cspm/types/type_check.hpp"
+#include "diagnostics/render.hpp"
+#include "diagnostics/spelling.hpp"
+#include "frontend/names/names.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+#include "frontend/project/units.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/lower/lower.hpp"
+#include "diagnostics/files.hpp"
+#include "semantics/rules.hpp"
+
+namespace robochart::app {
+namespace fs = std::filesystem;
+namespace {
+
+std::string project_name(const std::string& input) {
+    const fs::path path = fs::path(input).lexically_normal();
+    const fs::path last = path.has_filename() ? path.filename() : path.parent_path().filename();
+    const std::string stem = last.stem().string();
+    return stem.empty() || stem == "." || stem == ".." ? "model" : stem;
+}
+
+/// What the phases of a project share: its budget, and the warnings that are not wanted.
+void prepare(Project& project, const Options& options) {
+    for (const std::string& code : options.allowed) project.diagnostics.allow(code);
+    project.diagnostics.within(&options.run->budget());
+}
+
+bool lower(Project& project, const Options& options) {
+    const diagnostics::Budget::Phase phase(options.run->budget(), "reading the model");
+    if (!acceptable(project, options)) return false;
+    project.system = ir::lower(*project.model, project.sources, project.diagnostics);
+    return project.diagnostics.ok();
+}
+
+/// `wanted` without the constants that only other parts have.
+bool make_finite(Project& project, const Options& options, const ir::InstantiationOptions& wanted) {
+    const diagnostics::Budget::Phase phase(options.run->budget(), "making the model finite");
+    project.instantiation = ir::instantiate(project.system, wanted, project.diagnostics);
+    return project.diagnostics.ok();
+}
+
+std::unique_ptr<Project> read(const Options& options) {
+    auto project = std::make_unique<Project>();
+    project->name = project_name(options.inputs.front());
+    prepare(*project, options);
+    const diagnostics::Budget::Phase phase(options.run->budget(), "reading the model");
+    project->model = frontend::load_project(project->sources, options.inputs, project->diagnostics);
+    return project;
+}
+
+ir::ComponentRef component(ir::ComponentKind kind, std::size_t index, const std::string& package, const std::string& name) {
+    ir::ComponentRef ref;
+    ref.kind = kind;
+    ref.definition = static_cast<std::uint32_t>(index);
+    ref.package = package;
+    ref.path = name;
+    return ref;
+}
+
+std::vector<ir::ComponentRef> all_components(const ir::System& system) {
+    std::vector<ir::ComponentRef> all;
+    for (std::size_t i = 0; i < system.modules.size(); ++i)
+        all.push_back(component(ir::ComponentKind::module, i, system.modules[i].package, system.modules[i].name));
+    for (std::size_t i = 0; i < system.controllers.size(); ++i)
+        all.push_back(component(ir::ComponentKind::controller, i, system.controllers[i].package, system.controllers[i].name));
+    for (std::size_t i = 0; i < system.machines.size(); ++i) {
+        const ir::Machine& machine = system.machines[i];
+        if (machine.kind == ir::MachineKind::state_machine)
+            all.push_back(component(ir::ComponentKind::machine, i, machine.package, machine.name));
+    }
+    return all;
+}
+
+}  // namespace
+
+namespace {
+
+using Time = std::chrono::steady_clock::time_point;
+
+double seconds_since(Time start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+
+void check_names(const std::vector<Part>& parts, const Options& options);
+
+/// Names that components of one kind in several packages of the project have.
+void find_shared_names(Project& project) {
+    std::map<std::pair<ir::ComponentKind, std::string>, std::string> packages;
+    for (const ir::ComponentRef& ref : all_components(project.system))
+        if (packages.try_emplace({ref.kind, ref.path}, ref.package).first->second != ref.package) project.shared_names.insert(ref.path);
+}
+
+/// Lowers the parts and makes them finite. A constant that is given belongs to the parts that have it; what none has is
+/// left to the first, which says so.
+void complete(const std::vector<Part>& parts, const Options& options) {
+    std::string error;
+    const ir::InstantiationOptions given = instantiation_options(options, error);
+    if (!error.empty()) {
+        parts.front().project->diagnostics.report(rules::bad_option, {}, {error});
+        return;
+    }
+    bool lowered = true;
+    for (const Part& part : parts) {
+        lowered = lower(*part.project, options) && lowered;
+        find_shared_names(*part.project);
+    }
+    bool all = lowered;
+    for (const Part& part : parts) {
+        if (!acceptable(*part.project, options)) continue;
+        ir::InstantiationOptions wanted = given;
+        const auto has = [&](const Part& each, const std::string& name) { return ir::names_constant(each.project->system, name); };
+        std::erase_if(wanted.constants, [&](const auto& constant) {
+            const auto known = std::any_of(parts.begin(), parts.end(), [&](const Part& each) { return has(each, constant.first); });
+            return !has(part, constant.first) && (known || !lowered || &part != &parts.front());
+        });
+        all = make_finite(*part.project, options, wanted) && all;
+    }
+    if (all) check_names(parts, options);
+}
+
+/// The file that names a unit: its first model, or the assertions that make it another one.
+fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
+    const auto path = [&](std::size_t file) { return whole.sources.path(whole.model->files[file]->source); };
+    const auto model = std::find_if(unit.files.begin(), unit.files.end(), [&](std::size_t file) { return path(file).ends_with(".rct"); });
+    return path(unit.again ? unit.files.back() : model == unit.files.end() ? unit.files.front() : *model);
+}
+
+/// A name for each unit that no other has: of its file, with the folder in front where several are called so, with a
+/// number where that is not enough.
+std::vector<std::string> names_of(const Project& whole, const std::vector<frontend::Unit>& units) {
+    std::map<std::string, std::size_t> called;
+    for (const frontend::Unit& unit : units) ++called[project_name(naming_file(whole, unit).string())];
+    std::vector<std::string> names;
+    std::set<std::string> taken;
+    for (const frontend::Unit& unit : units) {
+        const fs::path file = naming_file(whole, unit).lexically_normal();
+        std::string name = project_name(file.string());
+        if (called[name] > 1 && !unit.again && file.has_parent_path()) name = fmt::format("{}_{}", file.parent_path().filename().string(), name);
+        std::string unique = name;
+        for (int number = 2; !taken.insert(unique).second; ++number) unique = fmt::format("{}_{}", name, number);
+        names.push_back(unique);
+    }
+    return names;
+}
+
+/// The part that these files are.
+std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const std::string& name, const Options& options) {
+    auto part = std::make_unique<Project>(whole.texts);
+    std::vector<diagnostics::SourceId> texts;
+    for (const std::size_t file : unit.files) texts.push_back(whole.model->files[file]->source);
+    part->name = name;
+    prepare(*part, options);
+    part->model = frontend::load_texts(part->sources, texts, part->diagnostics);
+    // What is wrong with it is said with all in view: what was meant may be in another part.
+    const std::set<diagnostics::SourceId> own(texts.begin(), texts.end());
+    const auto wrong = [&](diagnostics::SourceId text) { return whole.diagnostics.has_errors_in(text); };
+    if (!part->diagnostics.ok() && std::any_of(own.begin(), own.end(), wrong)) part->diagnostics = whole.diagnostics.about(own);
+    return part;
+}
+
+/// Where two parts have components of one name, all that is said and written of them names the part.
+void label(const std::vector<Part>& parts) {
+    std::map<std::string, std::set<const Project*>> owners;
+    for (const Part& part : parts)
+        if (!part.again)
+            for (const ir::ComponentRef& ref : all_components(part.project->system)) owners[ref.path].insert(part.project.get());
+    const auto clash = [](const auto& entry) { return entry.second.size() > 1; };
+    if (std::none_of(owners.begin(), owners.end(), clash)) return;
+    for (const Part& part : parts) {
+        part.project->label = part.project->name + ": ";
+        part.project->folder = part.project->name + "/";
+    }
+}
+
+/// Errors that are in no text of the model: nothing can be said of any part.
+bool cannot_be_read(const diagnostics::Diagnostics& diagnostics) {
+    const std::vector<diagnostics::Diagnostic> all = diagnostics.sorted();
+    return std::any_of(all.begin(), all.end(), [](const diagnostics::Diagnostic& finding) {
+        return finding.rule->severity == diagnostics::Severity::error && !finding.span.known();
+    });
+}
+
+/// What was read, in the parts that it has.
+std::vector<Part> apart(std::unique_ptr<Project> whole, const Options& options,
+                        const std::function<std::vector<frontend::Unit>(const frontend::Model&)>& units_of) {
+    std::vector<Part> parts;
+    std::vector<frontend::Unit> units;
+    if (!cannot_be_read(whole->diagnostics)) units = units_of(*whole->model);
+    if (units.size() > 1) {
+        const std::vector<std::string> names = names_of(*whole, units);
+        for (std::size_t i = 0; i < units.size(); ++i) parts.push_back({part_of(*whole, units[i], names[i], options), units[i].again});
+    }
+    if (parts.empty()) parts.push_back({std::move(whole), false});
+    return parts;
+}
+
+}  // namespace
+
+std::unique_ptr<Project> load(const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<Part> parts;
+    parts.push_back({read(options), false});
+    complete(parts, options);
+    parts.front().project->seconds = seconds_since(start);
+    return std::move(parts.front().project);
+}
+
+std::vector<Part> load_parts(const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<Part> parts = apart(read(options), options, frontend::units);
+    complete(parts, options);
+    label(parts);
+    parts.front().project->seconds = seconds_since(start);
+    return parts;
+}
+
+std::vector<Part> read_parts(const Options& options) {
+    return apart(read(options), options, [](const frontend::Model& model) {
+        std::vector<frontend::Unit> units;
+        for (std::vector<std::size_t> group : frontend::groups(model)) units.push_back({std::move(group), false});
+        return units;
+    });
+}
+
+csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::Time time) {
+    const diagnostics::Budget::Phase phase(options.run->budget(), "writing the CSP semantics");
+    csp_emit::Options wanted;
+    wanted.core_assertions = options.core;
+    csp_emit::Emission emission =
+        csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources, project.diagnostics);
+    if (!project.diagnostics.ok()) return emission;
+    if (!emission.captured.empty())
+        throw std::logic_error(fmt::format("the script takes {} for something of the model's", fmt::join(emission.captured, ", ")));
+    // What is written or checked is held to FDR's rules of types. Where the user wrote none of it, a finding is an internal error.
+    (void)cspm::check_types(emission.script, project.diagnostics);
+    if (!project.diagnostics.ok() && project.system.csp_blocks.empty()) {
+        diagnostics::TextStyle style;
+        throw std::logic_error(fmt::format("the script does not type check:\n{}", diagnostics::render_text(project.sources, project.diagnostics, style)));
+    }
+    return emission;
+}
+
+std::string file_name(const Project& project, const ir::ComponentRef& component) {
+    const bool shared = project.shared_names.contains(component.path) && !component.package.empty();
+    std::string name = shared ? component.package + "_" + component.path : component.path;
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+    return name;
+}
+
+bool write_output(Project& project, const Options& options, const std::string& path, const std::string& text) {
+    const std::string error = options.run->claim(path) ? diagnostics::write_below(options.out, path, text, project.diagnostics.budget())
+                                                       : fmt::format("{}/{}: this run has already written a file of this name, "
+                                                                     "for something else of the same name", options.out, path);
+    if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
+    return error.empty();
+}
+
+std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& wanted) {
+    std::vector<ir::ComponentRef> chosen;
+    for (const ir::ComponentRef& ref : all_components(system)) {
+        const bool named = ref.path == wanted || ref.package + "::" + ref.path == wanted;
+        if (wanted.empty() ? chosen.empty() || chosen.front().kind == ref.kind : named) chosen.push_back(ref);
+    }
+    return chosen;
+}
+
+namespace {
+
+/// What the options name exists in some part; else the first part says so.
+void check_names(const std::vector<Part>& parts, const Options& options) {
+    const auto unknown = [&](const char* option, const std::string& name, const char* what, std::vector<std::string> known) {
+        const std::string meant = diagnostics::nearest(name, known);
+        std::sort(known.begin(), known.end());
+        known.erase(std::unique(known.begin(), known.end()), known.end());
+        constexpr std::size_t few = 8;
+        const std::string help = !meant.empty() ? fmt::format("; did you mean '{}'?", meant)
+                                 : known.empty() ? "; it has none"
+                                 : known.size() <= few ? fmt::format("; there are {}", fmt::join(known, ", ")) : "";
+        parts.front().project->diagnostics.report(rules::bad_option, {},
+                                                  {fmt::format("{} {}: the model has no {} of this name{}", option, name, what, help)});
+    };
+    std::vector<std::string> components, assertions;
+    bool found = options.component.empty();
+    for (const Part& part : parts) {
+        const ir::System& system = part.project->system;
+        found = found || !code_components(system, options.component).empty();
+        for (const ir::ComponentRef& ref : all_components(system)) components.push_back(ref.path);
+        for (const ir::Property& property : system.properties) assertions.push_back(property.name);
+        for (const auto& file : part.project->model->files)
+            for (const frontend::KeptPart& kept : file->kept)
+                if (kept.claims) assertions.push_back(kept.name);
+    }
+    if (!found) unknown("--component", options.component, "module, controller or state machine", std::move(components));
+    if (!options.assertion.empty() && std::find(assertions.begin(), assertions.end(), options.assertion) == assertions.end())
+        unknown("--assertion", options.assertion, "assertion", std::move(assertions));
+}
+
+}  // namespace
+
+Exit refusal(const Project& project) {
+    const std::array about_options{&rules::bad_option,         &ir::rules::unknown_constant_option, &ir::rules::bad_constant_value,
+                                   &ir::rules::unknown_range_option, &ir::rules::bad_range,         &ir::rules::ranges_not_nested,
+                                   &ir::rules::range_too_large};
+    const std::vector<diagnostics::Diagnostic> all = project.diagnostics.sorted();
+    const auto about_the_model = [&](const diagnostics::Diagnostic& each) {
+        return each.rule->severity == diagnostics::Severity::error &&
+               std::find(about_options.begin(), about_options.end(), each.rule) == about_options.end();
+    };
+    return project.diagnostics.ok() || std::any_of(all.begin(), all.end(), about_the_model) ? Exit::bad_input : Exit::usage;
+}
+
+bool acceptable(const Project& project, const Options& options) {
+    return project.diagnostics.ok() && !(options.deny_warnings && project.diagnostics.warnings() > 0);
+}
+
+bool show_diagnostics(const Project& project, const Options& options) {
+    const bool good = acceptable(project, options);
+    if (options.format == Format::json) {
+        // It is the run's answer: what a limit would have to say comes too late, and would be a second document.
+        if (!good) options.run->finish();
+        if (!good) print_exact(diagnostics::render_json(project.sources, project.diagnostics) + "\n");
+    } else if (!options.quiet || !good) {
+        diagnostics::TextStyle style;
+        style.color = color_wanted(options.color, STDERR_FILENO);
+        print_error_styled(diagnostics::render_text(project.sources, project.diagnostics, style));
+        if (!good && project.diagnostics.ok()) print_error("warnings are denied (--deny-warnings)\n");
+    }
+    return good;
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,117 @@
+#include "app/command/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "app/command/output.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/json.hpp"
+
+namespace robochart::app {
+namespace {
+
+std::size_t terminal_width() {
+    winsize size{};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return known ? size.ws_col : 80;
+}
+
+double per_second(std::uint64_t count, double seconds) {
+    return seconds > 0 ? static_cast<double>(count) / seconds : 0;
+}
+
+/// Growth of the program's memory over the states it keeps; 0 while they are too few to tell.
+double bytes_per_state(const refine::Progress& progress) {
+    constexpr std::uint64_t few = 10'000;
+    return progress.states < few ? 0 : static_cast<double>(progress.grown_bytes) / static_cast<double>(progress.states);
+}
+
+/// "950", "12.3 k", "4.56 M".
+std::string short_number(double value) {
+    if (value < 10'000) return fmt::format("{:.0f}", value);
+    return value < 1e6 ? fmt::format("{:.1f} k", value / 1e3) : fmt::format("{:.2f} M", value / 1e6);
+}
+
+std::string fitted(std::string text, std::size_t width) {
+    std::size_t columns = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U && ++columns > width) {
+            text.resize(i);
+            break;
+        }
+    }
+    return text;
+}
+
+class Line {
+public:
+    void draw(const refine::Progress& progress) {
+        drawn_ = true;
+        print_error_styled(fmt::format("\r\x1b[K{}", progress_text(progress, terminal_width() - 1)));
+        std::fflush(stderr);
+    }
+    Line() = default;
+    Line(const Line&) = delete;
+    Line& operator=(const Line&) = delete;
+    ~Line() {
+        if (!drawn_) return;
+        print_error_styled("\r\x1b[K");
+        std::fflush(stderr);
+    }
+
+private:
+    bool drawn_ = false;
+};
+
+}  // namespace
+
+std::string progress_text(const refine::Progress& p, std::size_t width) {
+    std::vector<std::string> parts;
+    const bool compiling = p.phase == refine::Progress::Phase::compiling;
+    if (compiling && p.components > 1) parts.push_back(fmt::format("component {} of {}", p.component, p.components));
+    parts.push_back(short_number(static_cast<double>(p.states)) + " states");
+    if (!compiling) {
+        parts.push_back(short_number(static_cast<double>(p.transitions)) + " transitions");
+        parts.push_back(short_number(per_second(p.states, p.seconds)) + "/s");
+        parts.push_back(short_number(static_cast<double>(p.frontier)) + " waiting");
+        parts.push_back(fmt::format("depth {}", p.depth));
+    }
+    parts.push_back(fmt::format("{} MiB", p.resident_bytes >> 20U));
+    if (bytes_per_state(p) > 0) parts.push_back(fmt::format("{:.0f} B/state", bytes_per_state(p)));
+    std::string text =
+        fmt::format("{} {:.0f} s: {}", compiling ? "compiling" : "searching", p.seconds, fmt::join(parts, ", "));
+    if (compiling && !p.part.empty()) text += ", " + diagnostics::shown(p.part);
+    return fitted(std::move(text), width);
+}
+
+std::string progress_json(const refine::Progress& p, const std::string& subject) {
+    const bool compiling = p.phase == refine::Progress::Phase::compiling;
+    std::string json = fmt::format(
+        R"({{"event":"progress","subject":{},"phase":"{}","seconds":{:.3f},"states":{},"transitions":{},"statesPerSecond":{:.0f},)"
+        R"("frontier":{},"depth":{},"residentBytes":{},"bytesPerState":{:.1f})",
+        diagnostics::json_string(subject), compiling ? "compiling" : "searching", p.seconds, p.states, p.transitions,
+        per_second(p.states, p.seconds), p.frontier, p.depth, p.resident_bytes, bytes_per_state(p));
+    if (compiling)
+        json += fmt::format(R"(,"part":{},"component":{},"components":{})", diagnostics::json_string(p.part),
+                            p.component, p.components);
+    return json + "}";
+}
+
+std::function<void(const refine::Progress&)> progress_of(const Options& options, const std::string& subject) {
+    if (options.progress == ProgressMode::json)
+        return [subject](const refine::Progress& progress) {
+            print_error_styled(progress_json(progress, subject) + "\n");
+        };
+    const bool seen = !options.quiet && isatty(STDERR_FILENO) == 1;
+    if (options.progress == ProgressMode::never || !seen) return {};
+    return [line = std::make_shared<Line>()](const refine::Progress& progress) { line->draw(progress); };
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,214 @@
+// See rule_pages.hpp. Only the little Markdown that the pages use is read: headings, paragraphs, fences, lists, links,
+// `code`, *emphasis*.
+#include "app/command/rule_pages.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace robochart::app {
+namespace {
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    return text;
+}
+
+bool same_ignoring_case(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](unsigned char x, unsigned char y) { return std::toupper(x) == std::toupper(y); });
+}
+
+// ---------------------------------------------------------------- reading
+
+constexpr std::string_view fence = "```";
+constexpr std::string_view separator = " · ";
+
+class PageReader {
+public:
+    explicit PageReader(std::string_view text) : lines_(lines_of(text)) {}
+
+    Page read() {
+        title();
+        kind();
+        while (at_ < lines_.size()) body_line(lines_[at_++]);
+        if (trimmed(page_.reason).empty()) fault("there is no reason between the title and the examples");
+        if (page_.wrong.empty()) fault("there is no example under `## Wrong`");
+        if (page_.right.empty()) fault("there is no example under `## Right`");
+        return std::move(page_);
+    }
+
+private:
+    void fault(std::string what) { page_.faults.push_back(std::move(what)); }
+
+    void title() {
+        const std::string_view line = at_ < lines_.size() ? lines_[at_++] : std::string_view();
+        const std::size_t colon = line.find(": ");
+        if (!line.starts_with("# ") || colon == std::string_view::npos)
+            return fault("the first line must be `# CODE: what is wrong`");
+        page_.code = line.substr(2, colon - 2);
+        page_.title = line.substr(colon + 2);
+        skip_blank();
+    }
+
+    /// `*severity · area · source*`
+    void kind() {
+        const std::string_view line = at_ < lines_.size() ? lines_[at_] : std::string_view();
+        const bool fits = line.size() > 2 && line.front() == '*' && line.back() == '*';
+        const std::size_t first = line.find(separator);
+        if (!fits || first == std::string_view::npos)
+            return fault("the title must be followed by `*severity · area · source*`");
+        ++at_;
+        const std::string_view inner = line.substr(1, line.size() - 2);
+        const std::size_t second = inner.find(separator, first);
+        page_.severity = inner.substr(0, first - 1);
+        page_.area = inner.substr(first - 1 + separator.size(), second == std::string_view::npos
+                                                                    ? std::string_view::npos
+                                                                    : second - (first - 1) - separator.size());
+        if (second != std::string_view::npos) page_.source = inner.substr(second + separator.size());
+    }
+
+    void skip_blank() {
+        while (at_ < lines_.size() && trimmed(lines_[at_]).empty()) ++at_;
+    }
+
+    void body_line(std::string_view line) {
+        if (line.starts_with("## ")) {
+            section_ = line.substr(3);
+        } else if (line.starts_with(fence)) {
+            block(line.substr(fence.size()));
+        } else if (section_.empty()) {
+            page_.reason.append(line).append("\n");
+        }
+    }
+
+    void block(std::string_view info) {
+        Block block;
+        const std::size_t blank = std::min(info.find(' '), info.size());
+        block.language = info.substr(0, blank);
+        const std::size_t name = info.find("file=");
+        if (name != std::string_view::npos) block.file = trimmed(info.substr(name + 5));
+        while (at_ < lines_.size() && lines_[at_] != fence) block.text.append(lines_[at_++]).append("\n");
+        if (at_ == lines_.size()) fault("a fence is not closed");
+        ++at_;
+        if (section_ == "Wrong") page_.wrong.push_back(std::move(block));
+        if (section_ == "Right") page_.right.push_back(std::move(block));
+    }
+
+    std::vector<std::string_view> lines_;
+    std::size_t at_ = 0;
+    std::string_view section_;
+    Page page_;
+};
+
+// ---------------------------------------------------------------- drawing
+
+constexpr std::string_view bold = "\x1b[1m";
+constexpr std::string_view cyan = "\x1b[36m";
+constexpr std::string_view plain = "\x1b[0m";
+
+class Drawing {
+public:
+    explicit Drawing(bool color) : color_(color) {}
+
+    std::string draw(std::string_view text) {
+        for (const std::string_view line : lines_of(text)) draw_line(line);
+        while (out_.size() > 1 && out_.ends_with("\n\n")) out_.pop_back();
+        return std::move(out_);
+    }
+
+private:
+    void draw_line(std::string_view line) {
+        if (line.starts_with(fence)) {
+            in_code_ = !in_code_;
+        } else if (in_code_) {
+            code_line(line);
+        } else if (line.starts_with("#")) {
+            const std::size_t start = std::min(line.find_first_not_of("# "), line.size());
+            marked(line.substr(start), bold);
+            out_ += '\n';
+        } else {
+            words(line);
+            out_ += '\n';
+        }
+    }
+
+    /// Tabs as four blanks; what the tests expect on a line becomes an arrow for people.
+    void code_line(std::string_view line) {
+        constexpr std::string_view expectation = " expect: ";
+        const std::size_t at = line.find(expectation);
+        std::string text(line.substr(0, at));
+        if (at != std::string_view::npos) text.append(" <-- ").append(line.substr(at + expectation.size()));
+        for (std::size_t tab = text.find('\t'); tab != std::string::npos; tab = text.find('\t'))
+            text.replace(tab, 1, "    ");
+        out_.append("    ").append(text).append("\n");
+    }
+
+    void marked(std::string_view text, std::string_view mark) {
+        if (color_) out_ += mark;
+        out_ += text;
+        if (color_) out_ += plain;
+    }
+
+    /// A line of text: `code`, [name](address) and *emphasis*.
+    void words(std::string_view line) {
+        while (!line.empty()) {
+            const std::size_t at = std::min(line.find_first_of("`[*"), line.size());
+            out_ += line.substr(0, at);
+            line.remove_prefix(at);
+            if (!line.empty()) line.remove_prefix(special(line));
+        }
+    }
+
+    /// Draws what begins with a special sign; the number of characters it took.
+    std::size_t special(std::string_view line) {
+        const char sign = line.front();
+        if (sign == '[') {
+            const std::size_t name = line.find("](");
+            const std::size_t end = name == std::string_view::npos ? name : line.find(')', name);
+            if (end != std::string_view::npos) return marked(line.substr(1, name - 1), cyan), end + 1;
+        } else if (line.size() > 1 && line[1] != ' ') {
+            const std::size_t end = line.find(sign, 1);
+            if (end != std::string_view::npos) {
+                // Backquotes stay where there is no colour to take their place.
+                const bool quotes = sign == '`' && !color_;
+                marked(quotes ? line.substr(0, end + 1) : line.substr(1, end - 1), sign == '`' ? cyan : bold);
+                return end + 1;
+            }
+        }
+        out_ += sign;
+        return 1;
+    }
+
+    bool color_;
+    bool in_code_ = false;
+    std::string out_;
+};
+
+}  // namespace
+
+std::string_view page_text(std::string_view code) {
+    for (const PageText& page : page_texts())
+        if (same_ignoring_case(page.code, code)) return page.text;
+    return {};
+}
+
+Page read_page(std::string_view text) {
+    return PageReader(text).read();
+}
+
+std::string render_page(std::string_view text, bool color) {
+    return Drawing(color).draw(text);
+}
+
+}  // namespace robochart::app

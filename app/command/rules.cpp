@@ -1,0 +1,72 @@
+#include "app/command/rules.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "checker/cspm/syntax/rules.hpp"
+#include "checker/cspm/types/rules.hpp"
+#include "conformance/model/rules.hpp"
+#include "cpp_emit/plan/rules.hpp"
+#include "csp_emit/base/rules.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+#include "semantics/rules.hpp"
+#include "simulation/scenario/rules.hpp"
+
+namespace robochart::app {
+namespace rules {
+
+using diagnostics::Severity;
+
+const diagnostics::Rule bad_option{"RC-A01", Severity::error, "{}",
+                                   "The value given for an option of the command line does not fit: --const takes NAME=VALUE, "
+                                   "--range takes TYPE=LOW..HIGH with LOW at most HIGH, for example --range nat=0..4; "
+                                   "--component and --assertion name what the model has."};
+const diagnostics::Rule no_component{"RC-A02", Severity::error, "no component to generate code for: {}",
+                                     "C++ is generated for modules, controllers or state machines. The model has none."};
+const diagnostics::Rule unwritable{"RC-A03", Severity::error, "{}",
+                                   "A file could not be written, below the folder given with --out or, by `format`, in place: the folder "
+                                   "cannot be made, the file or folder is not writable, or the disk is full. Files written before it are "
+                                   "complete; the file itself is as it was."};
+
+const diagnostics::Rule no_monitor{"RC-A04", Severity::error, "no cyclic automaton can be made for {}: {}",
+                                   "Monitors and test suites are made from the normal form of a component, all of it: its states must be few "
+                                   "enough, its inputs and outputs numbers, truth values and literals. Smaller carriers (--range) make it smaller."};
+
+}  // namespace rules
+
+namespace {
+
+std::string upper(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return result;
+}
+
+}  // namespace
+
+std::vector<const diagnostics::Rule*> all_rules() {
+    std::vector<const diagnostics::Rule*> all;
+    const auto add = [&all](const auto& table) { all.insert(all.end(), table.begin(), table.end()); };
+    add(frontend::syntax::all());
+    add(frontend::rules::all());
+    add(ir::rules::all());
+    add(csp_emit::rules::all());
+    add(cpp_emit::rules::all());
+    add(cspm::rules::all());
+    add(cspm::types::rules::all());
+    add(simulation::rules::all());
+    add(conformance::rules::all());
+    all.insert(all.end(), {&rules::bad_option, &rules::no_component, &rules::unwritable, &rules::no_monitor});
+    return all;
+}
+
+std::vector<const diagnostics::Rule*> find_rules(std::string_view code) {
+    std::vector<const diagnostics::Rule*> found;
+    for (const diagnostics::Rule* rule : all_rules())
+        if (upper(rule->code) == upper(code)) found.push_back(rule);
+    return found;
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,192 @@
+#include "app/command/run.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "app/command/command_line.hpp"
+#include "app/command/output.hpp"
+
+namespace robochart::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr timespec between_looks{0, 10'000'000};
+/// How long work may go on behind a limit before it is cut short: until it polls, and then gives back what it holds.
+constexpr std::chrono::milliseconds grace{300};
+
+/// The limits are those of the whole run, and begin now.
+diagnostics::Limits limits_of(const Options& options) {
+    diagnostics::Limits limits;
+    limits.memory_bytes = options.memory_bytes > 0 ? options.memory_bytes : default_memory();
+    // More than a year is for ever, and would not fit the clock.
+    if (constexpr double year = 366.0 * 24 * 3600; options.timeout_seconds > 0 && options.timeout_seconds < year)
+        limits.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.timeout_seconds));
+    return limits;
+}
+
+}  // namespace
+
+Run::Run(const Options& options) : budget_(limits_of(options)) {
+    last_word_ = [](const std::string& why) {
+        print_error("robochart-verify: {}; nothing is known yet\n", why);
+        return Exit::inconclusive;
+    };
+    sigemptyset(&signals_taken_);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
+        struct sigaction before {};
+        sigaction(signal, nullptr, &before);
+        const bool unwanted = signal == SIGHUP && before.sa_handler == SIG_IGN;  // nohup
+        if (!unwanted) sigaddset(&signals_taken_, signal);
+    }
+    pthread_sigmask(SIG_BLOCK, &signals_taken_, &mask_before_);
+    watcher_ = std::thread([this] { watch(); });
+}
+
+Run::~Run() {
+    over_ = true;
+    watcher_.join();
+    pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
+}
+
+void Run::last_word(LastWord word) {
+    const std::lock_guard lock(mutex_);
+    last_word_ = std::move(word);
+}
+
+void Run::finish() {
+    const std::lock_guard lock(mutex_);
+    finishing_ = true;
+}
+
+Exit Run::stopped(const std::string& why) {
+    finish();
+    return last_word_(why);
+}
+
+void Run::watch() {
+    std::optional<Clock::time_point> since;
+    while (!over_) {
+        if (const int signal = sigtimedwait(&signals_taken_, nullptr, &between_looks); signal > 0) take(signal);
+        const std::string why = budget_.reached();
+        if (why.empty()) continue;
+        if (!since) since = Clock::now();
+        const std::uint64_t most = budget_.limits().memory_bytes;
+        const bool far_beyond = budget_.resident() > most + most / 10;
+        if (Clock::now() - *since >= grace || far_beyond) say_and_end(why);
+    }
+}
+
+/// Programs that start this one send a signal to it and to its process group, so it may come twice at once: what follows
+/// within a moment is the same wish. SIGXCPU comes each second from the system's limit of processor time on: nobody is in
+/// a hurry.
+void Run::take(int signal) {
+    constexpr std::chrono::milliseconds moment{100};
+    if (signal == SIGXCPU) return budget_.interrupt();
+    if (signals_.fetch_add(1) == 0) first_signal_ = Clock::now();
+    if (Clock::now() - first_signal_ > moment) end_at_once(128 + signal);
+    budget_.interrupt();
+}
+
+/// Unless the verb is about to say it itself.
+void Run::say_and_end(const std::string& why) {
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (!lock || finishing_) return;
+    Exit exit = Exit::inconclusive;
+    try {
+        exit = last_word_(why);
+        finish_output();
+    } catch (const OutputError& error) {
+        exit = error.report();
+    } catch (const std::bad_alloc&) {
+        std::fputs("robochart-verify: there is no more memory\n", stderr);
+    }
+    end_at_once(static_cast<int>(exit));
+}
+
+void Run::end_at_once(int code) {
+    budget_.release();
+    _exit(code);
+}
+
+namespace {
+
+/// No thread, process or memory can be had.
+bool exhausted(const std::system_error& error) {
+    return error.code() == std::errc::resource_unavailable_try_again || error.code() == std::errc::not_enough_memory;
+}
+
+/// The verb, within the run; what ends it early is said by the last word.
+Exit run_within(Run& run, const Options& options, const std::function<Exit(const Options&)>& verb) {
+    try {
+        return verb(options);
+    } catch (const diagnostics::LimitReached& limit) {
+        return run.stopped(limit.what());
+    } catch (const std::bad_alloc&) {
+        return run.stopped("there is no more memory");
+    } catch (const std::system_error& error) {
+        if (!exhausted(error)) throw;
+        return run.stopped(error.what());
+    }
+}
+
+Exit run_verb(int argc, const char* const* argv, const std::function<Exit(const Options&)>& verb) {
+    const Parsed parsed = parse_command_line(argc, argv);
+    if (!parsed.options) {
+        if (parsed.exit == Exit::success) print_text(parsed.message);
+        else print_error_text(parsed.message);
+        return parsed.exit;
+    }
+    Options options = *parsed.options;
+    // An editor's server is ended by its editor.
+    if (options.verb == Verb::lsp) return verb(options);
+    Run run(options);
+    options.run = &run;
+    return run_within(run, options, verb);
+}
+
+}  // namespace
+
+int run_command(const char* program, int argc, const char* const* argv, const std::function<Exit(const Options&)>& verb) {
+    try {
+        prepare_output();
+        const Exit exit = run_verb(argc, argv, verb);
+        finish_output();
+        return static_cast<int>(exit);
+    } catch (const OutputError& error) {
+        return static_cast<int>(error.report());
+    } catch (const UsageError& error) {
+        print_error("robochart-verify: {}\ntry: robochart-verify --help\n", error.what());
+        return static_cast<int>(Exit::usage);
+    } catch (const std::bad_alloc&) {
+        print_error_text("robochart-verify: there is no more memory\n");
+        return static_cast<int>(Exit::inconclusive);
+    } catch (const std::system_error& error) {
+        const bool limit = exhausted(error);
+        print_error("{}: {}{}\n", program, limit ? "" : "an internal error: ", error.what());
+        return static_cast<int>(limit ? Exit::inconclusive : Exit::internal);
+    } catch (const std::exception& error) {
+        print_error("{}: an internal error: {}\nplease report it with the model that shows it\n", program, error.what());
+        return static_cast<int>(Exit::internal);
+    }
+}
+
+std::uint64_t default_memory() {
+    std::uint64_t bytes = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+    std::uint64_t group = 0;
+    // Control groups, version 2; "max" where there is no limit.
+    if (std::ifstream("/sys/fs/cgroup/memory.max") >> group && group > 0) bytes = std::min(bytes, group);
+    return std::min(std::uint64_t{16} << 30U, bytes / 4 * 3);
+}
+
+}  // namespace robochart::app

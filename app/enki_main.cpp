@@ -1,0 +1,8 @@
+// robochart-simulate-enki SCENARIO: the verb `simulate` in Enki. This program is linked with Enki and therefore GPL-2+.
+#include "app/verbs/simulate.hpp"
+#include "simulation/adapters/enki/enki_stage.hpp"
+
+int main(int argc, char** argv) {
+    return robochart::app::simulate_program("robochart-simulate-enki", argc, argv,
+                                            {"Enki", robochart::simulation::enki_stage, false});
+}

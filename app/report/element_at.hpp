@@ -1,0 +1,14 @@
+// Which element of the model a place is in: for reports about expressions, which have no names of their own.
+#pragma once
+
+#include <string>
+
+#include "diagnostics/source.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::app {
+
+/// The smallest element of a machine around a place, in the words of reports; "" where there is none.
+[[nodiscard]] std::string element_at(const ir::System&, diagnostics::Span);
+
+}  // namespace robochart::app

@@ -1,0 +1,225 @@
+// The fields of FDR's `refines --format json`: event 0 stands for "no event", 1 is tau, 2 is tick, so our numbers go
+// up by one. The names are those of FDR 4.2.7's output; a child's trace has an entry for every step of its parent's.
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/report/script_report.hpp"
+
+namespace robochart::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using process::Event;
+using refine::ViolationKind;
+
+class EventMap {
+public:
+    explicit EventMap(const process::EventTable& events) : events_(events) {}
+
+    std::uint64_t number(Event event) {
+        if (event == process::no_event) return 0;
+        used_.push_back(event);
+        return std::uint64_t{event} + 1;
+    }
+    template <class Events>
+    Json numbers(const Events& events) {
+        Json list = Json::array();
+        for (const Event event : events) list.push_back(number(event));
+        return list;
+    }
+    Json json() {
+        std::sort(used_.begin(), used_.end());
+        used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+        Json map{{"0", "0"}, {"1", "τ"}, {"2", "✓"}};
+        for (const Event event : used_) map[std::to_string(std::uint64_t{event} + 1)] = events_.name(event);
+        return map;
+    }
+
+private:
+    const process::EventTable& events_;
+    std::vector<Event> used_;
+};
+
+const char* counterexample_type(ViolationKind kind) {
+    switch (kind) {
+        case ViolationKind::trace:
+            return "trace";
+        case ViolationKind::refusal:
+            return "failure";
+        case ViolationKind::divergence:
+            return "divergence";
+        case ViolationKind::deadlock:
+            return "deadlock";
+        case ViolationKind::nondeterminism:
+            return "determinism";
+        case ViolationKind::no_trace:
+            return "stuck";
+    }
+    return "";
+}
+
+/// What a part shows at the end of the run: the run's last event is apart where it is the offence, and a loop and an
+/// acceptance are told beside the trace.
+class Behaviours {
+public:
+    Behaviours(const refine::Counterexample& told, EventMap& events, const Options& options)
+        : told_(told), events_(events), options_(options) {}
+
+    Json implementation(const std::string& name) {
+        Json json{{"machine_name", name}, {"type", type()}};
+        std::vector<Event> trace;
+        std::vector<Event> revealed;
+        Json states = Json::array({told_.initial});
+        const auto append = [&](const std::vector<refine::Step>& steps) {
+            for (const refine::Step& step : steps) {
+                trace.push_back(step.event);
+                revealed.push_back(step.revealed);
+                states.push_back(step.state);
+            }
+        };
+        append(told_.steps);
+        append(told_.loop);
+        if (offence_of_whole()) states.erase(states.size() - 1);
+        finish(json, trace, revealed, told_.offered, offence_of_whole());
+        json["states"] = std::move(states);
+        return json;
+    }
+    void parts(Json& json, const process::Behaviour& whole) { children(json, whole, offence_of_whole()); }
+    Json specification(const std::string& name) {
+        std::vector<Event> trace;
+        for (const refine::Step& step : told_.steps)
+            if (step.event != process::tau) trace.push_back(step.event);
+        if (told_.kind == ViolationKind::trace && !trace.empty()) trace.pop_back();
+        Json json{{"machine_name", name},
+                  {"type", "trace"},
+                  {"error_event", 0},
+                  {"trace", events_.numbers(trace)},
+                  {"states", Json::array({name})}};
+        json["allowed"] = Json::array();
+        for (const process::EventSet& each : told_.required) json["allowed"].push_back(events_.numbers(each));
+        return json;
+    }
+
+private:
+    /// Where in a trace the offending event stands, where there is one.
+    using Offence = std::optional<std::size_t>;
+
+    [[nodiscard]] Offence offence_of_whole() const {
+        if (told_.kind != ViolationKind::trace || told_.steps.empty()) return std::nullopt;
+        return told_.steps.size() - 1;
+    }
+    /// A part has an entry for every step of the part above it, but for what was compressed, which has a run of its own.
+    static Offence offence_of(const process::Behaviour& part, const process::Behaviour& above, Offence offence) {
+        if (!part.own_run || !offence) return offence;
+        if (*offence >= above.trace.size() || above.trace[*offence] == process::no_event) return std::nullopt;
+        const auto visible = [](Event event) { return event != process::tau && event != process::no_event; };
+        const auto last = std::find_if(part.trace.rbegin(), part.trace.rend(), visible);
+        if (last == part.trace.rend()) return std::nullopt;
+        return static_cast<std::size_t>(part.trace.rend() - last) - 1;
+    }
+    Json part(const process::Behaviour& behaviour, Offence offence) {
+        Json json{{"machine_name", behaviour.name}, {"type", type()}};
+        finish(json, behaviour.trace, behaviour.revealed, behaviour.offered, offence);
+        if (!behaviour.op.empty()) json["operator"] = behaviour.op;
+        json["states"] = Json::array({behaviour.name, behaviour.state});
+        children(json, behaviour, offence);
+        return json;
+    }
+    void children(Json& json, const process::Behaviour& behaviour, Offence offence) {
+        if (behaviour.parts.empty()) return;
+        json["child_behaviours"] = Json::array();
+        for (const process::Behaviour& each : behaviour.parts)
+            json["child_behaviours"].push_back(part(each, offence_of(each, behaviour, offence)));
+    }
+    [[nodiscard]] const char* type() const {
+        switch (told_.kind) {
+            case ViolationKind::trace:
+            case ViolationKind::no_trace:
+                return "trace";
+            case ViolationKind::divergence:
+                return "loop";
+            default:
+                return "min_acceptance";
+        }
+    }
+    void finish(Json& json, std::vector<Event> trace, std::vector<Event> revealed, const process::EventSet& offered,
+                Offence offence) {
+        if (told_.kind == ViolationKind::trace) {
+            const bool has_it = offence && *offence < trace.size();
+            json["error_event"] = has_it ? events_.number(trace[*offence]) : 0;
+            if (has_it) trace.resize(*offence);
+            if (has_it) revealed.resize(*offence);
+        } else if (told_.kind == ViolationKind::no_trace) {
+            json["error_event"] = told_.event ? events_.number(*told_.event) : 0;
+        } else if (told_.kind == ViolationKind::divergence) {
+            json["loop_start"] = std::min(told_.steps.size(), trace.size());
+        } else {
+            json["acceptance"] = events_.numbers(offered);
+        }
+        json["trace"] = events_.numbers(trace);
+        if (options_.reveal_taus) json["revealed_trace"] = events_.numbers(revealed);
+    }
+
+    const refine::Counterexample& told_;
+    EventMap& events_;
+    const Options& options_;
+};
+
+Json counterexample(const ScriptAssertion& assertion, EventMap& events, const Options& options) {
+    const refine::Counterexample& told = *assertion.result.verdict.counterexample;
+    Behaviours behaviours(told, events, options);
+    Json json{{"type", counterexample_type(told.kind)}};
+    if (!assertion.specification.empty())
+        json["specification_behaviour"] = behaviours.specification(assertion.specification);
+    json["implementation_behaviour"] = behaviours.implementation(assertion.process);
+    if (assertion.behaviour) behaviours.parts(json["implementation_behaviour"], *assertion.behaviour);
+    if (told.kind == ViolationKind::nondeterminism && told.event) json["event"] = events.number(*told.event);
+    json["replayed_by"] = told.replayed_by_terms ? "terms" : "compiled rules";
+    return json;
+}
+
+Json result(const ScriptAssertion& a, EventMap& events, const Options& options) {
+    constexpr std::array<const char*, 5> words{"holds", "fails", "inconclusive", "no check", "error"};
+    const refine::Verdict& verdict = a.result.verdict;
+    Json json{{"assertion_string", a.text}, {"errors", a.errors}, {"is_negated", a.result.negated ? 1 : 0}};
+    json["result"] = a.answer == Answer::holds ? Json(1) : a.answer == Answer::fails ? Json(0) : Json(nullptr);
+    json["visited_states"] = verdict.statistics.states;
+    json["visited_transitions"] = verdict.statistics.transitions;
+    json["visited_plys"] = verdict.statistics.depth;
+    json["counterexamples"] = Json::array();
+    if (verdict.counterexample && !options.brief) json["counterexamples"].push_back(counterexample(a, events, options));
+    json["number"] = a.number;
+    json["place"] = a.place;
+    json["answer"] = words[static_cast<std::size_t>(a.answer)];
+    json["compile_seconds"] = a.result.compile_seconds;
+    json["seconds"] = verdict.statistics.seconds;
+    json["specification_nodes"] = verdict.statistics.spec_nodes;
+    return json;
+}
+
+}  // namespace
+
+std::string refines_json(const ScriptReport& report, const process::EventTable& table, const Options& options) {
+    EventMap events(table);
+    Json results = Json::array();
+    for (const ScriptAssertion& each : report.assertions) results.push_back(result(each, events, options));
+    Json prints = Json::array();
+    for (const ScriptPrint& each : report.prints) {
+        const Json errors = each.error.empty() ? Json::array() : Json::array({each.error});
+        prints.push_back({{"print_statement", each.expression}, {"result", each.value}, {"errors", errors}});
+    }
+    Json json{{"schema", "robochart-verify/refines/1"},
+              {"copyright_notice", std::string("robochart-verify ") + program_version},
+              {"license_type", "Apache License 2.0"},
+              {"results", std::move(results)},
+              {"print_statement_results", std::move(prints)},
+              {"file_name", report.path},
+              {"event_map", events.json()},
+              {"warnings", report.warnings},
+              {"errors", report.errors}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace robochart::app

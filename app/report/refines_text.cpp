@@ -1,0 +1,185 @@
+// Assertions of scripts as text: as FDR's `refines` prints them, and in our own report.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/report/script_report.hpp"
+
+namespace robochart::app {
+namespace {
+
+using process::Behaviour;
+using process::Event;
+using refine::ViolationKind;
+
+/// A split of more parts than this is shown on request only.
+constexpr std::size_t few_parts = 16;
+
+class Names {
+public:
+    Names(const process::EventTable& events, bool reveal) : events_(events), reveal_(reveal) {}
+
+    [[nodiscard]] std::string of(Event event) const { return events_.name(event); }
+    [[nodiscard]] std::string of(Event event, Event revealed) const {
+        const bool hidden =
+            reveal_ && event == process::tau && revealed != process::tau && revealed != process::no_event;
+        return hidden ? fmt::format("τ({})", events_.name(revealed)) : events_.name(event);
+    }
+    [[nodiscard]] std::string set(const process::EventSet& events) const {
+        std::vector<std::string> names;
+        for (const Event event : events) names.push_back(of(event));
+        return fmt::format("{{{}}}", fmt::join(names, ", "));
+    }
+    [[nodiscard]] std::string run(const std::vector<refine::Step>& steps) const {
+        std::vector<std::string> names;
+        for (const refine::Step& step : steps) names.push_back(of(step.event, step.revealed));
+        return fmt::format("<{}>", fmt::join(names, ", "));
+    }
+    [[nodiscard]] std::string run(const Behaviour& part) const {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < part.trace.size(); ++i)
+            if (part.trace[i] != process::no_event) names.push_back(of(part.trace[i], part.revealed[i]));
+        return fmt::format("<{}>", fmt::join(names, ", "));
+    }
+
+private:
+    const process::EventTable& events_;
+    bool reveal_;
+};
+
+std::string sets(const Names& names, const std::vector<process::EventSet>& list) {
+    std::vector<std::string> shown;
+    for (const process::EventSet& each : list) shown.push_back(names.set(each));
+    return list.empty() ? "nothing" : fmt::format("{}", fmt::join(shown, " "));
+}
+
+/// The offence after the trace, with what the specification allowed.
+std::string offence(const refine::Counterexample& c, const Names& names) {
+    const std::string event = c.event ? names.of(*c.event) : "";
+    switch (c.kind) {
+        case ViolationKind::trace:
+            return fmt::format("where the specification does not allow {}, only {}", event, sets(names, c.required));
+        case ViolationKind::refusal:
+            return fmt::format("then offers {}; the specification requires one of: {}", names.set(c.offered),
+                               sets(names, c.required));
+        case ViolationKind::divergence:
+            return fmt::format("then diverges by {} for ever", names.run(c.loop));
+        case ViolationKind::deadlock:
+            return "then can do nothing";
+        case ViolationKind::nondeterminism:
+            return fmt::format("then may accept {} and may refuse it: a state it can be in offers {}", event,
+                               names.set(c.offered));
+        case ViolationKind::no_trace:
+            return fmt::format("then cannot perform {}", event);
+    }
+    return "";
+}
+
+std::size_t count(const Behaviour& part) {
+    std::size_t parts = 1;
+    for (const Behaviour& each : part.parts) parts += count(each);
+    return parts;
+}
+
+void write_part(const Behaviour& part, std::size_t indent, const Names& names, std::string& out) {
+    const std::string title = part.op.empty() ? part.name : part.op;
+    out += fmt::format("{:{}}{}  {}", "", indent, title, names.run(part));
+    if (part.left) {
+        out += ", then left";
+    } else if (part.parts.empty()) {
+        out += fmt::format(", now {}{} offering {}", part.state, part.stable ? "" : " (unstable)",
+                           names.set(part.offered));
+    }
+    out += '\n';
+    for (const Behaviour& each : part.parts) write_part(each, indent + 2, names, out);
+}
+
+std::string split(const ScriptAssertion& a, std::size_t indent, const Names& names, const Options& options) {
+    if (!a.behaviour || a.behaviour->parts.empty()) return "";
+    const std::size_t parts = count(*a.behaviour);
+    if (parts > few_parts && !options.split)
+        return fmt::format("{:{}}{} parts took part; --split shows what each did\n", "", indent, parts);
+    std::string out = fmt::format("{:{}}each part did\n", "", indent);
+    write_part(*a.behaviour, indent + 2, names, out);
+    return out;
+}
+
+const char* title(ViolationKind kind) {
+    switch (kind) {
+        case ViolationKind::trace:
+            return "Trace";
+        case ViolationKind::refusal:
+            return "Failure";
+        case ViolationKind::divergence:
+            return "Divergence";
+        case ViolationKind::deadlock:
+            return "Deadlock";
+        case ViolationKind::nondeterminism:
+            return "Determinism";
+        case ViolationKind::no_trace:
+            return "Stuck";
+    }
+    return "";
+}
+
+std::string visible_trace(const refine::Counterexample& c, const Names& names) {
+    std::vector<std::string> trace;
+    for (const refine::Step& step : c.steps)
+        if (step.event != process::tau) trace.push_back(names.of(step.event));
+    if (c.kind == ViolationKind::trace && !trace.empty()) trace.pop_back();
+    return fmt::format("<{}>", fmt::join(trace, ", "));
+}
+
+std::string plain_counterexample(const ScriptAssertion& a, const Names& names, const Options& options) {
+    const refine::Counterexample& c = *a.result.verdict.counterexample;
+    std::string out = fmt::format("    Counterexample ({} Counterexample)\n", title(c.kind));
+    if (!a.specification.empty())
+        out += fmt::format(
+            "        Specification Debug:\n            {}:\n                Trace: {}\n                Allowed: {}\n",
+            a.specification, visible_trace(c, names), sets(names, c.required));
+    std::vector<refine::Step> steps = c.steps;
+    if (c.kind == ViolationKind::trace && !steps.empty()) steps.pop_back();
+    out += fmt::format("        Implementation Debug:\n            {}:\n                Trace: {}\n", a.process,
+                       names.run(steps));
+    if (c.kind == ViolationKind::divergence) out += fmt::format("                Repeating: {}\n", names.run(c.loop));
+    if (c.event) out += fmt::format("                Error Event: {}\n", names.of(*c.event));
+    const bool stops = c.kind == ViolationKind::refusal || c.kind == ViolationKind::deadlock ||
+                       c.kind == ViolationKind::nondeterminism;
+    if (stops) out += fmt::format("                Min Acceptance: {}\n", names.set(c.offered));
+    return out + split(a, 16, names, options);
+}
+
+const char* sentence_of(Answer answer) {
+    if (answer == Answer::holds) return "Passed";
+    return answer == Answer::fails ? "Failed" : answer == Answer::error ? "Error" : "Inconclusive";
+}
+
+}  // namespace
+
+std::string refines_plain(const ScriptAssertion& a, const process::EventTable& events, const Options& options) {
+    const Names names(events, options.reveal_taus);
+    const refine::Statistics& s = a.result.verdict.statistics;
+    std::string out;
+    if (options.brief) {
+        out = fmt::format("{}: {}\n", a.text, sentence_of(a.answer));
+    } else {
+        out = fmt::format(
+            "{}:\n    Result: {}\n    Visited States: {}\n    Visited Transitions: {}\n    Visited Plys: {}\n", a.text,
+            sentence_of(a.answer), s.states, s.transitions, s.depth);
+        if (a.result.verdict.counterexample) out += plain_counterexample(a, names, options);
+    }
+    for (const std::string& error : a.errors) out += fmt::format("    {}\n", error);
+    return out;
+}
+
+std::string counterexample_text(const ScriptAssertion& a, const process::EventTable& events, const Options& options) {
+    const Names names(events, options.reveal_taus);
+    const refine::Counterexample& c = *a.result.verdict.counterexample;
+    std::string out = fmt::format("                 trace {}\n", names.run(c.steps));
+    out += fmt::format("                 {}\n", offence(c, names));
+    if (!c.replayed_by_terms)
+        out += "                 (replayed by the compiled rules alone: its terms are too many)\n";
+    return out + split(a, 17, names, options);
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,102 @@
+// What a run found, as data; drawn as text or JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/command/options.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "conformance/check/conform.hpp"
+#include "runs/run.hpp"
+
+namespace robochart::app {
+
+enum class Answer {
+    holds,
+    fails,
+    inconclusive,
+    no_check,  ///< the claim has no check in this semantics; said, not counted as holding
+    error,     ///< the claim could not be evaluated: bad input
+    unchecked, ///< a claim of a kind that is not decided here: nothing is known of it
+};
+
+/// Why something that was to be decided is inconclusive while nothing is known of it.
+inline constexpr const char* not_decided = "it was not decided before the limit";
+
+struct AssertionReport {
+    std::string title;      ///< "A1 [timed] AggregationFSM is deadlock-free"
+    std::string place;      ///< "aggregation.assertions:12"
+    Answer answer = Answer::inconclusive;
+    std::string reason;     ///< inconclusive, no_check, error
+    refine::Statistics statistics;
+    std::optional<runs::Run> run;         ///< a model's counterexample
+    std::string counterexample;           ///< a script's, as text
+};
+
+/// Where the finite reading of the model showed while assertions were checked.
+struct BoundReport {
+    std::string element;  ///< "S::t1"
+    std::string place;    ///< "model.rct:12"
+    std::string text;     ///< the expression, and what was made of it
+    std::string time;     ///< "untimed", "timed", or both
+};
+
+/// How large a component's process is. Where a bound was reached: what was known then.
+struct SizeReport {
+    struct Size {
+        std::size_t states = 0;
+        std::size_t transitions = 0;
+        bool whole = true;
+    };
+    std::string component;  ///< "P::C::stm_ref0"
+    std::string time;       ///< "untimed", "timed"
+    Size process;           ///< D__
+    Size compressed;        ///< O__
+};
+
+struct ConformanceReport {
+    std::string component;
+    conformance::Result result;
+    double seconds = 0;
+};
+
+struct FileReport {
+    std::string path;
+    std::size_t bytes = 0;
+};
+
+/// A model among several that has errors: nothing is said of it, and the others are judged without it.
+struct RefusedReport {
+    std::string model;
+    std::string diagnostics;  ///< schema "robochart-verify/diagnostics/1"
+};
+
+struct Report {
+    std::string model;                    ///< the inputs as given
+    std::string summary;                  ///< "1 state machine, 2 operations, …"
+    double load_seconds = 0;
+    std::vector<std::string> notes;       ///< scale of reals, carriers
+    std::string subject = "model";        ///< what it is that does what a counterexample tells
+    std::vector<AssertionReport> assertions;
+    std::vector<BoundReport> bounds;
+    std::vector<SizeReport> sizes;
+    std::vector<ConformanceReport> conformance;
+    std::vector<FileReport> csp_files, cpp_files, monitor_files, test_files;
+    std::vector<std::string> remarks;     ///< on the files written
+    std::vector<RefusedReport> refused;
+    std::string unclaimed;                ///< said where no assertion was checked, though some were to be; "": some were
+    bool nothing_checked = false;         ///< and nothing else was done either
+    std::string limit;                    ///< why the run ended before everything was looked at; "" if it did not
+
+    [[nodiscard]] Exit exit() const;
+};
+
+/// In front of the lines of a counterexample.
+extern const std::string_view indent_of_runs;
+
+[[nodiscard]] std::string render_text(const Report&, const Options&);
+/// Schema "robochart-verify/report/1" (docs/cli.md).
+[[nodiscard]] std::string render_json(const Report&);
+
+}  // namespace robochart::app

@@ -1,0 +1,102 @@
+// The report for programs. A library writes the JSON; the schema is in docs/cli.md.
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "app/report/report.hpp"
+#include "runs/json.hpp"
+#include "runs/text.hpp"
+
+namespace robochart::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json statistics(const refine::Statistics& s) {
+    return {{"states", s.states}, {"transitions", s.transitions}, {"depth", s.depth}, {"specNodes", s.spec_nodes}, {"seconds", s.seconds}};
+}
+
+/// As text, as the script's events, and as data.
+Json counterexample(const runs::Run& run) {
+    const auto loop = run.raw.end() - static_cast<std::ptrdiff_t>(run.raw_loop);
+    Json json{{"story", runs::text(run, indent_of_runs)}, {"events", std::vector<std::string>(run.raw.begin(), loop)}};
+    json["loopEvents"] = std::vector<std::string>(loop, run.raw.end());
+    json.update(runs::json(run));
+    return json;
+}
+
+Json assertion(const AssertionReport& a) {
+    constexpr std::array<const char*, 6> words{"holds", "fails", "inconclusive", "no check", "error", "not checked"};
+    Json json{{"title", a.title}, {"place", a.place}, {"answer", words[static_cast<std::size_t>(a.answer)]}, {"statistics", statistics(a.statistics)}};
+    if (!a.reason.empty()) json["reason"] = a.reason;
+    if (a.run) json["counterexample"] = counterexample(*a.run);
+    return json;
+}
+
+Json behaviour(const conformance::Behaviour& b) { return {{"outputs", b.outputs}, {"ends", b.ends}, {"state", b.state}}; }
+
+Json cycles(const std::vector<conformance::Cycle>& list) {
+    Json json = Json::array();
+    for (const conformance::Cycle& cycle : list) json.push_back({{"inputs", cycle.inputs}, {"outputs", cycle.outputs}, {"state", cycle.state}});
+    return json;
+}
+
+Json aside(const conformance::Aside& a) {
+    if (a.holds) return {{"holds", true}};
+    return {{"holds", false}, {"reason", a.reason}, {"cycles", cycles(a.cycles)}};
+}
+
+Json conformance_json(const ConformanceReport& c) {
+    constexpr std::array<const char*, 5> words{"conforms", "differs", "not schedulable", "not generated", "inconclusive"};
+    const conformance::Result& r = c.result;
+    Json json{{"component", c.component}, {"outcome", words[static_cast<std::size_t>(r.outcome)]}, {"codeStates", r.code_states},
+              {"codeCycles", r.code_cycles}, {"dispatched", r.dispatched}, {"statistics", statistics(r.product)}, {"seconds", c.seconds}};
+    if (!r.reason.empty()) json["reason"] = r.reason;
+    if (!r.warnings.empty()) json["warnings"] = r.warnings;
+    if (r.faces)
+        json["faces"] = {{"event", r.faces->event}, {"differs", r.faces->what}, {"step", behaviour(r.faces->cycle)}, {"dispatch", behaviour(r.faces->dispatched)}};
+    if (r.register_cycles) json["registerCycles"] = aside(*r.register_cycles);
+    if (r.deadlines) json["deadlinesMet"] = aside(*r.deadlines);
+    if (r.cycles.empty()) return json;
+    json["cycles"] = cycles(r.cycles);
+    json["expected"] = r.expected;
+    json["events"] = r.raw;
+    return json;
+}
+
+Json size(const SizeReport::Size& size) { return {{"states", size.states}, {"transitions", size.transitions}, {"whole", size.whole}}; }
+
+Json files(const std::vector<FileReport>& list) {
+    Json json = Json::array();
+    for (const FileReport& file : list) json.push_back({{"path", file.path}, {"bytes", file.bytes}});
+    return json;
+}
+
+}  // namespace
+
+std::string render_json(const Report& report) {
+    Json json{{"schema", "robochart-verify/report/1"}, {"model", report.model}, {"summary", report.summary}, {"notes", report.notes},
+              {"exit", static_cast<int>(report.exit())}};
+    if (!report.unclaimed.empty()) json["unclaimed"] = report.unclaimed;
+    if (!report.limit.empty()) json["limit"] = report.limit;
+    json["assertions"] = Json::array();
+    for (const AssertionReport& a : report.assertions) json["assertions"].push_back(assertion(a));
+    json["bounds"] = Json::array();
+    for (const BoundReport& b : report.bounds)
+        json["bounds"].push_back({{"element", b.element}, {"place", b.place}, {"text", b.text}, {"time", b.time}});
+    if (!report.sizes.empty()) json["sizes"] = Json::array();
+    for (const SizeReport& s : report.sizes)
+        json["sizes"].push_back({{"component", s.component}, {"time", s.time}, {"process", size(s.process)}, {"compressed", size(s.compressed)}});
+    json["conformance"] = Json::array();
+    for (const ConformanceReport& c : report.conformance) json["conformance"].push_back(conformance_json(c));
+    json["cspFiles"] = files(report.csp_files);
+    json["cppFiles"] = files(report.cpp_files);
+    if (!report.monitor_files.empty()) json["monitorFiles"] = files(report.monitor_files);
+    if (!report.test_files.empty()) json["testFiles"] = files(report.test_files);
+    if (!report.remarks.empty()) json["remarks"] = report.remarks;
+    for (const RefusedReport& each : report.refused)
+        json["refused"].push_back({{"model", each.model}, {"diagnostics", Json::parse(each.diagnostics, nullptr, false)}});
+    // Names come from the user's files: bytes that are not UTF-8 are replaced rather than refused.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace robochart::app

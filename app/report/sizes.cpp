@@ -1,0 +1,41 @@
+// See sizes.hpp. What cannot be evaluated has been told by the checks, and has no size.
+#include "app/report/sizes.hpp"
+
+#include "app/command/limits.hpp"
+#include "app/report/state_space.hpp"
+#include "app/command/run.hpp"
+#include "checker/cspm/eval/evaluation_error.hpp"
+#include "checker/process/operational_semantics.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// A component alone may have more: its environment is what bounds it.
+constexpr std::uint64_t most_states = 1'000'000;
+
+SizeReport::Size size_of(cspm::Session& session, const cspm::ExprPtr& process, const Options& options) {
+    refine::Limits bounds = limits(options);
+    bounds.max_states = std::min<std::uint64_t>(bounds.max_states, most_states);
+    std::size_t known = 0;
+    try {
+        const lts::Graph graph = explored(*session.system(process, bounds), bounds, known);
+        return {graph.size(), graph.edge_count(), true};
+    } catch (const process::Interrupted&) {
+        return {known, 0, false};
+    }
+}
+
+}  // namespace
+
+void measure_sizes(const Project& project, cspm::Session& session, const csp_emit::Emission& emission, csp_emit::Time time, const Options& options, Report& report) {
+    for (const csp_emit::ComponentProcesses& component : emission.components) try {
+            SizeReport size{project.label + component.path, time == csp_emit::Time::timed ? "timed" : "untimed",
+                            size_of(session, component.process, options), size_of(session, component.compressed, options)};
+            const auto edit = options.run->edit();
+            report.sizes.push_back(std::move(size));
+        } catch (const cspm::EvaluationError&) {
+            continue;
+        }
+}
+
+}  // namespace robochart::app

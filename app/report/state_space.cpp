@@ -1,0 +1,21 @@
+// See state_space.hpp.
+#include "app/report/state_space.hpp"
+
+#include "checker/refine/search/poll_guard.hpp"
+
+namespace robochart::app {
+
+lts::Graph explored(lts::TransitionSystem& system, const refine::Limits& limits, std::size_t& known) {
+    refine::Budget budget(limits);
+    known = 0;
+    budget.report_by([&known](refine::Progress& progress) { progress.states = known; });
+    const refine::Watch watch({&system}, budget);
+    lts::Exploration all = lts::explore(system, [&](std::size_t states) {
+        known = states;
+        budget.states(states);
+        budget.charge();
+    });
+    return std::move(all.graph);
+}
+
+}  // namespace robochart::app

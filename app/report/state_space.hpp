@@ -1,0 +1,12 @@
+// All states of a process within the limits of a check.
+#pragma once
+
+#include "checker/lts/graph.hpp"
+#include "checker/refine/verdict/check.hpp"
+
+namespace robochart::app {
+
+/// Throws process::Interrupted where a limit is reached; `known` then says how many states had been found.
+[[nodiscard]] lts::Graph explored(lts::TransitionSystem& system, const refine::Limits& limits, std::size_t& known);
+
+}  // namespace robochart::app

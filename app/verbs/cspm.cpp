@@ -1,0 +1,372 @@
+// The verb `cspm`: any CSPM script's assertions, as FDR's `refines` would decide them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "app/command/limits.hpp"
+#include "app/command/output.hpp"
+#include "app/command/run.hpp"
+#include "app/command/script.hpp"
+#include "app/report/script_report.hpp"
+#include "app/verbs/verbs.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/syntax/rules.hpp"
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/types/type_check.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+#include "diagnostics/json.hpp"
+#include "diagnostics/render.hpp"
+
+namespace robochart::app {
+namespace {
+
+Answer answer(refine::Outcome outcome) {
+    if (outcome == refine::Outcome::holds) return Answer::holds;
+    return outcome == refine::Outcome::fails ? Answer::fails : Answer::inconclusive;
+}
+
+/// The innermost calls; deep recursion shows by their number.
+std::string call_stack(const std::vector<std::string>& frames) {
+    constexpr std::size_t shown = 8;
+    std::string text;
+    for (std::size_t i = 0; i < frames.size() && i < shown; ++i) text += fmt::format("\n               in {}", frames[i]);
+    if (frames.size() > shown) text += fmt::format("\n               and {} more", frames.size() - shown);
+    return text;
+}
+
+/// The expressions an assertion is about.
+void name_sides(const cspm::Assertion& assertion, ScriptAssertion& out) {
+    const bool refinement = assertion.kind == cspm::AssertionKind::refinement;
+    if (refinement) out.specification = cspm::print(assertion.specification);
+    out.process = cspm::print(refinement ? assertion.implementation : assertion.specification);
+}
+
+std::string without_keyword(const std::string& assertion) {
+    constexpr std::string_view keyword = "assert ";
+    return assertion.rfind(keyword, 0) == 0 ? assertion.substr(keyword.size()) : assertion;
+}
+
+std::string text_of(const cspm::Decl& assertion) {
+    std::string text = without_keyword(cspm::print(cspm::Script{{std::make_shared<const cspm::Decl>(assertion)}}));
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text;
+}
+
+AssertionReport undecided(const cspm::Decl& assertion) {
+    AssertionReport report;
+    report.title = text_of(assertion);
+    report.reason = not_decided;
+    return report;
+}
+
+ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std::size_t number, const Options& options,
+                       const diagnostics::SourceManager& sources) {
+    ScriptAssertion report;
+    report.number = number;
+    report.place = sources.place(assertion.span);
+    name_sides(assertion.assertion, report);
+    report.text = text_of(assertion);
+    const refine::Limits bounds = limits(options, report.text);
+    try {
+        const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + report.text);
+        report.result = session.check(assertion, bounds);
+        report.answer = answer(report.result.verdict.outcome);
+        if (report.result.verdict.counterexample && !options.brief)
+            report.behaviour = session.behaviour(*report.result.verdict.counterexample, bounds);
+        if (!report.result.verdict.reason.empty()) report.errors.push_back(report.result.verdict.reason);
+    } catch (const diagnostics::LimitReached& limit) {  // before it
+        options.run->finish();
+        report.answer = Answer::inconclusive;
+        report.errors.emplace_back(limit.what());
+    } catch (const cspm::EvaluationError& error) {
+        report.answer = Answer::error;
+        report.errors.push_back(fmt::format("{}: {}{}", sources.place(error.span), error.what(), call_stack(error.stack)));
+    }
+    return report;
+}
+
+/// The same for the report over all scripts.
+AssertionReport in_report(const ScriptAssertion& assertion, const process::EventTable& events, const Options& options) {
+    AssertionReport report;
+    report.title = assertion.text;
+    report.place = assertion.place;
+    report.answer = assertion.answer;
+    report.statistics = assertion.result.verdict.statistics;
+    if (!assertion.errors.empty()) report.reason = assertion.errors.front();
+    if (assertion.result.verdict.counterexample && !options.brief) report.counterexample = counterexample_text(assertion, events, options);
+    return report;
+}
+
+/// `limit`: why the names are not known; "" where they are.
+std::string types_json(const std::string& path, const LoadedScript& loaded, const std::string& limit = "") {
+    std::vector<std::string> rows;
+    for (const cspm::NamedType& each : loaded.types) {
+        rows.push_back(fmt::format("{{\"name\":{},\"type\":{},\"place\":{}}}", diagnostics::json_string(each.name),
+                                   diagnostics::json_string(each.type), diagnostics::json_string(loaded.sources.place(each.span))));
+    }
+    return fmt::format("{{\"schema\":\"robochart-verify/types/1\",\"script\":{},{}\"names\":[{}]}}\n", diagnostics::json_string(path),
+                       limit.empty() ? "" : fmt::format("\"limit\":{},", diagnostics::json_string(limit)), fmt::join(rows, ","));
+}
+
+/// The answer about a script. Where it is the run's, a limit has nothing more to say: that would be a second document.
+void print_answer(const std::string& text, const Options& options) {
+    if (options.inputs.size() == 1) options.run->finish();
+    const auto edit = options.run->edit();
+    print_exact(text);
+}
+
+void show_types(const std::string& path, const LoadedScript& loaded, const Options& options) {
+    if (options.format == Format::json) {
+        print_answer(types_json(path, loaded), options);
+    } else if (options.types) {
+        for (const cspm::NamedType& each : loaded.types) print("{} :: {}\n", each.name, each.type);
+    } else if (!options.quiet) {
+        print("{}: the types of {} names are in order\n", diagnostics::shown(path), loaded.types.size());
+    }
+}
+
+Exit check_types(const Options& options) {
+    Exit exit = Exit::success;
+    for (const std::string& path : options.inputs) {
+        options.run->last_word([path, &options](const std::string& why) {
+            if (options.format == Format::json) print_exact(types_json(path, {}, why));
+            print_error("robochart-verify: {}; the types of {} are not known\n", why, diagnostics::shown(path));
+            return Exit::inconclusive;
+        });
+        LoadedScript loaded;
+        loaded.diagnostics.within(&options.run->budget());
+        const diagnostics::Budget::Phase phase(options.run->budget(), "checking the types of " + path);
+        load_script(path, loaded);
+        show_findings(loaded, options);
+        if (loaded.diagnostics.ok()) {
+            show_types(path, loaded, options);
+        } else {
+            exit = Exit::bad_input;
+        }
+    }
+    return exit;
+}
+
+/// `stopped`: whether a limit left one without its value.
+std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedScript& loaded, const Options& options, bool& stopped) {
+    const cspm::Script& script = loaded.script;
+    const diagnostics::SourceManager& sources = loaded.sources;
+    std::vector<ScriptPrint> result;
+    for (const cspm::DeclPtr& statement : script.decls) {
+        if (statement->kind != cspm::DeclKind::print) continue;
+        ScriptPrint& printed = result.emplace_back();
+        printed.expression = cspm::print(statement->body);
+        try {
+            printed.value = session.evaluate(statement->body, limits(options, printed.expression));
+        } catch (const diagnostics::LimitReached& limit) {
+            printed.error = fmt::format("{}: {}", diagnostics::shown(sources.place(statement->span)), limit.what());
+            options.run->finish();  // what is known is printed from here on
+            stopped = true;
+        } catch (const cspm::EvaluationError& error) {
+            printed.error = fmt::format("{}: {}", diagnostics::shown(sources.place(error.span)), error.what());
+        }
+    }
+    return result;
+}
+
+void show_prints(const ScriptReport& script, const Options& options) {
+    if (options.quiet || options.format == Format::json || options.format == Format::framed_json) return;
+    for (const ScriptPrint& each : script.prints) print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
+}
+
+/// The findings as FDR's output has them: one text each.
+void take_findings(const LoadedScript& loaded, ScriptReport& report) {
+    for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted()) {
+        const std::string text = fmt::format("{}: {}", loaded.sources.place(each.span), each.message());
+        (each.rule->severity == diagnostics::Severity::error ? report.errors : report.warnings).push_back(text);
+    }
+}
+
+bool wanted(const Options& options, std::size_t number) {
+    return options.assertion.empty() || options.assertion == fmt::format("{}", number);
+}
+
+/// Prints what has been decided at once, in the formats that allow it.
+void decide_all(const LoadedScript& loaded, cspm::Session& session, const Options& options, ScriptReport& script, Report& report) {
+    const auto assertions = session.assertions();
+    if (!options.assertion.empty() && std::stoull(options.assertion) > assertions.size())
+        throw UsageError(fmt::format("there is no assertion {}: {} has {}", options.assertion, script.path, assertions.size()));
+    if (assertions.empty() && script.prints.empty()) script.errors.push_back(fmt::format("{}: nothing to check: there are no assertions", diagnostics::shown(script.path)));
+    std::size_t at = report.assertions.size();
+    {
+        const auto edit = options.run->edit();
+        report.summary += fmt::format("{}{} assertions", report.summary.empty() ? "" : ", ", assertions.size());
+        for (std::size_t i = 0; i < assertions.size(); ++i)
+            if (wanted(options, i + 1)) report.assertions.push_back(undecided(*assertions[i]));
+    }
+    for (std::size_t i = 0; i < assertions.size(); ++i) {
+        if (!wanted(options, i + 1)) continue;
+        ScriptAssertion decided = decide(session, *assertions[i], i + 1, options, loaded.sources);
+        {
+            AssertionReport one = in_report(decided, session.event_table(), options);
+            const auto edit = options.run->edit();
+            report.assertions[at++] = std::move(one);
+        }
+        std::string text;
+        if (options.format == Format::plain) text = refines_plain(decided, session.event_table(), options);
+        if (options.format == Format::framed_json) {
+            ScriptReport frame = script;
+            frame.assertions.push_back(std::move(decided));
+            text = refines_json(frame, session.event_table(), options);
+        } else {
+            script.assertions.push_back(std::move(decided));
+        }
+        const auto edit = options.run->edit();  // the last word does not come in between
+        if (options.format == Format::plain) print_text(text);
+        else print_exact(text);
+        finish_output();
+    }
+}
+
+Exit worse(Exit a, Exit b) {
+    const auto rank = [](Exit exit) {
+        constexpr std::array order{Exit::success, Exit::inconclusive, Exit::failed, Exit::bad_input};
+        return std::find(order.begin(), order.end(), exit) - order.begin();
+    };
+    return rank(a) < rank(b) ? b : a;
+}
+
+/// What the last word of the run may still have to print.
+struct Known {
+    Report report;
+    std::string open;   ///< script whose object is not printed yet; "": none
+    bool last = false;  ///< it is the last one
+};
+
+/// The rest of what is printed of a script. It is printed whole, and the last word prints nothing more of it.
+void print_last(const std::string& text, const Options& options, Known& known) {
+    if (known.last) options.run->finish();
+    const auto edit = options.run->edit();
+    known.open.clear();
+    print_exact(text);
+    finish_output();
+}
+
+void print_object(const ScriptReport& script, const process::EventTable& events, const Options& options, Known& known) {
+    print_last(refines_json(script, events, options), options, known);
+}
+
+/// One script; its part of the report over all is added.
+Exit decide_script(const std::string& path, const Options& options, Known& known) {
+    Report& report = known.report;
+    LoadedScript loaded;
+    loaded.diagnostics.within(&options.run->budget());
+    const diagnostics::Budget::Phase phase(options.run->budget(), "reading " + path);
+    load_script(path, loaded);
+    show_findings(loaded, options);
+    ScriptReport script;
+    script.path = path;
+    take_findings(loaded, script);
+    const bool json = options.format == Format::json || options.format == Format::framed_json;
+    const process::EventTable no_events;
+    if (!loaded.diagnostics.ok()) {
+        if (json) print_object(script, no_events, options, known);
+        return Exit::bad_input;
+    }
+    bool stopped = false;
+    try {
+        cspm::Session session(loaded.script, &options.run->budget());
+        script.prints = print_statements(session, loaded, options, stopped);
+        show_prints(script, options);
+        decide_all(loaded, session, options, script, report);
+        // Frames are of assertions; a script that only prints has one of its own.
+        const bool frame = options.format == Format::framed_json && session.assertions().empty();
+        if (frame || options.format == Format::json) print_object(script, session.event_table(), options, known);
+        else if (json) print_last("", options, known);
+    } catch (const diagnostics::LimitReached& limit) {
+        options.run->finish();
+        script.errors.emplace_back(limit.what());
+        report.limit = limit.what();
+        if (json) print_object(script, no_events, options, known);
+        return Exit::inconclusive;
+    } catch (const cspm::EvaluationError& error) {
+        script.errors.push_back(fmt::format("{}: {}", diagnostics::shown(loaded.sources.place(error.span)), error.what()));
+        if (json) print_object(script, no_events, options, known);
+    }
+    for (const std::string& error : script.errors) print_error("{}\n", error);
+    if (!script.errors.empty()) return Exit::bad_input;
+    return stopped ? Exit::inconclusive : Exit::success;
+}
+
+/// Standard input; what it includes is looked for in the current folder.
+cspm::Script read_standard_input(LoadedScript& loaded) {
+    std::string error;
+    std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
+    cspm::Script whole;
+    if (!error.empty()) {
+        loaded.diagnostics.report(cspm::rules::include_failed, {}, {"standard input", error});
+        return whole;
+    }
+    cspm::Script read = cspm::read(loaded.sources, loaded.sources.add("standard input", std::move(text)), loaded.diagnostics);
+    for (const cspm::DeclPtr& decl : read.decls) {
+        if (decl->kind != cspm::DeclKind::include) {
+            whole.decls.push_back(decl);
+            continue;
+        }
+        const cspm::Script included = cspm::read_file(loaded.sources, decl->names.at(0), loaded.diagnostics);
+        whole.decls.insert(whole.decls.end(), included.decls.begin(), included.decls.end());
+    }
+    return whole;
+}
+
+}  // namespace
+
+void load_script(const std::string& path, LoadedScript& loaded) {
+    loaded.script = path == "-" ? read_standard_input(loaded) : cspm::read_file(loaded.sources, path, loaded.diagnostics);
+    if (loaded.diagnostics.ok()) loaded.types = cspm::check_types(loaded.script, loaded.diagnostics);
+}
+
+void show_findings(const LoadedScript& loaded, const Options& options) {
+    if (loaded.diagnostics.empty()) return;
+    const bool types_only = options.typecheck || options.types;
+    if (options.format == Format::json && types_only && !loaded.diagnostics.ok()) {
+        print_answer(diagnostics::render_json(loaded.sources, loaded.diagnostics), options);
+    } else {
+        print_error("{}", diagnostics::render_text(loaded.sources, loaded.diagnostics));
+    }
+}
+
+Exit run_cspm(const Options& options) {
+    if (options.typecheck || options.types) return check_types(options);
+    if (!options.exported.empty()) return export_process(options);
+    const auto known = std::make_shared<Known>();
+    Report& report = known->report;
+    report.model = fmt::format("{}", fmt::join(options.inputs, " "));
+    report.subject = "process";
+    options.run->last_word([known, &options](const std::string& why) {
+        known->report.limit = why;
+        ScriptReport script;
+        script.path = known->open;
+        script.errors.push_back(why);
+        const process::EventTable no_events;
+        const bool json = options.format == Format::json || options.format == Format::framed_json;
+        if (options.format == Format::text) print_text(render_text(known->report, options));
+        else if (!json) print_error("robochart-verify: {}\n", why);
+        else if (!known->open.empty()) print_exact(refines_json(script, no_events, options));
+        return known->report.exit();
+    });
+    Exit exit = Exit::success;
+    for (const std::string& path : options.inputs) {
+        {
+            const auto edit = options.run->edit();
+            known->open = path;
+            known->last = &path == &options.inputs.back();
+        }
+        exit = worse(exit, decide_script(path, options, *known));
+        if (!report.limit.empty()) break;
+    }
+    options.run->finish();
+    if (options.format == Format::text && (exit != Exit::bad_input || !report.assertions.empty()))
+        print_text(render_text(report, options));
+    return worse(exit, report.exit());
+}
+
+}  // namespace robochart::app

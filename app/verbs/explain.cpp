@@ -1,0 +1,78 @@
+// The verb `explain`: the page of a rule, or the list of all rules.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/command/output.hpp"
+#include "app/command/rule_pages.hpp"
+#include "app/command/rules.hpp"
+#include "app/verbs/verbs.hpp"
+
+namespace robochart::app {
+namespace {
+
+std::string_view word(diagnostics::Severity severity) {
+    return severity == diagnostics::Severity::error ? "error" : severity == diagnostics::Severity::warning ? "warning" : "note";
+}
+
+std::string upper_start(std::string_view code) {
+    std::string letters;
+    for (const char c : code) {
+        if (c >= '0' && c <= '9') break;
+        letters += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+    return letters;
+}
+
+/// Codes of the same family, to help after a slip.
+std::string relatives(std::string_view code) {
+    std::vector<std::string_view> found;
+    for (const diagnostics::Rule* rule : all_rules())
+        if (upper_start(rule->code) == upper_start(code)) found.push_back(rule->code);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found.empty() ? "`robochart-verify explain` lists all" : fmt::format("there are {}", fmt::join(found, ", "));
+}
+
+/// What the table says, for a rule whose page is missing.
+std::string from_table(const std::vector<const diagnostics::Rule*>& rules) {
+    std::string text;
+    for (const diagnostics::Rule* rule : rules)
+        text += fmt::format("{} ({}): {}\n\n{}\n\n", rule->code, word(rule->severity), rule->message, rule->explanation);
+    return text;
+}
+
+bool explain(const std::string& code, bool color) {
+    const std::string_view page = page_text(code);
+    const auto rules = find_rules(code);
+    if (page.empty() && rules.empty()) {
+        print_error("robochart-verify: no rule has the code {}; {}\n", code, relatives(code));
+        return false;
+    }
+    print_styled(page.empty() ? from_table(rules) : render_page(page, color));
+    return true;
+}
+
+/// The index from its first heading below the title on: what stands above speaks to authors of pages.
+std::string_view list_of_rules() {
+    std::string_view index = page_text("README");
+    const std::size_t first = index.find("\n## ");
+    index.remove_prefix(first == std::string_view::npos ? index.size() : first + 1);
+    return index;
+}
+
+}  // namespace
+
+Exit run_explain(const Options& options) {
+    const bool color = color_wanted(options.color, STDOUT_FILENO);
+    if (options.inputs.empty()) print_styled(render_page(list_of_rules(), color));
+    Exit exit = Exit::success;
+    for (std::size_t i = 0; i < options.inputs.size(); ++i) {
+        if (i > 0) print("\n");
+        if (!explain(options.inputs[i], color)) exit = Exit::usage;
+    }
+    return exit;
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,118 @@
+// `cspm SCRIPT --export FORMAT PROCESS`: all states of a process, for other tools and for FDR.
+#include <fmt/ostream.h>
+
+#include <cerrno>
+#include <iostream>
+#include <sstream>
+#include <memory>
+
+#include "app/command/limits.hpp"
+#include "app/report/state_space.hpp"
+#include "app/command/output.hpp"
+#include "app/command/run.hpp"
+#include "app/command/script.hpp"
+#include "app/verbs/verbs.hpp"
+#include "checker/cspm/eval/evaluation_error.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/session.hpp"
+#include "checker/lts/graph.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// The process as an assertion of the script: so it is read, and type checked as a process, where it will be evaluated.
+cspm::DeclPtr asked_process(LoadedScript& loaded, const std::string& process) {
+    const auto source = loaded.sources.add("--export", "assert (" + process + "\n) :[divergence free]\n");
+    cspm::Script read = cspm::read(loaded.sources, source, loaded.diagnostics);
+    if (!loaded.diagnostics.ok() || read.decls.size() != 1) return nullptr;
+    loaded.script.decls.push_back(read.decls.front());
+    loaded.types = cspm::check_types(loaded.script, loaded.diagnostics);
+    return loaded.diagnostics.ok() ? read.decls.front() : nullptr;
+}
+
+/// The script's definitions without what it asks and prints.
+cspm::Script definitions(const cspm::Script& script) {
+    cspm::Script result;
+    for (const cspm::DeclPtr& decl : script.decls)
+        if (decl->kind != cspm::DeclKind::assertion && decl->kind != cspm::DeclKind::print)
+            result.decls.push_back(decl);
+    return result;
+}
+
+/// A name that nothing in the text begins with.
+std::string fresh_name(const std::string& text, std::string name) {
+    while (text.find(name) != std::string::npos) name += "_";
+    return name;
+}
+
+void write_script(const LoadedScript& loaded, const cspm::ExprPtr& process, const lts::Graph& graph,
+                  const process::EventTable& events, std::ostream& out) {
+    const std::string text = cspm::print(definitions(loaded.script));
+    const std::string original = cspm::print(process);
+    const std::string name = fresh_name(text + original, "Explicit");
+    fmt::print(out, "-- {}: {} states, {} transitions, as {}.\n\n{}\n", original, graph.size(),
+               graph.edge_count(), name, text);
+    lts::write_csp(graph, events, name, out);
+    fmt::print(out, "\n-- The two are equal.\nassert {0} [FD= {1}\nassert {1} [FD= {0}\n", "(" + original + ")",
+               name);
+}
+
+Exit export_from(LoadedScript& loaded, const Options& options) {
+    const std::string& format = options.exported[0];
+    const cspm::DeclPtr asked = asked_process(loaded, options.exported[1]);
+    if (!asked) {
+        show_findings(loaded, options);
+        return Exit::bad_input;
+    }
+    cspm::Session session(loaded.script, &options.run->budget());
+    const refine::Limits bounds = limits(options, options.exported[1]);
+    const cspm::ExprPtr& process = asked->assertion.specification;
+    const auto system = session.system(process, bounds);
+    std::size_t known = 0;
+    const lts::Graph graph = explored(*system, bounds, known);
+    options.run->finish();
+    // For people, who look at what is small, as a whole; else as it is made.
+    std::ostringstream seen;
+    std::ostream& out = output_is_a_terminal() ? seen : std::cout;
+    errno = 0;
+    if (format == "aut") lts::write_aut(graph, session.event_table(), out);
+    if (format == "dot") lts::write_dot(graph, session.event_table(), out);
+    if (format == "csp") write_script(loaded, process, graph, session.event_table(), out);
+    print_exact(seen.str());
+    std::cout.flush();
+    if (!std::cout) throw OutputError(errno);
+    return Exit::success;
+}
+
+}  // namespace
+
+Exit export_process(const Options& options) {
+    const std::string& format = options.exported[0];
+    if (format != "aut" && format != "dot" && format != "csp") {
+        print_error("robochart-verify: --export {}: the formats are aut, dot and csp\n", format);
+        return Exit::usage;
+    }
+    if (options.inputs.size() != 1) {
+        print_error("robochart-verify: --export takes one script\n");
+        return Exit::usage;
+    }
+    options.run->last_word([&options](const std::string& why) {
+        print_error("robochart-verify: {} before all states of {} were known; nothing is written\n", why, options.exported[1]);
+        return Exit::inconclusive;
+    });
+    LoadedScript loaded;
+    loaded.diagnostics.within(&options.run->budget());
+    load_script(options.inputs.front(), loaded);
+    if (!loaded.diagnostics.ok()) {
+        show_findings(loaded, options);
+        return Exit::bad_input;
+    }
+    try {
+        return export_from(loaded, options);
+    } catch (const cspm::EvaluationError& error) {
+        print_error("{}: {}\n", loaded.sources.place(error.span), error.what());
+        return Exit::bad_input;
+    }
+}
+
+}  // namespace robochart::app

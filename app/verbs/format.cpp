@@ -1,0 +1,155 @@
+// The verb `format`: files in place, or what would change, or standard input to standard output (docs/format.md).
+#include "frontend/format/format.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "app/report/diff.hpp"
+#include "app/command/output.hpp"
+#include "app/command/rules.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+#include "diagnostics/render.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+
+namespace robochart::app {
+namespace {
+
+namespace fs = std::filesystem;
+namespace syntax = frontend::syntax;
+
+bool is_assertions(const fs::path& path) {
+    return path.extension() == ".assertions";
+}
+
+/// One run of the verb.
+class Formatting {
+public:
+    explicit Formatting(const Options& options) : options_(options) {}
+
+    Exit run();
+
+private:
+    void input(const std::string& path);
+    void file(const fs::path& path);
+    void standard_input();
+    void changed(const fs::path& path, std::string_view before, const std::string& after);
+    void report(const diagnostics::Rule& rule, std::vector<std::string> arguments);
+    /// The formatted text; nothing, after its errors are shown, if it has syntax errors.
+    std::optional<std::string> format(diagnostics::SourceId source, bool assertions);
+    void show(const diagnostics::Diagnostics& diagnostics) const;
+    [[nodiscard]] std::string closing() const;
+
+    const Options& options_;
+    diagnostics::SourceManager sources_;
+    std::set<fs::path> seen_;
+    std::size_t files_ = 0;
+    std::size_t changed_ = 0;
+    bool failed_ = false;
+};
+
+void Formatting::show(const diagnostics::Diagnostics& diagnostics) const {
+    diagnostics::TextStyle style;
+    style.color = color_wanted(options_.color, STDERR_FILENO);
+    print_error_styled(diagnostics::render_text(sources_, diagnostics, style));
+}
+
+void Formatting::report(const diagnostics::Rule& rule, std::vector<std::string> arguments) {
+    diagnostics::Diagnostics diagnostics;
+    diagnostics.report(rule, {}, std::move(arguments));
+    show(diagnostics);
+    failed_ = true;
+}
+
+std::optional<std::string> Formatting::format(diagnostics::SourceId source, bool assertions) {
+    diagnostics::Diagnostics diagnostics;
+    diagnostics.within(&options_.run->budget());
+    auto result = frontend::format(sources_, source, assertions, diagnostics);
+    if (result) return result;
+    show(diagnostics);
+    failed_ = true;
+    return std::nullopt;
+}
+
+void Formatting::standard_input() {
+    std::string error;
+    std::string text = diagnostics::standard_input(diagnostics::SourceManager::max_bytes, error);
+    if (!error.empty()) return report(syntax::unreadable, {"-", error});
+    const auto source = sources_.add("<stdin>", std::move(text));
+    const auto result = format(source, options_.assertions);
+    if (!result) return;
+    ++files_;
+    const std::string_view before = sources_.text(source);
+    if (options_.check || options_.diff) {
+        if (*result != before) changed("<stdin>", before, *result);
+    } else {
+        print_exact(*result);
+    }
+}
+
+void Formatting::changed(const fs::path& path, std::string_view before, const std::string& after) {
+    ++changed_;
+    if (options_.diff) return print_exact(unified_diff(path.string(), before, after));
+    if (!options_.check) {
+        const std::string error = diagnostics::replace_file(path.string(), after, &options_.run->budget());
+        if (!error.empty()) return report(rules::unwritable, {error});
+    }
+    if (options_.check || !options_.quiet) print("{}\n", diagnostics::shown(path.string()));
+}
+
+void Formatting::file(const fs::path& path) {
+    std::error_code code;
+    const fs::path canonical = fs::weakly_canonical(path, code);
+    if (!seen_.insert(code ? path : canonical).second) return;
+    std::string error;
+    const auto source = sources_.load(path.string(), error);
+    if (!source) return report(syntax::unreadable, {path.string(), error});
+    ++files_;
+    const auto result = format(*source, is_assertions(path));
+    if (result && *result != sources_.text(*source)) changed(path, sources_.text(*source), *result);
+}
+
+void Formatting::input(const std::string& path) {
+    if (path == "-") return standard_input();
+    std::error_code code;
+    if (!fs::is_directory(path, code)) return file(path);
+    const diagnostics::FilesBelow found = diagnostics::files_below(path, true);
+    for (const auto& [folder, cause] : found.unreadable) report(syntax::unreadable, {folder, cause});
+    std::size_t ours = 0;
+    for (const fs::path each : found.files) {
+        if (each.extension() != ".rct" && !is_assertions(each)) continue;
+        ++ours;
+        file(each);
+    }
+    if (ours == 0 && found.unreadable.empty()) report(syntax::no_files, {path});
+}
+
+std::string Formatting::closing() const {
+    const auto count = [](std::size_t n) { return fmt::format("{} file{}", n, n == 1 ? "" : "s"); };
+    const char* const verdict = options_.check || options_.diff ? "would change" : "changed";
+    return changed_ == 0 ? fmt::format("{} in the house style", count(files_))
+                         : fmt::format("{} of {} {}", changed_, count(files_), verdict);
+}
+
+Exit Formatting::run() {
+    for (const std::string& path : options_.inputs) input(path);
+    const bool filters = options_.inputs == std::vector<std::string>{"-"};
+    if (!options_.quiet && !failed_ && !(filters && !options_.check)) print_error("{}\n", closing());
+    if (failed_) return Exit::bad_input;
+    return options_.check && changed_ > 0 ? Exit::failed : Exit::success;
+}
+
+}  // namespace
+
+Exit run_format(const Options& options) {
+    return Formatting(options).run();
+}
+
+}  // namespace robochart::app

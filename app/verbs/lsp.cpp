@@ -1,0 +1,16 @@
+// The verb `lsp`: the language server on standard input and output.
+#include <iostream>
+
+#include "app/verbs/verbs.hpp"
+#include "lsp/server.hpp"
+
+namespace robochart::app {
+
+/// The protocol knows two exit codes: 0 after `shutdown`, 1 otherwise.
+Exit run_lsp() {
+    std::ios::sync_with_stdio(false);
+    std::cin.tie(nullptr);
+    return lsp::serve(std::cin, std::cout) == 0 ? Exit::success : Exit::failed;
+}
+
+}  // namespace robochart::app

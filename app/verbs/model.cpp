@@ -1,0 +1,383 @@
+// The verbs over models: read, then check, write and conform as asked, one report.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+
+#include "app/command/limits.hpp"
+#include "app/command/output.hpp"
+#include "app/command/rules.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "app/verbs/write_files.hpp"
+#include "cpp_emit/emit.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+#include "frontend/project/project.hpp"
+#include "semantics/ir/dump.hpp"
+#include "semantics/lower/lower.hpp"
+#include "diagnostics/render.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::app {
+namespace {
+
+std::string count(std::size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+std::string summary(const std::vector<Part>& parts) {
+    std::size_t modules = 0, controllers = 0, machines = 0, operations = 0, assertions = 0;
+    for (const Part& part : parts) {
+        const ir::System& system = part.project->system;
+        assertions += system.properties.size();
+        if (part.again) continue;
+        modules += system.modules.size();
+        controllers += system.controllers.size();
+        for (const ir::Machine& machine : system.machines)
+            ++(machine.kind == ir::MachineKind::operation ? operations : machines);
+    }
+    return fmt::format("{}, {}, {}, {}, {}", count(modules, "module"), count(controllers, "controller"), count(machines, "state machine"),
+                       count(operations, "operation"), count(assertions, "assertion"));
+}
+
+std::string range(const std::vector<std::int64_t>& carrier) {
+    return carrier.empty() ? "empty" : fmt::format("{}..{}", carrier.front(), carrier.back());
+}
+
+std::vector<std::string> notes(const ir::Instantiation& i) {
+    std::vector<std::string> result;
+    std::string reals = fmt::format("{} values", i.real.size());
+    if (i.scale != 1) reals += fmt::format(", exact in steps of 1/{} (from the model's decimal literals)", i.scale);
+    result.push_back(fmt::format("finite reading: nat {}, int {}, real {}, clocks 0..{}", range(i.nat), range(i.integer), reals, i.clock_bound));
+    const ir::Instantiation usual;
+    if (i.sequence_bound != usual.sequence_bound) result.back() += fmt::format(", sequences of at most {}", i.sequence_bound);
+    if (i.given_size != usual.given_size) result.back() += fmt::format(", given types of {}", i.given_size);
+    return result;
+}
+
+/// The finite instantiation, once where all parts that have one have the same.
+std::vector<std::string> notes(const std::vector<Part>& parts) {
+    std::vector<const Project*> finite;
+    for (const Part& part : parts)
+        if (part.project->diagnostics.ok()) finite.push_back(part.project.get());
+    std::vector<std::string> result;
+    const bool same = std::all_of(finite.begin(), finite.end(), [&](const Project* project) {
+        return notes(project->instantiation) == notes(finite.front()->instantiation);
+    });
+    for (const Project* project : finite) {
+        for (const std::string& note : notes(project->instantiation)) result.push_back(same ? note : fmt::format("{}: {}", project->name, note));
+        if (same) break;
+    }
+    return result;
+}
+
+/// The normal form as a script for FDR: it includes the timed semantics that the other files hold.
+bool write_normal_form(Project& project, const Options& options, const ir::ComponentRef& component, const std::string& text, Report& report) {
+    struct Script {
+        std::string path, text;
+    };
+    const Script script{fmt::format("csp-gen/timed/{}{}_normal_form.csp", project.label.empty() ? "" : project.name + "_",
+                                    file_name(project, component)),
+                        fmt::format("include \"{}.csp\"\n\n{}", project.name, text)};
+    return write_all("", std::vector<Script>{script}, report.csp_files, options, project);
+}
+
+/// .aut, .dot or .csp.
+conformance::Export export_format(const std::string& path) {
+    using conformance::Export;
+    const auto dot = path.rfind('.');
+    const std::string ending = dot == std::string::npos ? "" : path.substr(dot);
+    if (ending == ".aut") return Export::aut;
+    if (ending == ".dot") return Export::dot;
+    return ending == ".csp" ? Export::csp : Export::none;
+}
+
+/// All states of the code, where they are known.
+bool write_code_graph(Project& project, const Options& options, conformance::Result& result, Report& report) {
+    std::string error = result.exported.empty() ? fmt::format("--export {}: nothing is written, {}", options.exported_code,
+                                                              result.export_failure.empty() ? "there is no code" : result.export_failure)
+                                                : diagnostics::replace_file(options.exported_code, result.exported, project.diagnostics.budget());
+    if (error.empty()) {
+        const auto edit = options.run->edit();
+        report.csp_files.push_back({options.exported_code, result.exported.size()});
+        return true;
+    }
+    project.diagnostics.report(rules::unwritable, {}, {std::move(error)});
+    return false;
+}
+
+/// What --export asks for can be had, of one component.
+bool export_fits(Project& project, const Options& options, std::size_t components) {
+    if (options.exported_code.empty()) return true;
+    const bool named = export_format(options.exported_code) != conformance::Export::none;
+    if (named && components == 1) return true;
+    project.diagnostics.report(rules::bad_option, {},
+                               {fmt::format("--export {}: {}", options.exported_code,
+                                            named ? "there are several components, name one with --component" : "the file's name ends in .aut, .dot or .csp")});
+    return false;
+}
+
+/// Where the files of a component go: "cpp/C/", of a project "ros2/C/".
+std::string cpp_folder(const Project& project, const Options& options, const ir::ComponentRef& component) {
+    return fmt::format("{}/{}{}/", options.target.empty() ? "cpp" : options.target, project.folder, file_name(project, component));
+}
+
+cpp_emit::Target target_of(const std::string& name) {
+    using cpp_emit::Target;
+    static const std::map<std::string, Target> targets{
+        {"", Target::sources}, {"library", Target::library}, {"main", Target::main}, {"ros2", Target::ros2}, {"enki", Target::enki}, {"argos", Target::argos}};
+    return targets.at(name);
+}
+
+cpp_emit::Strategy strategy_of(const std::string& name) {
+    return name == "switch" ? cpp_emit::Strategy::nested_switch : name == "table" ? cpp_emit::Strategy::table : cpp_emit::Strategy::automatic;
+}
+
+/// What the report begins with. Before, it knows its model's name.
+void begin(const std::vector<Part>& parts, const Options& options, Report& report) {
+    const auto edit = options.run->edit();
+    report.summary = summary(parts);
+    report.load_seconds = parts.front().project->seconds;
+    report.notes = notes(parts);
+}
+
+/// The report as it stands, whoever prints it.
+Exit print_report(const Report& report, const Options& options) {
+    if (options.format == Format::json) print_exact(render_json(report));
+    else print_text(render_text(report, options));
+    return report.exit();
+}
+
+/// `code`: whether code is made of its components, and they are not in a part before it.
+bool run_phases(Project& project, const Options& options, bool code, Report& report) {
+    const bool all = options.verb == Verb::verify;
+    if (all || options.verb == Verb::check) check_assertions(project, options, report);
+    if ((all || options.verb == Verb::emit_csp) && !write_csp(project, options, report)) return false;
+    if (!code) return project.diagnostics.ok();
+    if ((all || options.verb == Verb::emit_cpp) && !write_cpp(project, options, report)) return false;
+    if (all || options.verb == Verb::conform) check_conformance(project, options, report);
+    if (options.verb == Verb::emit_monitor && !write_monitors(project, options, report)) return false;
+    if (options.verb == Verb::emit_tests && !write_tests(project, options, report)) return false;
+    return project.diagnostics.ok();
+}
+
+}  // namespace
+
+bool write_csp(Project& project, const Options& options, Report& report) {
+    for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
+        const bool skipped = (options.times == Times::timed && time == csp_emit::Time::untimed) ||
+                             (options.times == Times::untimed && time == csp_emit::Time::timed);
+        if (skipped) continue;
+        const csp_emit::Emission emission = emit_csp(project, options, time);
+        if (!project.diagnostics.ok()) return false;
+        if (!write_all("", csp_emit::files(emission, time, project.name), report.csp_files, options, project)) return false;
+    }
+    return true;
+}
+
+bool write_cpp(Project& project, const Options& options, Report& report) {
+    const auto components = code_components(project.system, options.component);
+    if (components.empty()) {
+        project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+        return false;
+    }
+    cpp_emit::Options generator;
+    generator.cycle_length = options.cycle;
+    generator.sources = &project.sources;
+    generator.target = target_of(options.target);
+    generator.strategy = strategy_of(options.strategy);
+    generator.choices = options.choices;
+    generator.explored = false;
+    for (const ir::ComponentRef& component : components) {
+        const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
+        if (!project.diagnostics.ok()) return false;
+        if (!write_all(cpp_folder(project, options, component), emission.files, report.cpp_files, options, project)) return false;
+    }
+    return true;
+}
+
+void check_conformance(Project& project, const Options& options, Report& report) {
+    const auto components = code_components(project.system, options.component);
+    if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+    if (!export_fits(project, options, components.size())) return;
+    const std::size_t first = report.conformance.size();
+    {
+        const auto edit = options.run->edit();
+        for (const ir::ComponentRef& component : components) {
+            report.conformance.push_back({project.label + ir::qualified(component), {}, 0});
+            report.conformance.back().result.reason = not_decided;
+        }
+    }
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        const ir::ComponentRef& component = components[i];
+        const diagnostics::Budget::Phase phase(options.run->budget(), "checking the code of " + ir::qualified(component));
+        const auto start = std::chrono::steady_clock::now();
+        conformance::Options wanted;
+        wanted.cycle_length = options.cycle;
+        wanted.limits = limits(options);
+        wanted.generator.choices = options.choices;
+        if (options.relation == "tick-tock") wanted.relation = conformance::Relation::tick_tock;
+        wanted.walks.cycles = options.walks;
+        wanted.exported = export_format(options.exported_code);
+        ConformanceReport one;
+        one.component = project.label + ir::qualified(component);
+        one.result = conformance::conform(project.system, project.instantiation, component, wanted, project.sources, project.diagnostics);
+        one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const bool exported = options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
+        if (exported && !write_normal_form(project, options, component, one.result.normal_form, report)) return;
+        if (!options.exported_code.empty() && !write_code_graph(project, options, one.result, report)) return;
+        const auto edit = options.run->edit();
+        report.conformance[first + i] = std::move(one);
+    }
+}
+
+namespace {
+
+/// A run that was to check something and had nothing to check does not pass for one that found everything in order.
+void note_nothing(const Options& options, Report& report) {
+    if (options.verb != Verb::check && options.verb != Verb::verify) return;
+    const auto decided = [](const AssertionReport& each) { return each.answer != Answer::no_check; };
+    if (std::any_of(report.assertions.begin(), report.assertions.end(), decided)) return;
+    report.unclaimed = report.assertions.empty() ? "nothing is claimed of the model: there are no assertions to check"
+                                                 : "nothing was checked: no assertion has a check in this semantics";
+    report.nothing_checked = options.verb == Verb::check && report.sizes.empty();
+}
+
+/// Whether a part has what the verb is about. Of several parts one may have types alone: no code is made of it.
+bool concerns(const Part& part, const std::vector<Part>& parts, const Options& options) {
+    const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor || options.verb == Verb::emit_tests ||
+                      options.verb == Verb::conform;
+    const bool some = !code_components(part.project->system, options.component).empty();
+    return some || (options.component.empty() && (!code || parts.size() == 1));
+}
+
+/// The diagnostics of all parts. A program gets those of one part as the answer; those of several stand in the report.
+bool show_all(const std::vector<Part>& parts, const Options& options) {
+    bool good = true;
+    for (const Part& part : parts)
+        if (parts.size() == 1 || options.format != Format::json) good = show_diagnostics(*part.project, options) && good;
+        else good = acceptable(*part.project, options) && good;
+    return good;
+}
+
+/// The first part that is refused because the command line is wrong; else, of a single part, because it is.
+const Project* hopeless(const std::vector<Part>& parts, const Options& options) {
+    for (const Part& part : parts)
+        if (!acceptable(*part.project, options) && (parts.size() == 1 || refusal(*part.project) == Exit::usage)) return part.project.get();
+    return nullptr;
+}
+
+void note_refused(const std::vector<Part>& parts, const Options& options, Report& report) {
+    const auto edit = options.run->edit();
+    report.refused.clear();
+    for (const Part& part : parts)
+        if (!acceptable(*part.project, options))
+            report.refused.push_back({part.project->name, diagnostics::render_json(part.project->sources, part.project->diagnostics)});
+}
+
+/// A verb whose answer is a report, over all parts. A part with errors is refused, and the others are judged.
+Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& report) {
+    begin(parts, options, report);
+    if (parts.size() > 1) note_refused(parts, options, report);
+    bool some = false;
+    for (const Part& part : parts) {
+        const bool refused = !acceptable(*part.project, options);
+        some = some || refused;
+        if (refused || !concerns(part, parts, options)) continue;
+        some = true;
+        Options wanted = options;
+        if (part.again) wanted.core = false;
+        const bool code = !part.again && (parts.size() == 1 || !code_components(part.project->system, options.component).empty());
+        (void)run_phases(*part.project, wanted, code, report);
+    }
+    if (!some) parts.front().project->diagnostics.report(rules::no_component, {}, {"the models"});
+    options.run->finish();
+    if (const Project* const stopped = hopeless(parts, options)) {
+        (void)show_diagnostics(*stopped, options);
+        return refusal(*stopped);
+    }
+    if (parts.size() > 1) note_refused(parts, options, report);
+    note_nothing(options, report);
+    const bool accepted = show_all(parts, options);
+    const Exit exit = print_report(report, options);
+    return accepted ? exit : Exit::bad_input;
+}
+
+/// The phase asked for by --print, added to the text.
+Exit take_phase(Project& project, const Options& options, std::string& text) {
+    show_diagnostics(project, options);
+    if (options.print == "ast" || options.print == "model") {
+        text += frontend::dump(*project.model, project.sources, options.print == "model");
+        return acceptable(project, options) ? Exit::success : refusal(project);
+    }
+    if (!acceptable(project, options)) return refusal(project);
+    if (options.print == "ir") {
+        text += ir::dump(project.system);
+        return Exit::success;
+    }
+    const auto time = options.print == "script" ? csp_emit::Time::untimed : csp_emit::Time::timed;
+    const csp_emit::Emission emission = emit_csp(project, options, time);
+    if (!show_diagnostics(project, options)) return Exit::bad_input;
+    text += cspm::print(emission.script);
+    return Exit::success;
+}
+
+/// Part by part, each under its name where there are several, to stdout.
+Exit print_phases(const std::vector<Part>& parts, const Options& options) {
+    Exit exit = Exit::success;
+    std::string text;
+    for (const Part& part : parts) {
+        if (parts.size() > 1) text += fmt::format("-- {}\n", diagnostics::shown(part.project->name));
+        const Exit one = take_phase(*part.project, options, text);
+        if (exit == Exit::success) exit = one;
+    }
+    options.run->finish();
+    print_exact(text);
+    return exit;
+}
+
+/// Logs are of any of the parts, so all have to be in order.
+Exit compare_traces(const std::vector<Part>& parts, const Options& options, Report& report) {
+    const auto refused = std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return !acceptable(*part.project, options); });
+    if (refused != parts.end()) {
+        (void)show_diagnostics(*refused->project, options);
+        return refusal(*refused->project);
+    }
+    begin(parts, options, report);
+    return conform_traces(parts, options);
+}
+
+Exit run_verb(const Options& options, Report& report, std::vector<Part>& parts) {
+    parts = load_parts(options);
+    if (!options.print.empty()) return print_phases(parts, options);
+    if (!options.traces.empty()) return compare_traces(parts, options, report);
+    if (const Project* const stopped = hopeless(parts, options)) {
+        (void)show_diagnostics(*stopped, options);
+        return refusal(*stopped);
+    }
+    return run_parts(parts, options, report);
+}
+
+}  // namespace
+
+Exit run_model(const Options& options) {
+    const auto report = std::make_shared<Report>();
+    report->model = fmt::format("{}", fmt::join(options.inputs, " "));
+    options.run->last_word([report, &options](const std::string& why) {
+        report->limit = why;
+        return print_report(*report, options);
+    });
+    std::vector<Part> parts;
+    try {
+        return run_verb(options, *report, parts);
+    } catch (const diagnostics::LimitReached&) {
+        options.run->finish();
+        if (options.format == Format::text)
+            for (const Part& part : parts) show_diagnostics(*part.project, options);
+        throw;
+    }
+}
+
+}  // namespace robochart::app

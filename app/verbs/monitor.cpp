@@ -1,0 +1,139 @@
+// `emit monitor` and `simulate --monitor`.
+#include "app/verbs/monitor.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "app/command/limits.hpp"
+#include "app/command/numbers.hpp"
+#include "app/command/output.hpp"
+#include "app/command/rules.hpp"
+#include "app/verbs/verbs.hpp"
+#include "checker/cspm/eval/evaluation_error.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/write_files.hpp"
+#include "checker/process/term.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// The tables of one component; null with a diagnostic.
+std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options& options, const ir::ComponentRef& component,
+                                                 std::uint32_t cycle_length) {
+    const auto refuse = [&](const std::string& why) {
+        project.diagnostics.report(rules::no_monitor, {}, {component.path, why});
+        return nullptr;
+    };
+    const refine::Limits bounds = limits(options, "monitor of " + component.path);
+    try {
+        std::string error;
+        const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component, cycle_length, bounds,
+                                                          project.sources, project.diagnostics, error);
+        if (model == nullptr) return refuse(error);
+        return conformance::MonitorBuild::make(*model, bounds, project.sources);
+    } catch (const std::length_error& large) {
+        return refuse(large.what());
+    } catch (const cspm::EvaluationError& failed) {
+        return refuse(failed.what());
+    } catch (const conformance::AlphabetError& mismatch) {
+        return refuse(mismatch.what());
+    }
+}
+
+}  // namespace
+
+/// The monitors of one trial.
+class Monitors::Watch final : public simulation::Trace {
+public:
+    Watch(Monitors& all, std::unique_ptr<simulation::Trace> other)
+        : all_(all), other_(std::move(other)), cycles_(all.borrow()) {}
+    ~Watch() override {
+        all_.give_back(std::move(cycles_));
+        all_.robots_ += monitors_.size();
+        for (const Monitor& monitor : monitors_)
+            if (monitor.verdict() == MonitorVerdict::unknown) ++all_.lost_;
+    }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result result) override {
+        if (other_ != nullptr) other_->cycle(robot, step, inputs, outputs, result);
+        if (robot >= monitors_.size()) monitors_.resize(robot + 1, Monitor(all_.build_->tables()));
+        if (result != RC_DRIVE_QUIESCENT && ended_before(robot)) return;
+        cycles_->tell(monitors_[robot], inputs, outputs, result);
+        if (monitors_[robot].verdict() == MonitorVerdict::violated) object(monitors_[robot]);
+    }
+
+    [[nodiscard]] const simulation::Objection* objection() const override { return objection_.cause.empty() ? nullptr : &objection_; }
+
+private:
+    /// What terminated says so in every cycle from then on.
+    bool ended_before(std::size_t robot) {
+        ended_.resize(monitors_.size());
+        return std::exchange(ended_[robot], std::uint8_t{1}) != 0;
+    }
+
+    void object(const Monitor& monitor) {
+        const std::string where = monitor.where();
+        const std::string element = monitor.element();
+        objection_.cause = fmt::format("its model does not allow {} here", monitor.event());
+        objection_.place = element.empty() ? where : where.empty() ? element : fmt::format("{}; {}", where, element);
+    }
+
+    Monitors& all_;
+    std::unique_ptr<simulation::Trace> other_;
+    std::unique_ptr<conformance::WholeCycles> cycles_;
+    std::vector<Monitor> monitors_;
+    std::vector<std::uint8_t> ended_;  ///< of each robot; as long as that once one did
+    simulation::Objection objection_;
+};
+
+std::unique_ptr<conformance::WholeCycles> Monitors::borrow() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return std::make_unique<conformance::WholeCycles>(build_->tables(), emission_.inputs, emission_.outputs);
+    auto cycles = std::move(idle_.back());
+    idle_.pop_back();
+    return cycles;
+}
+
+void Monitors::give_back(std::unique_ptr<conformance::WholeCycles> cycles) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(cycles));
+}
+
+Monitors::Maker Monitors::beside(Maker other) {
+    return [this, other = std::move(other)](std::uint32_t trial) { return std::make_unique<Watch>(*this, other ? other(trial) : nullptr); };
+}
+
+std::string Monitors::note() const {
+    const auto& tables = build_->tables();
+    std::string text = fmt::format("  monitors: {} states, {} columns; {} robots watched", tables.states, tables.columns, robots_.load());
+    if (lost_ > 0) text += fmt::format(", {} of them not to the end: they left the finite reading of the model", lost_.load());
+    return text + "\n";
+}
+
+std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& options) {
+    const auto components = code_components(simulation.project->system, simulation.scenario.component.text);
+    auto made = build(*simulation.project, options, components.front(), simulation.scenario.units_per_step);
+    return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), simulation.emission);
+}
+
+bool write_monitors(Project& project, const Options& options, Report& report) {
+    const auto components = code_components(project.system, options.component);
+    if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+    for (const ir::ComponentRef& component : components) {
+        const auto made = build(project, options, component, options.cycle);
+        if (made == nullptr) return false;
+        const std::string below = fmt::format("monitor/{}{}/", project.folder, file_name(project, component));
+        const auto files = conformance::monitor_files(made->tables(), file_name(project, component));
+        if (!write_all(below, files, report.monitor_files, options, project)) return false;
+        const auto edit = options.run->edit();
+        report.remarks.push_back(fmt::format("{}{}: {} states, {} columns, {} bytes of table", project.label, component.path,
+                                             made->tables().states, made->tables().columns, with_commas(made->bytes())));
+    }
+    return project.diagnostics.ok();
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,45 @@
+// Monitors beside the controllers of a simulation (`simulate --monitor`).
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "app/verbs/simulate.hpp"
+#include "conformance/monitor/monitor.hpp"
+#include "conformance/monitor/cycle_cache.hpp"
+
+namespace robochart::app {
+
+class Monitors {
+public:
+    using Maker = std::function<std::unique_ptr<simulation::Trace>(std::uint32_t trial)>;
+
+    Monitors(std::unique_ptr<conformance::MonitorBuild> build, const cpp_emit::DriveEmission& emission)
+        : build_(std::move(build)), emission_(emission) {}
+    /// A trace that watches, and tells `other` as well if it makes any.
+    [[nodiscard]] Maker beside(Maker other);
+    /// How much was watched, in a line.
+    [[nodiscard]] std::string note() const;
+
+private:
+    class Watch;
+
+    [[nodiscard]] std::unique_ptr<conformance::WholeCycles> borrow();
+    void give_back(std::unique_ptr<conformance::WholeCycles>);
+
+    std::unique_ptr<conformance::MonitorBuild> build_;
+    const cpp_emit::DriveEmission& emission_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<conformance::WholeCycles>> idle_;  ///< of trials that are over: later ones need not learn again
+    std::atomic<std::uint64_t> robots_ = 0;
+    std::atomic<std::uint64_t> lost_ = 0;  ///< left the finite reading where that matters
+};
+
+/// Null, with a diagnostic, where the model has none.
+[[nodiscard]] std::unique_ptr<Monitors> make_monitors(Simulation&, const Options&);
+
+}  // namespace robochart::app

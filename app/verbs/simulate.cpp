@@ -1,0 +1,224 @@
+// The verb `simulate`: a scenario, its model's generated controllers, trials, measures against bands, pictures.
+#include "app/verbs/simulate.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+
+#include "app/verbs/monitor.hpp"
+#include "app/command/output.hpp"
+#include "app/command/rules.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/json.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+#include "simulation/report/report.hpp"
+#include "simulation/scenario/read_scenario.hpp"
+#include "simulation/scenario/rules.hpp"
+#include "simulation/trial/trace_log.hpp"
+
+namespace robochart::app {
+namespace fs = std::filesystem;
+namespace {
+
+/// The scenario's text into the project's sources; its scenario.
+simulation::Scenario read(Project& project, const Options& options) {
+    std::string error;
+    const auto source = project.sources.load(options.inputs.front(), error);
+    if (!source) {
+        project.diagnostics.report(frontend::syntax::unreadable, {}, {options.inputs.front(), error});
+        return {};
+    }
+    simulation::Scenario scenario = simulation::read_scenario(project.sources, *source, project.diagnostics);
+    if (options.trials > 0) scenario.trials = options.trials;
+    if (options.seed) scenario.seed = *options.seed;
+    return scenario;
+}
+
+std::string model_of(const simulation::Scenario& scenario, const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path();
+    const fs::path model = scenario.model.empty() ? folder : folder / scenario.model;
+    return model.empty() ? "." : model.string();
+}
+
+void emit(Simulation& simulation, const std::string& model) {
+    Project& project = *simulation.project;
+    const auto components = code_components(project.system, simulation.scenario.component.text);
+    if (components.empty()) {
+        project.diagnostics.report(simulation::rules::no_controller, simulation.scenario.component.span,
+                                   {simulation.scenario.component.text, model});
+        return;
+    }
+    cpp_emit::Options generator;
+    generator.cycle_length = simulation.scenario.units_per_step;
+    generator.sources = &project.sources;
+    simulation.emission = cpp_emit::emit_drive(project.system, project.instantiation, components.front(), generator, project.diagnostics);
+    if (!project.diagnostics.ok()) return;
+    simulation.plan = simulation::bind(simulation.scenario, simulation.emission, project.diagnostics);
+    // A look at the first start finds robots that do not fit before anything is compiled.
+    if (project.diagnostics.ok()) (void)simulation::start(simulation.scenario, 0, project.diagnostics);
+}
+
+std::string with_progress(const simulation::RunProgress& p) {
+    const double speed = p.seconds > 0 ? p.simulated_seconds / p.seconds : 0;
+    return fmt::format("trial {} of {}: {:.1f} of {:.0f} s simulated, {:.0f} times real time", std::min(p.trials_done + 1, p.trials),
+                       p.trials, p.simulated_seconds, p.total_seconds, speed);
+}
+
+std::function<void(const simulation::RunProgress&)> progress_of(const Options& options, const std::string& subject) {
+    if (options.progress == ProgressMode::json)
+        return [subject](const simulation::RunProgress& p) {
+            print_error_styled(fmt::format(R"({{"event":"progress","subject":{},"phase":"simulating","seconds":{:.3f},"trials":{},"trialsDone":{},"simulatedSeconds":{:.1f},"totalSeconds":{:.1f}}})"
+                       "\n",
+                       diagnostics::json_string(subject), p.seconds, p.trials, p.trials_done, p.simulated_seconds, p.total_seconds));
+        };
+    const bool seen = !options.quiet && isatty(STDERR_FILENO) == 1;
+    if (options.progress == ProgressMode::never || !seen) return {};
+    return [](const simulation::RunProgress& p) {
+        print_error_styled(fmt::format("\r\x1b[K{}", with_progress(p)));
+        if (p.trials_done == p.trials) print_error_styled("\r\x1b[K");
+        std::fflush(stderr);
+    };
+}
+
+Exit exit_of(const simulation::RunResult& result) {
+    if (result.interrupted) return Exit::inconclusive;
+    return result.holds() ? Exit::success : Exit::failed;
+}
+
+Exit before_trials(const Options& options, const std::string& why) {
+    const std::string text = fmt::format("{} before the trials had ended: the bands are not judged\n", why);
+    if (options.format == Format::json) {
+        print_exact(fmt::format("{{\"schema\":\"robochart-verify/simulation/1\",\"scenario\":{},\"trials\":[],\"interrupted\":true,"
+                                "\"limit\":{},\"bands\":[],\"files\":[],\"exit\":{}}}\n",
+                                diagnostics::json_string(options.inputs.front()), diagnostics::json_string(why), static_cast<int>(Exit::inconclusive)));
+        print_error_text(text);
+    } else {
+        app::print_text(text);
+    }
+    return Exit::inconclusive;
+}
+
+void print_text(const Simulation& simulation, const simulation::RunResult& result, const Options& options, const OtherStage& stage,
+                const std::vector<std::string>& files, const std::string& notes) {
+    const simulation::Scenario& scenario = simulation.scenario;
+    std::size_t held = 0;
+    for (const auto& band : result.bands) held += band.holds ? 1U : 0U;
+    if (!options.quiet) {
+        print("scenario {}: {} robots, {} trial{} of {:g} s, seed {}{}; controller {}\n", scenario.name.text, scenario.robots,
+                   scenario.trials, scenario.trials == 1 ? "" : "s", scenario.duration, scenario.seed,
+                   stage.name.empty() ? "" : ", in " + stage.name, scenario.component.text);
+        print("{}\n", simulation::run_text(scenario, result));
+        if (!result.bands.empty()) print("bands\n{}\n", simulation::bands_text(scenario, result));
+        if (!files.empty()) print("files\n");
+        for (const std::string& file : files) print("  {}\n", diagnostics::shown(file));
+        print("{}{}", notes, files.empty() && notes.empty() ? "" : "\n");
+    }
+    if (result.interrupted) print("{}: the bands are not judged\n", options.run->budget().reached());
+    else if (result.stopped()) print("a controller stopped: see above\n");
+    else print("{} of {} bands hold\n", held, result.bands.size());
+}
+
+/// The first log that could not be written; told by threads.
+struct LogFailure {
+    std::mutex mutex;
+    std::string text;
+};
+
+std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const Simulation& simulation, const Options& options, LogFailure& failure) {
+    simulation::TraceLogOptions wanted;
+    wanted.folder = options.log;
+    wanted.component = simulation.scenario.component.text;
+    wanted.model = model_of(simulation.scenario, options.inputs.front());
+    wanted.scenario = simulation.scenario.name.text;
+    wanted.budget = &options.run->budget();
+    wanted.failed = [&failure](const std::string& error) {
+        const std::lock_guard lock(failure.mutex);
+        if (failure.text.empty()) failure.text = error;
+    };
+    return [&simulation, wanted](std::uint32_t trial) {
+        return std::make_unique<simulation::TraceLog>(wanted, simulation.scenario, simulation.emission, trial);
+    };
+}
+
+/// Builds the controller and runs; what goes wrong is among the project's diagnostics.
+std::unique_ptr<simulation::Controller> build(Simulation& simulation) {
+    std::string error;
+    auto controller = simulation::Controller::build(simulation.emission, "", error, simulation.project->diagnostics.budget());
+    if (controller == nullptr) simulation.project->diagnostics.report(simulation::rules::not_compiled, simulation.scenario.component.span, {error});
+    return controller;
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> load_simulation(const Options& options) {
+    auto simulation = std::make_unique<Simulation>();
+    simulation->project = std::make_unique<Project>();
+    simulation->scenario = read(*simulation->project, options);
+    if (options.inputs.size() != 1)
+        simulation->project->diagnostics.report(rules::bad_option, {}, {"simulate takes one scenario at a time"});
+    if (!simulation->project->diagnostics.ok()) return simulation;
+    Options model = options;
+    model.inputs = {model_of(simulation->scenario, options.inputs.front())};
+    simulation->project = load(model);
+    if (!acceptable(*simulation->project, options)) return simulation;
+    simulation->scenario = read(*simulation->project, options);
+    emit(*simulation, model.inputs.front());
+    return simulation;
+}
+
+Exit run_simulate(const Options& options, const OtherStage& stage) {
+    options.run->last_word([&options](const std::string& why) { return before_trials(options, why); });
+    const auto simulation = load_simulation(options);
+    Project& project = *simulation->project;
+    if (!acceptable(project, options)) return show_diagnostics(project, options), refusal(project);
+    const auto controller = build(*simulation);
+    if (controller == nullptr) return show_diagnostics(project, options), Exit::bad_input;
+    simulation::RunOptions wanted;
+    wanted.threads = stage.parallel ? options.threads : 1;
+    wanted.stage = stage.make;
+    wanted.record = options.pictures;
+    LogFailure failure;
+    if (!options.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
+    const auto monitors = options.monitor ? make_monitors(*simulation, options) : nullptr;
+    if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
+    if (monitors != nullptr) wanted.trace = monitors->beside(wanted.trace);
+    wanted.interrupted = [&budget = options.run->budget()] { return !budget.reached().empty(); };
+    wanted.progress = progress_of(options, simulation->scenario.name.text);
+    const simulation::RunResult result = simulation::run(simulation->plan, controller->drive(), wanted, project.diagnostics);
+    if (!failure.text.empty()) project.diagnostics.report(rules::unwritable, {}, {failure.text});
+    if (!project.diagnostics.ok() && !result.stopped()) return show_diagnostics(project, options), Exit::bad_input;
+    std::string notes = monitors == nullptr ? "" : monitors->note();
+    std::vector<std::string> files;
+    if (options.pictures && !result.interrupted)
+        files = write_simulation_files(*simulation, result, controller->drive(), options, notes);
+    options.run->finish();
+    // Errors by now are trials that stopped and files that could not be written.
+    const bool unwritable = !project.diagnostics.ok() && !result.stopped();
+    const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
+    if (options.format == Format::json) {
+        if (unwritable) return show_diagnostics(project, options), exit;
+        print_exact(simulation::result_json(simulation->scenario, result, files, static_cast<int>(exit)));
+        return exit;
+    }
+    show_diagnostics(project, options);
+    print_text(*simulation, result, options, stage, files, notes);
+    return exit;
+}
+
+int simulate_program(const char* program, int argc, char** argv, const OtherStage& stage) {
+    std::vector<const char*> words{program, "simulate"};
+    words.insert(words.end(), argv + 1, argv + argc);
+    return run_command(program, static_cast<int>(words.size()), words.data(), [&](const Options& options) { return run_simulate(options, stage); });
+}
+
+Exit run_simulate(const Options& options) {
+    return run_simulate(options, {"", simulation::embedded_stage, true});
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,160 @@
+// What a simulation leaves behind: a table of positions for each trial, pictures of the first; PNG, GIF and MP4 where the
+// programs that make them are on PATH.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <sstream>
+
+#include "app/command/rules.hpp"
+#include "app/verbs/simulate.hpp"
+#include "cpp_emit/load/shared_library.hpp"
+#include "diagnostics/files.hpp"
+#include "simulation/report/pictures.hpp"
+
+namespace robochart::app {
+namespace fs = std::filesystem;
+namespace {
+
+/// How much faster than the world an animation runs: about half a minute for a trial.
+double animation_speed(double duration) { return std::max(1.0, std::round(duration / 30)); }
+
+bool on_path(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        std::error_code ignored;
+        const auto status = fs::status(fs::path(folder) / program, ignored);
+        if (fs::is_regular_file(status) && (status.permissions() & fs::perms::others_exec) != fs::perms::none) return true;
+    }
+    return false;
+}
+
+class Files {
+public:
+    Files(Simulation& simulation, const simulation::RunResult& result, const rc_drive& drive, const Options& options)
+        : scenario_(simulation.scenario), project_(*simulation.project), result_(result), out_(options.out),
+          below_("simulation/" + simulation.scenario.name.text + "/") {
+        for (std::uint32_t s = 0; s < drive.states; ++s) states_.emplace_back(drive.state[s]);
+    }
+
+    std::vector<std::string> write(std::string& notes) {
+        if (!tables()) return std::move(written_);
+        const auto& frames = result_.trials.front().frames;
+        if (frames.empty()) {
+            notes += "  no tables and pictures: too many positions to keep (`record` less often)\n";
+            return std::move(written_);
+        }
+        if (add("snapshots.svg", simulation::snapshots_svg(scenario_, frames)) &&
+            add("trajectories.svg", simulation::trajectories_svg(scenario_, frames)) &&
+            add("animation.svg", simulation::animation_svg(scenario_, frames, states_, animation_speed(frames.back().time)))) {
+            std::string error;
+            work_ = std::make_unique<diagnostics::TemporaryFolder>("", error, project_.diagnostics.budget());
+            if (!error.empty()) notes += fmt::format("  no images: {}\n", error);
+            else images_and_films(frames, notes);
+        }
+        return std::move(written_);
+    }
+
+private:
+    bool add(const std::string& name, const std::string& text) {
+        const std::string error = diagnostics::write_below(out_, below_ + name, text, project_.diagnostics.budget());
+        if (!error.empty()) project_.diagnostics.report(rules::unwritable, {}, {error});
+        else written_.push_back(out_ + "/" + below_ + name);
+        return error.empty();
+    }
+
+    bool tables() {
+        for (std::size_t trial = 0; trial < result_.trials.size() && !result_.trials[trial].frames.empty(); ++trial)
+            if (!add(fmt::format("trial-{:02}.csv", trial + 1), simulation::positions_csv(result_.trials[trial].frames, states_))) return false;
+        return true;
+    }
+
+    /// Runs a program that makes a file of this name in the work folder, and puts the file beside the others.
+    bool make(const std::string& name, const std::vector<std::string>& command, std::string& notes) {
+        std::string error;
+        const std::string log = work_->path() + "/log";
+        const int status = cpp_emit::run_program(command, log, error, project_.diagnostics.budget());
+        if (status == 0) return add(name, contents(work_->path() + "/" + name));
+        if (error.empty()) error = fmt::format("status {}, {}", status, contents(log).substr(0, 500));
+        notes += fmt::format("  {} did not make {}: {}\n", command.front(), name, error);
+        return false;
+    }
+
+    static std::string contents(const std::string& path) {
+        std::ifstream in(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    /// A limit ends them; the drawings are there.
+    void images_and_films(const std::vector<simulation::Frame>& frames, std::string& notes) try {
+        images(notes);
+        video(frames, notes);
+    } catch (const diagnostics::LimitReached& limit) {
+        notes += fmt::format("  no more images: {}\n", limit.what());
+    }
+
+    void images(std::string& notes) {
+        if (!on_path("rsvg-convert")) {
+            notes += "  no PNG: rsvg-convert is not on PATH (Debian: librsvg2-bin)\n";
+            return;
+        }
+        for (const std::string name : {"snapshots", "trajectories"}) {
+            const std::string drawing = fmt::format("{}/{}{}.svg", out_, below_, name);
+            const std::string made = fmt::format("{}/{}.png", work_->path(), name);
+            make(name + ".png", {"rsvg-convert", "--background-color=white", drawing, "--output", made}, notes);
+        }
+    }
+
+    /// Frames as raw video in a file, which ffmpeg turns into MP4 and GIF.
+    void video(const std::vector<simulation::Frame>& frames, std::string& notes) {
+        if (!on_path("ffmpeg")) {
+            notes += "  no MP4 and GIF: ffmpeg is not on PATH (Debian: ffmpeg)\n";
+            return;
+        }
+        std::string dots;
+        simulation::Raster raster;
+        constexpr std::size_t most = 600;
+        const std::size_t every = (frames.size() + most - 1) / most;
+        std::size_t count = 0;
+        for (std::size_t f = 0; f < frames.size(); f += every, ++count) {
+            raster = simulation::rasterise(scenario_, frames[f], 480);
+            dots.append(raster.dots.begin(), raster.dots.end());
+        }
+        if (const std::string error = diagnostics::write_below(work_->path(), "frames.raw", dots); !error.empty()) {
+            notes += fmt::format("  no MP4 and GIF: {}\n", error);
+            return;
+        }
+        const double rate = static_cast<double>(count) * animation_speed(frames.back().time) / std::max(frames.back().time, 1.0);
+        const auto film = [&](const std::string& name, const std::vector<std::string>& more) {
+            std::vector<std::string> command = {"ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgb24",
+                                                "-video_size", fmt::format("{}x{}", raster.width, raster.height),
+                                                "-framerate", fmt::format("{:.3f}", rate), "-i", work_->path() + "/frames.raw"};
+            command.insert(command.end(), more.begin(), more.end());
+            command.push_back(work_->path() + "/" + name);
+            return make(name, command, notes);
+        };
+        if (film("animation.mp4", {"-pix_fmt", "yuv420p"})) film("animation.gif", {"-vf", "scale=320:-1"});
+    }
+
+    const simulation::Scenario& scenario_;
+    Project& project_;
+    const simulation::RunResult& result_;
+    std::string out_, below_;
+    std::unique_ptr<diagnostics::TemporaryFolder> work_;
+    std::vector<std::string> states_;
+    std::vector<std::string> written_;
+};
+
+}  // namespace
+
+std::vector<std::string> write_simulation_files(Simulation& simulation, const simulation::RunResult& result, const rc_drive& drive,
+                                                const Options& options, std::string& notes) {
+    return Files(simulation, result, drive, options).write(notes);
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,277 @@
+// `conform MODEL --traces FILE`: logs of runs against the model (docs/traces.md).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <tuple>
+
+#include "app/command/limits.hpp"
+#include "app/command/numbers.hpp"
+#include "app/command/output.hpp"
+#include "app/command/rules.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
+#include "checker/cspm/eval/evaluation_error.hpp"
+#include "conformance/model/rules.hpp"
+#include "conformance/traces/trace_check.hpp"
+#include "diagnostics/escape.hpp"
+#include "diagnostics/files.hpp"
+#include "diagnostics/json.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::app {
+namespace fs = std::filesystem;
+namespace {
+
+using conformance::RunVerdict;
+using diagnostics::json_string;
+
+/// A run worth telling, and the log it is in.
+struct Told {
+    std::string path;
+    conformance::RunReport run;
+};
+
+struct Totals {
+    std::size_t logs = 0;
+    std::uint64_t runs = 0, accepted = 0, rejected = 0, inconclusive = 0, cycles = 0, replaced = 0;
+    std::vector<Told> told;     ///< the first of those that are not accepted
+    std::string limit;          ///< why not everything was looked at
+    double seconds = 0;
+};
+constexpr std::size_t most_told = 100;
+
+/// The files, and the logs in folders, in order.
+std::vector<std::string> logs(const Options& options, diagnostics::Diagnostics& diagnostics) {
+    std::vector<std::string> result;
+    for (const std::string& given : options.traces) {
+        std::error_code error;
+        if (!fs::is_directory(given, error)) {
+            result.push_back(given);
+            continue;
+        }
+        std::vector<std::string> inside;
+        const diagnostics::FilesBelow found = diagnostics::files_below(given, true);
+        for (const auto& [path, cause] : found.unreadable) diagnostics.report(frontend::syntax::unreadable, {}, {path, cause});
+        for (const std::string& path : found.files)
+            if (fs::path(path).extension() == ".trace") inside.push_back(path);
+        if (inside.empty() && found.unreadable.empty()) diagnostics.report(rules::bad_option, {}, {fmt::format("--traces {}: there are no .trace files in the folder", given)});
+        result.insert(result.end(), inside.begin(), inside.end());
+    }
+    return result;
+}
+
+/// Checkers by component and cycle length; made when the first log needs one.
+class Checkers {
+public:
+    Checkers(const std::vector<Part>& parts, const Options& options) : parts_(parts), options_(options), limits_(limits(options, "traces")) {}
+
+    conformance::TraceChecker* of(const conformance::TraceHeader& header) {
+        const std::string wanted = !options_.component.empty() ? options_.component : header.component;
+        std::vector<Found> all = found(wanted);
+        if (all.empty()) all = found("");
+        if (all.empty()) return refuse(parts_.front(), rules::no_component, {wanted.empty() ? "the model" : wanted});
+        const auto& [part, component] = all.front();
+        if (!wanted.empty() && all.size() > 1 && all[1].first != part)
+            return refuse(*part, rules::bad_option, {fmt::format("--traces: {} and {} both have a component {}; compare the log with one of them",
+                                                                 part->project->name, all[1].first->project->name, wanted)});
+        const std::uint32_t cycle = options_.cycle_given ? options_.cycle : header.cycle;
+        Entry& entry = entries_[{part, ir::qualified(component), cycle}];
+        if (entry.checker == nullptr && entry.error.empty()) load(entry, *part->project, component, cycle);
+        if (!entry.error.empty()) return refuse(*part, rules::no_monitor, {ir::qualified(component), entry.error});
+        return entry.checker.get();
+    }
+
+private:
+    using Found = std::pair<const Part*, ir::ComponentRef>;
+    struct Entry {
+        std::unique_ptr<conformance::CyclicModel> model;
+        std::unique_ptr<conformance::TraceChecker> checker;
+        std::string error;
+    };
+
+    /// The first component of this name in each part.
+    [[nodiscard]] std::vector<Found> found(const std::string& wanted) const {
+        std::vector<Found> result;
+        for (const Part& part : parts_)
+            if (const auto components = code_components(part.project->system, wanted); !part.again && !components.empty())
+                result.emplace_back(&part, components.front());
+        return result;
+    }
+    static conformance::TraceChecker* refuse(const Part& part, const diagnostics::Rule& rule, std::vector<std::string> arguments) {
+        part.project->diagnostics.report(rule, {}, std::move(arguments));
+        return nullptr;
+    }
+    void load(Entry& entry, Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
+        entry.model = conformance::CyclicModel::load(project.system, project.instantiation, component, cycle, limits_, project.sources,
+                                                     project.diagnostics, entry.error);
+        if (entry.model == nullptr) return;
+        entry.checker = std::make_unique<conformance::TraceChecker>(
+            *entry.model, std::vector<std::string>{ir::qualified(component), component.path}, limits_, project.sources);
+    }
+
+    const std::vector<Part>& parts_;
+    const Options& options_;
+    refine::Limits limits_;
+    std::map<std::tuple<const Part*, std::string, std::uint32_t>, Entry> entries_;
+};
+
+/// The header alone, as far as it is in order: which component the log is of.
+conformance::TraceHeader peek(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    conformance::LineReader lines(in);
+    conformance::TraceHeader header;
+    std::vector<conformance::TraceToken> tokens;
+    try {
+        for (int n = 0; n < 200 && lines.next(); ++n) {
+            conformance::split_line(lines.text(), tokens);
+            if (tokens.empty()) continue;
+            if (tokens.front().text == "run") break;
+            (void)conformance::read_header_line(tokens, header, lines.number());
+        }
+    } catch (const conformance::TraceFault&) {
+        // The reader proper finds it again and tells it.
+    }
+    return header;
+}
+
+/// The fault as a finding in a text that has the line in its place and nothing before it.
+void report_fault(Project& project, const std::string& path, const conformance::LogFault& found) {
+    const std::uint64_t above = std::min<std::uint64_t>(found.line > 0 ? found.line - 1 : 0, 50'000'000);
+    const auto source = project.sources.add(path, std::string(above, '\n') + found.text + "\n");
+    const auto begin = static_cast<std::uint32_t>(above + std::min<std::size_t>(found.fault.column, found.text.size()));
+    const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(begin + found.fault.length, above + found.text.size()));
+    project.diagnostics.report(*found.fault.rule, {source, begin, std::max(begin, end)}, found.fault.arguments);
+}
+
+void check_log(const std::string& path, Project& project, Checkers& checkers, Totals& totals) {
+    std::error_code error;
+    std::ifstream in;
+    // A log is read twice: what is no regular file cannot be.
+    if (fs::is_regular_file(path, error)) in.open(path, std::ios::binary);
+    if (!in.is_open()) {
+        project.diagnostics.report(frontend::syntax::unreadable, {}, {path, error ? error.message() : "it is not a regular file that may be read"});
+        return;
+    }
+    conformance::TraceChecker* const checker = checkers.of(peek(path));
+    if (checker == nullptr) return;
+    ++totals.logs;
+    const auto report = checker->check(in, [&](const conformance::RunReport& run) {
+        if (totals.told.size() < most_told) totals.told.push_back({path, run});
+    });
+    totals.runs += report.runs;
+    totals.accepted += report.accepted;
+    totals.rejected += report.rejected;
+    totals.inconclusive += report.inconclusive;
+    totals.cycles += report.cycles;
+    totals.replaced += report.replaced;
+    if (report.fault) report_fault(project, path, *report.fault);
+}
+
+void print_run(const Told& told, bool quiet) {
+    const conformance::RunReport& run = told.run;
+    const bool rejected = run.verdict == RunVerdict::rejected;
+    print("{}{}  {}:{}: run {}, cycle {}\n", quiet ? "" : "\n", rejected ? "rejected    " : "inconclusive", diagnostics::shown(told.path), run.at_line,
+               run.name.empty() ? "without a name" : diagnostics::shown(run.name), run.cycle);
+    const auto line = [](const char* title, const std::string& text) { print("    {:<10} {}\n", title, diagnostics::shown(text)); };
+    std::uint64_t number = run.at_line - run.before.size();
+    for (const std::string& before : run.before) line(fmt::format("line {}", number++).c_str(), before);
+    if (!run.cycle_so_far.empty()) line("then", fmt::format("{}", fmt::join(run.cycle_so_far, " ")));
+    line(rejected ? "logged" : "met", run.what);
+    if (!rejected) return line("reason", run.reason);
+    constexpr std::size_t shown = 12;
+    std::vector<std::string> allowed(run.allowed.begin(), run.allowed.begin() + static_cast<std::ptrdiff_t>(std::min(shown, run.allowed.size())));
+    if (run.allowed.size() > shown) allowed.push_back(fmt::format("{} more", run.allowed.size() - shown));
+    line("allowed", allowed.empty() ? "nothing" : fmt::format("{}", fmt::join(allowed, ", or ")));
+    if (!run.elements.empty()) line("began", fmt::format("{}", fmt::join(run.elements, ", ")));
+}
+
+Exit exit_of(const Totals& totals) {
+    if (totals.rejected > 0) return Exit::failed;
+    return totals.inconclusive > 0 || !totals.limit.empty() ? Exit::inconclusive : Exit::success;
+}
+
+void print_text(const Totals& totals, const Options& options) {
+    for (const Told& told : totals.told) print_run(told, options.quiet);
+    if (!totals.told.empty() && !options.quiet) print("\n");
+    if (totals.replaced > 0 && !options.quiet)
+        print("{} values are outside the finite reading; the model only passes such values on, so others stood for them (docs/traces.md)\n",
+                   with_commas(totals.replaced));
+    if (!totals.limit.empty()) print("inconclusive: {}\n", totals.limit);
+    print("{} runs in {} logs, {} cycles: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n", with_commas(totals.runs), totals.logs,
+               with_commas(totals.cycles), with_commas(totals.accepted), with_commas(totals.rejected), with_commas(totals.inconclusive), totals.seconds);
+}
+
+std::string texts(const std::vector<std::string>& list) {
+    std::vector<std::string> quoted;
+    for (const std::string& text : list) quoted.push_back(json_string(text));
+    return fmt::format("[{}]", fmt::join(quoted, ","));
+}
+
+void print_json(const Totals& totals, Exit exit) {
+    std::vector<std::string> runs;
+    for (const Told& told : totals.told) {
+        const conformance::RunReport& run = told.run;
+        runs.push_back(fmt::format(R"({{"log":{},"line":{},"run":{},"verdict":"{}","cycle":{},"logged":{},"reason":{},"sofar":{},"before":{},"allowed":{},"elements":{}}})",
+                                   json_string(told.path), run.at_line, json_string(run.name), run.verdict == RunVerdict::rejected ? "rejected" : "inconclusive",
+                                   run.cycle, json_string(run.what), json_string(run.reason), texts(run.cycle_so_far), texts(run.before),
+                                   texts(run.allowed), texts(run.elements)));
+    }
+    print_exact(fmt::format(R"({{"schema":"robochart-verify/traces/1","logs":{},"runs":{},"cycles":{},"accepted":{},"rejected":{},"inconclusive":{},"replacedValues":{},"limit":{},"seconds":{:.3f},"exit":{},"told":[{}]}})"
+               "\n",
+               totals.logs, totals.runs, totals.cycles, totals.accepted, totals.rejected, totals.inconclusive, totals.replaced,
+               json_string(totals.limit), totals.seconds, static_cast<int>(exit), fmt::join(runs, ",")));
+}
+
+}  // namespace
+
+namespace {
+
+/// What the logs are of, where only the command line knows.
+std::string subject(const Options& options) { return options.component.empty() ? "the model" : options.component; }
+
+}  // namespace
+
+Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    Project& project = *parts.front().project;  // takes what is found of the logs; texts are those of all parts
+    Totals totals;
+    options.run->last_word([&options](const std::string& why) {
+        Totals none;
+        none.limit = why;
+        if (options.format == Format::json) print_json(none, Exit::inconclusive);
+        else print_text(none, options);
+        return Exit::inconclusive;
+    });
+    const std::vector<std::string> paths = logs(options, project.diagnostics);
+    try {
+        Checkers checkers(parts, options);
+        for (const std::string& path : paths) check_log(path, project, checkers, totals);
+    } catch (const process::Interrupted& limit) {
+        totals.limit = limit.what();
+    } catch (const cspm::EvaluationError& failed) {
+        project.diagnostics.report(rules::no_monitor, {}, {subject(options), fmt::format("the script of the model cannot be evaluated: {}", failed.what())});
+    } catch (const conformance::AlphabetError& mismatch) {
+        project.diagnostics.report(rules::no_monitor, {}, {subject(options), mismatch.what()});
+    }
+    const auto in_order = [](const Part& part) { return part.project->diagnostics.ok(); };
+    if (totals.runs == 0 && totals.limit.empty() && std::all_of(parts.begin(), parts.end(), in_order))
+        project.diagnostics.report(rules::bad_option, {}, {"--traces: there is nothing to compare, the logs have no runs"});
+    totals.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    options.run->finish();
+    const Project* wrong = nullptr;
+    for (const Part& part : parts)
+        if ((options.format == Format::text || wrong == nullptr) && !show_diagnostics(*part.project, options) && wrong == nullptr)
+            wrong = part.project.get();
+    if (options.format == Format::json && wrong != nullptr) return refusal(*wrong);
+    const Exit exit = wrong == nullptr ? exit_of(totals) : refusal(*wrong);
+    if (options.format == Format::json) print_json(totals, exit);
+    else print_text(totals, options);
+    return exit;
+}
+
+}  // namespace robochart::app

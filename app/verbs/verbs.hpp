@@ -1,0 +1,33 @@
+// One function a verb, over the public headers of the rooms only. Each returns the exit code.
+#pragma once
+
+#include "app/command/options.hpp"
+#include "app/command/pipeline.hpp"
+#include "app/report/report.hpp"
+
+namespace robochart::app {
+
+Exit run_model(const Options&);    ///< verify, check, emit csp, emit cpp, conform
+Exit run_cspm(const Options&);
+Exit export_process(const Options&);  ///< cspm --export
+Exit run_explain(const Options&);
+Exit run_validate(const Options&);
+Exit run_format(const Options&);
+Exit run_simulate(const Options&); ///< in the embedded world
+Exit run_lsp();                    ///< serves an editor on stdin and stdout until it leaves
+
+/// Decides the model's assertions in the times asked for.
+void check_assertions(Project&, const Options&, Report&);
+/// Writes csp-gen/… below the output folder.
+[[nodiscard]] bool write_csp(Project&, const Options&, Report&);
+/// Writes cpp/COMPONENT/… below the output folder.
+[[nodiscard]] bool write_cpp(Project&, const Options&, Report&);
+void check_conformance(Project&, const Options&, Report&);
+/// Writes monitor/COMPONENT/… below the output folder.
+[[nodiscard]] bool write_monitors(Project&, const Options&, Report&);
+/// Writes tests/COMPONENT/… below the output folder.
+[[nodiscard]] bool write_tests(Project&, const Options&, Report&);
+/// conform --traces: logs of runs against the models.
+Exit conform_traces(const std::vector<Part>&, const Options&);
+
+}  // namespace robochart::app

@@ -1,0 +1,362 @@
+// Functions, constants, the groups of a let, and pattern matching.
+#include <algorithm>
+
+#include "checker/cspm/eval/evaluator_internal.hpp"
+
+namespace robochart::cspm {
+
+Value Evaluator::call(Value function, Values arguments, Span span) {
+    if (function->kind == Kind::builtin) return call_builtin(function, std::move(arguments), span);
+    if (function->kind != Kind::function) fail("expected a function, found " + text(function), span);
+    const Function& definition = *function->function;
+    const std::size_t environment = definition.environment;
+    const std::size_t given = function->items.size() - environment;
+    std::size_t before = 0;
+    std::size_t group = 0;
+    while (group < definition.groups.size() && before < given) before += definition.groups[group++];
+    if (group == definition.groups.size()) fail("'" + definition.name + "' takes no more arguments", span);
+    if (definition.groups[group] != arguments.size()) {
+        fail("'" + definition.name + "' takes " + std::to_string(definition.groups[group]) + " arguments, not " +
+                 std::to_string(arguments.size()),
+             span);
+    }
+    if (group + 1 == definition.groups.size() && makes_process(definition)) {
+        for (Value& argument : arguments) argument = share(argument);
+        const process::TermId made = call_term(share(function), arguments);
+        return store_.make(Kind::process, static_cast<std::int64_t>(made), {});
+    }
+    Values all(function->items.begin() + static_cast<std::ptrdiff_t>(environment), function->items.end());
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    if (group + 1 < definition.groups.size()) {
+        all.insert(all.begin(), function->items.begin(),
+                   function->items.begin() + static_cast<std::ptrdiff_t>(environment));
+        return store_.closure(definition, std::move(all));
+    }
+    const Value result = run(definition, function->items, all, span);
+    if (observer_.tell) tell(definition, all, result, span);
+    return result;
+}
+
+/// The observer hears of the call with its numbers as they are known by now.
+void Evaluator::tell(const Function& function, const Values& arguments, Value result, Span span) {
+    if (function.watched < 0) function.watched = observer_.functions.contains(function.name) ? 1 : 0;
+    if (function.watched == 0) return;
+    // What has not been asked for stays unknown: it may have no value.
+    const auto number = [](Value value) -> std::optional<std::int64_t> {
+        if (value->kind == Kind::thunk) value = static_cast<const Thunk&>(*value).result;
+        if (value == nullptr || value->kind != Kind::integer) return std::nullopt;
+        return value->number;
+    };
+    ObservedCall observed{function.name, span, {}, number(result)};
+    for (const Value argument : arguments) observed.values.push_back(number(argument));
+    observer_.tell(observed);
+}
+
+Value Evaluator::run(const Function& function, const Values& environment, Values& arguments, Span span) {
+    const Calling calling(*this, function, arguments, span);
+    Frame frame;
+    const FunctionClause& clause = choose(function, environment, arguments, frame, span);
+    return eval(*clause.body, frame);
+}
+
+void Evaluator::install(const Unit& unit, const Function& function, const Values& environment, Frame& frame) {
+    frame.assign(static_cast<std::size_t>(unit.size), nullptr);
+    const bool member = unit.member_of != nullptr;
+    if (member && unit.self_slot >= 0) frame[static_cast<std::size_t>(unit.self_slot)] = environment.at(0);
+    for (std::size_t i = 0; i < unit.captures.size(); ++i) {
+        const auto [from, to] = unit.captures[i];
+        const Value value = member ? environment.at(0)->items.at(static_cast<std::size_t>(from)) : environment.at(i);
+        frame[static_cast<std::size_t>(to)] = value;
+    }
+    (void)function;
+}
+
+const FunctionClause& Evaluator::choose(const Function& function, const Values& environment, Values& arguments,
+                                        Frame& frame, Span span) {
+    for (const FunctionClause& clause : function.clauses) {
+        install(*clause.unit, function, environment, frame);
+        if (function.groups.empty()) return clause;
+        bool matches = true;
+        for (std::size_t i = 0; matches && i < clause.patterns.size(); ++i) {
+            matches = match(clause.patterns[i], arguments[i], frame);
+        }
+        if (matches) return clause;
+    }
+    std::string given;
+    print_items(arguments, "(", ", ", ")", given);
+    fail("no clause of '" + function.name + "' matches " + given, span);
+}
+
+// ---------------------------------------------------------------- constants
+
+Value Evaluator::constant_body(const Function& function, const Values& environment, Span span) {
+    Values none;
+    const Calling calling(*this, function, none, span);
+    const FunctionClause& clause = function.clauses.at(0);
+    Frame frame;
+    install(*clause.unit, function, environment, frame);
+    Value value = eval(*clause.body, frame);
+    const MatchCode& pattern = clause.patterns.at(0);
+    if (pattern.kind != PatternKind::name || pattern.head) {
+        if (!match(pattern, value, frame)) fail("the pattern does not match " + text(value), function.span);
+    }
+    return value;
+}
+
+Value Evaluator::component(const FunctionClause& whole, Value value, int slot, Span span) {
+    Frame frame(static_cast<std::size_t>(whole.unit->size), nullptr);
+    if (!match(whole.patterns.at(0), value, frame)) fail("the pattern does not match " + text(value), span);
+    return force(frame.at(static_cast<std::size_t>(slot)));
+}
+
+Value Evaluator::member(const GroupObject& group, int index, Span span) {
+    const auto at = static_cast<std::size_t>(index);
+    const Member& member = group.group->members[at];
+    if (!member.function.groups.empty()) {
+        return group.shared ? store_.make(Kind::function, 0, {&group}, &member.function)
+                            : store_.closure(member.function, {&group});
+    }
+    if (group.known[at] != nullptr) return group.known[at];
+    if (member.component_of < 0 && makes_process(member.function)) {
+        const Value name = store_.make(Kind::function, 0, {share(&group)}, &member.function);
+        return store_.make(Kind::process, static_cast<std::int64_t>(call_term(name, {})), {});
+    }
+    if (group.running[at]) fail("'" + member.function.name + "' is defined by itself", span);
+    group.running[at] = true;
+    Value value = nullptr;
+    try {
+        value = member_constant(group, member);
+    } catch (...) {
+        group.running[at] = false;
+        throw;
+    }
+    group.running[at] = false;
+    if (group.shared && !value->shared) {
+        try {
+            value = share(value);
+        } catch (const EvaluationError&) {
+            return value;  // a part of it has no value; it is worked out again where it is asked for again
+        }
+    }
+    group.known[at] = value;
+    return value;
+}
+
+Value Evaluator::member_constant(const GroupObject& group, const Member& member) {
+    if (member.component_of < 0) return constant_body(member.function, {&group}, member.function.span);
+    const Value whole = this->member(group, member.component_of, member.function.span);
+    const Member& source = group.group->members[static_cast<std::size_t>(member.component_of)];
+    return component(source.function.clauses.at(0), whole, member.component_slot, member.function.span);
+}
+
+Value Evaluator::global(int index, Span span) {
+    Global& global = program_.globals[static_cast<std::size_t>(index)];
+    if (global.kind == GlobalKind::function && !global.function.groups.empty()) {
+        return store_.make(Kind::function, 0, {}, &global.function);
+    }
+    if (global.kind == GlobalKind::datatype) return store_.make(Kind::datatype, index, {});
+    if (global.known != nullptr) return global.known;
+    if (global.kind == GlobalKind::function && makes_process(global.function)) {
+        const Value name = store_.make(Kind::function, 0, {}, &global.function);
+        return global.known = store_.make(Kind::process, static_cast<std::int64_t>(call_term(name, {})), {});
+    }
+    if (global.lazily != nullptr && global.lazily_entry == entry_number_) return global.lazily;
+    if (global.running) fail("'" + global.function.name + "' is defined by itself", span);
+    const Running running(global.running);
+    const Value value = global_constant(global);
+    if (value->shared) return global.known = value;
+    try {
+        return global.known = share(value);
+    } catch (const EvaluationError&) {  // a part of it has no value; the others may be all that is asked for
+    }
+    global.lazily_entry = entry_number_;
+    return global.lazily = value;
+}
+
+Value Evaluator::global_constant(Global& global) {
+    switch (global.kind) {
+        case GlobalKind::function:
+            return constant_body(global.function, {}, global.function.span);
+        case GlobalKind::component: {
+            const Value whole = this->global(global.component_of, global.function.span);
+            const Global& source = program_.globals[static_cast<std::size_t>(global.component_of)];
+            return component(source.function.clauses.at(0), whole, global.component_slot, global.function.span);
+        }
+        case GlobalKind::datatype:
+            break;  // answered before
+        case GlobalKind::subtype:
+            return subtype_set(global);
+        case GlobalKind::nametype: {
+            const FunctionClause& clause = global.function.clauses.at(0);
+            Frame frame(static_cast<std::size_t>(clause.unit->size), nullptr);
+            return type_set(share(eval(*clause.body, frame)), global.function.span);
+        }
+    }
+    fail("a definition of no kind", global.function.span);
+}
+
+// ---------------------------------------------------------------- patterns
+
+bool Evaluator::match(const MatchCode& pattern, Value& value, Frame& frame) {
+    if (pattern.kind == PatternKind::wildcard) return true;
+    if (pattern.kind == PatternKind::name && !pattern.head) {
+        frame[static_cast<std::size_t>(pattern.number)] = value;
+        return true;
+    }
+    const Value found = force(value);
+    switch (pattern.kind) {
+        case PatternKind::name: {
+            const bool bare = found->kind == Kind::dot && found->items.size() == 1;
+            return bare && found->items[0]->kind == Kind::head && found->items[0]->number == pattern.number;
+        }
+        case PatternKind::integer:
+            return found->kind == Kind::integer && found->number == pattern.number;
+        case PatternKind::character:
+            return found->kind == Kind::character && found->number == pattern.number;
+        case PatternKind::boolean:
+            return found->kind == Kind::boolean && found->number == pattern.number;
+        case PatternKind::tuple: {
+            if (found->kind != Kind::tuple || found->items.size() != pattern.args.size()) return false;
+            bool matches = true;
+            for (std::size_t i = 0; matches && i < pattern.args.size(); ++i) {
+                Value item = found->items[i];
+                matches = match(pattern.args[i], item, frame);
+            }
+            return matches;
+        }
+        case PatternKind::sequence:
+        case PatternKind::concat:
+            return match_sequence(pattern, found, frame);
+        case PatternKind::set: {
+            if (!is_set(found)) return false;
+            if (!has_size(found, pattern.args.size())) return false;
+            const Values& items = elements(found, {});
+            Value item = items.empty() ? nullptr : items[0];
+            return items.empty() || match(pattern.args[0], item, frame);
+        }
+        case PatternKind::dot:
+            return match_dot(pattern, found, frame);
+        case PatternKind::both: {
+            Value again = found;
+            return match(pattern.args[0], again, frame) && match(pattern.args[1], again, frame);
+        }
+        default:
+            return false;
+    }
+}
+
+namespace {
+
+// p ^ q ^ r as its parts; sequence patterns have a length, one other part may take the rest.
+void concat_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts) {
+    if (pattern.kind != PatternKind::concat) return parts.push_back(&pattern);
+    for (const MatchCode& arg : pattern.args) concat_parts(arg, parts);
+}
+
+}  // namespace
+
+// <x, y> ^ rest takes elements off the front; a pattern that ends is not met by what does not end.
+bool Evaluator::match_stream(const std::vector<const MatchCode*>& parts, Value value, Frame& frame) {
+    for (const MatchCode* part : parts) {
+        if (part->kind != PatternKind::sequence) return match(*part, value, frame);
+        for (const MatchCode& each : part->args) {
+            std::optional<Cut> cut = next(value, {});
+            if (!cut || !match(each, cut->head, frame)) return false;
+            value = cut->tail;
+        }
+    }
+    return !next(value, {});
+}
+
+bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& frame) {
+    if (value->kind != Kind::sequence && !is_stream(value)) return false;
+    std::vector<const MatchCode*> parts;
+    concat_parts(pattern, parts);
+    std::size_t fixed = 0;
+    std::size_t open = 0;
+    for (const MatchCode* part : parts) {
+        if (part->kind == PatternKind::sequence)
+            fixed += part->args.size();
+        else
+            ++open;
+    }
+    if (open > 1) fail("a sequence pattern has one part of open length at most", {});
+    if (is_stream(value)) {
+        if (open == 0 || parts.back()->kind != PatternKind::sequence) return match_stream(parts, value, frame);
+        if (is_infinite(value)) fail("an infinite sequence has no end to match", {});
+        value = written_out(value, {});
+    }
+    const std::size_t size = value->items.size();
+    if (open == 0 ? size != fixed : size < fixed) return false;
+    std::size_t at = 0;
+    for (const MatchCode* part : parts) {
+        if (part->kind == PatternKind::sequence) {
+            for (const MatchCode& each : part->args) {
+                Value item = value->items[at++];
+                if (!match(each, item, frame)) return false;
+            }
+        } else {
+            const auto first = value->items.begin() + static_cast<std::ptrdiff_t>(at);
+            Value rest = store_.compound(Kind::sequence, 0, {first, first + static_cast<std::ptrdiff_t>(size - fixed)});
+            at += size - fixed;
+            if (!match(*part, rest, frame)) return false;
+        }
+    }
+    return true;
+}
+
+namespace {
+
+// How many fields a part of a dot pattern stands for, but for the last part, which takes what is left.
+std::size_t fields_taken(const MatchCode& pattern) {
+    if (pattern.kind == PatternKind::both) return std::max(fields_taken(pattern.args[0]), fields_taken(pattern.args[1]));
+    if (pattern.kind != PatternKind::dot) return 1;
+    std::size_t count = 0;
+    for (const MatchCode& each : pattern.args) count += fields_taken(each);
+    return count;
+}
+
+void dot_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts) {
+    if (pattern.kind != PatternKind::dot) return parts.push_back(&pattern);
+    for (const MatchCode& arg : pattern.args) dot_parts(arg, parts);
+}
+
+}  // namespace
+
+bool Evaluator::match_dot(const MatchCode& pattern, Value value, Frame& frame) {
+    if (value->kind != Kind::dot) return false;
+    std::vector<const MatchCode*> parts;
+    dot_parts(pattern, parts);
+    Values fields = value->items;
+    const auto joined = [this](Values taken) {
+        return taken.size() == 1 && taken[0]->kind != Kind::head ? taken[0] : store_.dot(std::move(taken));
+    };
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+        const std::size_t count = fields_taken(*parts[i]);
+        if (fields.size() < count) return false;
+        const auto end = fields.begin() + static_cast<std::ptrdiff_t>(count);
+        if (count > 1) {
+            Value several = joined({fields.begin(), end});
+            fields.erase(fields.begin(), end);
+            if (!match(*parts[i], several, frame)) return false;
+            continue;
+        }
+        Value first = fields.front();
+        fields.erase(fields.begin());
+        if (parts[i]->kind == PatternKind::name && parts[i]->head) {
+            if (first->kind == Kind::dot && !first->items.empty()) {
+                const Values inner = first->items;
+                fields.insert(fields.begin(), inner.begin() + 1, inner.end());
+                first = inner.front();
+            }
+            if (first->kind != Kind::head || first->number != parts[i]->number) return false;
+        } else if (!match(*parts[i], first, frame)) {
+            return false;
+        }
+    }
+    if (fields.empty()) return false;
+    Value rest = joined(std::move(fields));
+    return match(*parts.back(), rest, frame);
+}
+
+}  // namespace robochart::cspm

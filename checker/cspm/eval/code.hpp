@@ -1,0 +1,149 @@
+// Expressions made ready to run: names resolved to frame slots, members of a let, global definitions,
+// constructors or built-ins, so that evaluation never looks at a name.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "checker/cspm/types/builtins.hpp"
+#include "checker/cspm/syntax/syntax.hpp"
+#include "checker/cspm/eval/value.hpp"
+
+namespace robochart::cspm {
+
+/// Code that shares one frame of variables: a function's clause, a constant, a prefix, a let's environment.
+struct Unit {
+    Unit* parent = nullptr;
+    const Group* group = nullptr;               ///< the let whose environment this unit is
+    const Group* member_of = nullptr;           ///< the let whose member this unit belongs to
+    std::vector<std::pair<int, int>> captures;  ///< (slot in the parent's frame, slot here)
+    int self_slot = -1;                         ///< where the member's own group object goes
+    int size = 0;
+};
+
+struct MatchCode {
+    PatternKind kind = PatternKind::wildcard;
+    bool head = false;  ///< name: a constructor or channel, `number` its index; else a variable, `number` its slot
+    std::int64_t number = 0;
+    std::vector<MatchCode> args;
+};
+
+/// What a name means.
+enum class Reference : std::uint8_t { none, local, member, global, head, builtin };
+
+/// The duration function and tock of a timed section.
+struct TimedSection {
+    const Code* duration = nullptr;  ///< null: every event takes one unit
+    Unit* unit = nullptr;
+    int tock = -1;                   ///< head index
+    Value duration_value = nullptr;  ///< once evaluated
+};
+
+struct FieldCode {
+    FieldKind kind = FieldKind::output;
+    Span span;
+    const Code* value = nullptr;
+    std::vector<MatchCode> patterns;  ///< input: the pattern's parts, left to right
+};
+
+struct ClauseCode {
+    bool generator = false;
+    MatchCode pattern;
+    const Code* value = nullptr;
+};
+
+struct Code {
+    ExprKind kind = ExprKind::integer;
+    Span span;
+    Reference reference = Reference::none;
+    int slot = -1;   ///< local, member: slot; global, head, builtin: index
+    int index = -1;  ///< member: which
+    Value constant = nullptr;
+    std::vector<const Code*> args;
+    std::vector<FieldCode> fields;
+    std::vector<ClauseCode> clauses;  ///< prefix: whose events are those of a set, `[] e : S @ e -> P`
+    std::vector<std::pair<const Code*, const Code*>> links;
+    std::vector<ClauseCode> link_clauses;  ///< replicated linked parallel: clauses of the links
+    Unit* unit = nullptr;                  ///< prefix
+    const Function* function = nullptr;    ///< lambda
+    const Group* group = nullptr;          ///< let
+    TimedSection* timed = nullptr;         ///< inside a timed section
+    std::uint32_t number = 0;              ///< prefix: identity
+    mutable std::uint8_t too_long = 0;     ///< how often its value was asked for too early and given up (promise)
+};
+
+struct FunctionClause {
+    Unit* unit = nullptr;
+    std::vector<MatchCode> patterns;  ///< all groups, one after the other
+    const Code* body = nullptr;
+};
+
+/// A function or a constant (no groups).
+struct Function {
+    std::uint32_t number = 0;
+    std::string name;
+    Span span;
+    std::vector<std::size_t> groups;  ///< arguments a group
+    std::vector<FunctionClause> clauses;
+    std::vector<bool> unread;          ///< one group only: per argument, whether nothing reads it
+    std::size_t environment = 0;       ///< captured items before the arguments
+    mutable std::int8_t watched = -1;  ///< whether somebody is told of its calls; -1: not yet known
+    mutable std::int8_t process = -1;  ///< whether its result is plainly a process; -1: not yet known
+};
+
+/// A let's declarations; a member is a function, a constant, or a part of a constant that is a pattern.
+struct Member {
+    Function function;
+    int component_of = -1;  ///< a constant member matched by a pattern
+    int component_slot = -1;
+};
+struct Group {
+    std::uint32_t number = 0;
+    Unit* unit = nullptr;
+    std::vector<Member> members;
+};
+
+/// Channels and constructors.
+struct Head {
+    std::string name;  ///< as printed, qualified
+    Span span;
+    bool channel = false;
+    int type = -1;  ///< constructors: the datatype's global
+    const Code* fields_code = nullptr;
+    Unit* unit = nullptr;
+    bool evaluated = false;
+    bool running = false;
+    Values fields;  ///< one set a field
+};
+
+enum class GlobalKind : std::uint8_t { function, component, datatype, subtype, nametype };
+struct Global {
+    GlobalKind kind = GlobalKind::function;
+    Function function;  ///< subtype, nametype: without use; nametype: a constant
+    int component_of = -1;
+    int component_slot = -1;
+    std::vector<int> heads;                            ///< datatype
+    std::vector<std::pair<int, const Code*>> subtype;  ///< head, fields
+    Value known = nullptr;
+    Value lazily = nullptr;          ///< the value where a part of it has none...
+    std::uint64_t lazily_entry = 0;  ///< ...in the answer to this question
+    bool running = false;
+};
+
+/// A script made ready.
+struct Program {
+    std::deque<Unit> units;
+    std::deque<Code> codes;
+    std::deque<Group> groups;
+    std::deque<Function> lambdas;
+    std::deque<Global> globals;
+    std::deque<Head> heads;
+    std::deque<TimedSection> timed;
+    std::vector<const Code*> prefixes;
+};
+
+}  // namespace robochart::cspm

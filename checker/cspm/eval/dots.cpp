@@ -1,0 +1,319 @@
+// Dotted values: channels and constructors with their fields, what may follow them, and events. A dot whose
+// first item is a head holds the head's fields, each a complete value but perhaps the last; any other dot is
+// a plain list of values (FDR manual: dots, extensions, productions).
+#include <algorithm>
+
+#include "checker/cspm/eval/evaluator_internal.hpp"
+
+namespace robochart::cspm {
+
+namespace {
+
+bool is_named(Value value) {
+    return value->kind == Kind::dot && !value->items.empty() && value->items[0]->kind == Kind::head;
+}
+
+int head_of(Value value) {
+    return static_cast<int>(value->items[0]->number);
+}
+
+}  // namespace
+
+Value Evaluator::head_value(int head) {
+    return store_.dot({store_.make(Kind::head, head, {})});
+}
+
+// The sets of a head's fields, evaluated when first needed.
+const Values& Evaluator::fields_of(int index) {
+    Head& head = program_.heads[static_cast<std::size_t>(index)];
+    if (head.evaluated) return head.fields;
+    if (head.running) fail("the type of '" + head.name + "' contains itself", head.span);
+    if (head.fields_code != nullptr) {
+        const Running running(head.running);
+        Frame frame(static_cast<std::size_t>(head.unit->size), nullptr);
+        head.fields = type_fields(share(eval(*head.fields_code, frame)), head.span);
+    }
+    head.evaluated = true;
+    return head.fields;
+}
+
+// A type expression as one set a field: A.B gives two, (A,B) one of pairs.
+Values Evaluator::type_fields(Value type, Span span) {
+    if (type->kind == Kind::dot && !is_named(type)) {
+        Values result;
+        for (const Value item : type->items) {
+            const Values more = type_fields(item, span);
+            result.insert(result.end(), more.begin(), more.end());
+        }
+        return result;
+    }
+    if (type->kind == Kind::tuple) {
+        Values parts;
+        for (const Value item : type->items) parts.push_back(type_set(item, span));
+        return {product_of(parts, Kind::tuple, span)};
+    }
+    if (!is_set(type)) fail("expected a set as a type, found " + text(type), span);
+    return rectangle(type, span);
+}
+
+Value Evaluator::type_set(Value type, Span span) {
+    if (is_set(type)) return type;
+    const Values fields = type_fields(type, span);
+    return fields.size() == 1 ? fields[0] : product_of(fields, Kind::dot, span);
+}
+
+// A set of plain dots is taken apart into one set a field; it must be all combinations of them.
+Values Evaluator::rectangle(Value set, Span span) {
+    const auto plain = [](Value value) {
+        return value->kind == Kind::dot && !is_named(value) && value->items.size() > 1;
+    };
+    if (set->kind != Kind::set || set->items.empty() || !plain(set->items[0])) return {set};
+    const std::size_t width = set->items[0]->items.size();
+    std::vector<Values> columns(width);
+    for (const Value each : set->items) {
+        if (!plain(each) || each->items.size() != width)
+            fail("the set " + text(set) + " has fields of different shapes", span);
+        for (std::size_t i = 0; i < width; ++i) columns[i].push_back(each->items[i]);
+    }
+    Values result;
+    std::size_t size = 1;
+    for (Values& column : columns) {
+        result.push_back(store_.set(std::move(column)));
+        size *= result.back()->items.size();
+    }
+    if (size != set->items.size()) fail("the set " + text(set) + " is not all combinations of its fields", span);
+    return result;
+}
+
+bool Evaluator::complete(Value value) {
+    if (!is_named(value)) return true;
+    const std::size_t arity = fields_of(head_of(value)).size();
+    return value->items.size() - 1 == arity && complete(value->items.back());
+}
+
+// base.more: the fields of `more` go where `base` has room for them.
+Value Evaluator::combine(Value base, Value more, Span span) {
+    if (more->kind != Kind::dot || is_named(more)) return add_field(base, more, span);
+    for (const Value item : more->items) base = combine(base, item, span);
+    return base;
+}
+
+void Evaluator::check_field(Value field, Value allowed, Value whole, Span span) {
+    if (!complete(field)) return;
+    if (!member_of(field, allowed, span)) {
+        fail(text(field) + " is not a value of its field in " + text(whole) + " (the field's type is " + text(allowed) +
+                 ")",
+             span);
+    }
+}
+
+Value Evaluator::add_field(Value base, Value field, Span span) {
+    if (is_named(base)) {
+        const Values& fields = fields_of(head_of(base));
+        const std::size_t count = base->items.size() - 1;
+        Values items = base->items;
+        if (count > 0 && !complete(base->items.back())) {
+            items.back() = add_field(base->items.back(), field, span);
+            const Value result = store_.dot(std::move(items));
+            check_field(result->items.back(), fields[count - 1], result, span);
+            return result;
+        }
+        if (count < fields.size()) {
+            items.push_back(field);
+            const Value result = store_.dot(std::move(items));
+            check_field(field, fields[count], result, span);
+            return result;
+        }
+        return store_.dot({base, field});
+    }
+    Values items = base->kind == Kind::dot ? base->items : Values{base};
+    if (!items.empty() && is_named(items.back()) && !complete(items.back())) {
+        items.back() = add_field(items.back(), field, span);
+    } else {
+        items.push_back(field);
+    }
+    return items.size() == 1 ? items[0] : store_.dot(std::move(items));
+}
+
+// ---------------------------------------------------------------- what may follow
+
+// The fields that `whole` has beyond `part`, innermost first; false if it does not begin with `part`.
+bool Evaluator::missing(Value whole, Value part, Values& out) {
+    if (whole == part) return true;
+    if (!is_named(whole) || !is_named(part) || whole->items[0] != part->items[0]) return false;
+    if (whole->items.size() < part->items.size()) return false;
+    const std::size_t last = part->items.size() - 1;
+    for (std::size_t i = 1; i < last; ++i) {
+        if (whole->items[i] != part->items[i]) return false;
+    }
+    if (last > 0) {
+        Values inner;
+        if (!missing(whole->items[last], part->items[last], inner)) return false;
+        if (inner.size() == 1) out.push_back(inner[0]);
+        if (inner.size() > 1) out.push_back(store_.dot(std::move(inner)));
+    }
+    out.insert(out.end(), whole->items.begin() + static_cast<std::ptrdiff_t>(last) + 1, whole->items.end());
+    return true;
+}
+
+// One set for each field that a named dot still lacks; the first completes its last field if need be.
+Values Evaluator::missing_fields(Value value) {
+    const Values& fields = fields_of(head_of(value));
+    const std::size_t count = value->items.size() - 1;
+    Values result;
+    if (count > 0 && !complete(value->items.back())) {
+        Values completions;
+        for (const Value each : elements(fields[count - 1], {})) {
+            Values rest;
+            if (!missing(each, value->items.back(), rest)) continue;
+            completions.push_back(rest.size() == 1 ? rest[0] : store_.dot(std::move(rest)));
+        }
+        result.push_back(store_.set(std::move(completions)));
+    }
+    result.insert(result.end(), fields.begin() + static_cast<std::ptrdiff_t>(count), fields.end());
+    return result;
+}
+
+Value Evaluator::extensions(Value value) {
+    if (!is_named(value)) return store_.set({});
+    if (const auto known = extensions_.find(value); known != extensions_.end()) return known->second;
+    Value result = nullptr;
+    if (complete(value)) {
+        result = store_.set({store_.dot({})});
+    } else {
+        const Values sets = missing_fields(value);
+        result = sets.size() == 1 ? explicit_set(sets[0], {}) : product_of(sets, Kind::dot, {});
+    }
+    extensions_.emplace(value, result);
+    return result;
+}
+
+// What ?x in the middle of a prefix ranges over: one field, of the innermost unfinished value.
+Value Evaluator::one_field_extensions(Value value) {
+    const Value nothing = store_.set({store_.dot({})});
+    if (!is_named(value) || complete(value)) return nothing;
+    if (const auto known = one_field_extensions_.find(value); known != one_field_extensions_.end())
+        return known->second;
+    const Values& fields = fields_of(head_of(value));
+    const std::size_t count = value->items.size() - 1;
+    Value result = nullptr;
+    if (count == 0 || complete(value->items.back())) {
+        result = explicit_set(fields[count], {});
+    } else {
+        Values next;
+        for (const Value each : elements(fields[count - 1], {})) {
+            Values rest;
+            if (!missing(each, value->items.back(), rest) || rest.empty()) continue;
+            Value first = rest.front();
+            while (first->kind == Kind::dot && !is_named(first) && !first->items.empty()) first = first->items.front();
+            next.push_back(first);
+        }
+        result = store_.set(std::move(next));
+    }
+    one_field_extensions_.emplace(value, result);
+    return result;
+}
+
+Value Evaluator::productions(Value value) {
+    if (const auto known = productions_.find(value); known != productions_.end()) return known->second;
+    Value result = nullptr;
+    if (!is_named(value)) {
+        fail("productions of " + text(value) + ", which is neither an event nor of a datatype", {});
+    } else if (complete(value)) {
+        result = store_.set({value});
+    } else {
+        const Values& more = extensions(value)->items;
+        Values items;
+        items.reserve(more.size());
+        for (const Value each : more) items.push_back(combine(value, each, {}));
+        result = store_.set(std::move(items));
+    }
+    productions_.emplace(value, result);
+    return result;
+}
+
+// All tuples, or dots, with one element of each set.
+Value Evaluator::product_of(const Values& sets, Kind kind, Span span) {
+    std::vector<Values> partial{{}};
+    for (const Value set : sets) {
+        const Values& items = elements(set, span);
+        if (!items.empty() && partial.size() > max_elements / items.size()) {
+            fail("a type has more than 5000000 values", span);
+        }
+        std::vector<Values> longer;
+        longer.reserve(partial.size() * items.size());
+        for (const Values& each : partial) {
+            for (const Value item : items) {
+                longer.push_back(each);
+                longer.back().push_back(item);
+            }
+        }
+        partial = std::move(longer);
+    }
+    Values result;
+    result.reserve(partial.size());
+    for (Values& each : partial) result.push_back(store_.make(kind, 0, std::move(each)));
+    return store_.set(std::move(result));
+}
+
+Value Evaluator::datatype_set(const Global& global) {
+    Values items;
+    for (const int head : global.heads) {
+        const Value start = head_value(head);
+        Values fields{store_.set({start->items[0]})};
+        const Values& more = fields_of(head);
+        fields.insert(fields.end(), more.begin(), more.end());
+        const Values& all = product_of(fields, Kind::dot, program_.heads[static_cast<std::size_t>(head)].span)->items;
+        items.insert(items.end(), all.begin(), all.end());
+    }
+    return store_.set(std::move(items));
+}
+
+Value Evaluator::subtype_set(const Global& global) {
+    const Unit& unit = *global.function.clauses.at(0).unit;
+    Values items;
+    for (const auto& [head, fields_code] : global.subtype) {
+        Frame frame(static_cast<std::size_t>(unit.size), nullptr);
+        Value fields = store_.set({store_.dot({})});
+        if (fields_code != nullptr) fields = type_set(share(eval(*fields_code, frame)), global.function.span);
+        for (const Value each : elements(fields, global.function.span)) {
+            const Values& all = productions(combine(head_value(head), each, global.function.span))->items;
+            items.insert(items.end(), all.begin(), all.end());
+        }
+    }
+    return store_.set(std::move(items));
+}
+
+// ---------------------------------------------------------------- events
+
+Value Evaluator::all_events() {
+    if (all_events_ != nullptr) return all_events_;
+    Values items;
+    for (std::size_t i = 0; i < program_.heads.size(); ++i) {
+        if (!program_.heads[i].channel) continue;
+        const Values& more = productions(head_value(static_cast<int>(i)))->items;
+        items.insert(items.end(), more.begin(), more.end());
+    }
+    all_events_ = store_.set(std::move(items));
+    return all_events_;
+}
+
+process::Event Evaluator::event(Value value, Span span) {
+    if (const auto known = event_index_.find(value); known != event_index_.end()) return known->second;
+    const bool channel = is_named(value) && program_.heads[static_cast<std::size_t>(head_of(value))].channel;
+    if (!channel) fail(text(value) + " is not an event", span);
+    if (!complete(value)) fail(text(value) + " is not a complete event", span);
+    const process::Event result = events_.intern(text(value));
+    event_index_.emplace(value, result);
+    return result;
+}
+
+const process::EventSet& Evaluator::event_set(Value set, Span span) {
+    if (const auto known = event_sets_.find(set); known != event_sets_.end()) return known->second;
+    process::EventSet result;
+    for (const Value each : elements(set, span)) result.push_back(event(each, span));
+    std::ranges::sort(result);
+    return event_sets_.emplace(set, std::move(result)).first->second;
+}
+
+}  // namespace robochart::cspm

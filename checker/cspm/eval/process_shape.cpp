@@ -1,0 +1,61 @@
+// Whether an expression plainly denotes a process, from its shape alone. Such a call or constant becomes a
+// term by name wherever it stands, so that a process handed on as an argument is not looked into.
+#include <algorithm>
+
+#include "checker/cspm/eval/evaluator_internal.hpp"
+
+namespace robochart::cspm {
+
+bool Evaluator::makes_process(const Function& function) {
+    if (function.process >= 0) return function.process == 1;
+    function.process = 0;  // a recursion without another branch is not plainly a process
+    ++shapes_;
+    const bool result = std::ranges::any_of(
+        function.clauses, [this](const FunctionClause& clause) { return makes_process(*clause.body); });
+    // A "no" found while an outer question was open may have rested on it.
+    const bool open = --shapes_ > 0;
+    function.process = result ? std::int8_t{1} : (open ? std::int8_t{-1} : std::int8_t{0});
+    return result;
+}
+
+// A name with so many groups of arguments after it.
+bool Evaluator::makes_process(const Code& name, std::size_t groups) {
+    if (name.kind != ExprKind::name) return false;
+    if (name.reference == Reference::builtin) {
+        const auto which = static_cast<Builtin>(name.slot);
+        const bool relation = which >= Builtin::mtransclose && which <= Builtin::transpose;
+        return which >= Builtin::stop && !relation && (groups == 0) == (builtin_name(which).arguments < 0);
+    }
+    const Function* function = nullptr;
+    if (name.reference == Reference::global) {
+        const Global& global = program_.globals[static_cast<std::size_t>(name.slot)];
+        if (global.kind == GlobalKind::function) function = &global.function;
+    }
+    if (name.reference == Reference::member) {
+        const Member& member = name.group->members[static_cast<std::size_t>(name.index)];
+        if (member.component_of < 0) function = &member.function;
+    }
+    return function != nullptr && function->groups.size() == groups && makes_process(*function);
+}
+
+bool Evaluator::makes_process(const Code& code) {
+    switch (code.kind) {
+        case ExprKind::if_then_else:
+            return makes_process(*code.args[1]) || makes_process(*code.args[2]);
+        case ExprKind::let:
+            return makes_process(*code.args[0]);
+        case ExprKind::name:
+            return makes_process(code, 0);
+        case ExprKind::apply: {
+            const Code* function = code.args[0];
+            std::size_t groups = 1;
+            for (; function->kind == ExprKind::apply; ++groups) function = function->args[0];
+            return makes_process(*function, groups);
+        }
+        default:
+            return (code.kind >= ExprKind::prefix && code.kind <= ExprKind::rename) ||
+                   (code.kind >= ExprKind::replicated_external && code.kind <= ExprKind::replicated_synchronising);
+    }
+}
+
+}  // namespace robochart::cspm

@@ -1,0 +1,172 @@
+// Sequences that are not written out: <n..>, comprehensions whose elements wait or have no end, and what ^ joins. They are
+// taken apart element by element, as far as is asked (FDR evaluates sequences lazily).
+//
+// A stream's items are a sequence that comes first and one to go on with. Without a comprehension the second follows as it
+// is; else its elements are those of a generator, and the variables around come after it. `number` tells which.
+#include <algorithm>
+
+#include "checker/cspm/eval/evaluator_internal.hpp"
+
+namespace robochart::cspm {
+namespace {
+
+/// Elements that are passed over before the search for one that fits is given up.
+constexpr std::size_t most_skipped = 200'000;
+constexpr std::int64_t joined = -1;
+
+}  // namespace
+
+bool Evaluator::is_stream(Value sequence) {
+    return sequence->kind == Kind::sequence_from || sequence->kind == Kind::stream;
+}
+
+/// Whether it plainly has no end; what still waits is not asked.
+bool Evaluator::is_infinite(Value sequence) {
+    while (sequence->kind == Kind::stream || sequence->kind == Kind::thunk) {
+        const bool waits = sequence->kind == Kind::thunk;
+        sequence = waits ? static_cast<const Thunk&>(*sequence).result : sequence->items[1];
+        if (sequence == nullptr) return false;
+    }
+    return sequence->kind == Kind::sequence_from;
+}
+
+Value Evaluator::append(Value first, Value rest) {
+    if (first->kind == Kind::sequence && first->items.empty()) return force(rest);
+    if (rest->kind == Kind::thunk && static_cast<const Thunk&>(*rest).result != nullptr)
+        rest = static_cast<const Thunk&>(*rest).result;
+    if (first->kind == Kind::sequence && rest->kind == Kind::sequence) {
+        Values items = first->items;
+        if (items.size() + rest->items.size() > max_elements) fail("the sequence is too long", {});
+        items.insert(items.end(), rest->items.begin(), rest->items.end());
+        return store_.compound(Kind::sequence, 0, std::move(items));
+    }
+    return store_.compound(Kind::stream, joined, {first, rest});
+}
+
+Value Evaluator::stream(Value first, Value source, Comprehension of, const Frame& frame) {
+    Values items{first, source};
+    for (const Value value : frame) items.push_back(value == nullptr ? store_.tuple({}) : value);
+    const auto same = [&](const Comprehension& each) { return each.code == of.code && each.clause == of.clause; };
+    const auto known = std::ranges::find_if(streams_, same);
+    const auto number = known - streams_.begin();
+    if (known == streams_.end()) streams_.push_back(of);
+    return store_.compound(Kind::stream, number, std::move(items));
+}
+
+std::optional<Evaluator::Cut> Evaluator::next(Value sequence, Span span) {
+    for (std::size_t tried = 0;; ++tried) {
+        count_step(span);
+        sequence = force(sequence);
+        if (sequence->kind == Kind::sequence) {
+            if (sequence->items.empty()) return std::nullopt;
+            Values rest(sequence->items.begin() + 1, sequence->items.end());
+            return Cut{sequence->items.front(), store_.compound(Kind::sequence, 0, std::move(rest))};
+        }
+        if (sequence->kind == Kind::sequence_from) {
+            std::int64_t following = 0;
+            if (__builtin_add_overflow(sequence->number, std::int64_t{1}, &following))
+                fail("the number does not fit in 64 bits", span);
+            return Cut{store_.integer(sequence->number), store_.make(Kind::sequence_from, following, {})};
+        }
+        if (sequence->kind != Kind::stream) fail("expected a sequence, found " + text(sequence), span);
+        const Values& items = sequence->items;
+        if (const std::optional<Cut> first = next(items[0], span)) {
+            const bool last = first->tail->kind == Kind::sequence && first->tail->items.empty();
+            if (sequence->number == joined) return Cut{first->head, last ? items[1] : append(first->tail, items[1])};
+            Values rest = items;
+            rest[0] = first->tail;
+            return Cut{first->head, store_.compound(Kind::stream, sequence->number, std::move(rest))};
+        }
+        if (sequence->number == joined) {
+            sequence = items[1];
+            continue;
+        }
+        if (tried >= most_skipped) fail("none of 200000 elements makes another one of the sequence", span);
+        const Comprehension of = streams_.at(static_cast<std::size_t>(sequence->number));
+        const std::optional<Cut> drawn = next(items[1], span);
+        if (!drawn) return std::nullopt;
+        Frame frame(items.begin() + 2, items.end());
+        Values rest = items;
+        rest[1] = drawn->tail;
+        Value item = drawn->head;
+        if (match(of.code->clauses[of.clause].pattern, item, frame))
+            rest[0] = comprehension_from(*of.code, of.clause + 1, frame);
+        sequence = store_.compound(Kind::stream, sequence->number, std::move(rest));
+    }
+}
+
+Value Evaluator::written_out(Value sequence, Span span) {
+    sequence = force(sequence);
+    if (sequence->kind == Kind::sequence) return sequence;
+    if (!is_stream(sequence)) fail("expected a sequence, found " + text(sequence), span);
+    Values items;
+    for (;;) {
+        sequence = force(sequence);
+        if (is_infinite(sequence)) fail("the sequence " + text(sequence) + " is infinite", span);
+        if (sequence->kind == Kind::sequence) {
+            items.insert(items.end(), sequence->items.begin(), sequence->items.end());
+            break;
+        }
+        const Value first = sequence->kind == Kind::stream ? sequence->items[0] : nullptr;
+        if (first != nullptr && sequence->number == joined && first->kind == Kind::sequence) {
+            items.insert(items.end(), first->items.begin(), first->items.end());
+            sequence = sequence->items[1];
+        } else {
+            const std::optional<Cut> cut = next(sequence, span);
+            if (!cut) break;
+            items.push_back(cut->head);
+            sequence = cut->tail;
+        }
+        count_step(span);
+        if (items.size() > max_elements) fail("the sequence is too long", span);
+    }
+    return store_.compound(Kind::sequence, 0, std::move(items));
+}
+
+/// The sequence it is, if it has an end; else the stream with nothing that waits but its elements.
+Value Evaluator::share_stream(Value value) {
+    if (!is_infinite(value)) {
+        Values items = value->items;
+        items[1] = forced(items[1]);
+        value = store_.compound(Kind::stream, value->number, std::move(items));
+    }
+    if (!is_infinite(value)) return share(written_out(value, {}));
+    Values items;
+    for (const Value item : value->items) items.push_back(share(item));
+    return store_.make(Kind::stream, value->number, std::move(items));
+}
+
+bool Evaluator::element_by_need(Value element, Value sequence, Span span) {
+    for (std::size_t tried = 0; tried < most_skipped || !is_infinite(sequence); ++tried) {
+        const std::optional<Cut> cut = next(sequence, span);
+        if (!cut) return false;
+        if (equal_by_need(forced(cut->head), element, span)) return true;
+        sequence = forced(cut->tail);
+    }
+    fail("not among the first 200000 elements of an infinite sequence", span);
+}
+
+/// Equality of tuples and sequences part by part, up to the first difference.
+bool Evaluator::equal_by_need(Value a, Value b, Span span) {
+    if (a == b) return true;
+    count_step(span);
+    const bool sequences = (a->kind == Kind::sequence || is_stream(a)) && (b->kind == Kind::sequence || is_stream(b));
+    if (a->shared && b->shared && !(sequences && (is_stream(a) || is_stream(b)))) return same(a, b, span);
+    if (a->kind == Kind::tuple && b->kind == Kind::tuple) {
+        for (std::size_t i = 0; i < a->items.size() && i < b->items.size(); ++i)
+            if (!equal_by_need(forced(a->items[i]), forced(b->items[i]), span)) return false;
+        return a->items.size() == b->items.size();
+    }
+    if (!sequences) return same(share(a), share(b), span);
+    for (std::size_t compared = 0; compared < most_skipped || !is_infinite(a) || !is_infinite(b); ++compared) {
+        const std::optional<Cut> left = next(a, span);
+        const std::optional<Cut> right = next(b, span);
+        if (!left || !right) return !left && !right;
+        if (!equal_by_need(forced(left->head), forced(right->head), span)) return false;
+        a = forced(left->tail);
+        b = forced(right->tail);
+    }
+    fail("two infinite sequences agree in their first 200000 elements", span);
+}
+
+}  // namespace robochart::cspm

@@ -1,0 +1,434 @@
+#include "checker/cspm/syntax/lexer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+#include "checker/cspm/syntax/rules.hpp"
+
+namespace robochart::cspm {
+
+namespace {
+
+using diagnostics::Span;
+
+// How line ends around a token are read (FDR's lexer, libcspm Lexer.x): `before`: line ends before the token
+// vanish, since it cannot begin an expression or declaration; `after`: line ends after it vanish.
+enum LineBreaks : std::uint8_t { plain = 0, before = 1, after = 2, both_sides = 3 };
+
+struct Symbol {
+    Tok kind;
+    std::string_view text;
+    LineBreaks layout;
+};
+
+// Longest spellings first, so that the first match is the longest.
+constexpr std::array symbols{
+    Symbol{Tok::refines_fd, "[FD=", both_sides},
+    Symbol{Tok::refines_vd, "[VD=", both_sides},
+    Symbol{Tok::refines_rd, "[RD=", both_sides},
+    Symbol{Tok::refines_t, "[T=", both_sides},
+    Symbol{Tok::refines_f, "[F=", both_sides},
+    Symbol{Tok::refines_v, "[V=", both_sides},
+    Symbol{Tok::refines_r, "[R=", both_sides},
+    Symbol{Tok::internal_choice, "|~|", both_sides},
+    Symbol{Tok::interleave, "|||", both_sides},
+    Symbol{Tok::tie, "<->", both_sides},
+    Symbol{Tok::yield_star, "=>*", both_sides},
+    Symbol{Tok::external_choice, "[]", both_sides},
+    Symbol{Tok::interrupt, "/\\", both_sides},
+    Symbol{Tok::arrow, "->", both_sides},
+    Symbol{Tok::sliding, "[>", both_sides},
+    Symbol{Tok::exception_end, "|>", both_sides},
+    Symbol{Tok::parallel_bar, "||", both_sides},
+    Symbol{Tok::project, "|\\", both_sides},
+    Symbol{Tok::l_sync_interrupt, "/+", both_sides},
+    Symbol{Tok::r_sync_interrupt, "+\\", both_sides},
+    Symbol{Tok::l_sync_choice, "[+", both_sides},
+    Symbol{Tok::r_sync_choice, "+]", both_sides},
+    Symbol{Tok::equal_equal, "==", both_sides},
+    Symbol{Tok::not_equal, "!=", both_sides},
+    Symbol{Tok::less_equal, "<=", both_sides},
+    Symbol{Tok::greater_equal, ">=", both_sides},
+    Symbol{Tok::drawn_from, "<-", both_sides},
+    Symbol{Tok::yield, "=>", both_sides},
+    Symbol{Tok::double_at, "@@", both_sides},
+    Symbol{Tok::dot_dot, "..", both_sides},
+    Symbol{Tok::l_pipe_brace, "{|", after},
+    Symbol{Tok::r_pipe_brace, "|}", before},
+    Symbol{Tok::r_map, "|)", before},
+    Symbol{Tok::l_double_square, "[[", both_sides},
+    Symbol{Tok::r_double_square, "]]", before},
+    Symbol{Tok::l_pipe_square, "[|", both_sides},
+    Symbol{Tok::r_pipe_square, "|]", both_sides},
+    Symbol{Tok::scope, "::", after},
+    Symbol{Tok::l_paren, "(", after},
+    Symbol{Tok::r_paren, ")", before},
+    Symbol{Tok::l_brace, "{", after},
+    Symbol{Tok::r_brace, "}", before},
+    Symbol{Tok::l_square, "[", both_sides},
+    Symbol{Tok::r_square, "]", both_sides},
+    Symbol{Tok::semicolon, ";", both_sides},
+    Symbol{Tok::ampersand, "&", both_sides},
+    Symbol{Tok::less, "<", after},
+    Symbol{Tok::greater, ">", before},
+    Symbol{Tok::pipe, "|", both_sides},
+    Symbol{Tok::comma, ",", both_sides},
+    Symbol{Tok::dot, ".", both_sides},
+    Symbol{Tok::question, "?", both_sides},
+    Symbol{Tok::exclamation, "!", both_sides},
+    Symbol{Tok::dollar, "$", both_sides},
+    Symbol{Tok::colon, ":", both_sides},
+    Symbol{Tok::at, "@", both_sides},
+    Symbol{Tok::equals, "=", both_sides},
+    Symbol{Tok::backslash, "\\", both_sides},
+    Symbol{Tok::plus, "+", both_sides},
+    Symbol{Tok::minus, "-", after},
+    Symbol{Tok::times, "*", both_sides},
+    Symbol{Tok::divide, "/", both_sides},
+    Symbol{Tok::modulus, "%", both_sides},
+    Symbol{Tok::concat, "^", both_sides},
+    Symbol{Tok::hash, "#", after},
+    Symbol{Tok::underscore, "_", both_sides},
+};
+
+constexpr std::array words{
+    Symbol{Tok::kw_false, "false", before},      Symbol{Tok::kw_true, "true", before},
+    Symbol{Tok::kw_and, "and", both_sides},      Symbol{Tok::kw_or, "or", both_sides},
+    Symbol{Tok::kw_not, "not", both_sides},      Symbol{Tok::kw_if, "if", both_sides},
+    Symbol{Tok::kw_then, "then", both_sides},    Symbol{Tok::kw_else, "else", both_sides},
+    Symbol{Tok::kw_let, "let", both_sides},      Symbol{Tok::kw_within, "within", both_sides},
+    Symbol{Tok::kw_channel, "channel", after},   Symbol{Tok::kw_assert, "assert", after},
+    Symbol{Tok::kw_datatype, "datatype", after}, Symbol{Tok::kw_subtype, "subtype", after},
+    Symbol{Tok::kw_external, "external", after}, Symbol{Tok::kw_transparent, "transparent", after},
+    Symbol{Tok::kw_nametype, "nametype", after}, Symbol{Tok::kw_module, "module", after},
+    Symbol{Tok::kw_exports, "exports", plain},   Symbol{Tok::kw_endmodule, "endmodule", plain},
+    Symbol{Tok::kw_instance, "instance", after}, Symbol{Tok::kw_timed, "Timed", after},
+};
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
+
+class Lexer {
+public:
+    Lexer(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics)
+        : text_(text), source_(source), diagnostics_(diagnostics) {}
+
+    std::vector<Token> run() {
+        while (skip_space(), at_ < text_.size()) token();
+        emit(Tok::newline, at_, plain);
+        emit(Tok::end, at_, plain);
+        return std::move(tokens_);
+    }
+
+private:
+    [[nodiscard]] char peek(std::size_t ahead = 0) const {
+        return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+    }
+    [[nodiscard]] bool looking_at(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
+    [[nodiscard]] Span span(std::size_t from) const {
+        return {source_, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(at_)};
+    }
+
+    void skip_space() {
+        blank_before_ = false;
+        while (at_ < text_.size()) {
+            const char c = peek();
+            if (c == '\n') {
+                line_end_ = true;
+                blank_before_ = true;
+                ++at_;
+            } else if (is_blank(c)) {
+                blank_before_ = true;
+                ++at_;
+            } else if (looking_at("--")) {
+                at_ = std::min(text_.find('\n', at_), text_.size());
+            } else if (looking_at("{-")) {
+                line_end_ = false;  // FDR's lexer takes the line ends before a block comment into it
+                block_comment();
+            } else {
+                return;
+            }
+        }
+    }
+
+    void block_comment() {
+        const std::size_t from = at_;
+        std::size_t depth = 0;
+        do {
+            if (at_ >= text_.size()) {
+                diagnostics_.report(rules::open_comment,
+                                    {source_, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(from + 2)});
+                return;
+            }
+            if (looking_at("{-")) {
+                ++depth;
+                at_ += 2;
+            } else if (looking_at("-}")) {
+                --depth;
+                at_ += 2;
+            } else {
+                ++at_;
+            }
+        } while (depth > 0);
+    }
+
+    void emit(Tok kind, std::size_t from, LineBreaks layout, std::int64_t number = 0) {
+        if (line_end_ && kind != Tok::newline && (layout & before) == 0 && !soaking_) {
+            const auto place = static_cast<std::uint32_t>(from);
+            tokens_.push_back({Tok::newline, {source_, place, place}, {}, 0});
+        }
+        line_end_ = false;
+        soaking_ = (layout & after) != 0;
+        tokens_.push_back({kind, span(from), text_.substr(from, at_ - from), number});
+    }
+
+    void token() {
+        const char c = peek();
+        if (is_letter(c)) {
+            word();
+        } else if (is_digit(c)) {
+            integer();
+        } else if (c == '"') {
+            string();
+        } else if (c == '\'') {
+            character();
+        } else if (looking_at(":[")) {
+            property();
+        } else if (!special() && !symbol()) {
+            junk();
+        }
+    }
+
+    void word() {
+        const std::size_t from = at_;
+        while (is_letter(peek()) || is_digit(peek()) || peek() == '_') ++at_;
+        while (peek() == '\'') ++at_;
+        const std::string_view text = text_.substr(from, at_ - from);
+        const bool first = starts_declaration();
+        if (text == "print" && peek() == ' ' && first) return print(from);
+        if (text == "include" && first) return include(from);
+        const auto* found = std::ranges::find(words, text, &Symbol::text);
+        if (found != words.end()) return emit(found->kind, from, found->layout);
+        emit(Tok::identifier, from, plain);
+    }
+
+    // Whether the token about to be emitted is the first of a declaration.
+    [[nodiscard]] bool starts_declaration() const {
+        if (tokens_.empty() || tokens_.back().kind == Tok::newline) return true;
+        if (line_end_ && !soaking_) return true;
+        return tokens_.back().kind == Tok::l_brace && line_end_;
+    }
+
+    // `print` takes the rest of its line, whatever the next line begins with.
+    void print(std::size_t from) {
+        emit(Tok::print, from, after);
+        const std::size_t line = std::min(text_.find('\n', at_), text_.size());
+        const std::string_view whole = text_;
+        text_ = text_.substr(0, line);
+        while (skip_space(), at_ < text_.size()) token();
+        text_ = whole;
+        emit(Tok::newline, at_, plain);
+    }
+
+    void include(std::size_t from) {
+        const std::size_t line = std::min(text_.find('\n', at_), text_.size());
+        const std::size_t open = text_.find_first_not_of(" \t\r", at_);
+        const std::size_t close =
+            open < line && text_[open] == '"' ? text_.find('"', open + 1) : std::string_view::npos;
+        if (close >= line) {
+            at_ = line;
+            diagnostics_.report(rules::bad_include, span(from));
+            return;
+        }
+        at_ = close;
+        emit(Tok::include, open + 1, plain);
+        at_ = close + 1;
+        emit(Tok::newline, at_, plain);
+    }
+
+    void integer() {
+        const std::size_t from = at_;
+        std::int64_t value = 0;
+        bool fits = true;
+        for (; is_digit(peek()); ++at_) {
+            const std::int64_t digit = peek() - '0';
+            fits = fits && value <= (std::numeric_limits<std::int64_t>::max() - digit) / 10;
+            if (fits) value = value * 10 + digit;
+        }
+        if (!fits) {
+            const std::string_view digits = text_.substr(from, std::min<std::size_t>(at_ - from, 40));
+            diagnostics_.report(rules::big_number, span(from), {std::string(digits)});
+        }
+        emit(Tok::integer, from, before, value);
+    }
+
+    void string() {
+        const std::size_t from = at_++;
+        while (at_ < text_.size() && peek() != '"' && peek() != '\n')
+            at_ += peek() == '\\' && peek(1) != '\n' ? 2U : 1U;
+        at_ = std::min(at_, text_.size());
+        if (peek() != '"') {
+            diagnostics_.report(rules::open_literal, span(from), {"string"});
+            return;
+        }
+        ++at_;
+        emit(Tok::string, from, before);
+    }
+
+    void character() {
+        const std::size_t from = at_++;
+        char value = peek();
+        ++at_;
+        if (value == '\\') {
+            value = peek();
+            ++at_;
+            if (value == 'n')
+                value = '\n';
+            else if (value == 't')
+                value = '\t';
+            else if (value == 'r')
+                value = '\r';
+        }
+        if (peek() != '\'' || at_ > text_.size()) {
+            at_ = std::min(at_, text_.size());
+            diagnostics_.report(rules::open_literal, span(from), {"character"});
+            return;
+        }
+        ++at_;
+        emit(Tok::character, from, before, static_cast<unsigned char>(value));
+    }
+
+    // `:[words [M]]` or `:[words]:` is one token; the parser reads what is inside.
+    void property() {
+        const std::size_t from = at_;
+        const std::size_t line = std::min(text_.find('\n', at_), text_.size());
+        const std::size_t inner = text_.find('[', at_ + 2);
+        std::size_t close = text_.find(']', at_);
+        if (inner < close && close < line) close = text_.find(']', close + 1);
+        if (close >= line) {
+            at_ = std::min(line, from + 2);
+            diagnostics_.report(rules::bad_property, span(from), {std::string(text_.substr(from, line - from))});
+            at_ = line;
+            return;
+        }
+        at_ = close + 1;
+        const bool more = peek() == ':';
+        if (more) ++at_;
+        emit(Tok::property, from, more ? both_sides : before);
+    }
+
+    // Tokens that depend on what stands around them.
+    bool special() {
+        const std::size_t from = at_;
+        if (looking_at("(|") && (is_blank(peek(2)) || peek(2) == '\n')) {
+            at_ += 2;
+            emit(Tok::l_map, from, after);
+            return true;
+        }
+        if (peek() == '<' && empty_sequence()) {
+            emit(Tok::empty_sequence, from, plain);
+            return true;
+        }
+        if (looking_at("::") && (blank_before_ || is_blank(peek(2)))) {
+            at_ += 2;
+            emit(Tok::of_type, from, both_sides);
+            return true;
+        }
+        return false;
+    }
+
+    bool empty_sequence() {
+        std::size_t next = at_ + 1;
+        while (next < text_.size() && (is_blank(text_[next]) || text_[next] == '\n')) ++next;
+        if (next >= text_.size() || text_[next] != '>') return false;
+        at_ = next + 1;
+        return true;
+    }
+
+    bool symbol() {
+        const std::size_t from = at_;
+        const auto* found =
+            std::ranges::find_if(symbols, [this](const Symbol& candidate) { return looking_at(candidate.text); });
+        if (found == symbols.end()) return false;
+        at_ += found->text.size();
+        emit(found->kind, from, found->layout);
+        return true;
+    }
+
+    void junk() {
+        const std::size_t from = at_;
+        const auto code = static_cast<unsigned char>(peek());
+        while (at_ < text_.size() && !is_letter(peek()) && !is_digit(peek()) && !is_blank(peek()) && peek() != '\n' &&
+               (at_ == from || static_cast<unsigned char>(peek()) >= 0x80U)) {
+            ++at_;
+        }
+        if (at_ == from) ++at_;
+        constexpr std::string_view digits = "0123456789abcdef";
+        const std::string hex{'0', 'x', digits[code >> 4U], digits[code & 15U]};
+        diagnostics_.report(
+            rules::bad_character, span(from),
+            {code >= 0x20U && code < 0x7fU ? "'" + std::string(1, static_cast<char>(code)) + "'" : "the byte " + hex});
+    }
+
+    std::string_view text_;
+    diagnostics::SourceId source_;
+    diagnostics::Diagnostics& diagnostics_;
+    std::size_t at_ = 0;
+    bool line_end_ = false;      // a line end was skipped since the last token
+    bool soaking_ = true;        // the last token lets line ends after it vanish
+    bool blank_before_ = false;  // white space stands before the token
+    std::vector<Token> tokens_;
+};
+
+}  // namespace
+
+std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics) {
+    return Lexer(text, source, diagnostics).run();
+}
+
+std::string_view spelling(Tok kind) {
+    switch (kind) {
+        case Tok::end:
+            return "the end of the file";
+        case Tok::newline:
+            return "the end of the line";
+        case Tok::bad:
+            return "a broken token";
+        case Tok::identifier:
+            return "a name";
+        case Tok::integer:
+            return "a number";
+        case Tok::character:
+            return "a character";
+        case Tok::string:
+            return "a string";
+        case Tok::property:
+            return "a property";
+        case Tok::print:
+            return "print";
+        case Tok::include:
+            return "include";
+        case Tok::l_map:
+            return "(|";
+        case Tok::of_type:
+            return "::";
+        case Tok::empty_sequence:
+            return "<>";
+        default:
+            break;
+    }
+    if (const auto* word = std::ranges::find(words, kind, &Symbol::kind); word != words.end()) return word->text;
+    const auto* symbol = std::ranges::find(symbols, kind, &Symbol::kind);
+    return symbol != symbols.end() ? symbol->text : "?";
+}
+
+}  // namespace robochart::cspm

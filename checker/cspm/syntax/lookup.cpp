@@ -1,0 +1,84 @@
+// See lookup.hpp.
+#include "checker/cspm/syntax/lookup.hpp"
+
+#include <algorithm>
+
+namespace robochart::cspm {
+
+namespace {
+
+constexpr std::string_view separator = "::";
+
+/// Lists of declarations, the outermost first: where a name may stand that is used in the last of them.
+using Scopes = std::vector<const std::vector<DeclPtr>*>;
+
+bool declares(const Decl& decl, std::string_view name) {
+    switch (decl.kind) {
+        case DeclKind::value:
+            return decl.patterns.front().front()->kind == PatternKind::name &&
+                   decl.patterns.front().front()->text == name;
+        case DeclKind::function:
+        case DeclKind::channel:
+        case DeclKind::datatype:
+        case DeclKind::subtype:
+        case DeclKind::nametype:
+        case DeclKind::module:
+        case DeclKind::instance:
+            return std::find(decl.names.begin(), decl.names.end(), name) != decl.names.end();
+        default:
+            return false;
+    }
+}
+
+/// Timed sections are no scopes of their own.
+DeclPtr declared(const std::vector<DeclPtr>& decls, std::string_view name) {
+    for (const DeclPtr& decl : decls) {
+        if (declares(*decl, name)) return decl;
+        if (decl->kind != DeclKind::timed) continue;
+        if (DeclPtr inside = declared(decl->decls, name)) return inside;
+    }
+    return nullptr;
+}
+
+DeclPtr inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes);
+
+DeclPtr found(std::string_view path, const Scopes& scopes) {
+    const std::size_t end = path.find(separator);
+    DeclPtr first = declared(*scopes.back(), path.substr(0, end));
+    if (end == std::string_view::npos || !first) return first;
+    return inside(first, path.substr(end + separator.size()), scopes);
+}
+
+/// An instance is made of a module that can be seen where the instance stands; modules inside see what is around them.
+DeclPtr inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes) {
+    if (decl->kind == DeclKind::module) {
+        for (const auto* part : {&decl->exports, &decl->decls}) {
+            Scopes within = scopes;
+            within.push_back(part);
+            if (DeclPtr result = found(path, within)) return result;
+        }
+        return nullptr;
+    }
+    if (decl->kind != DeclKind::instance) return nullptr;
+    for (Scopes around = scopes; !around.empty(); around.pop_back())
+        if (const DeclPtr module = found(decl->text, around); module && module->kind == DeclKind::module)
+            return inside(module, path, around);
+    return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string> declared_names(const Decl& decl) {
+    std::vector<std::string> names = decl.names;
+    if (decl.kind == DeclKind::value)
+        for (const PatternPtr& pattern : decl.patterns.front()) names.push_back(pattern->text);
+    for (const Constructor& constructor : decl.constructors) names.push_back(constructor.name);
+    return names;
+}
+
+DeclPtr declaration_of(const Script& script, std::string_view path) {
+    if (path.substr(0, separator.size()) == separator) path.remove_prefix(separator.size());
+    return found(path, {&script.decls});
+}
+
+}  // namespace robochart::cspm

@@ -1,0 +1,483 @@
+// Declarations, assertions, and what may stand where.
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "checker/cspm/syntax/parser.hpp"
+#include "checker/cspm/syntax/rules.hpp"
+
+namespace robochart::cspm {
+
+std::vector<DeclPtr> Parser::script() {
+    std::vector<DeclPtr> result;
+    newlines();
+    while (!at_end()) {
+        std::vector<DeclPtr> more = declarations(Place::top, &Parser::at_end);
+        result.insert(result.end(), more.begin(), more.end());
+    }
+    return result;
+}
+
+void Parser::newlines() {
+    while (accept(Tok::newline)) {
+    }
+}
+
+// Declarations up to `done`. Errors are caught here, except in a `let`, whose declaration is then lost whole.
+std::vector<DeclPtr> Parser::declarations(Place place, bool (Parser::*done)() const) {
+    std::vector<DeclPtr> result;
+    newlines();
+    while (!(this->*done)()) {
+        const Span from = peek().span;
+        try {
+            DeclPtr decl = declaration(place);
+            check_place(*decl, place);
+            result.push_back(std::move(decl));
+            if (!(this->*done)()) expect(Tok::newline);
+        } catch (const SyntaxError&) {
+            if (place == Place::let) throw;
+            recover(from, done);
+        }
+        newlines();
+    }
+    check_annotations(result);
+    return result;
+}
+
+namespace {
+constexpr std::size_t widest_margin = 200;
+
+// Characters before the token on its line, counted up to `most`.
+std::size_t margin(const Token& token, std::size_t most) {
+    std::size_t result = 0;
+    while (result < most && result < token.span.begin && *(token.text.data() - result - 1) != '\n') ++result;
+    return result;
+}
+}  // namespace
+
+// Goes on at the next line that begins no further to the right than the broken declaration did.
+void Parser::recover(Span from, bool (Parser::*done)() const) {
+    open_sequences_ = 0;
+    const auto first =
+        std::ranges::lower_bound(tokens_, from.begin, {}, [](const Token& each) { return each.span.begin; });
+    const bool known = first != tokens_.end() && !first->text.empty();
+    const std::size_t limit = known ? margin(*first, widest_margin) : 0;
+    if (peek().span.begin == from.begin) take();
+    while (!at_end()) {
+        const bool line_start = at_ > 0 && tokens_[at_ - 1].kind == Tok::newline;
+        if (line_start || at(Tok::r_brace)) {
+            const bool outermost = !peek().text.empty() && margin(peek(), limit + 1) <= limit;
+            if (outermost || (this->*done)()) return;
+        }
+        take();
+    }
+}
+
+DeclPtr Parser::declaration(Place place) {
+    const Depth guard(*this);
+    switch (peek().kind) {
+        case Tok::kw_channel:
+            return channel();
+        case Tok::kw_datatype:
+            return datatype(DeclKind::datatype);
+        case Tok::kw_subtype:
+            return datatype(DeclKind::subtype);
+        case Tok::kw_nametype:
+            return nametype();
+        case Tok::kw_module:
+            return module();
+        case Tok::kw_instance:
+            return instance();
+        case Tok::kw_timed:
+            return timed(place);
+        case Tok::kw_transparent:
+            return named(DeclKind::transparent);
+        case Tok::kw_external:
+            return named(DeclKind::external);
+        case Tok::kw_assert:
+            return assertion();
+        case Tok::print:
+            return print();
+        case Tok::include:
+            return include();
+        default:
+            return annotation_ahead() ? annotation() : definition();
+    }
+}
+
+bool Parser::annotation_ahead() const {
+    std::size_t ahead = 0;
+    while (peek(ahead).kind == Tok::identifier && peek(ahead + 1).kind == Tok::comma) ahead += 2;
+    return peek(ahead).kind == Tok::identifier && peek(ahead + 1).kind == Tok::of_type;
+}
+
+// f(p, q)(r) = e, or pattern = e.
+DeclPtr Parser::definition() {
+    const Span from = peek().span;
+    DeclNode result;
+    if (at(Tok::identifier) && peek(1).kind == Tok::l_paren) {
+        result.kind = DeclKind::function;
+        result.names = {name_token()};
+        while (accept(Tok::l_paren)) {
+            result.patterns.push_back(at(Tok::r_paren) ? std::vector<PatternPtr>{} : patterns());
+            expect(Tok::r_paren);
+        }
+    } else {
+        result.kind = DeclKind::value;
+        result.patterns = {{pattern()}};
+    }
+    expect(Tok::equals);
+    result.body = expression();
+    return finish(std::move(result), from);
+}
+
+std::vector<std::string> Parser::names() {
+    std::vector<std::string> result{name_token()};
+    while (accept(Tok::comma)) result.push_back(name_token());
+    return result;
+}
+
+DeclPtr Parser::channel() {
+    const Span from = take().span;
+    DeclNode result;
+    result.kind = DeclKind::channel;
+    result.names = names();
+    if (accept(Tok::colon)) result.body = expression();
+    return finish(std::move(result), from);
+}
+
+DeclPtr Parser::datatype(DeclKind kind) {
+    const Span from = take().span;
+    DeclNode result;
+    result.kind = kind;
+    result.names = {name_token()};
+    expect(Tok::equals);
+    do {
+        const Span start = peek().span;
+        Constructor constructor;
+        constructor.name = name_token();
+        if (accept(Tok::dot)) constructor.fields = expression();
+        constructor.span = since(start);
+        result.constructors.push_back(std::move(constructor));
+    } while (accept(Tok::pipe));
+    return finish(std::move(result), from);
+}
+
+DeclPtr Parser::nametype() {
+    const Span from = take().span;
+    DeclNode result;
+    result.kind = DeclKind::nametype;
+    result.names = {name_token()};
+    expect(Tok::equals);
+    result.body = expression();
+    return finish(std::move(result), from);
+}
+
+DeclPtr Parser::module() {
+    const Span from = take().span;
+    DeclNode result;
+    result.kind = DeclKind::module;
+    result.names = {name_token()};
+    if (accept(Tok::l_paren)) {
+        result.parameters = names();
+        expect(Tok::r_paren);
+    }
+    expect(Tok::newline);
+    result.decls = declarations(Place::module, &Parser::at_exports);
+    expect(Tok::kw_exports);
+    expect(Tok::newline);
+    result.exports = declarations(Place::module, &Parser::at_endmodule);
+    expect(Tok::kw_endmodule);
+    return finish(std::move(result), from);
+}
+
+DeclPtr Parser::instance() {
+    const Span from = take().span;
+    DeclNode result;
+    result.kind = DeclKind::instance;
+    result.names = {name_token()};
+    expect(Tok::equals);
+    result.text = qualified();
+    if (accept(Tok::l_paren)) {
+        do result.arguments.push_back(expression());
+        while (accept(Tok::comma));
+        expect(Tok::r_paren);
+    }
+    return finish(std::move(result), from);
+}
+
+DeclPtr Parser::timed(Place place) {
+    const Span from = take().span;
+    DeclNode result;
+    result.kind = DeclKind::timed;
+    if (accept(Tok::l_paren)) {
+        result.body = expression();
+        expect(Tok::r_paren);
+    }
+    expect(Tok::l_brace);
+    result.decls = declarations(place == Place::let ? Place::let : Place::timed, &Parser::at_brace);
+    expect(Tok::r_brace);
+    return finish(std::move(result), from);
+}
+
+DeclPtr Parser::named(DeclKind kind) {
+    const Span from = take().span;
+    DeclNode result;
+    result.kind = kind;
+    result.names = names();
+    return finish(std::move(result), from);
+}
+
+DeclPtr Parser::annotation() {
+    const Span from = peek().span;
+    DeclNode result;
+    result.kind = DeclKind::annotation;
+    result.names = names();
+    expect(Tok::of_type);
+    result.text = type_scheme();
+    return finish(std::move(result), from);
+}
+
+DeclPtr Parser::print() {
+    const Span from = take().span;
+    DeclNode result;
+    result.kind = DeclKind::print;
+    result.body = expression();
+    return finish(std::move(result), from);
+}
+
+DeclPtr Parser::include() {
+    const Token& token = take();
+    DeclNode result;
+    result.kind = DeclKind::include;
+    result.names = {std::string(token.text)};
+    return finish(std::move(result), token.span);
+}
+
+// ---------------------------------------------------------------- assertions
+
+namespace {
+
+struct Refinement {
+    Tok token;
+    Model model;
+};
+constexpr std::array refinements{Refinement{Tok::refines_t, Model::traces},
+                                 Refinement{Tok::refines_f, Model::failures},
+                                 Refinement{Tok::refines_fd, Model::failures_divergences},
+                                 Refinement{Tok::refines_v, Model::revivals},
+                                 Refinement{Tok::refines_vd, Model::revivals_divergences},
+                                 Refinement{Tok::refines_r, Model::refusals},
+                                 Refinement{Tok::refines_rd, Model::refusals_divergences}};
+
+struct ModelName {
+    std::string_view text;
+    Model model;
+};
+constexpr std::array model_names{ModelName{"T", Model::traces},
+                                 ModelName{"F", Model::failures},
+                                 ModelName{"FD", Model::failures_divergences},
+                                 ModelName{"V", Model::revivals},
+                                 ModelName{"VD", Model::revivals_divergences},
+                                 ModelName{"R", Model::refusals},
+                                 ModelName{"RD", Model::refusals_divergences}};
+
+struct PropertyName {
+    std::string_view text;
+    AssertionKind kind;
+};
+constexpr std::array property_names{PropertyName{"deadlock free", AssertionKind::deadlock_free},
+                                    PropertyName{"deadlock-free", AssertionKind::deadlock_free},
+                                    PropertyName{"divergence free", AssertionKind::divergence_free},
+                                    PropertyName{"divergence-free", AssertionKind::divergence_free},
+                                    PropertyName{"livelock free", AssertionKind::divergence_free},
+                                    PropertyName{"livelock-free", AssertionKind::divergence_free},
+                                    PropertyName{"deterministic", AssertionKind::deterministic},
+                                    PropertyName{"has trace", AssertionKind::has_trace}};
+
+struct PropertyText {
+    std::string words;
+    std::string model;
+    bool colon = false;
+};
+
+// Takes `:[words [M]]:` apart.
+PropertyText split_property(std::string_view text) {
+    PropertyText result;
+    text.remove_prefix(2);
+    result.colon = text.ends_with(':');
+    text = text.substr(0, text.rfind(']'));
+    if (const std::size_t open = text.find('['); open != std::string_view::npos) {
+        const std::string_view model = text.substr(open + 1);
+        result.model = model.substr(0, model.find(']'));
+        text = text.substr(0, open);
+    }
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return result;
+    result.words = text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+    return result;
+}
+
+bool is_option(const PropertyText& text) {
+    return text.words == "tau priority" || text.words == "tau priority over" || text.words == "partial order reduce";
+}
+
+}  // namespace
+
+DeclPtr Parser::assertion() {
+    const Span from = take().span;
+    DeclNode result;
+    result.kind = DeclKind::assertion;
+    Assertion& assertion = result.assertion;
+    assertion.negated = accept(Tok::kw_not);
+    assertion.specification = expression();
+    const auto* refinement = std::ranges::find(refinements, peek().kind, &Refinement::token);
+    if (refinement != refinements.end()) {
+        take();
+        assertion.model = refinement->model;
+        assertion.implementation = expression();
+    } else if (at(Tok::property)) {
+        assertion_property(assertion, take());
+    } else {
+        fail("a refinement or a property");
+    }
+    assertion_options(assertion);
+    return finish(std::move(result), from);
+}
+
+void Parser::assertion_property(Assertion& assertion, const Token& property) {
+    const PropertyText text = split_property(property.text);
+    const auto* found = std::ranges::find(property_names, text.words, &PropertyName::text);
+    if (found == property_names.end()) fail(rules::bad_property, property.span, {text.words});
+    assertion.kind = found->kind;
+    if (!text.model.empty()) {
+        const auto* model = std::ranges::find(model_names, text.model, &ModelName::text);
+        if (model == model_names.end()) fail(rules::bad_property, property.span, {text.model});
+        assertion.model = model->model;
+    }
+    if (assertion.kind == AssertionKind::has_trace) assertion.implementation = trace();
+}
+
+ExprPtr Parser::trace() {
+    if (!at(Tok::less) && !at(Tok::empty_sequence)) fail("a sequence of events");
+    return angles();
+}
+
+void Parser::assertion_options(Assertion& assertion) {
+    while (at(Tok::property)) {
+        const Token& token = take();
+        const PropertyText text = split_property(token.text);
+        if (!is_option(text)) fail(rules::bad_property, token.span, {text.words});
+        const bool order = text.words == "partial order reduce";
+        if (order ? assertion.partial_order : assertion.tau_priority != nullptr) {
+            fail(rules::option_repeated, token.span, {text.words});
+        }
+        if (order)
+            assertion.partial_order = true;
+        else
+            assertion.tau_priority = expression();
+    }
+}
+
+// ---------------------------------------------------------------- what may stand where
+
+namespace {
+
+std::string_view kind_name(DeclKind kind) {
+    switch (kind) {
+        case DeclKind::function:
+            return "a function";
+        case DeclKind::value:
+            return "a value";
+        case DeclKind::channel:
+            return "a channel";
+        case DeclKind::datatype:
+            return "a datatype";
+        case DeclKind::subtype:
+            return "a subtype";
+        case DeclKind::nametype:
+            return "a nametype";
+        case DeclKind::module:
+            return "a module";
+        case DeclKind::instance:
+            return "a module instance";
+        case DeclKind::timed:
+            return "a timed section";
+        case DeclKind::transparent:
+            return "a transparent function";
+        case DeclKind::external:
+            return "an external function";
+        case DeclKind::annotation:
+            return "a type annotation";
+        case DeclKind::print:
+            return "a print statement";
+        case DeclKind::assertion:
+            return "an assertion";
+        case DeclKind::include:
+            return "an include";
+    }
+    return "?";
+}
+
+bool allowed_in_let(DeclKind kind) {
+    return kind == DeclKind::function || kind == DeclKind::value || kind == DeclKind::timed ||
+           kind == DeclKind::transparent || kind == DeclKind::external || kind == DeclKind::annotation;
+}
+
+}  // namespace
+
+void Parser::check_place(const Decl& decl, Place place) {
+    std::string where;
+    if (place == Place::let && !allowed_in_let(decl.kind)) where = "in a let";
+    if (place == Place::module && (decl.kind == DeclKind::assertion || decl.kind == DeclKind::print)) {
+        where = "in a module";
+    }
+    if (place == Place::timed && decl.kind == DeclKind::print) where = "in a timed section";
+    if (where.empty()) return;
+    diagnostics_.report(rules::misplaced_declaration, decl.span, {std::string(kind_name(decl.kind)), where});
+}
+
+namespace {
+
+std::vector<std::string> declared(const Decl& decl) {
+    if (decl.kind == DeclKind::value && decl.patterns[0][0]->kind == PatternKind::name) {
+        return {decl.patterns[0][0]->text};
+    }
+    if (decl.kind == DeclKind::datatype) {
+        std::vector<std::string> result;
+        for (const Constructor& each : decl.constructors) result.push_back(each.name);
+        return result;
+    }
+    if (decl.kind == DeclKind::function || decl.kind == DeclKind::nametype || decl.kind == DeclKind::channel) {
+        return decl.names;
+    }
+    return {};
+}
+
+}  // namespace
+
+// Each annotation belongs to one declaration of the same list, and each declaration takes one at most.
+void Parser::check_annotations(const std::vector<DeclPtr>& decls) {
+    std::map<std::string, const Decl*> annotated;
+    for (const DeclPtr& decl : decls) {
+        if (decl->kind != DeclKind::annotation) continue;
+        for (const std::string& name : decl->names) {
+            if (!annotated.emplace(name, decl.get()).second) {
+                diagnostics_.report(rules::annotation_repeated, decl->span, {name});
+            }
+        }
+    }
+    if (annotated.empty()) return;
+    for (const DeclPtr& decl : decls) {
+        std::size_t found = 0;
+        for (const std::string& name : declared(*decl)) {
+            found += annotated.erase(name);
+            if (decl->kind == DeclKind::channel && found > 1) {
+                diagnostics_.report(rules::annotation_repeated, decl->span, {name});
+            }
+        }
+    }
+    for (const auto& [name, decl] : annotated) diagnostics_.report(rules::annotation_unused, decl->span, {name});
+}
+
+}  // namespace robochart::cspm

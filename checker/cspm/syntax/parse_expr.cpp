@@ -1,0 +1,298 @@
+// Expressions: operands, then operators by precedence climbing (levels.hpp).
+#include <algorithm>
+#include <array>
+
+#include "checker/cspm/syntax/levels.hpp"
+#include "checker/cspm/syntax/parser.hpp"
+#include "checker/cspm/syntax/rules.hpp"
+
+namespace robochart::cspm {
+
+namespace {
+
+enum class Side { left, right, none };
+
+struct Operator {
+    Tok token;
+    ExprKind kind;
+    Level level;
+    Side side;
+};
+
+constexpr std::array operators{
+    Operator{Tok::interleave, ExprKind::interleave, interleave_level, Side::left},
+    Operator{Tok::internal_choice, ExprKind::internal_choice, internal_level, Side::left},
+    Operator{Tok::external_choice, ExprKind::external_choice, external_level, Side::left},
+    Operator{Tok::interrupt, ExprKind::interrupt, interrupt_level, Side::left},
+    Operator{Tok::sliding, ExprKind::sliding_choice, sliding_level, Side::left},
+    Operator{Tok::semicolon, ExprKind::sequential, sequential_level, Side::left},
+    Operator{Tok::ampersand, ExprKind::guard, prefix_level, Side::right},
+    Operator{Tok::kw_or, ExprKind::logical_or, or_level, Side::left},
+    Operator{Tok::kw_and, ExprKind::logical_and, and_level, Side::left},
+    Operator{Tok::equal_equal, ExprKind::equal, compare_level, Side::none},
+    Operator{Tok::not_equal, ExprKind::not_equal, compare_level, Side::none},
+    Operator{Tok::less, ExprKind::less, compare_level, Side::none},
+    Operator{Tok::less_equal, ExprKind::less_equal, compare_level, Side::none},
+    Operator{Tok::greater, ExprKind::greater, compare_level, Side::none},
+    Operator{Tok::greater_equal, ExprKind::greater_equal, compare_level, Side::none},
+    Operator{Tok::plus, ExprKind::plus, sum_level, Side::left},
+    Operator{Tok::minus, ExprKind::minus, sum_level, Side::left},
+    Operator{Tok::times, ExprKind::times, product_level, Side::left},
+    Operator{Tok::divide, ExprKind::divide, product_level, Side::left},
+    Operator{Tok::modulus, ExprKind::modulus, product_level, Side::left},
+    Operator{Tok::concat, ExprKind::concat, concat_level_expr, Side::left},
+};
+
+const Operator* find_operator(Tok token) {
+    const auto* found = std::ranges::find(operators, token, &Operator::token);
+    return found == operators.end() ? nullptr : found;
+}
+
+bool is_field(Tok token) {
+    return token == Tok::question || token == Tok::exclamation || token == Tok::dollar;
+}
+
+bool is_square(Tok token) {
+    return token == Tok::l_square || token == Tok::l_pipe_square || token == Tok::l_sync_choice ||
+           token == Tok::l_sync_interrupt;
+}
+
+Level square_level(Tok token) {
+    if (token == Tok::l_sync_choice) return external_level;
+    return token == Tok::l_sync_interrupt ? interrupt_level : parallel_level;
+}
+
+}  // namespace
+
+ExprPtr Parser::expression(int minimum) {
+    const Depth guard(*this);
+    return climb(operand(), minimum);
+}
+
+// What may follow an operand. Hiding binds loosest of all on its left, yet its right side is one operand:
+// FDR reads `P \ A ||| Q` as `(P \ A) ||| Q`.
+ExprPtr Parser::climb(ExprPtr left, int minimum) {
+    for (;;) {
+        const Tok next = peek().kind;
+        if (next == Tok::l_paren || next == Tok::l_double_square) {
+            left = postfix(std::move(left));
+        } else if (next == Tok::dot && minimum <= dot_level_expr) {
+            ExprNode dot;
+            dot.kind = ExprKind::dot;
+            const Span from = left->span;
+            dot.args = {std::move(left)};
+            while (accept(Tok::dot)) dot.args.push_back(expression(dot_level_expr + 1));
+            left = finish(std::move(dot), from);
+        } else if ((next == Tok::arrow || is_field(next)) && minimum <= prefix_level) {
+            left = prefixed(std::move(left));
+        } else if ((next == Tok::backslash || next == Tok::project) && minimum <= hiding_level) {
+            take();
+            const Span from = left->span;
+            const ExprKind kind = next == Tok::project ? ExprKind::project : ExprKind::hide;
+            ExprPtr set = expression(dot_level_expr);
+            left = node(kind, from, {std::move(left), std::move(set)});
+        } else if (is_square(next) && minimum <= square_level(next)) {
+            left = bracketed_infix(std::move(left));
+        } else if (const Operator* found = find_operator(next);
+                   found != nullptr && minimum <= found->level && !(next == Tok::greater && closes_sequence())) {
+            left = infix(std::move(left), found->kind, found->level, found->side == Side::right);
+            const Operator* again = find_operator(peek().kind);
+            if (found->side == Side::none && again != nullptr && again->level == found->level &&
+                !(peek().kind == Tok::greater && closes_sequence())) {
+                fail(rules::not_associative, peek().span, {std::string(spelling(peek().kind))});
+            }
+        } else {
+            return left;
+        }
+    }
+}
+
+ExprPtr Parser::infix(ExprPtr left, ExprKind kind, int level, bool right_associative) {
+    take();
+    const Span from = left->span;
+    ExprPtr right = expression(right_associative ? level : level + 1);
+    return node(kind, from, {std::move(left), std::move(right)});
+}
+
+ExprPtr Parser::prefixed(ExprPtr event) {
+    const Span from = event->span;
+    ExprNode prefix;
+    prefix.kind = ExprKind::prefix;
+    while (is_field(peek().kind)) prefix.fields.push_back(field());
+    expect(Tok::arrow);
+    ExprPtr process = expression(prefix_level);
+    prefix.args = {std::move(event), std::move(process)};
+    return finish(std::move(prefix), from);
+}
+
+Field Parser::field() {
+    const Token& mark = take();
+    Field result;
+    if (mark.kind == Tok::exclamation) {
+        result.kind = FieldKind::output;
+        result.value = expression(field_level);
+    } else {
+        result.kind = mark.kind == Tok::question ? FieldKind::input : FieldKind::nondeterministic;
+        result.pattern = pattern(1);
+        if (accept(Tok::colon)) result.value = expression(restriction_level);
+    }
+    result.span = since(mark.span);
+    return result;
+}
+
+// P [|A|] Q, P [|A|> Q, P [A||B] Q, P [a <-> b] Q, P [+A+] Q, P /+A+\ Q.
+ExprPtr Parser::bracketed_infix(ExprPtr left) {
+    const Tok open = peek().kind;
+    if (open == Tok::l_square) return square_infix(std::move(left));
+    const Span from = left->span;
+    take();
+    ExprPtr set;
+    ExprKind kind = ExprKind::parallel;
+    {
+        const Bracket bracket(*this);
+        set = expression();
+        if (open == Tok::l_sync_choice) {
+            kind = ExprKind::synchronising_choice;
+            expect(Tok::r_sync_choice);
+        } else if (open == Tok::l_sync_interrupt) {
+            kind = ExprKind::synchronising_interrupt;
+            expect(Tok::r_sync_interrupt);
+        } else if (accept(Tok::exception_end)) {
+            kind = ExprKind::exception;
+        } else {
+            expect(Tok::r_pipe_square);
+        }
+    }
+    ExprPtr right = expression(square_level(open) + 1);
+    if (square_level(open) == parallel_level && is_square(peek().kind) && square_level(peek().kind) == parallel_level) {
+        fail(rules::not_associative, peek().span, {std::string(spelling(peek().kind))});
+    }
+    return node(kind, from, {std::move(left), std::move(right), std::move(set)});
+}
+
+ExprPtr Parser::square_infix(ExprPtr left) {
+    const Span from = left->span;
+    take();
+    ExprNode result;
+    {
+        const Bracket bracket(*this);
+        ExprPtr first = expression();
+        if (accept(Tok::parallel_bar)) {
+            result.kind = ExprKind::alphabetised;
+            result.args = {left, nullptr, std::move(first), expression()};
+        } else {
+            expect(Tok::tie);
+            result.kind = ExprKind::linked;
+            result.links.push_back({std::move(first), expression()});
+            if (accept(Tok::comma)) {
+                std::vector<Link> more = links(Tok::tie);
+                result.links.insert(result.links.end(), more.begin(), more.end());
+            }
+            result.clauses = optional_clauses();
+            result.args = {left, nullptr};
+        }
+        expect(Tok::r_square);
+    }
+    result.args[1] = expression(parallel_level + 1);
+    if (is_square(peek().kind) && square_level(peek().kind) == parallel_level) {
+        fail(rules::not_associative, peek().span, {std::string(spelling(peek().kind))});
+    }
+    return finish(std::move(result), from);
+}
+
+ExprPtr Parser::postfix(ExprPtr left) {
+    if (at(Tok::l_double_square)) return rename(std::move(left));
+    const Span from = left->span;
+    take();
+    const Bracket bracket(*this);
+    std::vector<ExprPtr> args = expressions(Tok::r_paren);
+    args.insert(args.begin(), std::move(left));
+    return node(ExprKind::apply, from, std::move(args));
+}
+
+ExprPtr Parser::rename(ExprPtr process) {
+    const Span from = process->span;
+    take();
+    const Bracket bracket(*this);
+    ExprNode result;
+    result.kind = ExprKind::rename;
+    result.args = {std::move(process)};
+    result.links = links(Tok::drawn_from);
+    result.clauses = optional_clauses();
+    expect(Tok::r_double_square);
+    return finish(std::move(result), from);
+}
+
+std::vector<Link> Parser::links(Tok arrow) {
+    std::vector<Link> result;
+    do {
+        Link link;
+        link.from = expression();
+        expect(arrow);
+        link.to = expression();
+        result.push_back(std::move(link));
+    } while (accept(Tok::comma));
+    return result;
+}
+
+std::vector<Clause> Parser::optional_clauses() {
+    if (accept(Tok::pipe)) return clauses();
+    return {};
+}
+
+std::vector<Clause> Parser::clauses() {
+    std::vector<Clause> result{clause()};
+    while (accept(Tok::comma)) result.push_back(clause());
+    return result;
+}
+
+Clause Parser::clause() {
+    if (!generator_ahead()) return {nullptr, expression()};
+    PatternPtr variable = pattern();
+    if (!accept(Tok::drawn_from)) expect(Tok::colon);
+    return {std::move(variable), expression()};
+}
+
+namespace {
+
+bool opens(Tok kind) {
+    return kind == Tok::l_paren || kind == Tok::l_brace || kind == Tok::l_pipe_brace || kind == Tok::l_map ||
+           kind == Tok::l_double_square || kind == Tok::l_pipe_square || kind == Tok::l_square ||
+           kind == Tok::l_sync_choice || kind == Tok::l_sync_interrupt;
+}
+
+bool closes(Tok kind) {
+    return kind == Tok::r_paren || kind == Tok::r_brace || kind == Tok::r_pipe_brace || kind == Tok::r_map ||
+           kind == Tok::r_double_square || kind == Tok::r_pipe_square || kind == Tok::r_square ||
+           kind == Tok::exception_end || kind == Tok::r_sync_choice || kind == Tok::r_sync_interrupt;
+}
+
+bool ends_operand(Tok kind) {
+    return kind == Tok::identifier || kind == Tok::integer || kind == Tok::character || kind == Tok::string ||
+           kind == Tok::underscore || kind == Tok::kw_true || kind == Tok::kw_false || kind == Tok::empty_sequence ||
+           kind == Tok::greater || closes(kind);
+}
+
+}  // namespace
+
+// A clause is a generator if `<-` or `:` comes before it ends; patterns look like expressions until then.
+bool Parser::generator_ahead() const {
+    std::vector<bool> open;  // true: a sequence, which alone a `>` closes
+    Tok previous = Tok::comma;
+    for (std::size_t ahead = 0;; ++ahead) {
+        const Tok kind = peek(ahead).kind;
+        if (kind == Tok::end || kind == Tok::newline) return false;
+        if (open.empty() && (kind == Tok::drawn_from || kind == Tok::colon)) return true;
+        if (open.empty() && (kind == Tok::comma || kind == Tok::pipe || kind == Tok::at)) return false;
+        const bool angle = kind == Tok::greater && (open.empty() ? closes_sequence() : open.back());
+        if (closes(kind) || angle) {
+            if (open.empty()) return false;
+            open.pop_back();
+        } else if (opens(kind) || (kind == Tok::less && !ends_operand(previous))) {
+            open.push_back(kind == Tok::less);
+        }
+        previous = kind;
+    }
+}
+
+}  // namespace robochart::cspm

@@ -1,0 +1,115 @@
+// Patterns. FDR reads them as expressions and converts them, so they share the expressions' precedences:
+// @@ is looser than `.`, which is looser than ^.
+#include <algorithm>
+#include <string>
+
+#include "checker/cspm/syntax/parser.hpp"
+#include "checker/cspm/syntax/rules.hpp"
+
+namespace robochart::cspm {
+
+namespace {
+enum PatternLevel { both_level = 0, dot_level = 1, concat_level = 2 };
+}  // namespace
+
+// Chains of operators make height without depth: `x^y^z…` leans to the left.
+PatternPtr Parser::finish(PatternNode pattern, Span from) {
+    pattern.span = since(from);
+    for (const PatternPtr& arg : pattern.args)
+        pattern.height = std::max(pattern.height, static_cast<const PatternNode&>(*arg).height);
+    if (++pattern.height > max_depth) fail(rules::too_deep, pattern.span, {std::to_string(max_depth)});
+    return std::make_shared<const PatternNode>(std::move(pattern));
+}
+
+std::vector<PatternPtr> Parser::patterns() {
+    std::vector<PatternPtr> result{pattern()};
+    while (accept(Tok::comma)) result.push_back(pattern());
+    return result;
+}
+
+PatternPtr Parser::pattern(int minimum) {
+    const Depth guard(*this);
+    const Span from = peek().span;
+    PatternPtr left = pattern_operand();
+    for (;;) {
+        PatternNode combined;
+        if (at(Tok::concat)) {
+            combined.kind = PatternKind::concat;
+            take();
+            combined.args = {left, pattern_operand()};
+        } else if (at(Tok::dot) && minimum <= dot_level) {
+            combined.kind = PatternKind::dot;
+            combined.args = {left};
+            while (accept(Tok::dot)) combined.args.push_back(pattern(concat_level));
+        } else if (at(Tok::double_at) && minimum <= both_level) {
+            combined.kind = PatternKind::both;
+            take();
+            combined.args = {left, pattern(dot_level)};
+        } else {
+            return left;
+        }
+        left = finish(std::move(combined), from);
+    }
+}
+
+PatternPtr Parser::pattern_group(PatternKind kind, Tok close) {
+    const Span from = take().span;
+    PatternNode result;
+    result.kind = kind;
+    if (!at(close)) result.args = patterns();
+    expect(close);
+    if (kind == PatternKind::tuple && result.args.empty()) fail("a pattern");
+    if (kind == PatternKind::tuple && result.args.size() == 1) return result.args.front();
+    return finish(std::move(result), from);
+}
+
+PatternPtr Parser::pattern_operand() {
+    const Span from = peek().span;
+    PatternNode result;
+    switch (peek().kind) {
+        case Tok::underscore:
+            take();
+            break;
+        case Tok::identifier:
+            result.kind = PatternKind::name;
+            result.text = qualified();
+            break;
+        case Tok::minus:
+            take();
+            result.kind = PatternKind::integer;
+            result.number = -expect(Tok::integer).number;
+            break;
+        case Tok::integer:
+            result.kind = PatternKind::integer;
+            result.number = take().number;
+            break;
+        case Tok::character:
+            result.kind = PatternKind::character;
+            result.number = take().number;
+            break;
+        case Tok::string:
+            result.kind = PatternKind::string;
+            result.text = decode_string(take().text);
+            break;
+        case Tok::kw_true:
+        case Tok::kw_false:
+            result.kind = PatternKind::boolean;
+            result.number = take().kind == Tok::kw_true ? 1 : 0;
+            break;
+        case Tok::empty_sequence:
+            take();
+            result.kind = PatternKind::sequence;
+            break;
+        case Tok::l_paren:
+            return pattern_group(PatternKind::tuple, Tok::r_paren);
+        case Tok::l_brace:
+            return pattern_group(PatternKind::set, Tok::r_brace);
+        case Tok::less:
+            return pattern_group(PatternKind::sequence, Tok::greater);
+        default:
+            fail("a pattern");
+    }
+    return finish(std::move(result), from);
+}
+
+}  // namespace robochart::cspm

@@ -1,0 +1,82 @@
+// Types as written in annotations (`f :: (Int) -> {Event}`): checked for form, kept as text in one spelling.
+#include "checker/cspm/syntax/parser.hpp"
+#include "checker/cspm/syntax/rules.hpp"
+
+namespace robochart::cspm {
+
+namespace {
+bool is_constraint(std::string_view name) {
+    return name == "Eq" || name == "Ord" || name == "Complete" || name == "Set" || name == "Yieldable";
+}
+}  // namespace
+
+// T, C a => T, or (C a, D b) => T.
+std::string Parser::type_scheme() {
+    const bool group = at(Tok::l_paren) && peek(1).kind == Tok::identifier && peek(2).kind == Tok::identifier;
+    const bool single = at(Tok::identifier) && peek(1).kind == Tok::identifier;
+    if (!group && !single) return type();
+    std::string result;
+    if (group) take();
+    do {
+        const Token& name = expect(Tok::identifier);
+        if (!is_constraint(name.text)) {
+            fail(rules::unexpected_token, name.span,
+                 {"a constraint (Eq, Ord, Complete, Set, Yieldable)", "'" + std::string(name.text) + "'"});
+        }
+        result += (result.empty() ? "" : ", ") + std::string(name.text) + " " + name_token();
+    } while (group && accept(Tok::comma));
+    if (group) {
+        expect(Tok::r_paren);
+        result = "(" + result + ")";
+    }
+    expect(Tok::yield);
+    return result + " => " + type();
+}
+
+std::string Parser::type() {
+    const Depth guard(*this);
+    bool grouped = false;
+    const Span from = peek().span;
+    std::string result = type_operand(grouped);
+    if (at(Tok::arrow)) {
+        if (!grouped) fail(rules::bad_annotation, since(from));
+        take();
+        return result + " -> " + type();
+    }
+    if (accept(Tok::yield_star)) return result + " =>* " + type();
+    if (accept(Tok::yield)) return result + " => " + type();
+    if (accept(Tok::dot)) return result + "." + type();
+    return result;
+}
+
+std::string Parser::type_operand(bool& grouped) {
+    if (at(Tok::identifier)) return qualified();
+    if (accept(Tok::l_brace)) {
+        std::string inner = "{" + type() + "}";
+        expect(Tok::r_brace);
+        return inner;
+    }
+    if (accept(Tok::less)) {
+        std::string inner = "<" + type() + ">";
+        expect(Tok::greater);
+        return inner;
+    }
+    if (accept(Tok::l_map)) {
+        std::string key = type_operand(grouped);
+        expect(Tok::yield);
+        std::string value = type();
+        expect(Tok::r_map);
+        grouped = false;
+        return "(| " + key + " => " + value + " |)";
+    }
+    if (!at(Tok::l_paren)) fail("a type");
+    take();
+    grouped = true;
+    std::string inner = "(";
+    if (!at(Tok::r_paren)) inner += type();
+    while (accept(Tok::comma)) inner += ", " + type();
+    expect(Tok::r_paren);
+    return inner + ")";
+}
+
+}  // namespace robochart::cspm

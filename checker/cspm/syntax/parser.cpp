@@ -1,0 +1,122 @@
+#include "checker/cspm/syntax/parser.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/syntax/rules.hpp"
+
+namespace robochart::cspm {
+
+const Token& Parser::peek(std::size_t ahead) const {
+    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+}
+
+const Token& Parser::take() {
+    const Token& token = peek();
+    if (at_ + 1 < tokens_.size()) ++at_;
+    return token;
+}
+
+bool Parser::accept(Tok kind) {
+    if (!at(kind)) return false;
+    take();
+    return true;
+}
+
+namespace {
+std::string described(Tok kind) {
+    const std::string text(spelling(kind));
+    const bool spelt = kind > Tok::include || kind == Tok::print || kind == Tok::include;
+    return spelt ? "'" + text + "'" : text;
+}
+}  // namespace
+
+const Token& Parser::expect(Tok kind) {
+    if (!at(kind)) fail(described(kind));
+    return take();
+}
+
+void Parser::fail(std::string_view expected) {
+    const Token& found = peek();
+    std::string what = described(found.kind);
+    if (found.kind == Tok::identifier) what = "'" + std::string(found.text.substr(0, 60)) + "'";
+    fail(rules::unexpected_token, found.span, {std::string(expected), what});
+}
+
+void Parser::fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
+    diagnostics_.report(rule, span, std::move(arguments));
+    throw SyntaxError{};
+}
+
+Span Parser::since(Span from) const {
+    const Span last = at_ > 0 ? tokens_[at_ - 1].span : from;
+    return {from.source, from.begin, std::max(from.end, last.end)};
+}
+
+Parser::Depth::Depth(Parser& parser) : parser_(parser) {
+    if (++parser_.depth_ <= max_depth) return;
+    --parser_.depth_;
+    parser_.fail(rules::too_deep, parser_.peek().span, {std::to_string(max_depth)});
+}
+
+// ---------------------------------------------------------------- nodes
+
+// Every tree the parser meets is one it made, so the casts below are right by construction.
+unsigned Parser::height(const ExprPtr& expr) {
+    return expr ? static_cast<const ExprNode&>(*expr).height : 0;
+}
+unsigned Parser::height(const Decl& decl) {
+    return static_cast<const DeclNode&>(decl).height;
+}
+
+ExprPtr Parser::finish(ExprNode node, Span from) {
+    node.span = since(from);
+    unsigned tallest = 0;
+    for (const ExprPtr& arg : node.args) tallest = std::max(tallest, height(arg));
+    for (const Field& each : node.fields) tallest = std::max(tallest, height(each.value));
+    for (const Clause& each : node.clauses) tallest = std::max(tallest, height(each.value));
+    for (const Link& each : node.links) tallest = std::max({tallest, height(each.from), height(each.to)});
+    for (const DeclPtr& each : node.decls) tallest = std::max(tallest, height(*each));
+    node.height = tallest + 1;
+    if (node.height > max_height) fail(rules::too_deep, node.span, {std::to_string(max_height)});
+    return std::make_shared<const ExprNode>(std::move(node));
+}
+
+ExprPtr Parser::node(ExprKind kind, Span from, std::vector<ExprPtr> args) {
+    ExprNode result;
+    result.kind = kind;
+    result.args = std::move(args);
+    return finish(std::move(result), from);
+}
+
+DeclPtr Parser::finish(DeclNode decl, Span from) {
+    decl.span = since(from);
+    unsigned tallest = height(decl.body);
+    for (const Constructor& each : decl.constructors) tallest = std::max(tallest, height(each.fields));
+    for (const DeclPtr& each : decl.decls) tallest = std::max(tallest, height(*each));
+    for (const DeclPtr& each : decl.exports) tallest = std::max(tallest, height(*each));
+    for (const ExprPtr& each : decl.arguments) tallest = std::max(tallest, height(each));
+    decl.height = tallest + 1;
+    if (decl.height > max_height) fail(rules::too_deep, decl.span, {std::to_string(max_height)});
+    return std::make_shared<const DeclNode>(std::move(decl));
+}
+
+std::string decode_string(std::string_view token) {
+    std::string result;
+    const std::string_view inner = token.substr(1, token.size() - 2);
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        char c = inner[i];
+        if (c == '\\' && i + 1 < inner.size()) {
+            c = inner[++i];
+            if (c == 'n')
+                c = '\n';
+            else if (c == 't')
+                c = '\t';
+            else if (c == 'r')
+                c = '\r';
+        }
+        result.push_back(c);
+    }
+    return result;
+}
+
+}  // namespace robochart::cspm

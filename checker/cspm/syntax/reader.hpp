@@ -1,0 +1,21 @@
+// CSPM text to syntax tree and back.
+#pragma once
+
+#include <string>
+
+#include "checker/cspm/syntax/syntax.hpp"
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::cspm {
+
+/// Reads a text. `include` declarations stay in the tree. Errors become diagnostics; the rest is still read.
+[[nodiscard]] Script read(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
+/// Reads a file and, in place, the files it includes (relative to the including file; each once a place; cycles are
+/// errors).
+[[nodiscard]] Script read_file(diagnostics::SourceManager&, const std::string& path, diagnostics::Diagnostics&);
+
+/// Writes a tree as text that FDR accepts and `read` maps back to an equal tree. Stable; lines up to about 110 columns.
+[[nodiscard]] std::string print(const Script&);
+[[nodiscard]] std::string print(const ExprPtr&);
+
+}  // namespace robochart::cspm

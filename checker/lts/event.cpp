@@ -1,0 +1,21 @@
+// See event.hpp.
+#include "checker/lts/event.hpp"
+
+namespace robochart::lts {
+
+EventTable::EventTable() {
+    intern("τ");
+    intern("✓");
+}
+
+Event EventTable::intern(std::string_view name) {
+    const auto [entry, fresh] = ids_.emplace(std::string(name), static_cast<Event>(names_.size()));
+    if (fresh) names_.push_back(entry->first);
+    return entry->second;
+}
+
+const std::string& EventTable::name(Event event) const {
+    return names_.at(event);
+}
+
+}  // namespace robochart::lts

@@ -1,0 +1,32 @@
+// Events: numbers with names.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace robochart::lts {
+
+using Event = std::uint32_t;
+inline constexpr Event tau = 0;   ///< the invisible action
+inline constexpr Event tick = 1;  ///< successful termination, printed as ✓
+inline constexpr Event first_visible = 2;
+
+/// Names of events. Ids are dense; visible events are numbered in the order of their first interning.
+class EventTable {
+public:
+    EventTable();
+    Event intern(std::string_view name);
+    [[nodiscard]] const std::string& name(Event) const;
+    [[nodiscard]] std::size_t size() const { return names_.size(); }
+
+private:
+    std::vector<std::string> names_;
+    std::unordered_map<std::string, Event> ids_;
+};
+
+using EventSet = std::vector<Event>;  ///< ascending, without tau; tick only where said
+
+}  // namespace robochart::lts

@@ -1,0 +1,28 @@
+// A process term as a transition system: states are terms, one word each.
+#pragma once
+
+#include "checker/lts/transition_system.hpp"
+#include "checker/process/operational_semantics.hpp"
+
+namespace robochart::process {
+
+/// The operational semantics of one term. Shares the store's terms and the semantics' memory with other systems.
+class TermSystem final : public lts::TransitionSystem {
+public:
+    TermSystem(OperationalSemantics& semantics, TermId initial)
+        : semantics_(semantics), initial_(initial) {}
+
+    [[nodiscard]] std::size_t width() const override { return 1; }
+    void initial(std::span<lts::Word> state) override;
+    void successors(lts::StateView state, lts::SuccessorSink& sink) override;
+    [[nodiscard]] const EventTable& events() const override;
+    void watch(const std::function<void()>& poll) override { semantics_.watch(poll); }
+    [[nodiscard]] bool states_are_terms() const override { return true; }
+    [[nodiscard]] std::string describe(lts::StateView state) const override;
+
+private:
+    OperationalSemantics& semantics_;
+    TermId initial_;
+};
+
+}  // namespace robochart::process

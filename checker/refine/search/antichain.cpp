@@ -1,0 +1,40 @@
+#include "checker/refine/search/antichain.hpp"
+
+#include <algorithm>
+
+namespace robochart::refine {
+namespace {
+
+/// Comparisons for one pair: beyond that it is searched rather than compared, which is never wrong.
+constexpr std::size_t most_compared = 64;
+
+}  // namespace
+
+lts::StateIndex Antichain::number(lts::StateView state) {
+    const lts::StateStore::Insertion insertion = states_.insert(state);
+    if (insertion.fresh) {
+        nodes_.emplace_back();
+        first_pair_.push_back(lts::no_state);
+    }
+    return insertion.index;
+}
+
+bool Antichain::covers(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const {
+    const std::vector<Monitor::Node>& nodes = nodes_[state];
+    const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(std::min(nodes.size(), most_compared));
+    return std::any_of(nodes.begin(), end, [&](Monitor::Node smaller) { return monitor.includes(node, smaller); });
+}
+
+bool Antichain::outdoes(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const {
+    const std::vector<Monitor::Node>& nodes = nodes_[state];
+    const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(std::min(nodes.size(), most_compared));
+    return std::any_of(nodes.begin(), end,
+                       [&](Monitor::Node smaller) { return smaller != node && monitor.includes(node, smaller); });
+}
+
+void Antichain::enter(lts::StateIndex state, Monitor::Node node, lts::StateIndex pair) {
+    if (nodes_[state].empty()) first_pair_[state] = pair;
+    nodes_[state].push_back(node);
+}
+
+}  // namespace robochart::refine

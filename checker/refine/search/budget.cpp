@@ -1,0 +1,56 @@
+// See budget.hpp. Memory is what the whole program has resident, because the states of the systems that are searched are
+// kept by them, not by the search.
+#include "checker/refine/search/budget.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace robochart::refine {
+namespace {
+
+constexpr std::chrono::milliseconds between_reports{100};
+
+}  // namespace
+
+Budget::Budget(const Limits& limits, Progress::Phase phase)
+    : limits_(limits),
+      run_(limits, phase == Progress::Phase::compiling ? "compiling" : ""),
+      phase_(phase),
+      start_(std::chrono::steady_clock::now()),
+      told_(start_),
+      resident_at_start_(diagnostics::resident_bytes()) {}
+
+void Budget::states(std::uint64_t count) const {
+    constexpr std::uint64_t most_numbers = 4'000'000'000;  // states have numbers of 32 bits, with room to spare
+    const std::uint64_t most = std::min(limits_.max_states, most_numbers);
+    if (count > most) throw LimitReached(fmt::format("the limit of {} states was reached{}", most, phase_ == Progress::Phase::compiling ? " while compiling" : ""));
+}
+
+double Budget::seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+unsigned Budget::threads() const {
+    return limits_.threads != 0 ? limits_.threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+void Budget::tell(Time now) {
+    told_ = now;
+    Progress progress;
+    progress.phase = phase_;
+    progress.seconds = std::chrono::duration<double>(now - start_).count();
+    progress.resident_bytes = run_.resident();
+    progress.grown_bytes = run_.resident() > resident_at_start_ ? run_.resident() - resident_at_start_ : 0;
+    if (source_) source_(progress);
+    limits_.progress(progress);
+}
+
+void Budget::poll() {
+    run_.check();
+    const Time now = std::chrono::steady_clock::now();
+    if (limits_.progress && now - told_ >= between_reports) tell(now);
+}
+
+}  // namespace robochart::refine

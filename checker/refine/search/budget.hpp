@@ -1,0 +1,55 @@
+// The bounds of one check, counted and polled while it runs.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "checker/process/operational_semantics.hpp"
+#include "checker/refine/search/limits.hpp"
+#include "diagnostics/budget.hpp"
+
+namespace robochart::refine {
+
+using diagnostics::LimitReached;
+
+/// The run's budget, with a bound on states, charged by work done, and reporting progress.
+class Budget {
+public:
+    explicit Budget(const Limits& limits, Progress::Phase phase = Progress::Phase::searching);
+
+    /// One more piece of work about as large as expanding a state. Throws LimitReached.
+    void charge() {
+        if ((work_++ & 1023U) == 0) poll();
+    }
+    void charge(std::uint64_t pieces) {
+        if (((work_ + pieces - 1) ^ (work_ - 1)) > 1023U) poll();
+        work_ += pieces;
+    }
+    /// So many states are kept now. Throws LimitReached.
+    void states(std::uint64_t count) const;
+    [[nodiscard]] double seconds() const;
+    [[nodiscard]] std::uint64_t work() const { return work_; }
+    [[nodiscard]] const Limits& limits() const { return limits_; }
+    /// Who fills in the figures when progress is told; empty: nobody.
+    void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
+    /// How many may work on the check, at least one.
+    [[nodiscard]] unsigned threads() const;
+    [[nodiscard]] std::size_t wide_level() const { return limits_.wide_level; }
+
+private:
+    using Time = std::chrono::steady_clock::time_point;
+
+    void poll();
+    void tell(Time now);
+
+    const Limits& limits_;
+    diagnostics::Budget run_;
+    Progress::Phase phase_;
+    Time start_;
+    Time told_;
+    std::uint64_t resident_at_start_;
+    std::uint64_t work_ = 0;
+    std::function<void(Progress&)> source_;
+};
+
+}  // namespace robochart::refine

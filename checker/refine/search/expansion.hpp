@@ -1,0 +1,86 @@
+// Successors of some pairs in a row, made before any of them is looked up: so that memory works on all look-ups at
+// once, and so that several threads can do it.
+#pragma once
+
+#include <array>
+#include <exception>
+#include <optional>
+#include <vector>
+
+#include "checker/lts/state_store.hpp"
+#include "checker/refine/search/monitor.hpp"
+
+namespace robochart::refine {
+
+/// What pairs of one level have given. A row is a target: the monitor's node, if it has nodes, and the state.
+class Expansion {
+public:
+    struct Pair {
+        std::uint32_t end_row;  ///< its rows begin where those of the pair before end
+        std::uint32_t transitions;
+        std::optional<ViolationKind> fault;
+        std::optional<process::Event> forbidden;  ///< the first; there are no rows after it
+    };
+
+    void clear(std::size_t width);
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] lts::StateView row(std::size_t number) const { return {&words_[number * width_], width_}; }
+    [[nodiscard]] std::uint64_t hash(std::size_t number) const { return hashes_[number]; }
+    [[nodiscard]] bool by_tau(std::size_t number) const { return by_tau_[number] != 0; }
+    /// A new last row, to be filled.
+    std::span<lts::Word> add(bool by_tau);
+    void set_hash(std::uint64_t hash) { hashes_[size_ - 1] = hash; }
+    void shrink(std::size_t size) { size_ = size; }
+
+    /// Whether anything happened but rows.
+    [[nodiscard]] bool eventful() const;
+    /// Whether anything happened but rows and forbidden events.
+    [[nodiscard]] bool faulty() const;
+
+    std::vector<Pair> pairs;
+    std::exception_ptr error;  ///< met by the pair after the last
+
+private:
+    std::size_t width_ = 0;
+    std::size_t size_ = 0;
+    std::vector<lts::Word> words_;
+    std::vector<std::uint64_t> hashes_;
+    std::vector<std::uint8_t> by_tau_;
+};
+
+/// Rows that are made before they are looked at: few enough to stay in the cache.
+inline constexpr std::size_t rows_at_once = 256;
+
+/// Makes expansions of pairs that are in the store.
+class Expander final : private lts::SuccessorSink {
+public:
+    Expander(lts::TransitionSystem& system, Monitor& monitor, const lts::StateStore& pairs);
+
+    /// From `first` on, until `end` is reached, there are enough rows, or a pair has met an error.
+    void expand(lts::StateIndex first, lts::StateIndex end, std::size_t enough_rows, Expansion& out);
+
+private:
+    void add(process::Event event, lts::StateView target, process::Event revealed) override;
+    void add_row(Monitor::Node node, lts::StateView target, bool by_tau);
+    void expand(lts::StateIndex pair);
+    Monitor::Advance advance(process::Event event);
+    void settle_offer();
+
+    struct Remembered {
+        Monitor::Node node = 0;
+        process::Event event = process::tau;  // tau: nothing yet
+        Monitor::Advance advance{};
+    };
+    lts::TransitionSystem& system_;
+    Monitor& monitor_;
+    const lts::StateStore& pairs_;
+    const bool nodes_;
+    std::array<Remembered, 4096> memory_{};
+
+    Expansion* out_ = nullptr;
+    Expansion::Pair pair_{};
+    Monitor::Node node_ = 0;
+    Offer offer_;
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,46 @@
+// The bounds of a check, and how far it has come.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "diagnostics/budget.hpp"
+
+namespace robochart::refine {
+
+/// How far a check has come, for those who wait.
+struct Progress {
+    enum class Phase { compiling, searching };
+    Phase phase = Phase::searching;
+    std::string part;                             ///< compiling: the component at work
+    std::uint64_t component = 0, components = 0;  ///< compiling: its number, and of how many; 0 if not known
+    std::uint64_t states = 0;                     ///< known so far
+    std::uint64_t transitions = 0;
+    std::uint64_t frontier = 0;  ///< searching: states that wait to be expanded
+    std::uint64_t depth = 0;
+    std::uint64_t resident_bytes = 0;  ///< of the whole program
+    std::uint64_t grown_bytes = 0;     ///< of these, since the phase began
+    double seconds = 0;                ///< since the phase began
+};
+
+/// Bounds of one check: those of the run, and its own. A bound reached gives Outcome::inconclusive, never a wrong answer.
+struct Limits : diagnostics::Limits {
+    std::uint64_t max_states = 500'000'000;
+    unsigned threads = 0;  ///< at most so many, where a space is wide; 0: one a core. Verdicts do not depend on it
+    std::size_t wide_level =
+        2048;  ///< levels of fewer states are done by one thread, as it is sooner done than others woken
+    /// Told a few times a second, by the thread that called the check.
+    std::function<void(const Progress&)> progress;
+};
+
+struct Statistics {
+    std::uint64_t states = 0;  ///< pairs (specification node, implementation state) or states visited
+    std::uint64_t transitions = 0;
+    std::uint64_t depth = 0;       ///< breadth-first level of the last state
+    std::uint64_t spec_nodes = 0;  ///< normalised specification nodes made
+    double seconds = 0;
+};
+
+}  // namespace robochart::refine

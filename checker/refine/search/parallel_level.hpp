@@ -1,0 +1,89 @@
+// A part of a wide level, expanded and entered by several threads, with the outcome of one. Pairs are shared out in
+// stretches. Whoever has a stretch expands some pairs, looks their targets up in the one table while they are near, and
+// claims those that are new: claims are numbered in the order of stretches and rows, and of equal states the lowest
+// claim stays. Once all stretches are done, each one's new states are counted, so that it is known where the numbers of
+// the next one's begin, and they are entered for good. So states have the same numbers and the same parents whatever
+// the number of threads. (Laarman, van de Pol and Weber, FMCAD 2010, share a table between threads like this, but
+// number nothing.)
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "checker/lts/state_store.hpp"
+#include "checker/refine/search/provisional_states.hpp"
+#include "checker/refine/search/expansion.hpp"
+#include "checker/refine/search/parent_index.hpp"
+#include "checker/refine/search/thread_team.hpp"
+
+namespace robochart::refine {
+
+class WideLevel {
+public:
+    /// Null where system or monitor serve one thread only.
+    static std::unique_ptr<WideLevel> make(const lts::TransitionSystem& system, Monitor& monitor,
+                                           lts::StateStore& pairs, unsigned threads);
+
+    enum class Work {
+        enter,            ///< targets are entered
+        enter_note_taus,  ///< and the targets of taus that do not lead forward are noted
+        examine           ///< the first forbidden event is known: only pairs themselves are still looked at
+    };
+    /// Does some pairs from `first` on, before `end`, and returns where it has stopped: that pair, or one soon after
+    /// it, is at fault or has met an error or something forbidden, or needs more room than there is, or there has been
+    /// enough for one call.
+    lts::StateIndex run(lts::StateIndex first, lts::StateIndex end, Work work);
+    /// Whether the last call stopped because a pair is not for it. One thread then does so many pairs, or to the end.
+    [[nodiscard]] bool stopped() const { return stopped_; }
+    static constexpr lts::StateIndex pairs_at_once = 128;
+
+    /// What stretches of pairs have given, in order.
+    struct Stretch {
+        lts::StateIndex first = 0;
+        lts::StateIndex pairs = 0;
+        std::uint64_t transitions = 0;
+        Lineage found;                              ///< unless only examined
+        std::vector<lts::StateIndex> back_targets;  ///< of taus
+    };
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] const Stretch& operator[](std::size_t number) const { return parts_[number]; }
+
+private:
+    struct Member {
+        std::unique_ptr<lts::TransitionSystem> system;
+        std::unique_ptr<Monitor> monitor;
+        std::unique_ptr<Expander> expander;
+        Expansion expansion;
+    };
+    struct Part : Stretch {
+        Claims claims;
+        alignas(64) std::atomic<std::uint32_t> lost = 0;  // counted by other threads: on a cache line of its own
+        bool stopped = false;
+        lts::StateIndex first_number = 0;
+    };
+    class Claiming;
+
+    WideLevel(lts::StateStore& pairs, std::vector<Member> members);
+    void share(std::size_t count, const std::function<void(unsigned member, std::size_t number)>& work);
+    void make_room();
+    void begin(Part& part, lts::StateIndex first);
+    void fill(Member& member, Part& part, std::size_t number, lts::StateIndex end);
+    static bool has_room(Part& part, const Expansion& expansion);
+    bool enter(const Expansion& expansion, Part& part, std::size_t number);
+    void publish(Part& part);
+    void give_up(Part& part);
+
+    lts::StateStore& pairs_;
+    std::vector<Member> members_;
+    Team team_;
+    std::vector<Part> parts_;
+    std::size_t size_ = 0;
+    Work work_ = Work::enter;
+    bool stopped_ = false;
+    std::atomic<std::size_t> next_ = 0;
+    std::atomic<std::uint64_t> claimed_ = 0;
+    std::atomic<bool> enough_ = false;
+};
+
+}  // namespace robochart::refine

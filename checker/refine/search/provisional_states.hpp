@@ -1,0 +1,84 @@
+// New states that one stretch of a wide level has met (parallel_level.hpp), in the order in which it met them. They stay
+// where they are while more come, so that other threads can compare with them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cstdint>
+#include <memory>
+
+#include "checker/lts/state_store.hpp"
+
+namespace robochart::refine {
+
+class Claims {
+public:
+    struct Claim {
+        lts::IndexTable::Slot slot;
+        std::uint32_t pair = 0;  ///< by which it was met, counted from the stretch's first
+        bool lost = false;       ///< a lower claim has taken its place
+    };
+    static constexpr std::uint32_t most = std::uint32_t{1} << 20U;
+
+    void clear(std::size_t width) {
+        width_ = width;
+        size_ = 0;
+    }
+    [[nodiscard]] std::uint32_t size() const { return size_; }
+    [[nodiscard]] Claim& operator[](std::uint32_t number) const {
+        const Place place = place_of(number);
+        return chunks_[place.chunk].claims[place.offset];
+    }
+    [[nodiscard]] const lts::Word* row(std::uint32_t number) const {
+        const Place place = place_of(number);
+        return chunks_[place.chunk].words.get() + place.offset * width_;
+    }
+    /// Memory for so many more. False if they would be too many.
+    bool make_room(std::size_t more) {
+        if (size_ + more > most) return false;
+        for (std::size_t chunk = 0; chunk <= place_of(static_cast<std::uint32_t>(size_ + more)).chunk; ++chunk) {
+            if (chunks_[chunk].words != nullptr) continue;
+            chunks_[chunk].claims = std::make_unique<Claim[]>(first_chunk << chunk);
+            chunks_[chunk].words = std::make_unique<lts::Word[]>((first_chunk << chunk) * width_ + 1);
+        }
+        return true;
+    }
+    /// Keeps the state that the next claim will be for.
+    void keep(lts::StateView state) {
+        const Place place = place_of(size_);
+        std::copy(state.begin(), state.end(), chunks_[place.chunk].words.get() + place.offset * width_);
+        chunks_[place.chunk].claims[place.offset].lost = false;
+    }
+    /// It has been made.
+    void add(const lts::IndexTable::Slot& slot, std::uint32_t pair) {
+        Claim& claim = (*this)[size_++];
+        claim.slot = slot;
+        claim.pair = pair;
+    }
+    /// By the thread that has taken its place.
+    void lose(std::uint32_t number) { std::atomic_ref((*this)[number].lost).store(true, std::memory_order_relaxed); }
+
+private:
+    // Chunk k holds first_chunk * 2^k claims.
+    static constexpr std::size_t first_chunk = 256;
+    struct Chunk {
+        std::unique_ptr<Claim[]> claims;
+        std::unique_ptr<lts::Word[]> words;
+    };
+    struct Place {
+        std::size_t chunk, offset;
+    };
+    static Place place_of(std::uint32_t number) {
+        const std::size_t place = number + first_chunk;
+        const auto chunk = static_cast<std::size_t>(std::bit_width(place) - std::bit_width(first_chunk));
+        return {chunk, place - (first_chunk << chunk)};
+    }
+
+    std::size_t width_ = 0;
+    std::uint32_t size_ = 0;
+    std::array<Chunk, 13> chunks_;
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,272 @@
+// The product search, level by level. Where divergence matters, taus that do not lead forward are noted; the cycle
+// search afterwards begins with them and makes all taus again.
+#include "checker/refine/search/search.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace robochart::refine {
+
+using lts::StateIndex;
+using lts::StateView;
+using process::Event;
+
+Search::Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool note_taus, Pairs pairs)
+    : system_(system),
+      monitor_(monitor),
+      budget_(budget),
+      nodes_(!monitor.watches_states_only()),
+      pairs_(system.width() + (nodes_ ? 1 : 0)),
+      note_taus_(note_taus),
+      expander_(system, monitor, pairs_) {
+    if (pairs == Pairs::antichain) antichain_ = std::make_unique<Antichain>(system.width());
+}
+
+Search::~Search() {
+    budget_.report_by({});
+}
+
+void Search::begin() {
+    budget_.report_by([this](Progress& progress) {
+        progress.states = pairs_.size();
+        progress.transitions = transitions_;
+        progress.frontier = pairs_.size() - expanded_;
+        progress.depth = depth_;
+    });
+    std::vector<lts::Word> first(pairs_.width());
+    if (nodes_) first[0] = monitor_.start();
+    system_.initial(std::span(first).subspan(nodes_ ? 1 : 0));
+    enter(first, lts::StateStore::hash(first));
+    ahead_ = system_.another() != nullptr;
+}
+
+std::optional<Finding> Search::first_violation() {
+    begin();
+    for (StateIndex first = 0; first != pairs_.size();) {
+        const auto end = static_cast<StateIndex>(pairs_.size());
+        if (const std::optional<Finding> finding = search_level(first, end)) return finding;
+        if (forbidden_) return forbidden_;
+        if (pairs_.size() != end) ++depth_;
+        first = end;
+    }
+    return std::nullopt;
+}
+
+std::optional<Finding> Search::search_level(StateIndex first, StateIndex end) {
+    if (antichain_) return search_antichain_level(first, end);
+    if (end - first >= budget_.wide_level() && several_threads()) return search_wide_level(first, end);
+    return search_alone(first, end);
+}
+
+std::optional<Finding> Search::search_alone(StateIndex first, StateIndex end) {
+    while (first != end) {
+        expander_.expand(first, ahead_ ? end : first + 1, rows_at_once, expansion_);
+        if (const std::optional<Finding> finding = take(expansion_, first)) return finding;
+        first += static_cast<StateIndex>(expansion_.pairs.size());
+    }
+    return std::nullopt;
+}
+
+/// Leaves out pairs that another of this level or before covers; but the first pair of each state gives its tau edges.
+std::optional<Finding> Search::search_antichain_level(StateIndex first, StateIndex end) {
+    std::vector<bool> needed;
+    for (StateIndex pair = first; pair != end; ++pair) {
+        const StateIndex number = antichain_->number(state(pair));
+        needed.push_back(antichain_->first_pair(number) == pair || !antichain_->outdoes(number, node(pair), monitor_));
+    }
+    for (StateIndex pair = first; pair != end; ++pair) {
+        if (!needed[pair - first]) {
+            ++expanded_;
+            lineage_.expanded(0);
+            continue;
+        }
+        expander_.expand(pair, pair + 1, 1, expansion_);
+        if (const std::optional<Finding> finding = take(expansion_, pair)) return finding;
+    }
+    return std::nullopt;
+}
+
+/// Threads are started when the first wide level is met.
+bool Search::several_threads() {
+    if (!wide_ && !one_thread_ && budget_.threads() > 1)
+        wide_ = WideLevel::make(system_, monitor_, pairs_, budget_.threads());
+    one_thread_ = !wide_;
+    return !one_thread_;
+}
+
+std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex end) {
+    while (first != end) {
+        const auto entering = note_taus_ ? WideLevel::Work::enter_note_taus : WideLevel::Work::enter;
+        first = wide_->run(first, end, forbidden_ ? WideLevel::Work::examine : entering);
+        for (std::size_t i = 0; i < wide_->size(); ++i) note((*wide_)[i]);
+        budget_.states(pairs_.size());
+        if (!wide_->stopped()) continue;
+        const StateIndex next = std::min(end - first, WideLevel::pairs_at_once) + first;
+        if (const std::optional<Finding> finding = search_alone(first, next)) return finding;
+        first = next;
+    }
+    return std::nullopt;
+}
+
+/// What `take` notes of the rows that it enters.
+void Search::note(const WideLevel::Stretch& stretch) {
+    budget_.charge(stretch.pairs);
+    expanded_ += stretch.pairs;
+    transitions_ += stretch.transitions;
+    if (!forbidden_) lineage_.append(stretch.found);
+    for (const StateIndex target : stretch.back_targets) back_taus_.add(target);
+}
+
+/// Enters what the pairs from `first` on have given.
+std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first) {
+    std::size_t row = 0;
+    for (const Expansion::Pair& pair : expansion.pairs) {
+        budget_.charge();
+        ++expanded_;
+        transitions_ += pair.transitions;
+        if (!forbidden_)
+            insert(expansion, first, row, pair.end_row);  // after it only this level's states are still examined
+        row = pair.end_row;
+        budget_.states(pairs_.size());
+        if (pair.fault) return Finding{*pair.fault, first};
+        if (pair.forbidden && !forbidden_) forbidden_ = Finding{ViolationKind::trace, first, *pair.forbidden};
+        ++first;
+    }
+    if (expansion.error) std::rethrow_exception(expansion.error);
+    return std::nullopt;
+}
+
+/// The targets of one pair. Their lines in the table have been asked for; the states behind them are near, mostly:
+/// they have been found lately.
+void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t first, std::size_t end) {
+    const std::optional<StateIndex> vertex = note_taus_ ? tau_vertex(pair) : std::nullopt;
+    constexpr std::size_t between_counts = 4096;  // one pair may lead to any number
+    std::uint32_t found = 0;
+    for (std::size_t i = first; i < end; ++i) {
+        if ((i - first) % between_counts == between_counts - 1) budget_.states(pairs_.size());
+        const lts::StateStore::Insertion insertion = enter(expansion.row(i), expansion.hash(i));
+        if (insertion.fresh) ++found;
+        if (vertex && expansion.by_tau(i)) back_taus_.note(*vertex, insertion.index);
+    }
+    lineage_.expanded(found);
+}
+
+/// The number is the pair's, or with an antichain its state's: a state diverges whatever the node.
+lts::StateStore::Insertion Search::enter(StateView row, std::uint64_t hash) {
+    if (!antichain_) return pairs_.insert(row, hash);
+    const StateIndex state = antichain_->number(row.subspan(1));
+    if (pairs_.find(row, hash) != lts::no_state || antichain_->covers(state, row[0], monitor_)) return {state, false};
+    antichain_->enter(state, row[0], pairs_.insert(row, hash).index);
+    return {state, true};
+}
+
+/// In the graph of taus: the pair, or with an antichain its state, if it is the state's first pair.
+std::optional<StateIndex> Search::tau_vertex(StateIndex pair) {
+    if (!antichain_) return pair;
+    const StateIndex number = antichain_->number(state(pair));
+    return antichain_->first_pair(number) == pair ? std::optional(number) : std::nullopt;
+}
+
+namespace {
+
+/// Finds the transition between two given pairs.
+class StepFinder final : public lts::SuccessorSink {
+public:
+    StepFinder(Monitor& monitor, Monitor::Node from, Monitor::Node to, StateView target, bool only_tau)
+        : monitor_(monitor), from_(from), to_(to), target_(target), only_tau_(only_tau) {}
+    void add(Event event, StateView target, Event revealed) override {
+        if (found || !std::equal(target.begin(), target.end(), target_.begin())) return;
+        if (event == process::tau ? only_tau_ || from_ == to_ : leads_on(event))
+            found = RunStep{event, revealed, {target.begin(), target.end()}};
+    }
+    std::optional<RunStep> found;
+
+private:
+    bool leads_on(Event event) {
+        if (only_tau_) return false;
+        const Monitor::Advance next = monitor_.advance(from_, event);
+        return next.effect == Monitor::Effect::follow && next.node == to_;
+    }
+    Monitor& monitor_;
+    Monitor::Node from_;
+    Monitor::Node to_;
+    StateView target_;
+    bool only_tau_;
+};
+
+}  // namespace
+
+/// The rows that taus lead to, asked for before any is looked up.
+class Search::TauRows final : public lts::SuccessorSink {
+public:
+    TauRows(const lts::StateStore& pairs, std::optional<Monitor::Node> node) : pairs_(pairs), node_(node) {}
+    void add(Event event, StateView target, Event /*revealed*/) override {
+        if (event != process::tau) return;
+        const std::size_t before = words.size();
+        if (node_) words.push_back(*node_);
+        words.insert(words.end(), target.begin(), target.end());
+        hashes.push_back(lts::StateStore::hash(StateView(words).subspan(before)));
+        pairs_.prefetch(hashes.back());
+    }
+    std::vector<lts::Word> words;
+    std::vector<std::uint64_t> hashes;
+
+private:
+    const lts::StateStore& pairs_;
+    std::optional<Monitor::Node> node_;
+};
+
+/// Every one of them is in the store, since the search has seen all.
+void Search::tau_targets(StateIndex pair, std::vector<StateIndex>& targets) {
+    budget_.charge();
+    TauRows rows(pairs_, nodes_ ? std::optional(node(pair)) : std::nullopt);
+    system_.successors(state(pair), rows);
+    for (std::size_t i = 0; i < rows.hashes.size(); ++i) {
+        const StateView row = StateView(rows.words).subspan(i * pairs_.width(), pairs_.width());
+        targets.push_back(antichain_ ? antichain_->number(row.subspan(1)) : pairs_.find(row, rows.hashes[i]));
+    }
+}
+
+GraphView Search::tau_graph() {
+    if (!antichain_)
+        return {pairs_.size(),
+                [this](StateIndex pair, std::vector<StateIndex>& targets) { tau_targets(pair, targets); }};
+    return {antichain_->size(), [this](StateIndex state, std::vector<StateIndex>& targets) {
+                tau_targets(antichain_->first_pair(state), targets);
+            }};
+}
+
+std::optional<StateIndex> Search::first_tau_cycle() {
+    const std::optional<StateIndex> vertex = least_on_cycle(tau_graph(), back_taus_.list());
+    return vertex && antichain_ ? std::optional(antichain_->first_pair(*vertex)) : vertex;
+}
+
+std::vector<StateIndex> Search::tau_cycle(StateIndex pair) {
+    const GraphView graph = tau_graph();
+    if (!antichain_) return shortest_cycle(graph, pair);
+    std::vector<StateIndex> cycle = shortest_cycle(graph, antichain_->number(state(pair)));
+    for (StateIndex& vertex : cycle) vertex = antichain_->first_pair(vertex);
+    return cycle;
+}
+
+std::vector<StateIndex> Search::path_to(StateIndex pair) const {
+    std::vector<StateIndex> path;
+    for (; pair != 0; pair = lineage_.parent(pair)) path.push_back(pair);
+    path.push_back(0);
+    std::reverse(path.begin(), path.end());
+    return path;
+}
+
+Run Search::run_along(const std::vector<StateIndex>& pairs, bool by_taus_alone) {
+    const StateView first = state(pairs.front());
+    Run run{{first.begin(), first.end()}, {}};
+    for (std::size_t i = 1; i < pairs.size(); ++i) {
+        StepFinder finder(monitor_, node(pairs[i - 1]), node(pairs[i]), state(pairs[i]), by_taus_alone);
+        system_.successors(state(pairs[i - 1]), finder);
+        if (!finder.found) throw std::logic_error("a step of the search cannot be taken again");
+        run.steps.push_back(std::move(*finder.found));
+    }
+    return run;
+}
+
+}  // namespace robochart::refine

@@ -1,0 +1,97 @@
+// Breadth-first search of a system's states paired with the node of a monitor that watches its runs. States are
+// expanded in the order of their discovery, so the first finding has a shortest run, the same every time.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "checker/lts/state_store.hpp"
+#include "checker/refine/search/antichain.hpp"
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/search/expansion.hpp"
+#include "checker/refine/search/parent_index.hpp"
+#include "checker/refine/search/monitor.hpp"
+#include "checker/refine/search/run.hpp"
+#include "checker/refine/search/tau_cycle.hpp"
+#include "checker/refine/search/parallel_level.hpp"
+
+namespace robochart::refine {
+
+/// A violation: the pair where the run ends, and for a forbidden event the event after it.
+struct Finding {
+    ViolationKind kind;
+    lts::StateIndex pair;
+    process::Event event = process::tau;
+};
+
+class Search {
+public:
+    /// How pairs are kept apart: all, or those alone that no other covers (antichain.hpp).
+    enum class Pairs { all, antichain };
+    /// `note_taus`: cycles of taus will be asked for.
+    Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool note_taus = false,
+           Pairs pairs = Pairs::all);
+
+    Search(const Search&) = delete;
+    Search& operator=(const Search&) = delete;
+    ~Search();
+
+    /// The first violation by length of run; among runs of one length a state's fault comes before a forbidden event.
+    /// None when all pairs have been seen. Throws LimitReached.
+    std::optional<Finding> first_violation();
+    /// After a search without violation that noted taus: the first pair on a tau cycle.
+    std::optional<lts::StateIndex> first_tau_cycle();
+    /// A shortest cycle of taus through the pair, as pairs; ends with the pair itself.
+    std::vector<lts::StateIndex> tau_cycle(lts::StateIndex pair);
+
+    /// The run by which the pair was found.
+    [[nodiscard]] std::vector<lts::StateIndex> path_to(lts::StateIndex pair) const;
+    [[nodiscard]] Monitor::Node node(lts::StateIndex pair) const { return nodes_ ? pairs_[pair][0] : 0; }
+    [[nodiscard]] lts::StateView state(lts::StateIndex pair) const {
+        return nodes_ ? pairs_[pair].subspan(1) : pairs_[pair];
+    }
+    /// The run along these pairs, the first of which is where it starts.
+    [[nodiscard]] Run run_along(const std::vector<lts::StateIndex>& pairs, bool by_taus_alone = false);
+
+    [[nodiscard]] std::uint64_t states() const { return pairs_.size(); }
+    [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
+    [[nodiscard]] std::uint64_t depth() const { return depth_; }
+
+private:
+    void begin();
+    std::optional<Finding> search_level(lts::StateIndex first, lts::StateIndex end);
+    std::optional<Finding> search_antichain_level(lts::StateIndex first, lts::StateIndex end);
+    std::optional<Finding> take(const Expansion& expansion, lts::StateIndex first);
+    void insert(const Expansion& expansion, lts::StateIndex pair, std::size_t first, std::size_t end);
+    std::optional<Finding> search_alone(lts::StateIndex first, lts::StateIndex end);
+    std::optional<Finding> search_wide_level(lts::StateIndex first, lts::StateIndex end);
+    bool several_threads();
+    lts::StateStore::Insertion enter(lts::StateView row, std::uint64_t hash);
+    class TauRows;
+    [[nodiscard]] std::optional<lts::StateIndex> tau_vertex(lts::StateIndex pair);
+    [[nodiscard]] GraphView tau_graph();
+    void tau_targets(lts::StateIndex pair, std::vector<lts::StateIndex>& targets);
+    void note(const WideLevel::Stretch& stretch);
+
+    lts::TransitionSystem& system_;
+    Monitor& monitor_;
+    Budget& budget_;
+    const bool nodes_;  // pairs begin with the monitor's node
+    lts::StateStore pairs_;
+    Lineage lineage_;
+    bool note_taus_;
+    BackTargets back_taus_;  // all that a cycle of taus needs to have been seen
+    std::uint64_t expanded_ = 0;
+    std::uint64_t transitions_ = 0;
+    std::uint64_t depth_ = 0;
+
+    Expander expander_;
+    Expansion expansion_;
+    std::unique_ptr<Antichain> antichain_;  // if there is one, vertices of the tau graph are its states
+    std::unique_ptr<WideLevel> wide_;
+    bool one_thread_ = false;
+    bool ahead_ = false;                // several pairs may be expanded before the first one's targets are known
+    std::optional<Finding> forbidden_;  // the first forbidden event, while its level is finished
+};
+
+}  // namespace robochart::refine

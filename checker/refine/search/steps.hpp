@@ -1,0 +1,19 @@
+// What single states do, listed: for counterexamples and their replay, where nothing has to be fast.
+#pragma once
+
+#include <vector>
+
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/search/run.hpp"
+#include "checker/refine/search/stability.hpp"
+
+namespace robochart::refine {
+
+[[nodiscard]] std::vector<lts::Word> initial_of(lts::TransitionSystem& system);
+/// Every transition of the state, in the system's order.
+[[nodiscard]] std::vector<RunStep> steps_from(lts::TransitionSystem& system, lts::StateView state);
+[[nodiscard]] std::vector<RunStep> steps_from(lts::TransitionSystem& system, lts::StateView state, Budget& budget);
+/// What a state with these steps offers.
+[[nodiscard]] Offer offer_of(const std::vector<RunStep>& steps);
+
+}  // namespace robochart::refine

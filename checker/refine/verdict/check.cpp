@@ -1,0 +1,239 @@
+// The questions of check.hpp, each as a search with its monitor; determinism has a file of its own.
+#include "checker/refine/verdict/check.hpp"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+#include "checker/refine/verdict/counterexample.hpp"
+#include "checker/refine/verdict/monitors.hpp"
+#include "checker/refine/verdict/question.hpp"
+#include "checker/refine/verdict/reference.hpp"
+#include "checker/refine/search/steps.hpp"
+#include "checker/refine/search/poll_guard.hpp"
+
+namespace robochart::refine {
+
+using lts::StateIndex;
+using process::Event;
+
+Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
+               const std::function<void(Budget&, Verdict&)>& question) {
+    Verdict verdict;
+    Budget budget(limits);
+    const Watch watch(systems, budget);
+    const auto leave_open = [&](const char* reason) {
+        verdict.outcome = Outcome::inconclusive;
+        verdict.counterexample.reset();
+        verdict.reason = reason;
+    };
+    try {
+        question(budget, verdict);
+    } catch (const process::Interrupted& limit) {
+        leave_open(limit.what());
+    } catch (const std::bad_alloc&) {
+        leave_open("there is no more memory");
+    }
+    verdict.statistics.seconds = budget.seconds();
+    return verdict;
+}
+
+Tally::~Tally() {
+    statistics_.states += search_.states();
+    statistics_.transitions += search_.transitions();
+    statistics_.depth = std::max(statistics_.depth, search_.depth());
+    if (specification_ != nullptr) statistics_.spec_nodes = specification_->size();
+}
+
+namespace {
+
+void fail(Verdict& verdict, Counterexample counterexample) {
+    verdict.outcome = Outcome::fails;
+    verdict.counterexample = std::move(counterexample);
+}
+
+/// The specification's side of a refusal or of a forbidden event: what it allows after the same trace.
+std::vector<process::EventSet> required_after(NormalForm& specification, const Violation& violation) {
+    std::vector<Event> trace = violation.run.trace();
+    if (violation.kind == ViolationKind::divergence) return {};
+    if (violation.kind == ViolationKind::trace) trace.pop_back();
+    NormalForm::Node node = specification.initial();
+    for (Event event : trace) node = specification.after(node, event).value();
+    if (violation.kind == ViolationKind::refusal) return specification.acceptances(node);
+    return {specification.initials(node)};
+}
+
+Counterexample told_violation(NormalForm& normal, const Confirmed& confirmed) {
+    Counterexample told = tell(confirmed);
+    told.required = required_after(normal, confirmed.violation);
+    if (told.kind == ViolationKind::trace) told.event = told.steps.back().event;
+    return told;
+}
+
+void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
+                       Search::Pairs pairs, Budget& budget, Verdict& verdict) {
+    const bool with_divergence = model == Model::failures_divergences;
+    NormalForm normal(specification, budget);
+    if (pairs == Search::Pairs::all) normal.refuse_growth();
+    RefinementMonitor monitor(normal, model);
+    Search search(implementation, monitor, budget, with_divergence, pairs);
+    const Tally tally(search, verdict.statistics, &normal);
+    verdict.outcome = Outcome::holds;
+    if (with_divergence && normal.diverges(normal.initial())) return;  // everything refines divergence
+    std::optional<Violation> violation;
+    if (const std::optional<Finding> finding = search.first_violation())
+        violation = violation_of(search, implementation, *finding);
+    else if (with_divergence)
+        violation = first_divergence(search);
+    if (!violation) return;
+    const auto judge = [&](lts::TransitionSystem& system, const Violation& shown, Budget& own) {
+        const bool by_reference = &system != &implementation && specification.reference() != nullptr;
+        confirm_refinement_violation(by_reference ? *specification.reference() : specification, system, model, shown,
+                                     own);
+    };
+    fail(verdict, told_violation(normal, confirmed(implementation, *violation, budget, judge)));
+}
+
+void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence, Budget& budget,
+                   Verdict& verdict) {
+    StateMonitor monitor(forbid_deadlock);
+    Search search(system, monitor, budget, forbid_divergence);
+    const Tally tally(search, verdict.statistics);
+    verdict.outcome = Outcome::holds;
+    std::optional<Violation> violation;
+    if (const std::optional<Finding> finding = search.first_violation())
+        violation = violation_of(search, system, *finding);
+    else if (forbid_divergence)
+        violation = first_divergence(search);
+    if (!violation) return;
+    fail(verdict, tell(confirmed(system, *violation, budget, confirm_property_violation)));
+}
+
+/// The run of a trace's first events, which is known to exist.
+Run run_of_prefix(lts::TransitionSystem& system, const std::vector<Event>& trace, std::size_t length, Budget& budget) {
+    TraceMonitor monitor(trace, length);
+    Search search(system, monitor, budget);
+    return search.run_along(search.path_to(search.first_violation().value().pair));
+}
+
+/// Every run along the trace, and nothing else.
+class AlongTrace final : public Monitor {
+public:
+    explicit AlongTrace(const std::vector<Event>& trace) : trace_(trace) {}
+    Node start() override { return 0; }
+    Advance advance(Node node, Event event) override {
+        if (node >= trace_.size() || trace_[node] != event) return {Effect::ignore};
+        return {Effect::follow, node + 1};
+    }
+    std::optional<ViolationKind> examine(Node /*node*/, const Offer& /*offer*/) override { return std::nullopt; }
+
+private:
+    const std::vector<Event>& trace_;
+};
+
+bool diverges_along(lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget) {
+    AlongTrace monitor(trace);
+    Search search(system, monitor, budget, true);
+    search.first_violation();
+    return search.first_tau_cycle().has_value();
+}
+
+/// The place of the first event that the system can refuse after those before it.
+std::optional<std::size_t> refused_in(lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget) {
+    for (std::size_t i = 0; i < trace.size(); ++i) {
+        TraceMonitor monitor(trace, i, trace[i]);
+        Search search(system, monitor, budget);
+        if (search.first_violation()) return i;
+    }
+    return std::nullopt;
+}
+
+/// FDR's manual does not say what the failures models add to `has trace`. Where the system neither refuses nor diverges
+/// on the way they can add nothing, and where it cannot perform the trace they can mend nothing; else it stays open.
+void doubt_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, Budget& budget,
+                 Verdict& verdict) {
+    const std::string open = "; what that means for 'has trace' outside the traces model is not laid down: ask for [T]";
+    if (model == Model::failures_divergences && diverges_along(system, trace, budget))
+        verdict.reason = "the process can diverge along the trace" + open;
+    else if (verdict.outcome == Outcome::fails)
+        return;
+    else if (const auto place = refused_in(system, trace, budget))
+        verdict.reason = "the process can perform the trace, but can refuse its event " + std::to_string(*place + 1) +
+                         ", " + system.events().name(trace[*place]) + open;
+    if (verdict.reason.empty()) return;
+    verdict.outcome = Outcome::inconclusive;
+    verdict.counterexample.reset();
+}
+
+void decide_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget, Verdict& verdict) {
+    TraceMonitor monitor(trace, trace.size());
+    Search search(system, monitor, budget);
+    const Tally tally(search, verdict.statistics);
+    if (const std::optional<Finding> end = search.first_violation()) {
+        confirm_trace(system, trace, search.run_along(search.path_to(end->pair)), budget);
+        verdict.outcome = Outcome::holds;
+        return;
+    }
+    const Run run = run_of_prefix(system, trace, monitor.furthest(), budget);
+    const auto judge = [&](lts::TransitionSystem& judged, const Violation& shown, Budget& own) {
+        confirm_missing_trace(judged, trace, shown.run, own);
+    };
+    Counterexample told = tell(confirmed(system, {ViolationKind::no_trace, run, {}, {}}, budget, judge));
+    told.event = trace[monitor.furthest()];
+    fail(verdict, std::move(told));
+}
+
+}  // namespace
+
+Violation violation_of(Search& search, lts::TransitionSystem& system, const Finding& finding) {
+    Violation violation{finding.kind, search.run_along(search.path_to(finding.pair)), {}, {}};
+    if (finding.kind == ViolationKind::trace) {
+        const std::vector<RunStep> steps = steps_from(system, search.state(finding.pair));
+        const auto by_it = [&](const RunStep& step) { return step.event == finding.event; };
+        const auto step = std::find_if(steps.begin(), steps.end(), by_it);
+        if (step == steps.end()) throw std::logic_error("a forbidden event cannot be taken again");
+        violation.run.steps.push_back(*step);
+    }
+    return violation;
+}
+
+std::optional<Violation> first_divergence(Search& search) {
+    const std::optional<StateIndex> pair = search.first_tau_cycle();
+    if (!pair) return std::nullopt;
+    std::vector<StateIndex> loop = search.tau_cycle(*pair);
+    loop.insert(loop.begin(), *pair);
+    return Violation{
+        ViolationKind::divergence, search.run_along(search.path_to(*pair)), search.run_along(loop, true), {}};
+}
+
+Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
+                const Limits& limits) {
+    return decide({&specification, &implementation}, limits, [&](Budget& budget, Verdict& verdict) {
+        try {
+            decide_refinement(specification, implementation, model, Search::Pairs::all, budget, verdict);
+        } catch (const SpecificationGrows&) {
+            verdict.statistics = {};
+            decide_refinement(specification, implementation, model, Search::Pairs::antichain, budget, verdict);
+        }
+    });
+}
+
+Verdict deadlock_free(lts::TransitionSystem& system, Model model, const Limits& limits) {
+    return decide({&system}, limits, [&](Budget& budget, Verdict& verdict) {
+        decide_states(system, true, model == Model::failures_divergences, budget, verdict);
+    });
+}
+
+Verdict divergence_free(lts::TransitionSystem& system, const Limits& limits) {
+    return decide({&system}, limits,
+                  [&](Budget& budget, Verdict& verdict) { decide_states(system, false, true, budget, verdict); });
+}
+
+Verdict has_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, const Limits& limits) {
+    return decide({&system}, limits, [&](Budget& budget, Verdict& verdict) {
+        decide_trace(system, trace, budget, verdict);
+        if (model != Model::traces) doubt_trace(system, trace, model, budget, verdict);
+    });
+}
+
+}  // namespace robochart::refine

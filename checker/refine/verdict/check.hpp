@@ -1,0 +1,23 @@
+// The questions: refinement in traces, failures, failures-divergences; deadlock, divergence, determinism,
+// traces; and their answers. Roscoe, Understanding Concurrent Systems (2010), chapters 10, 11, 16; FDR manual.
+#pragma once
+
+#include <vector>
+
+#include "checker/refine/verdict/verdict.hpp"
+
+namespace robochart::refine {
+
+/// specification [M= implementation. The two share one EventTable.
+[[nodiscard]] Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model,
+                              const Limits&);
+/// :[deadlock free [M]]. M is failures (divergence ignored) or failures_divergences (a divergence fails it).
+/// A terminated process counts as deadlocked, as FDR has it.
+[[nodiscard]] Verdict deadlock_free(lts::TransitionSystem&, Model, const Limits&);
+[[nodiscard]] Verdict divergence_free(lts::TransitionSystem&, const Limits&);
+[[nodiscard]] Verdict deterministic(lts::TransitionSystem&, Model, const Limits&);
+/// :[has trace [M]]: the process can perform these visible events in order. In the other models than T inconclusive
+/// where it could also refuse one of them, or in FD diverge, since what they ask then is laid down nowhere.
+[[nodiscard]] Verdict has_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, Model, const Limits&);
+
+}  // namespace robochart::refine

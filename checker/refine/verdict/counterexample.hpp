@@ -1,0 +1,12 @@
+// Runs told as counterexamples.
+#pragma once
+
+#include "checker/refine/verdict/reference.hpp"
+#include "checker/refine/verdict/verdict.hpp"
+
+namespace robochart::refine {
+
+/// The violation with its states described; `required` is left to the caller.
+[[nodiscard]] Counterexample tell(const Confirmed& confirmed);
+
+}  // namespace robochart::refine

@@ -1,0 +1,218 @@
+// Determinism after its definition (UCS 10.5): P is deterministic if it is divergence free [FD only] and there are no
+// trace s and event a such that s^<a> is a trace of P and P can refuse {a} after s. Decided in up to three ways:
+//   * where every state that is met has neither a tau nor two transitions by one event, P is deterministic;
+//   * else by FDR's way (Lazic's; UCS 10.5 and 20): P' resolves every choice of P by the first transition, so P' is a
+//     deterministic process whose nodes are single states of P, and P is deterministic iff P refines P'. For let s be
+//     a shortest trace after which P both accepts and refuses an event; up to there all stable states agree, so P' has
+//     a stable state after s, which another state of P after s contradicts, by an event too many or one too few;
+//   * in F, where the resolution runs into a divergence: on the normal form, every acceptance of every node contains
+//   all
+//     that the node can perform. A divergent state simply contributes no acceptance.
+#include <algorithm>
+#include <stdexcept>
+
+#include "checker/refine/verdict/counterexample.hpp"
+#include "checker/refine/verdict/monitors.hpp"
+#include "checker/refine/verdict/question.hpp"
+#include "checker/refine/verdict/reference.hpp"
+#include "checker/refine/search/steps.hpp"
+
+namespace robochart::refine {
+namespace {
+
+using process::Event;
+using process::EventSet;
+
+struct Ambiguity {
+    std::vector<Event> trace;
+    Event event;
+};
+
+/// An event that is possible here, yet missing in some acceptance.
+std::optional<Event> refusable(NormalForm& normal, NormalForm::Node node) {
+    const EventSet initials = normal.initials(node);
+    for (const EventSet& accepted : normal.acceptances(node))
+        for (Event event : initials)
+            if (!std::binary_search(accepted.begin(), accepted.end(), event)) return event;
+    return std::nullopt;
+}
+
+std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
+    struct Arrival {
+        NormalForm::Node from;
+        Event event;
+    };
+    std::vector<Arrival> arrivals{
+        {0, process::tau}};  // per node, how it was first reached; nodes are numbered in that order
+    normal.initial();
+    for (NormalForm::Node node = 0; node < arrivals.size(); ++node) {
+        if (const std::optional<Event> event = refusable(normal, node)) {
+            Ambiguity ambiguity{{}, *event};
+            for (NormalForm::Node at = node; at != 0; at = arrivals[at].from)
+                ambiguity.trace.push_back(arrivals[at].event);
+            std::reverse(ambiguity.trace.begin(), ambiguity.trace.end());
+            return ambiguity;
+        }
+        for (Event event : normal.initials(node))
+            if (normal.after(node, event).value() == arrivals.size()) arrivals.push_back({node, event});
+    }
+    return std::nullopt;
+}
+
+/// The shortest run of the trace to a state that can refuse the event.
+Violation refusing_run(lts::TransitionSystem& system, const Ambiguity& ambiguity, Budget& budget) {
+    TraceMonitor monitor(ambiguity.trace, ambiguity.trace.size(), ambiguity.event);
+    Search search(system, monitor, budget);
+    Violation violation = violation_of(search, system, search.first_violation().value());
+    violation.event = ambiguity.event;
+    return violation;
+}
+
+std::optional<Violation> divergence_of(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
+    StateMonitor monitor(false);
+    Search search(system, monitor, budget, true);
+    const Tally tally(search, statistics);
+    search.first_violation();
+    return first_divergence(search);
+}
+
+/// Nodes are counted, and told while they are made, also where a limit ends it.
+class Normalising {
+public:
+    Normalising(const NormalForm& normal, Budget& budget, Statistics& statistics)
+        : normal_(normal), budget_(budget), statistics_(statistics) {
+        budget_.report_by([&normal](Progress& progress) { progress.states = normal.size(); });
+    }
+    Normalising(const Normalising&) = delete;
+    Normalising& operator=(const Normalising&) = delete;
+    ~Normalising() {
+        budget_.report_by({});
+        statistics_.spec_nodes = normal_.size();
+        if (statistics_.states == 0) statistics_.states = normal_.size();
+    }
+
+private:
+    const NormalForm& normal_;
+    Budget& budget_;
+    Statistics& statistics_;
+};
+
+/// Finds a state that leaves any choice open: a tau, two transitions by one event, or termination beside another event.
+class ChoiceMonitor final : public Monitor {
+public:
+    Node start() override { return 0; }
+    Advance advance(Node node, Event /*event*/) override { return {Effect::follow, node}; }
+    std::optional<ViolationKind> examine(Node /*node*/, const Offer& offer) override {
+        const bool open = offer.tau || offer.branches || (offer.ticks() && offer.events.size() > 1);
+        return open ? std::optional(ViolationKind::nondeterminism) : std::nullopt;
+    }
+    [[nodiscard]] std::unique_ptr<Monitor> another() override { return std::make_unique<ChoiceMonitor>(); }
+};
+
+bool leaves_no_choice(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
+    ChoiceMonitor monitor;
+    Search search(system, monitor, budget);
+    const Tally tally(search, statistics);
+    return !search.first_violation();
+}
+
+/// The resolution met taus without end.
+class Unresolved : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// P': nodes are the states in which the first taus end. Termination comes before any other event (stability.hpp).
+class Resolution final : public Monitor {
+public:
+    Resolution(lts::TransitionSystem& system, Budget& budget) : graph_(system, budget) {}
+    Node start() override { return settled(graph_.initial()); }
+    Advance advance(Node node, Event event) override {
+        const bool terminates = !graph_.edges(node, process::tick).empty();
+        const auto edges = graph_.edges(node, event);
+        if (edges.empty() || (terminates && event != process::tick)) return {Effect::violation};
+        return {Effect::follow, settled(edges.front().target)};
+    }
+    std::optional<ViolationKind> examine(Node node, const Offer& offer) override {
+        return refused(node, offer) ? std::optional(ViolationKind::nondeterminism) : std::nullopt;
+    }
+    /// An event of the node that a state with this offer may refuse.
+    std::optional<Event> refused(Node node, const Offer& offer) {
+        const std::optional<EventSet> accepted = acceptance(offer);
+        if (!accepted) return std::nullopt;
+        const EventSet wanted = acceptance(graph_.offer(node)).value();
+        for (Event event : wanted)
+            if (!std::binary_search(accepted->begin(), accepted->end(), event)) return event;
+        return std::nullopt;
+    }
+
+private:
+    Node settled(lts::StateIndex state) {
+        if (state < settled_.size() && settled_[state] != lts::no_state) return settled_[state];
+        lts::StateIndex end = state;
+        for (std::size_t steps = 0;; ++steps) {
+            const auto taus = graph_.edges(end, process::tau);
+            if (taus.empty()) break;
+            const lts::StateIndex next = taus.front().target;
+            if (!graph_.edges(end, process::tick).empty()) break;
+            if (steps > graph_.size()) throw Unresolved("taus without end");
+            end = next;
+        }
+        if (state >= settled_.size())
+            settled_.resize(std::max<std::size_t>(state + 1U, 2 * settled_.size()), lts::no_state);
+        return settled_[state] = end;
+    }
+
+    LazyGraph graph_;
+    std::vector<lts::StateIndex> settled_;
+};
+
+/// Where P does what P' does not, or refuses what P' does.
+std::optional<Ambiguity> against_resolution(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
+    Resolution resolution(system, budget);
+    Search search(system, resolution, budget);
+    const Tally tally(search, statistics);
+    const std::optional<Finding> finding = search.first_violation();
+    if (!finding) return std::nullopt;
+    const std::vector<Event> trace = search.run_along(search.path_to(finding->pair)).trace();
+    if (finding->kind == ViolationKind::trace) return Ambiguity{trace, finding->event};
+    const Offer offer = offer_of(steps_from(system, search.state(finding->pair)));
+    return Ambiguity{trace, resolution.refused(search.node(finding->pair), offer).value()};
+}
+
+std::optional<Ambiguity> on_normal_form(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
+    NormalForm normal(system, budget);
+    const Normalising normalising(normal, budget, statistics);
+    return first_ambiguity(normal);
+}
+
+std::optional<Ambiguity> ambiguity_of(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
+    try {
+        return against_resolution(system, budget, statistics);
+    } catch (const Unresolved&) {
+        return on_normal_form(system, budget, statistics);
+    }
+}
+
+void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budget, Verdict& verdict) {
+    verdict.outcome = Outcome::holds;
+    if (leaves_no_choice(system, budget, verdict.statistics)) return;
+    verdict.statistics = {};
+    std::optional<Violation> violation;
+    if (model == Model::failures_divergences) violation = divergence_of(system, budget, verdict.statistics);
+    if (!violation)
+        if (const std::optional<Ambiguity> ambiguity = ambiguity_of(system, budget, verdict.statistics))
+            violation = refusing_run(system, *ambiguity, budget);
+    if (!violation) return;
+    verdict.counterexample = tell(confirmed(system, *violation, budget, confirm_property_violation));
+    verdict.outcome = Outcome::fails;
+}
+
+}  // namespace
+
+Verdict deterministic(lts::TransitionSystem& system, Model model, const Limits& limits) {
+    return decide({&system}, limits,
+                  [&](Budget& budget, Verdict& verdict) { decide_determinism(system, model, budget, verdict); });
+}
+
+}  // namespace robochart::refine

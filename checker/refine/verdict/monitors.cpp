@@ -1,0 +1,61 @@
+// The definitions of the models, as faults of one run: UCS 10 (T), 11 (F), 12 (FD).
+#include "checker/refine/verdict/monitors.hpp"
+
+#include <algorithm>
+
+namespace robochart::refine {
+
+using process::Event;
+using process::EventSet;
+
+/// T: every trace is one of the specification's. FD: where the specification diverges, whatever follows refines it.
+Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
+    const std::scoped_lock lock(*turn_);
+    const std::optional<NormalForm::Node> next = specification_.after(node, event);
+    if (!next) return {Effect::violation};
+    if (model_ == Model::failures_divergences && specification_.diverges(*next)) return {Effect::ignore};
+    return {Effect::follow, *next};
+}
+
+/// F: what a stable state accepts includes one of the specification's acceptances after the same trace. That is the
+/// inclusion of refusals: refusals are the subsets of an acceptance's complement.
+std::optional<ViolationKind> RefinementMonitor::examine(Node node, const Offer& offer) {
+    if (model_ == Model::traces || (offer.tau && !offer.ticks())) return std::nullopt;
+    const auto first = offer.events.begin();
+    const auto last = offer.ticks() ? first + 1 : offer.events.end();
+    const std::vector<EventSet>& wanted = acceptances(node);
+    const bool allowed = std::any_of(wanted.begin(), wanted.end(), [&](const EventSet& required) {
+        return std::includes(first, last, required.begin(), required.end());
+    });
+    return allowed ? std::nullopt : std::optional(ViolationKind::refusal);
+}
+
+/// They stay where they are once they have been made.
+const std::vector<EventSet>& RefinementMonitor::acceptances(Node node) {
+    if (node >= acceptances_.size()) acceptances_.resize(std::max<std::size_t>(node + 1U, 2 * acceptances_.size()));
+    if (acceptances_[node] == nullptr) {
+        const std::scoped_lock lock(*turn_);
+        acceptances_[node] = &specification_.acceptances(node);
+    }
+    return *acceptances_[node];
+}
+
+std::optional<ViolationKind> StateMonitor::examine(Node /*node*/, const Offer& offer) {
+    return forbid_deadlock_ && offer.nothing() ? std::optional(ViolationKind::deadlock) : std::nullopt;
+}
+
+Monitor::Advance TraceMonitor::advance(Node node, Event event) {
+    if (node >= goal_ || trace_[node] != event) return {Effect::ignore};
+    furthest_ = std::max(furthest_, node + std::size_t{1});
+    return {Effect::follow, node + 1};
+}
+
+std::optional<ViolationKind> TraceMonitor::examine(Node node, const Offer& offer) {
+    if (node != goal_) return std::nullopt;
+    if (!refused_) return ViolationKind::no_trace;
+    const std::optional<EventSet> accepted = acceptance(offer);
+    const bool refuses = accepted && !std::binary_search(accepted->begin(), accepted->end(), *refused_);
+    return refuses ? std::optional(ViolationKind::nondeterminism) : std::nullopt;
+}
+
+}  // namespace robochart::refine

@@ -1,0 +1,72 @@
+// What the questions watch along a run.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "checker/refine/search/monitor.hpp"
+#include "checker/refine/verdict/normal_form.hpp"
+#include "checker/refine/verdict/verdict.hpp"
+
+namespace robochart::refine {
+
+/// specification [M= implementation: nodes are those of the specification's normal form.
+class RefinementMonitor final : public Monitor {
+public:
+    RefinementMonitor(NormalForm& specification, Model model)
+        : RefinementMonitor(specification, model, std::make_shared<std::mutex>()) {}
+    Node start() override { return specification_.initial(); }
+    Advance advance(Node node, process::Event event) override;
+    std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
+    [[nodiscard]] bool includes(Node larger, Node smaller) const override {
+        return specification_.includes(larger, smaller);
+    }
+    [[nodiscard]] std::unique_ptr<Monitor> another() override {
+        return std::unique_ptr<Monitor>(new RefinementMonitor(specification_, model_, turn_));
+    }
+
+private:
+    RefinementMonitor(NormalForm& specification, Model model, std::shared_ptr<std::mutex> turn)
+        : specification_(specification), model_(model), turn_(std::move(turn)) {}
+    const std::vector<process::EventSet>& acceptances(Node node);
+
+    NormalForm& specification_;
+    Model model_;
+    std::shared_ptr<std::mutex> turn_;  // whose it is may use the specification
+    std::vector<const std::vector<process::EventSet>*> acceptances_;
+};
+
+/// Nothing but the reachable states: for deadlock (a state where nothing is possible) and divergence alone.
+class StateMonitor final : public Monitor {
+public:
+    explicit StateMonitor(bool forbid_deadlock) : forbid_deadlock_(forbid_deadlock) {}
+    Node start() override { return 0; }
+    Advance advance(Node node, process::Event /*event*/) override { return {Effect::follow, node}; }
+    std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
+    [[nodiscard]] bool watches_states_only() const override { return true; }
+    [[nodiscard]] std::unique_ptr<Monitor> another() override { return std::make_unique<StateMonitor>(*this); }
+
+private:
+    bool forbid_deadlock_;
+};
+
+/// Runs along one trace; finds the end of its first `goal` events. With `refused`, an end that can refuse that event.
+class TraceMonitor final : public Monitor {
+public:
+    TraceMonitor(const std::vector<process::Event>& trace, std::size_t goal,
+                 std::optional<process::Event> refused = std::nullopt)
+        : trace_(trace), goal_(goal), refused_(refused) {}
+    Node start() override { return 0; }
+    Advance advance(Node node, process::Event event) override;
+    std::optional<ViolationKind> examine(Node node, const Offer& offer) override;
+    [[nodiscard]] std::size_t furthest() const { return furthest_; }
+
+private:
+    const std::vector<process::Event>& trace_;
+    std::size_t goal_;
+    std::optional<process::Event> refused_;
+    std::size_t furthest_ = 0;
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,247 @@
+// Lazy normalisation. Everything is numbered in the order in which the search asks, so results are the same every time.
+#include "checker/refine/verdict/normal_form.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace robochart::refine {
+
+using lts::StateIndex;
+using process::Event;
+using process::EventSet;
+
+class LazyGraph::Collector final : public lts::SuccessorSink {
+public:
+    explicit Collector(LazyGraph& graph) : graph_(graph) {}
+    void add(Event event, lts::StateView target, Event /*revealed*/) override {
+        graph_.edges_.push_back({event, graph_.states_.insert(target).index});
+    }
+
+private:
+    LazyGraph& graph_;
+};
+
+LazyGraph::LazyGraph(lts::TransitionSystem& system, Budget& budget)
+    : system_(system), budget_(budget), states_(system.width()) {}
+
+StateIndex LazyGraph::initial() {
+    std::vector<lts::Word> state(system_.width());
+    system_.initial(state);
+    const StateIndex index = states_.insert(state).index;
+    extents_.resize(states_.size());
+    return index;
+}
+
+void LazyGraph::expand(StateIndex state) {
+    budget_.charge();
+    const std::size_t first = edges_.size();
+    Collector collector(*this);
+    try {
+        system_.successors(states_[state], collector);
+    } catch (...) {
+        edges_.resize(first);
+        throw;
+    }
+    budget_.states(states_.size());
+    std::stable_sort(edges_.begin() + static_cast<std::ptrdiff_t>(first), edges_.end(),
+                     [](const Edge& a, const Edge& b) { return a.event < b.event; });
+    extents_.resize(states_.size());
+    extents_[state] = {first, static_cast<std::uint32_t>(edges_.size() - first), true};
+}
+
+std::span<const LazyGraph::Edge> LazyGraph::edges(StateIndex state) {
+    if (!extents_[state].expanded) expand(state);
+    const Extent& extent = extents_[state];
+    return std::span<const Edge>(edges_).subspan(extent.first, extent.count);
+}
+
+std::span<const LazyGraph::Edge> LazyGraph::edges(StateIndex state, Event event) {
+    const std::span<const Edge> all = edges(state);
+    const auto first =
+        std::lower_bound(all.begin(), all.end(), event, [](const Edge& e, Event v) { return e.event < v; });
+    const auto last = std::find_if(first, all.end(), [event](const Edge& e) { return e.event != event; });
+    return {first, last};
+}
+
+Offer LazyGraph::offer(StateIndex state) {
+    Offer offer;
+    for (const Edge& edge : edges(state)) {
+        if (edge.event == process::tau)
+            offer.tau = true;
+        else if (offer.events.empty() || offer.events.back() != edge.event)
+            offer.events.push_back(edge.event);
+    }
+    return offer;
+}
+
+namespace {
+
+constexpr std::size_t few_nodes = 256;
+constexpr NormalForm::Node unresolved = std::numeric_limits<NormalForm::Node>::max();
+
+bool shorter(const EventSet& a, const EventSet& b) {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
+}
+
+/// Keeps the sets that contain no other.
+std::vector<EventSet> minimal(std::vector<EventSet> sets, Budget& budget) {
+    std::sort(sets.begin(), sets.end(), shorter);
+    sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
+    std::vector<EventSet> kept;
+    for (EventSet& set : sets) {
+        budget.charge();
+        const bool contains_kept = std::any_of(kept.begin(), kept.end(), [&](const EventSet& smaller) {
+            return std::includes(set.begin(), set.end(), smaller.begin(), smaller.end());
+        });
+        if (!contains_kept) kept.push_back(std::move(set));
+    }
+    return kept;
+}
+
+}  // namespace
+
+std::size_t NormalForm::Hash::operator()(const Members& members) const {
+    std::uint64_t hash = members.size();
+    for (StateIndex member : members) {
+        hash = (hash ^ member) * 0x9E3779B97F4A7C15ULL;
+        hash ^= hash >> 29U;
+    }
+    return static_cast<std::size_t>(hash);
+}
+
+NormalForm::NormalForm(lts::TransitionSystem& specification, Budget& budget)
+    : graph_(specification, budget), budget_(budget) {}
+
+NormalForm::Node NormalForm::initial() {
+    return node_of({graph_.initial()});
+}
+
+NormalForm::Node NormalForm::node_of(Members seeds) {
+    close(seeds);
+    if (const auto known = ids_.find(seeds); known != ids_.end()) return known->second;
+    // Refused before it is entered: another thread would take the number for that of a node.
+    budget_.states(nodes_.size());
+    if (!may_grow_ && nodes_.size() > std::max(few_nodes, 2 * graph_.size()))
+        throw SpecificationGrows("the specification's normal form is larger than the specification");
+    const Node node = static_cast<Node>(nodes_.size());
+    NodeData& data = nodes_.emplace_back();
+    data.members = &ids_.emplace(std::move(seeds), node).first->first;
+    return node;
+}
+
+/// Adds what taus reach, and sorts.
+void NormalForm::close(Members& members) {
+    ++closure_;
+    const auto first_visit = [this](StateIndex state) {
+        if (state >= mark_.size()) mark_.resize(state + 1U, 0);
+        return std::exchange(mark_[state], closure_) != closure_;
+    };
+    std::erase_if(members, [&](StateIndex state) { return !first_visit(state); });
+    for (std::size_t next = 0; next < members.size(); ++next)
+        for (const LazyGraph::Edge& edge : graph_.edges(members[next], process::tau))
+            if (first_visit(edge.target)) members.push_back(edge.target);
+    std::sort(members.begin(), members.end());
+}
+
+std::vector<NormalForm::Arc>& NormalForm::arcs(Node node) {
+    NodeData& data = nodes_[node];
+    if (data.arcs) return *data.arcs;
+    std::vector<Event> events;
+    for (StateIndex member : *data.members)
+        for (const LazyGraph::Edge& edge : graph_.edges(member))
+            if (edge.event != process::tau && (events.empty() || events.back() != edge.event))
+                events.push_back(edge.event);
+    std::sort(events.begin(), events.end());
+    events.erase(std::unique(events.begin(), events.end()), events.end());
+    data.arcs.emplace();
+    for (Event event : events) data.arcs->push_back({event, unresolved});
+    return *data.arcs;
+}
+
+std::optional<NormalForm::Node> NormalForm::after(Node node, Event event) {
+    std::vector<Arc>& known = arcs(node);
+    const auto arc =
+        std::lower_bound(known.begin(), known.end(), event, [](const Arc& a, Event v) { return a.event < v; });
+    if (arc == known.end() || arc->event != event) return std::nullopt;
+    if (arc->target == unresolved) {
+        Members targets;
+        for (StateIndex member : *nodes_[node].members)
+            for (const LazyGraph::Edge& edge : graph_.edges(member, event)) targets.push_back(edge.target);
+        arc->target = node_of(std::move(targets));
+    }
+    return arc->target;
+}
+
+std::vector<lts::StateView> NormalForm::states(Node node) const {
+    std::vector<lts::StateView> result;
+    for (const StateIndex member : *nodes_[node].members) result.push_back(graph_.state(member));
+    return result;
+}
+
+EventSet NormalForm::initials(Node node) {
+    EventSet events;
+    for (const Arc& arc : arcs(node)) events.push_back(arc.event);
+    return events;
+}
+
+bool NormalForm::includes(Node larger, Node smaller) const {
+    const Members& all = *nodes_[larger].members;
+    const Members& some = *nodes_[smaller].members;
+    return some.size() <= all.size() && std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+const std::vector<EventSet>& NormalForm::acceptances(Node node) {
+    NodeData& data = nodes_[node];
+    if (data.acceptances) return *data.acceptances;
+    std::vector<EventSet> all;
+    for (StateIndex member : *data.members)
+        if (std::optional<EventSet> own = acceptance(graph_.offer(member))) all.push_back(std::move(*own));
+    data.acceptances = minimal(std::move(all), budget_);
+    return *data.acceptances;
+}
+
+bool NormalForm::diverges(Node node) {
+    NodeData& data = nodes_[node];
+    if (!data.diverges)
+        data.diverges = std::any_of(data.members->begin(), data.members->end(),
+                                    [this](StateIndex member) { return state_diverges(member); });
+    return *data.diverges;
+}
+
+/// Whether taus lead from the state into a tau cycle. One depth-first search over all calls: a state that is left
+/// without having met the current path or a divergent state reaches only such states, so its answer is final.
+bool NormalForm::state_diverges(StateIndex root) {
+    enum : std::uint8_t { unvisited, on_path, finite, infinite };
+    struct Frame {
+        StateIndex state;
+        std::uint32_t next;
+    };
+    const auto status = [this](StateIndex state) -> std::uint8_t& {
+        if (state >= divergence_.size()) divergence_.resize(state + 1U, unvisited);
+        return divergence_[state];
+    };
+    if (status(root) != unvisited) return status(root) == infinite;
+    std::vector<Frame> path{{root, 0}};
+    status(root) = on_path;
+    bool found = false;  // everything on the path diverges
+    while (!path.empty()) {
+        Frame& top = path.back();
+        const std::span<const LazyGraph::Edge> taus = graph_.edges(top.state, process::tau);
+        if (found || top.next == taus.size()) {
+            status(top.state) = found ? infinite : finite;
+            path.pop_back();
+            continue;
+        }
+        const StateIndex target = taus[top.next++].target;
+        const std::uint8_t reached = status(target);
+        found = reached == on_path || reached == infinite;
+        if (reached == unvisited) {
+            status(target) = on_path;
+            path.push_back({target, 0});
+        }
+    }
+    return status(root) == infinite;
+}
+
+}  // namespace robochart::refine

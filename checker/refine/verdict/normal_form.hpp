@@ -1,0 +1,113 @@
+// The specification, normalised as far as the search asks: nodes are tau-closed sets of its states, one for every
+// trace's behaviour (UCS 10.4.2, "normalisation"; done lazily).
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <stdexcept>
+#include <unordered_map>
+#include <vector>
+
+#include "checker/lts/state_store.hpp"
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/search/stability.hpp"
+
+namespace robochart::refine {
+
+/// The states of a system explored on demand, with their transitions ordered by event.
+class LazyGraph {
+public:
+    explicit LazyGraph(lts::TransitionSystem& system, Budget& budget);
+
+    struct Edge {
+        process::Event event;
+        lts::StateIndex target;
+    };
+    lts::StateIndex initial();
+    /// Valid until the next call.
+    std::span<const Edge> edges(lts::StateIndex state);
+    std::span<const Edge> edges(lts::StateIndex state, process::Event event);
+    [[nodiscard]] Offer offer(lts::StateIndex state);
+    [[nodiscard]] std::size_t size() const { return states_.size(); }
+    /// The packed state behind a number.
+    [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }
+
+private:
+    struct Extent {
+        std::uint64_t first = 0;
+        std::uint32_t count = 0;
+        bool expanded = false;
+    };
+    class Collector;
+    void expand(lts::StateIndex state);
+
+    lts::TransitionSystem& system_;
+    Budget& budget_;
+    lts::StateStore states_;
+    std::vector<Extent> extents_;
+    std::vector<Edge> edges_;
+};
+
+/// There are more nodes than a specification has whose normal form is worth having.
+class SpecificationGrows : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+class NormalForm {
+public:
+    using Node = std::uint32_t;
+
+    NormalForm(lts::TransitionSystem& specification, Budget& budget);
+
+    Node initial();
+    /// The node after one more visible event or tick; none if the specification cannot perform it.
+    std::optional<Node> after(Node node, process::Event event);
+    /// What the specification can perform here, ascending.
+    process::EventSet initials(Node node);
+    /// The minimal acceptances of the node's states, in the order of their size, then of their events. Every stable
+    /// behaviour here accepts at least one of them. Empty: no stable state.
+    const std::vector<process::EventSet>& acceptances(Node node);
+    /// Whether the specification can perform taus for ever here.
+    bool diverges(Node node);
+    /// Whether all states of one node are states of the other.
+    [[nodiscard]] bool includes(Node larger, Node smaller) const;
+    /// The specification's states behind a node.
+    [[nodiscard]] std::vector<lts::StateView> states(Node node) const;
+    [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+    /// From now on a node too many, by far more than there are states, throws SpecificationGrows.
+    void refuse_growth() { may_grow_ = false; }
+
+private:
+    using Members = std::vector<lts::StateIndex>;
+    struct Arc {
+        process::Event event;
+        Node target;
+    };
+    struct NodeData {
+        const Members* members = nullptr;
+        std::optional<std::vector<Arc>> arcs;
+        std::optional<std::vector<process::EventSet>> acceptances;
+        std::optional<bool> diverges;
+    };
+    struct Hash {
+        std::size_t operator()(const Members& members) const;
+    };
+
+    Node node_of(Members seeds);
+    void close(Members& members);
+    std::vector<Arc>& arcs(Node node);
+    bool state_diverges(lts::StateIndex state);
+
+    LazyGraph graph_;
+    Budget& budget_;
+    std::unordered_map<Members, Node, Hash> ids_;
+    std::deque<NodeData> nodes_;
+    std::vector<std::uint32_t> mark_;  // per state, the closure it was last put into
+    std::uint32_t closure_ = 0;
+    bool may_grow_ = true;
+    std::vector<std::uint8_t> divergence_;  // per state: see state_diverges
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,38 @@
+// The frame all questions share: a budget, a clock, and limits told as an inconclusive verdict.
+#pragma once
+
+#include <functional>
+
+#include "checker/refine/verdict/normal_form.hpp"
+#include "checker/refine/verdict/replay.hpp"
+#include "checker/refine/search/search.hpp"
+#include "checker/refine/verdict/verdict.hpp"
+
+namespace robochart::refine {
+
+/// Runs the question; a limit reached or memory that is not there gives inconclusive. Other exceptions pass.
+/// Long work inside the systems counts against the limits too.
+[[nodiscard]] Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
+                             const std::function<void(Budget&, Verdict&)>& question);
+
+/// Adds up what a search has seen, also when it is left by an exception.
+class Tally {
+public:
+    Tally(const Search& search, Statistics& statistics, const NormalForm* specification = nullptr)
+        : search_(search), statistics_(statistics), specification_(specification) {}
+    Tally(const Tally&) = delete;
+    Tally& operator=(const Tally&) = delete;
+    ~Tally();
+
+private:
+    const Search& search_;
+    Statistics& statistics_;
+    const NormalForm* specification_;
+};
+
+/// The run to a finding, with the forbidden event as its last step if there is one.
+[[nodiscard]] Violation violation_of(Search& search, lts::TransitionSystem& system, const Finding& finding);
+/// After an exhausted search that kept taus: the first divergence.
+[[nodiscard]] std::optional<Violation> first_divergence(Search& search);
+
+}  // namespace robochart::refine

@@ -1,0 +1,230 @@
+// Breadth-first search for the run: first by exactly its actions and by what is behind its taus, then by its actions,
+// which strongly bisimilar components allow, then by its trace alone, because compressed components may do other taus.
+#include "checker/refine/verdict/reference.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "checker/refine/search/steps.hpp"
+#include "checker/refine/search/poll_guard.hpp"
+
+namespace robochart::refine {
+namespace {
+
+using process::Event;
+using State = std::vector<lts::Word>;
+
+/// The reference's share: a bound reached says nothing about the verdict.
+constexpr std::chrono::seconds longest_replay{20};
+
+struct Moves {
+    std::vector<RunStep> list;
+    Offer offer;
+};
+
+Moves moves_of(lts::TransitionSystem& system, const State& state, Budget& budget) {
+    Moves moves{steps_from(system, state, budget), {}};
+    moves.offer = offer_of(moves.list);
+    return moves;
+}
+
+/// One action of a run; `revealed` is absent where any will do.
+struct Action {
+    Event event;
+    std::optional<Event> revealed = std::nullopt;
+    [[nodiscard]] bool fits(const RunStep& step) const {
+        return step.event == event && (!revealed || step.revealed == *revealed);
+    }
+};
+
+/// Paths through a system whose nodes are states with a place in a word of actions.
+class Paths {
+public:
+    Paths(lts::TransitionSystem& system, Budget& budget) : system_(system), budget_(budget) {}
+
+    /// The shortest run from `from` along the actions to a state that `ends` accepts; with `free_taus`, taus may come
+    /// anywhere and the actions have none.
+    std::optional<Run> find(const State& from, const std::vector<Action>& actions, bool free_taus,
+                            const std::function<bool(const State&, const Moves&)>& ends) {
+        nodes_.clear();
+        known_.clear();
+        visit({0, from, 0, {}});
+        for (std::size_t at = 0; at < nodes_.size(); ++at) {
+            const std::size_t place = nodes_[at].place;
+            const Moves moves = moves_of(system_, nodes_[at].state, budget_);
+            if (place == actions.size() && ends(nodes_[at].state, moves)) return run_to(at);
+            for (const RunStep& step : moves.list) {
+                if (place < actions.size() && actions[place].fits(step)) visit({place + 1, step.state, at, step});
+                if (free_taus && step.event == process::tau) visit({place, step.state, at, step});
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    struct Node {
+        std::size_t place;
+        State state;
+        std::size_t from;
+        RunStep step;
+    };
+
+    void visit(Node node) {
+        if (known_.emplace(std::pair(node.place, node.state), nodes_.size()).second) nodes_.push_back(std::move(node));
+    }
+    Run run_to(std::size_t at) const {
+        Run run;
+        for (; at != 0; at = nodes_[at].from) run.steps.push_back(nodes_[at].step);
+        std::reverse(run.steps.begin(), run.steps.end());
+        run.initial = nodes_.front().state;
+        return run;
+    }
+
+    lts::TransitionSystem& system_;
+    Budget& budget_;
+    std::vector<Node> nodes_;
+    std::map<std::pair<std::size_t, State>, std::size_t> known_;
+};
+
+std::vector<Action> actions_of(const Run& run) {
+    std::vector<Action> actions;
+    for (const RunStep& step : run.steps) actions.push_back({step.event});
+    return actions;
+}
+
+/// As many taus look alike without what they hide: where they stand in a row, most of a state space fits.
+std::vector<Action> revealed_actions_of(const Run& run) {
+    std::vector<Action> actions;
+    for (const RunStep& step : run.steps) actions.push_back({step.event, step.revealed});
+    return actions;
+}
+
+std::vector<Action> trace_of(const Run& run) {
+    std::vector<Action> actions;
+    for (const Event event : run.trace()) actions.push_back({event});
+    return actions;
+}
+
+void append(Run& run, const Run& more) {
+    run.steps.insert(run.steps.end(), more.steps.begin(), more.steps.end());
+}
+
+/// Taus that lead into a loop of taus.
+struct Lasso {
+    Run stem;
+    Run loop;
+};
+
+/// Round after round of what the loop does and hides, until a round begins where an earlier one did: a state of a
+/// machine stands for several terms, so that one round there may be several here.
+std::optional<Lasso> rounds_of(lts::TransitionSystem& system, const State& state, const Run& loop, Budget& budget) {
+    constexpr std::size_t most_rounds = 100;
+    const std::vector<Action> actions = revealed_actions_of(loop);
+    Paths paths(system, budget);
+    std::vector<Run> rounds;
+    for (State at = state; rounds.size() < most_rounds; at = rounds.back().last()) {
+        const auto begins_here = [&](const Run& round) { return round.initial == at; };
+        const auto first = std::find_if(rounds.begin(), rounds.end(), begins_here);
+        if (first != rounds.end()) {
+            Lasso lasso{{state, {}}, {at, {}}};
+            for (auto round = rounds.begin(); round != rounds.end(); ++round)
+                append(round < first ? lasso.stem : lasso.loop, *round);
+            return lasso;
+        }
+        auto round = paths.find(at, actions, false, [](const State&, const Moves&) { return true; });
+        if (!round) return std::nullopt;
+        rounds.push_back(std::move(*round));
+    }
+    return std::nullopt;
+}
+
+/// Taus from the state back to itself: as the loop's, or else any.
+std::optional<Lasso> tau_loop(lts::TransitionSystem& system, const State& state, const Run& like, Budget& budget) {
+    if (auto found = rounds_of(system, state, like, budget)) return found;
+    Paths paths(system, budget);
+    for (const RunStep& first : moves_of(system, state, budget).list) {
+        if (first.event != process::tau) continue;
+        const std::optional<Run> rest =
+            paths.find(first.state, {}, true, [&](const State& at, const Moves&) { return at == state; });
+        if (!rest) continue;
+        Lasso lasso{{state, {}}, {state, {first}}};
+        append(lasso.loop, *rest);
+        return lasso;
+    }
+    return std::nullopt;
+}
+
+/// Whether a state of the reference is as bad as the one where the violation ends.
+std::function<bool(const State&, const Moves&)> as_bad_as(lts::TransitionSystem& system,
+                                                          lts::TransitionSystem& reference, const Violation& violation,
+                                                          Budget& budget) {
+    switch (violation.kind) {
+        case ViolationKind::refusal: {
+            const auto accepted = acceptance(moves_of(system, violation.run.last(), budget).offer);
+            return [accepted](const State&, const Moves& moves) {
+                const auto own = acceptance(moves.offer);
+                return own && accepted && std::includes(accepted->begin(), accepted->end(), own->begin(), own->end());
+            };
+        }
+        case ViolationKind::deadlock:
+            return [](const State&, const Moves& moves) { return moves.list.empty(); };
+        case ViolationKind::divergence:
+            return [&](const State& state, const Moves& moves) {
+                return moves.offer.tau && tau_loop(reference, state, violation.loop, budget).has_value();
+            };
+        case ViolationKind::nondeterminism:
+            return [event = violation.event](const State&, const Moves& moves) {
+                const auto own = acceptance(moves.offer);
+                return own && event && !std::binary_search(own->begin(), own->end(), *event);
+            };
+        default:
+            return [](const State&, const Moves&) { return true; };
+    }
+}
+
+Limits share_of(Limits limits) {
+    const auto end = std::chrono::steady_clock::now() + longest_replay;
+    limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
+    return limits;
+}
+
+}  // namespace
+
+Violation found_again(lts::TransitionSystem& system, lts::TransitionSystem& reference, const Violation& violation,
+                      Budget& budget) {
+    const auto ends = as_bad_as(system, reference, violation, budget);
+    const State from = initial_of(reference);
+    Paths paths(reference, budget);
+    std::optional<Run> run = paths.find(from, revealed_actions_of(violation.run), false, ends);
+    if (!run) run = paths.find(from, actions_of(violation.run), false, ends);
+    if (!run) run = paths.find(from, trace_of(violation.run), true, ends);
+    if (!run) throw std::logic_error("a counterexample failed its replay: the terms have no such run");
+    Violation again{violation.kind, std::move(*run), {}, violation.event};
+    if (violation.kind == ViolationKind::divergence) {
+        Lasso lasso = tau_loop(reference, again.run.last(), violation.loop, budget).value();
+        append(again.run, lasso.stem);
+        again.loop = std::move(lasso.loop);
+    }
+    return again;
+}
+
+Confirmed confirmed(lts::TransitionSystem& system, const Violation& violation, Budget& budget,
+                    const std::function<void(lts::TransitionSystem&, const Violation&, Budget&)>& judge) {
+    judge(system, violation, budget);
+    if (system.reference() == nullptr) return {violation, &system, system.states_are_terms()};
+    lts::TransitionSystem& reference = *system.reference();
+    const Limits share = share_of(budget.limits());
+    Budget own(share);
+    const Watch watch({&reference}, own);
+    try {
+        Violation again = found_again(system, reference, violation, own);
+        judge(reference, again, own);
+        return {std::move(again), &reference, true};
+    } catch (const process::Interrupted&) {
+        if (share.interrupted && share.interrupted()) throw;
+        return {violation, &system, false};
+    }
+}
+
+}  // namespace robochart::refine

@@ -1,0 +1,221 @@
+// Definitions restated naively: sets of whole states, closed under tau, event by event.
+#include "checker/refine/verdict/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "checker/refine/search/steps.hpp"
+
+namespace robochart::refine {
+namespace {
+
+using lts::StateView;
+using lts::Word;
+using process::Event;
+using process::EventSet;
+using State = std::vector<Word>;
+
+void require(bool truth, const char* claim) {
+    if (!truth) throw std::logic_error(fmt::format("a counterexample failed its replay: {}", claim));
+}
+
+void confirm_steps(lts::TransitionSystem& system, const Run& run, Budget& budget) {
+    const State* from = &run.initial;
+    for (const RunStep& step : run.steps) {
+        const std::vector<RunStep> moves = steps_from(system, *from, budget);
+        require(std::any_of(moves.begin(), moves.end(),
+                            [&](const RunStep& move) {
+                                return move.event == step.event && move.revealed == step.revealed &&
+                                       move.state == step.state;
+                            }),
+                "a step of the run does not exist");
+        from = &step.state;
+    }
+}
+
+void confirm_run(lts::TransitionSystem& system, const Run& run, Budget& budget) {
+    require(run.initial == initial_of(system), "the run does not start in the initial state");
+    confirm_steps(system, run, budget);
+}
+
+/// What one state does, by definition.
+struct Conduct {
+    bool tau = false;
+    std::set<Event> events;
+
+    [[nodiscard]] bool stable() const { return !tau && !events.contains(process::tick); }
+    /// Whether the state can refuse everything outside `accepted`: a stable state accepts all it offers, one that can
+    /// terminate accepts tick alone.
+    [[nodiscard]] bool can_settle_for(const EventSet& accepted) const {
+        if (events.contains(process::tick))
+            return std::find(accepted.begin(), accepted.end(), process::tick) != accepted.end();
+        return stable() && std::all_of(events.begin(), events.end(), [&](Event event) {
+                   return std::find(accepted.begin(), accepted.end(), event) != accepted.end();
+               });
+    }
+    [[nodiscard]] bool can_refuse(Event event) const {
+        return events.contains(process::tick) ? event != process::tick : stable() && !events.contains(event);
+    }
+};
+
+Conduct conduct_of(lts::TransitionSystem& system, const State& state, Budget& budget) {
+    Conduct conduct;
+    for (const RunStep& move : steps_from(system, state, budget)) {
+        if (move.event == process::tau)
+            conduct.tau = true;
+        else
+            conduct.events.insert(move.event);
+    }
+    return conduct;
+}
+
+/// All states a system can be in after a trace.
+class Powerset {
+public:
+    Powerset(lts::TransitionSystem& system, Budget& budget) : system_(system), budget_(budget) {
+        states_.insert(initial_of(system));
+        close();
+    }
+
+    void perform(Event event) {
+        std::set<State> next;
+        for (const State& state : states_)
+            for (RunStep& move : steps_from(system_, state, budget_))
+                if (move.event == event) next.insert(std::move(move.state));
+        states_.swap(next);
+        close();
+    }
+    [[nodiscard]] bool impossible() const { return states_.empty(); }
+    bool can_perform(Event event) {
+        Powerset next = *this;
+        next.perform(event);
+        return !next.impossible();
+    }
+    bool can_settle_for(const EventSet& accepted) {
+        return std::any_of(states_.begin(), states_.end(), [&](const State& state) {
+            return conduct_of(system_, state, budget_).can_settle_for(accepted);
+        });
+    }
+    /// States without a tau are taken away, then those whose taus all lead to such, until none is left or all that are
+    /// left have a tau that stays.
+    bool diverges() {
+        std::map<State, std::size_t> taus_left;
+        std::map<State, std::vector<State>> sources;
+        std::vector<State> finite;
+        for (const State& state : states_) {
+            std::set<State> targets;
+            for (RunStep& move : steps_from(system_, state, budget_))
+                if (move.event == process::tau) targets.insert(std::move(move.state));
+            for (const State& target : targets) sources[target].push_back(state);
+            taus_left[state] = targets.size();
+            if (targets.empty()) finite.push_back(state);
+        }
+        std::size_t removed = 0;
+        for (; removed < finite.size(); ++removed) {
+            const std::vector<State> before = sources[finite[removed]];
+            for (const State& source : before)
+                if (--taus_left[source] == 0) finite.push_back(source);
+        }
+        return removed < states_.size();
+    }
+
+private:
+    void close() {
+        std::vector<State> work(states_.begin(), states_.end());
+        while (!work.empty()) {
+            const State state = std::move(work.back());
+            work.pop_back();
+            for (RunStep& move : steps_from(system_, state, budget_))
+                if (move.event == process::tau && states_.insert(move.state).second)
+                    work.push_back(std::move(move.state));
+        }
+    }
+
+    lts::TransitionSystem& system_;
+    Budget& budget_;
+    std::set<State> states_;
+};
+
+void confirm_loop(lts::TransitionSystem& system, const Violation& violation, Budget& budget) {
+    const Run& loop = violation.loop;
+    require(!loop.steps.empty() && loop.initial == violation.run.last() && loop.last() == loop.initial,
+            "the loop does not return to the end of the run");
+    require(loop.trace().empty(), "the loop performs an event");
+    confirm_steps(system, loop, budget);
+}
+
+void confirm_refusal(lts::TransitionSystem& implementation, Powerset& specification, const Run& run, Budget& budget) {
+    const Conduct conduct = conduct_of(implementation, run.last(), budget);
+    const bool ticks = conduct.events.contains(process::tick);
+    require(ticks || conduct.stable(), "the state that refuses is not stable");
+    const EventSet accepted = ticks ? EventSet{process::tick} : EventSet(conduct.events.begin(), conduct.events.end());
+    require(!specification.can_settle_for(accepted), "the specification refuses as much");
+}
+
+}  // namespace
+
+void confirm_refinement_violation(lts::TransitionSystem& specification, lts::TransitionSystem& implementation,
+                                  Model model, const Violation& violation, Budget& budget) {
+    confirm_run(implementation, violation.run, budget);
+    const bool with_divergence = model == Model::failures_divergences;
+    std::vector<Event> trace = violation.run.trace();
+    std::optional<Event> forbidden;
+    if (violation.kind == ViolationKind::trace) {
+        require(!trace.empty(), "no event is forbidden");
+        forbidden = trace.back();
+        trace.pop_back();
+    }
+    Powerset allowed(specification, budget);
+    require(!with_divergence || !allowed.diverges(), "the specification diverges");
+    for (Event event : trace) {
+        allowed.perform(event);
+        require(!allowed.impossible(), "the trace is impossible before its last event");
+        require(!with_divergence || !allowed.diverges(), "the specification diverges");
+    }
+    switch (violation.kind) {
+        case ViolationKind::trace:
+            return require(!allowed.can_perform(*forbidden), "the specification allows the event");
+        case ViolationKind::refusal:
+            require(model != Model::traces, "refusals do not matter to traces");
+            return confirm_refusal(implementation, allowed, violation.run, budget);
+        case ViolationKind::divergence:
+            require(with_divergence, "divergence does not matter to this model");
+            return confirm_loop(implementation, violation, budget);
+        default:
+            require(false, "a kind that refinement does not have");
+    }
+}
+
+void confirm_property_violation(lts::TransitionSystem& system, const Violation& violation, Budget& budget) {
+    confirm_run(system, violation.run, budget);
+    if (violation.kind == ViolationKind::divergence) return confirm_loop(system, violation, budget);
+    if (violation.kind == ViolationKind::deadlock)
+        return require(steps_from(system, violation.run.last(), budget).empty(), "the state is not deadlocked");
+    require(violation.kind == ViolationKind::nondeterminism && violation.event, "a kind that properties do not have");
+    require(conduct_of(system, violation.run.last(), budget).can_refuse(*violation.event), "the event is not refused");
+    Powerset states(system, budget);
+    for (Event event : violation.run.trace()) states.perform(event);
+    require(states.can_perform(*violation.event), "the event is not accepted");
+}
+
+void confirm_missing_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, const Run& run,
+                           Budget& budget) {
+    confirm_run(system, run, budget);
+    const std::vector<Event> prefix = run.trace();
+    require(prefix.size() < trace.size() && std::equal(prefix.begin(), prefix.end(), trace.begin()),
+            "the run is not a beginning of the trace");
+    Powerset states(system, budget);
+    for (Event event : prefix) states.perform(event);
+    require(!states.can_perform(trace[prefix.size()]), "the trace goes on");
+}
+
+void confirm_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, const Run& run, Budget& budget) {
+    confirm_run(system, run, budget);
+    require(run.trace() == trace, "the run performs another trace");
+}
+
+}  // namespace robochart::refine

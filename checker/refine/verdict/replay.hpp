@@ -1,0 +1,29 @@
+// Counterexamples are believed after they have been replayed: the run is taken again step by step, and the violation
+// is judged against a plain powerset of the specification along its trace. Slow, definitional, and apart from the
+// search: nothing of its data is used. A mismatch is a fault of the checker and throws std::logic_error.
+#pragma once
+
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/search/run.hpp"
+#include "checker/refine/verdict/verdict.hpp"
+
+namespace robochart::refine {
+
+/// What the search claims to have found.
+struct Violation {
+    ViolationKind kind = ViolationKind::trace;
+    Run run;
+    Run loop;                             ///< divergence: taus from the run's last state back to it
+    std::optional<process::Event> event;  ///< nondeterminism: the event that is both accepted and refused
+};
+
+void confirm_refinement_violation(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model,
+                                  const Violation&, Budget&);
+/// Deadlock, divergence and nondeterminism of one system.
+void confirm_property_violation(lts::TransitionSystem&, const Violation&, Budget&);
+/// The run performs the trace's first events, and the system cannot perform all of it.
+void confirm_missing_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, const Run& run, Budget&);
+/// The run performs exactly the trace.
+void confirm_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, const Run& run, Budget&);
+
+}  // namespace robochart::refine

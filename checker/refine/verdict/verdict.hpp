@@ -1,0 +1,49 @@
+// Answers: whether an assertion holds, and the run that shows that it does not.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/lts/transition_system.hpp"
+#include "checker/process/term.hpp"
+#include "checker/refine/search/limits.hpp"
+#include "checker/refine/search/violation.hpp"
+
+namespace robochart::refine {
+
+enum class Model { traces, failures, failures_divergences };
+
+enum class Outcome { holds, fails, inconclusive };
+
+/// One step of the implementation's run.
+struct Step {
+    process::Event event = process::tau;
+    process::Event revealed = process::tau;  ///< the hidden event behind a tau, if known
+    std::string state;                       ///< describe() of the state reached
+};
+
+struct Counterexample {
+    ViolationKind kind = ViolationKind::trace;
+    std::vector<Step> steps;              ///< shortest run of the implementation, taus included
+    std::string initial;                  ///< describe() of the initial state
+    std::vector<process::Event> offered;  ///< refusal, deadlock: what the last state offers
+    std::vector<process::EventSet>
+        required;  ///< refusal: the specification's minimal acceptances; trace: one set, the events it allowed
+    std::vector<Step> loop;               ///< divergence: the tau loop
+    std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the offending one
+    /// The initial state and those after the steps, then those of the loop; empty where states are not terms.
+    std::vector<process::TermId> terms, loop_terms;
+    /// Whether the run was replayed by the operational semantics of terms; else by the compiled rules alone, because
+    /// the terms were too many or there are none.
+    bool replayed_by_terms = false;
+};
+
+struct Verdict {
+    Outcome outcome = Outcome::inconclusive;
+    std::string reason;                            ///< inconclusive: which limit, or the evaluation error
+    std::optional<Counterexample> counterexample;  ///< present iff fails (for has trace: iff the trace is impossible)
+    Statistics statistics;
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,62 @@
+# A component is a folder; its sub-folders are named in the order in which they depend on each other (docs/architecture.md).
+# Sources are found by name: a file belongs to the folder that it lies in.
+
+# sources_of(RESULT FOLDER ...): the .cpp files of these folders below the current one, "." for itself.
+function(sources_of result)
+  set(found "")
+  foreach(folder ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    if(NOT sources)
+      message(FATAL_ERROR "${CMAKE_CURRENT_SOURCE_DIR}/${folder} has no sources")
+    endif()
+    list(APPEND found ${sources})
+  endforeach()
+  set(${result} ${found} PARENT_SCOPE)
+endfunction()
+
+# unite(TARGET FOLDER ...): with ROBOCHART_UNITY the sources of a folder are compiled in groups of at most a dozen, each with
+# one reading of the headers that they share; folders never mix.
+function(unite target)
+  if(NOT ROBOCHART_UNITY)
+    return()
+  endif()
+  set(most 12)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # To this warning a source that is included is a header.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  foreach(folder ${ARGN})
+    sources_of(sources ${folder})
+    list(LENGTH sources count)
+    math(EXPR groups "(${count} + ${most} - 1) / ${most}")
+    set(number 0)
+    foreach(source ${sources})
+      math(EXPR group "${number} * ${groups} / ${count}")
+      string(MAKE_C_IDENTIFIER "${folder}_${group}" name)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${name})
+      math(EXPR number "${number} + 1")
+    endforeach()
+  endforeach()
+endfunction()
+
+# robochart_component(NAME FOLDERS ... [SOURCES made files ...] DEPENDS ...): a static library, robochart_NAME.
+function(robochart_component name)
+  cmake_parse_arguments(COMPONENT "" "" "FOLDERS;SOURCES;DEPENDS" ${ARGN})
+  sources_of(sources ${COMPONENT_FOLDERS})
+  add_library(robochart_${name} STATIC ${sources} ${COMPONENT_SOURCES})
+  target_link_libraries(robochart_${name} PUBLIC fmt::fmt ${COMPONENT_DEPENDS})
+  unite(robochart_${name} ${COMPONENT_FOLDERS})
+endfunction()
+
+# robochart_tests(NAME FOLDERS ... [SOURCES more files ...] DEPENDS ...): a GoogleTest program, tests_NAME.
+function(robochart_tests name)
+  cmake_parse_arguments(TESTS "" "" "FOLDERS;SOURCES;DEPENDS" ${ARGN})
+  set(sources "")
+  if(TESTS_FOLDERS)
+    sources_of(sources ${TESTS_FOLDERS})
+  endif()
+  add_executable(tests_${name} ${sources} ${TESTS_SOURCES})
+  # A test is compiled far oftener than its own lines cost time: half of a cold build was optimizing them.
+  target_compile_options(tests_${name} PRIVATE -O0)
+  target_link_libraries(tests_${name} PRIVATE ${TESTS_DEPENDS} robochart_source_folder GTest::gtest GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(tests_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
+endfunction()

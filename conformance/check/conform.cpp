@@ -1,0 +1,170 @@
+// The whole check: script of the model, generated code, shared object, and the judgement (docs/conformance.md).
+#include "conformance/check/conform.hpp"
+
+#include <fmt/format.h>
+
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/session.hpp"
+#include "checker/process/term_system.hpp"
+#include "conformance/model/component.hpp"
+#include "conformance/model/cyclic_model.hpp"
+#include "conformance/check/export.hpp"
+#include "conformance/check/conformance_check.hpp"
+#include "conformance/model/normal_form.hpp"
+#include "conformance/check/partial_readings.hpp"
+#include "conformance/model/renamed_model.hpp"
+#include "conformance/code/shared_object.hpp"
+#include "conformance/check/random_walk.hpp"
+#include "csp_emit/emit.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+Result not_generated(std::string reason) {
+    Result result;
+    result.outcome = Outcome::not_generated;
+    result.reason = std::move(reason);
+    return result;
+}
+
+std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Options& options,
+                                    diagnostics::Budget& budget, std::string& error) {
+    std::vector<std::string> sources = emission.sources;
+    sources.push_back(emission.shim);
+    const BuildOptions wanted{options.compiler, options.flags, options.work_dir, &budget};
+    return SharedObject::build(emission.files, sources, wanted, error);
+}
+
+/// The definition as text, for FDR and for reading; the check does not depend on it.
+std::string normal_form_text(const csp_emit::Emission& script, const cspm::ExprPtr& process, const Alphabet& alphabet,
+                             std::uint32_t cycle_length) {
+    const NormalFormScript form = normal_form(script.definitions, process, alphabet, cycle_length, Reading::any_order);
+    return cspm::print(cspm::Script{form.decls});
+}
+
+/// What was searched before a limit was reached, then walks. They follow the model term by term where it was not
+/// compiled as a whole.
+Result walked(Result bounded, cspm::Session& session, lts::TransitionSystem* compiled, const cspm::ExprPtr& process,
+              const Interface& interface, const rc_interface& code, const Options& options) {
+    if (options.walks.cycles == 0) return bounded;
+    process::OperationalSemantics semantics(session.terms());
+    process::TermSystem terms(semantics, session.process(process));
+    const Alphabet alphabet(interface, session.event_table());
+    ModelGraph graph(compiled == nullptr ? terms : *compiled, alphabet);
+    Result result = walk(graph, alphabet, code, options.cycle_length, options.limits, options.walks);
+    std::string before = bounded.reason;
+    if (bounded.product.depth > 0)
+        before +=
+            fmt::format("; no difference in {} states, {} events deep", bounded.product.states, bounded.product.depth);
+    if (result.outcome == Outcome::inconclusive) result.reason = fmt::format("{}; {}", before, result.reason);
+    result.schedulability = bounded.schedulability;
+    result.register_cycles = std::move(bounded.register_cycles);
+    result.deadlines = std::move(bounded.deadlines);
+    result.product = bounded.product;
+    result.model_states = graph.size();
+    return result;
+}
+
+/// Where walks may follow, the search does not take all the time that is left.
+refine::Limits limits_of_search(const Options& options) {
+    refine::Limits limits = options.limits;
+    const auto now = std::chrono::steady_clock::now();
+    if (options.walks.cycles > 0 && limits.deadline && *limits.deadline > now)
+        limits.deadline = now + (*limits.deadline - now) * 3 / 4;
+    return limits;
+}
+
+/// Where the valuations of all registers in all states were too many: only those on which something depends.
+void partially(Result& result, lts::TransitionSystem& model, cspm::Session& session, const Interface& interface,
+               const rc_interface& code, const Options& options) {
+    const Alphabet alphabet(interface, session.event_table());
+    ModelGraph graph(model, alphabet);
+    Result partial = judge_partially(graph, alphabet, code, options.cycle_length, limits_of_search(options));
+    if (partial.outcome == Outcome::inconclusive) return;
+    partial.schedulability = result.schedulability;
+    partial.register_cycles = std::move(result.register_cycles);
+    if (result.deadlines) partial.deadlines = std::move(result.deadlines);
+    result = std::move(partial);
+}
+
+Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
+               const rc_interface& code, const Options& options) {
+    std::unique_ptr<lts::TransitionSystem> model;
+    Result result;
+    try {
+        const refine::Limits limits = limits_of_search(options);
+        model = session.system(process, limits);
+        result = judge(*model, session.event_table(), interface, code, options.cycle_length, limits, options.relation);
+    } catch (const process::Interrupted& limit) {
+        result.reason = fmt::format("the model was not compiled: {}", limit.what());
+    }
+    const bool wanted = !options.limits.interrupted || !options.limits.interrupted();
+    if (result.outcome != Outcome::inconclusive || !wanted) return result;
+    if (model && options.relation == Relation::failures_divergences)
+        partially(result, *model, session, interface, code, options);
+    if (result.outcome != Outcome::inconclusive) return result;
+    return walked(std::move(result), session, model.get(), process, interface, code, options);
+}
+
+}  // namespace
+
+Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
+                  const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
+    const cspm::ExprPtr process = component_process(script.definitions, component);
+    if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
+    Interface interface = interface_of(code);
+    complete(interface, system, instantiation, component, script.provenance);
+    try {
+        cspm::Session session(script.definitions);
+        Result result = checked(session, process, interface, code, options);
+        const Alphabet alphabet(interface, session.event_table());
+        result.normal_form = normal_form_text(script, process, alphabet, options.cycle_length);
+        if (options.exported != Export::none) export_code(result, {script, process, code, alphabet}, options);
+        return result;
+    } catch (const AlphabetError& mismatch) {
+        Result result;
+        result.outcome = Outcome::differs;
+        result.reason = mismatch.what();
+        return result;
+    } catch (const cspm::EvaluationError& failed) {
+        Result result;
+        result.reason = fmt::format("the script of the model cannot be evaluated: {}", failed.what());
+        return result;
+    }
+}
+
+Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,
+               const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    const SafeModel model = safe_model(system, instantiation, component, diagnostics);
+    const csp_emit::Emission script =
+        csp_emit::emit(model.system, model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+    const cspm::ExprPtr process = component_process(script.definitions, model.component);
+    if (diagnostics.errors() != errors || !process)
+        return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
+
+    cpp_emit::Options generator = options.generator;
+    generator.cycle_length = options.cycle_length;
+    const cpp_emit::Emission code =
+        cpp_emit::emit(model.system, model.instantiation, model.component, generator, diagnostics);
+    if (diagnostics.errors() != errors || code.shim.empty())
+        return not_generated(fmt::format("no C++ is generated for {}", component.path));
+
+    std::string error;
+    diagnostics::Budget own(options.limits);
+    diagnostics::Budget& budget = diagnostics.budget() != nullptr ? *diagnostics.budget() : own;
+    std::unique_ptr<SharedObject> object;
+    try {
+        const diagnostics::Budget::Phase phase(budget, "compiling the generated code");
+        object = build(code, options, budget, error);
+    } catch (const diagnostics::LimitReached& limit) {
+        Result result;
+        result.reason = limit.what();
+        return result;
+    }
+    if (!object) return not_generated(std::move(error));
+    return judge_code(script, model.system, model.instantiation, model.component, object->interface(), options);
+}
+
+}  // namespace robochart::conformance

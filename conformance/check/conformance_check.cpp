@@ -1,0 +1,263 @@
+// Asks the checker and tells its counterexamples in cycles; see conformance_check.hpp.
+#include "conformance/check/conformance_check.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <stdexcept>
+
+#include "conformance/check/dispatch_equivalence.hpp"
+#include "conformance/model/normal_form_system.hpp"
+#include "conformance/model/tick_tock.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+/// A run of NF_c(M) or L(G), cycle by cycle.
+struct Witness {
+    std::vector<Cycle> cycles;
+    std::vector<std::vector<std::uint32_t>> readings;  ///< per cycle, one per register read
+    std::vector<std::vector<process::Event>> writes;   ///< per cycle
+    std::vector<std::string> raw;
+};
+
+void add_step(Witness& run, const Alphabet& alphabet, const refine::Step& step, std::uint32_t& tocks,
+              std::uint32_t cycle_length) {
+    // Where writes are hidden, they are told all the same.
+    const process::Event event = step.event == process::tau ? step.revealed : step.event;
+    if (event == process::tau) return;
+    const CycleRole role = alphabet.cycle_role(event);
+    if (role.kind == CycleRole::Kind::other) return;
+    if (step.event == process::tau && role.kind != CycleRole::Kind::write) return;
+    run.raw.push_back(alphabet.events().name(event));
+    Cycle& cycle = run.cycles.back();
+    if (role.kind == CycleRole::Kind::read) {
+        run.readings.back().push_back(role.reading);
+        if (role.reading != 0) cycle.inputs.push_back(alphabet.tell(event));
+    } else if (role.kind == CycleRole::Kind::write) {
+        cycle.outputs.push_back(alphabet.tell(event));
+        run.writes.back().push_back(event);
+    } else if (role.kind == CycleRole::Kind::tock && ++tocks == cycle_length) {
+        cycle.state = step.state;
+        tocks = 0;
+        run.cycles.emplace_back();
+        run.readings.emplace_back();
+        run.writes.emplace_back();
+    }
+}
+
+Witness tell_run(const std::vector<refine::Step>& steps, const Alphabet& alphabet, std::uint32_t cycle_length) {
+    Witness run;
+    run.cycles.emplace_back();
+    run.readings.emplace_back();
+    run.writes.emplace_back();
+    std::uint32_t tocks = 0;
+    for (const refine::Step& step : steps) add_step(run, alphabet, step, tocks, cycle_length);
+    const bool ended = run.readings.back().empty() && run.cycles.back().outputs.empty();
+    if (ended && run.cycles.size() > 1 && !alphabet.interface().inputs.empty()) {
+        run.cycles.pop_back();
+        run.readings.pop_back();
+    }
+    return run;
+}
+
+/// The states of the code, by running it again over the inputs of the counterexample.
+void replay(Witness& run, CodeSystem& code) {
+    std::uint32_t image = code.reset();
+    for (std::size_t c = 0; c < run.cycles.size(); ++c) {
+        image = code.step(image, run.readings[c], run.writes[c]).next;
+        run.cycles[c].state = code.print(image);
+    }
+}
+
+std::string tell_events(const process::EventSet& events, const Alphabet& alphabet) {
+    constexpr std::size_t shown = 6;
+    std::string text;
+    for (std::size_t i = 0; i < events.size() && i < shown; ++i)
+        text += (i == 0 ? "" : " or ") + alphabet.tell(events[i]);
+    if (events.size() > shown) text += fmt::format(" or {} others", events.size() - shown);
+    return text.empty() ? "nothing" : text;
+}
+
+std::string expected_text(const refine::Counterexample& found, const Alphabet& alphabet) {
+    if (found.kind == refine::ViolationKind::divergence) return "an end of the cycle";
+    std::string text;
+    for (const process::EventSet& events : found.required)
+        text += (text.empty() ? "" : "; or all of: ") + tell_events(events, alphabet);
+    return text.empty() ? "nothing" : text;
+}
+
+/// What the code does that the model does not allow. Outside of reads L(G) offers one event; where the model insists on
+/// another, the checker stops before it, at the refusal.
+std::optional<process::Event> offence(const refine::Counterexample& found) {
+    if (found.kind == refine::ViolationKind::refusal && found.offered.size() == 1) return found.offered.front();
+    if (found.kind == refine::ViolationKind::trace && !found.steps.empty()) return found.steps.back().event;
+    return std::nullopt;
+}
+
+std::string difference(const refine::Counterexample& found, const Alphabet& alphabet, const CodeSystem& code) {
+    if (found.kind == refine::ViolationKind::divergence && code.endless())
+        return "the code's cycle does not end: `step` does not return";
+    if (found.kind == refine::ViolationKind::divergence)
+        return "the code's cycle does not end: its step bound is reached";
+    const auto event = offence(found);
+    // Only at a missed deadline it offers nothing (code_system.cpp).
+    if (!event && found.offered.empty()) return "the code misses a deadline";
+    if (!event) return fmt::format("the code offers only {}", tell_events(found.offered, alphabet));
+    const std::string& name = alphabet.events().name(*event);
+    if (name == "code.precondition") return "the code calls an operation outside its precondition";
+    if (alphabet.cycle_role(*event).kind == CycleRole::Kind::write)
+        return fmt::format("the code writes {}, which the model does not allow here", alphabet.tell(*event));
+    const bool stopped = std::all_of(found.required.begin(), found.required.end(),
+                                     [](const process::EventSet& allowed) { return allowed.empty(); });
+    if (*event == alphabet.tock() && stopped)
+        return "the code ends its cycle where time stops in the model: it misses a deadline and does not say so";
+    if (*event == alphabet.tock()) return "the code ends its cycle although the model must go on";
+    return fmt::format("the code does {}, which the model does not allow here", alphabet.tell(*event));
+}
+
+const std::string& last_state(const refine::Counterexample& found) {
+    return found.steps.empty() ? found.initial : found.steps.back().state;
+}
+
+std::string timelock_reason(const refine::Counterexample& found) {
+    const std::string& where = last_state(found);
+    if (found.kind == refine::ViolationKind::divergence)
+        return "the model does infinitely much without time passing, at " + where;
+    return "the model can neither go on nor let time pass, at " + where;
+}
+
+void not_schedulable(Result& result, const refine::Counterexample& found, const Alphabet& alphabet,
+                     std::uint32_t cycle_length) {
+    Witness run = tell_run(found.steps, alphabet, cycle_length);
+    if (!found.steps.empty()) run.cycles.back().state = found.steps.back().state;
+    result.outcome = Outcome::not_schedulable;
+    result.reason = timelock_reason(found);
+    result.cycles = std::move(run.cycles);
+    result.raw = std::move(run.raw);
+}
+
+Aside found_aside(std::string reason, const refine::Counterexample& found, const Alphabet& alphabet,
+                  std::uint32_t cycle_length) {
+    Witness run = tell_run(found.steps, alphabet, cycle_length);
+    return {false, std::move(reason), std::move(run.cycles)};
+}
+
+void differs(Result& result, const refine::Counterexample& found, const Alphabet& alphabet, CodeSystem& code,
+             std::uint32_t cycle_length) {
+    std::vector<refine::Step> steps = found.steps;
+    const auto event = offence(found);
+    if (found.kind == refine::ViolationKind::refusal && event) steps.push_back({*event, *event, ""});
+    Witness run = tell_run(steps, alphabet, cycle_length);
+    replay(run, code);
+    result.outcome = Outcome::differs;
+    result.reason = difference(found, alphabet, code);
+    result.expected = expected_text(found, alphabet);
+    result.cycles = std::move(run.cycles);
+    result.raw = std::move(run.raw);
+}
+
+/// The model of the relation has no divergences of its own to compare: the code's are looked for apart.
+refine::Verdict related(lts::TransitionSystem& specification, CodeSystem& code, const Alphabet& alphabet,
+                        const refine::Limits& limits, Relation relation) {
+    if (relation == Relation::failures_divergences)
+        return refine::refines(specification, code, refine::Model::failures_divergences, limits);
+    refine::Verdict verdict = tick_tock_refines(specification, code, alphabet.tock(), limits);
+    if (verdict.outcome != refine::Outcome::holds) return verdict;
+    const refine::Statistics statistics = verdict.statistics;
+    verdict = refine::divergence_free(code, limits);
+    verdict.statistics = statistics;
+    return verdict;
+}
+
+void count(Result& result, const ModelGraph& model, const CodeSystem& code) {
+    result.model_states = model.size();
+    result.code_states = code.images();
+    result.code_cycles = code.cycles();
+    if (code.alias_found())
+        result.warnings.emplace_back("the code's state is not canonical: different bytes print alike");
+}
+
+}  // namespace
+
+/// The first search has both: whether M can be run in cycles, and whether in cycles that make each output once and miss
+/// no deadline. It ends at the first that is not so; the next asks for what is left.
+Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
+                   const refine::Limits& limits) {
+    Result result;
+    Frame frame{AfterTermination::idle, Outputs::once, Deadlines::mark, false};
+    for (;;) {
+        NormalFormSystem normal_form(model, alphabet, cycle_length, frame);
+        const refine::Verdict verdict = refine::deadlock_free(normal_form, refine::Model::failures_divergences, limits);
+        result.schedulability = verdict.statistics;
+        result.model_states = model.size();
+        result.reason = verdict.reason;
+        if (verdict.outcome == refine::Outcome::holds) break;
+        if (verdict.outcome != refine::Outcome::fails || !verdict.counterexample) return result;
+        const refine::Counterexample& found = *verdict.counterexample;
+        const process::Event last = found.steps.empty() ? process::tau : found.steps.back().event;
+        if (last == normal_form.repeats()) {
+            result.register_cycles = found_aside(last_state(found), found, alphabet, cycle_length);
+            frame.outputs = Outputs::sequence;
+            frame.writes_hidden = true;
+        } else if (last == normal_form.deadline()) {
+            result.deadlines = found_aside("time stops in the model, which waits for an input, at " + last_state(found),
+                                           found, alphabet, cycle_length);
+            frame.deadlines = Deadlines::idle;
+        } else {
+            not_schedulable(result, found, alphabet, cycle_length);
+            return result;
+        }
+    }
+    result.outcome = Outcome::conforms;
+    if (!result.register_cycles) result.register_cycles.emplace();
+    if (!result.deadlines) result.deadlines.emplace();
+    return result;
+}
+
+Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled, std::uint32_t cycle_length,
+                  const refine::Limits& limits, Relation relation) {
+    Result result;
+    NormalFormSystem specification(model, alphabet, cycle_length);
+    CodeSystem code(compiled, alphabet, cycle_length);
+    const refine::Verdict verdict = related(specification, code, alphabet, limits, relation);
+    result.product = verdict.statistics;
+    if (!code.unsound().empty()) {
+        result.outcome = Outcome::differs;
+        result.reason = code.unsound();
+    } else if (verdict.outcome == refine::Outcome::fails && verdict.counterexample) {
+        differs(result, *verdict.counterexample, alphabet, code, cycle_length);
+    } else {
+        result.outcome = verdict.outcome == refine::Outcome::holds ? Outcome::conforms : Outcome::inconclusive;
+        result.reason = verdict.reason;
+    }
+    compare_faces(result, compiled, code, alphabet, limits);
+    count(result, model, code);
+    return result;
+}
+
+Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
+             const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits, Relation relation) {
+    Result result;
+    try {
+        const Alphabet alphabet(interface, events);
+        ModelGraph graph(model, alphabet);
+        result = schedulable(graph, alphabet, cycle_length, limits);
+        if (result.outcome != Outcome::conforms) return result;
+        Result refined = refined_by(graph, alphabet, code, cycle_length, limits, relation);
+        refined.schedulability = result.schedulability;
+        refined.register_cycles = std::move(result.register_cycles);
+        refined.deadlines = std::move(result.deadlines);
+        result = std::move(refined);
+    } catch (const AlphabetError& mismatch) {
+        result.outcome = Outcome::differs;
+        result.reason = mismatch.what();
+    } catch (const std::length_error& limit) {
+        result.outcome = Outcome::inconclusive;
+        result.reason = limit.what();
+    }
+    return result;
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,26 @@
+// The two questions of docs/conformance.md: is NF_c(M) schedulable, and does it have L(G) as a refinement?
+// Answers are told in control cycles.
+#pragma once
+
+#include "conformance/check/result.hpp"
+#include "conformance/code/code_system.hpp"
+#include "conformance/code/interface.hpp"
+#include "conformance/model/model_graph.hpp"
+
+namespace robochart::conformance {
+
+/// Schedulable: no reachable state of NF_c(M) is a timelock or a divergence. `outcome` is `conforms` if so.
+[[nodiscard]] Result schedulable(ModelGraph&, const Alphabet&, std::uint32_t cycle_length, const refine::Limits&);
+
+/// NF_c(M) [FD= L(code) for a schedulable M. Throws AlphabetError when model and code do not fit together, and
+/// std::length_error when there are too many valuations.
+[[nodiscard]] Result refined_by(ModelGraph&, const Alphabet&, const rc_interface& code, std::uint32_t cycle_length,
+                                const refine::Limits&, Relation = Relation::failures_divergences);
+
+/// Schedulability first, then NF_c(M) [FD= L(code). `interface` is the code's with carriers filled in and
+/// `component` set to the CSP prefix of M's events; `events` is the model's table.
+[[nodiscard]] Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
+                           const rc_interface& code, std::uint32_t cycle_length, const refine::Limits&,
+                           Relation = Relation::failures_divergences);
+
+}  // namespace robochart::conformance

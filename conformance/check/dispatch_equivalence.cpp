@@ -1,0 +1,274 @@
+// See dispatch_equivalence.hpp. Events that are not dispatched are raised beside the one that is: it must not look at them.
+#include "conformance/check/dispatch_equivalence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "checker/process/operational_semantics.hpp"
+#include "checker/refine/search/budget.hpp"
+#include "conformance/code/cycle_log.hpp"
+#include "conformance/code/watchdog.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+using Registers = std::vector<rc_register>;
+
+const char* ends(rc_result result) {
+    constexpr std::array<const char*, 5> words{"at rest", "terminated", "does not end", "outside a precondition",
+                                               "misses a deadline"};
+    const auto place = static_cast<std::size_t>(result);
+    return place < words.size() ? words[place] : "an unknown result";
+}
+
+/// A state and what was done to it since.
+struct Run {
+    Bytes state;
+    CycleLog log;
+    rc_result result = RC_QUIESCENT;
+};
+
+/// A call as the watchdog makes it.
+struct Call {
+    const rc_interface* code;
+    Run* run;
+    std::uint32_t event;
+    const rc_register* registers;
+};
+
+rc_result step(void* arguments) {
+    const auto* call = static_cast<const Call*>(arguments);
+    return call->code->step(call->run->state.data(), call->registers, &call->run->log);
+}
+
+rc_result dispatch(void* arguments) {
+    const auto* call = static_cast<const Call*>(arguments);
+    return call->code->dispatch(call->run->state.data(), call->event, call->registers, &call->run->log);
+}
+
+rc_result pass(void* arguments) {
+    const auto* call = static_cast<const Call*>(arguments);
+    return call->code->pass(call->run->state.data(), &call->run->log);
+}
+
+struct FaceComparison {
+    std::uint64_t compared = 0;
+    std::uint32_t image = 0;  ///< where they differ
+    std::optional<FaceDifference> difference;
+};
+
+class Comparison {
+public:
+    Comparison(const rc_interface& code, const CodeSystem& system, const Alphabet& alphabet,
+               const refine::Limits& limits)
+        : code_(code), system_(system), alphabet_(alphabet), budget_(limits) {
+        // What the cycle never made is a difference of the face, as long as it is seen that it is too much.
+        for (Run* run : {&cycle_, &dispatched_, &again_, &whole_}) run->log.reserve(system.most_writes() + 1);
+    }
+
+    FaceComparison run() {
+        if (code_.dispatch == nullptr) return {};
+        for (const std::uint32_t image : system_.begun()) {
+            found_.image = image;
+            from_ = system_.bytes(image);
+            if (!in_state()) break;
+        }
+        return std::move(found_);
+    }
+
+private:
+    /// All of these are false where the faces differ.
+    bool in_state() {
+        const std::vector<Register>& inputs = alphabet_.interface().inputs;
+        event_ = code_.events;
+        if (!on_event(0)) return false;
+        for (event_ = 0; event_ < code_.events; ++event_)
+            for (std::uint32_t reading = 1; reading < inputs[event_].readings(); ++reading)
+                if (!on_event(reading)) return false;
+        return true;
+    }
+
+    bool on_event(std::uint32_t reading) {
+        reading_ = reading;
+        const std::vector<Register>& inputs = alphabet_.interface().inputs;
+        alone_.assign(inputs.size(), {0, 0});
+        raised_.assign(inputs.size(), {0, 0});
+        for (std::size_t i = 0; i < inputs.size(); ++i) raised_[i] = {1, inputs[i].readings() - 2};
+        if (reading > 0) alone_[event_] = raised_[event_] = {1, reading - 1};
+        ++found_.compared;
+        cycle_.log.given = 0;
+        do {
+            budget_.charge();
+            if (!with_answers()) return false;
+        } while (next_choices(cycle_.log));
+        return true;
+    }
+
+    /// Under the answers that cycle_.log has.
+    bool with_answers() {
+        perform(step, cycle_, alone_);
+        take_answers(dispatched_);
+        perform(dispatch, dispatched_, raised_);
+        if (cycle_.result == RC_STEP_BOUND || dispatched_.result == RC_STEP_BOUND)
+            return promise(cycle_.result == dispatched_.result, dispatched_, "only one of them ends");
+        if (dispatched_.result == RC_QUIESCENT && !promise(stays(), dispatched_, "it leaves something enabled"))
+            return false;
+        whole_ = dispatched_;
+        if (whole_.result == RC_QUIESCENT) call(pass, whole_, raised_);
+        return alike(whole_) && (event_ != code_.events || passes_alone());
+    }
+
+    /// After it nothing is enabled: what needs no event is looked for again, and nothing comes.
+    bool stays() {
+        again_.state = dispatched_.state;
+        again_.log.given = 0;
+        const std::uint32_t event = std::exchange(event_, code_.events);
+        call(dispatch, again_, raised_);
+        event_ = event;
+        return again_.result == RC_QUIESCENT && again_.log.count == 0 && again_.state == dispatched_.state;
+    }
+
+    bool alike(const Run& other) {
+        return promise(cycle_.result == other.result, other, "it ends otherwise") &&
+               promise(cycle_.log.overflow == other.log.overflow && same_writes(cycle_.log, other.log), other,
+                       "other outputs") &&
+               promise(same_asked(other.log), other, "other choices") &&
+               promise(cycle_.state == other.state, other, "another state");
+    }
+
+    /// Once the machine has begun, a cycle without inputs is one call. Before, it begins the machine or counts for
+    /// nothing.
+    bool passes_alone() {
+        take_answers(whole_);
+        whole_.state = from_;
+        whole_.log.count = whole_.log.overflow = whole_.log.asked = 0;
+        call(pass, whole_, raised_);
+        passed_ = true;
+        const bool before = found_.image == system_.reset() && !same(whole_);
+        const bool kept = before ? begins_late() : alike(whole_);
+        passed_ = false;
+        return kept;
+    }
+
+    bool begins_late() {
+        if (!promise(whole_.log.count == 0, whole_, "outputs before the machine has begun")) return false;
+        take_answers(again_);
+        again_.state = whole_.state;
+        call(dispatch, again_, raised_);
+        const bool as_ever = again_.result == dispatched_.result && same_writes(again_.log, dispatched_.log) &&
+                             again_.state == dispatched_.state;
+        return promise(as_ever, again_, "time that passes before the machine has begun is counted");
+    }
+
+    [[nodiscard]] bool same(const Run& other) const {
+        return cycle_.result == other.result && same_writes(cycle_.log, other.log) && cycle_.state == other.state;
+    }
+
+    [[nodiscard]] bool same_asked(const rc_log& other) const {
+        if (cycle_.log.asked != other.asked) return false;
+        for (std::uint32_t k = 0; k < other.asked && k < ROBOCHART_MAX_CHOICES; ++k)
+            if (cycle_.log.ways[k] != other.ways[k]) return false;
+        return true;
+    }
+
+    void take_answers(Run& run) const {
+        run.log.given = cycle_.log.given;
+        std::copy_n(cycle_.log.choice, cycle_.log.given, run.log.choice);
+    }
+
+    void perform(Guarded what, Run& run, const Registers& registers) {
+        run.state = from_;
+        call(what, run, registers);
+    }
+
+    void call(Guarded what, Run& run, const Registers& registers) {
+        Call arguments{&code_, &run, event_, registers.data()};
+        const Stepped stepped = watched(what, &arguments, endless_ ? Patience::short_ : Patience::seconds);
+        endless_ = endless_ || stepped.endless;
+        run.result = stepped.result;
+    }
+
+    bool promise(bool kept, const Run& other, const char* what) {
+        if (kept) return true;
+        FaceDifference difference;
+        const std::vector<Register>& inputs = alphabet_.interface().inputs;
+        if (event_ < inputs.size() && reading_ > 0) difference.event = alphabet_.tell(alphabet_.read(event_, reading_));
+        const std::string called = passed_                    ? "`pass`"
+                                   : difference.event.empty() ? "`begin` and `pass`"
+                                                              : fmt::format("`dispatch` of {}", difference.event);
+        difference.what = fmt::format("{}: {}", called, what);
+        difference.cycle = told(cycle_);
+        difference.dispatched = told(other);
+        found_.difference = std::move(difference);
+        return false;
+    }
+
+    Behaviour told(const Run& run) const {
+        Behaviour behaviour;
+        behaviour.ends = ends(run.result);
+        for (std::uint32_t r = 0; r < run.log.count; ++r) {
+            const rc_record& record = run.log.record[r];
+            const bool known = record.output < code_.outputs && record.count <= ROBOCHART_MAX_ARGUMENTS;
+            behaviour.outputs.push_back(known ? alphabet_.tell(alphabet_.write(
+                                                    record.output, {record.argument, record.argument + record.count}))
+                                              : "an output without name");
+        }
+        std::array<char, 4096> text{};
+        code_.print(run.state.data(), text.data(), text.size());
+        text.back() = '\0';
+        behaviour.state = text.data();
+        return behaviour;
+    }
+
+    const rc_interface& code_;
+    const CodeSystem& system_;
+    const Alphabet& alphabet_;
+    refine::Budget budget_;
+    FaceComparison found_;
+    Bytes from_;
+    std::uint32_t event_ = 0;    ///< code_.events: none
+    std::uint32_t reading_ = 0;  ///< of it; 0: none
+    bool passed_ = false;        ///< what is compared is `pass` alone
+    bool endless_ = false;
+    Registers alone_, raised_;
+    Run cycle_, dispatched_, again_, whole_;
+};
+
+/// The cycles that lead to where the faces differ, which are all of the model's.
+void faces_differ(Result& result, const FaceComparison& found, const CodeSystem& code, const Alphabet& alphabet) {
+    result.outcome = Outcome::differs;
+    result.faces = found.difference;
+    result.reason = fmt::format("the event-driven face differs from the cycle: {}", found.difference->what);
+    for (const PassedCycle& passed : code.way_to(found.image)) {
+        Cycle& cycle = result.cycles.emplace_back();
+        for (std::uint32_t input = 0; input < passed.readings.size(); ++input)
+            if (passed.readings[input] != 0)
+                cycle.inputs.push_back(alphabet.tell(alphabet.read(input, passed.readings[input])));
+        for (const process::Event write : passed.result->writes) cycle.outputs.push_back(alphabet.tell(write));
+        cycle.state = code.print(passed.result->next);
+    }
+}
+
+}  // namespace
+
+void compare_faces(Result& result, const rc_interface& compiled, const CodeSystem& code, const Alphabet& alphabet,
+                   const refine::Limits& limits) {
+    if (result.outcome == Outcome::differs) return;
+    try {
+        const FaceComparison found = Comparison(compiled, code, alphabet, limits).run();
+        result.dispatched = found.compared;
+        if (found.difference) faces_differ(result, found, code, alphabet);
+    } catch (const process::Interrupted& limit) {
+        if (result.outcome != Outcome::conforms) return;
+        result.outcome = Outcome::inconclusive;
+        result.reason =
+            fmt::format("the cycle conforms; the event-driven face was not compared with it: {}", limit.what());
+    }
+}
+
+}  // namespace robochart::conformance

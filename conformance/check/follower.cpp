@@ -1,0 +1,136 @@
+#include "conformance/check/follower.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace robochart::conformance {
+
+namespace {
+
+constexpr const char* endless_model = "the model does infinitely much without time passing";
+
+}  // namespace
+
+Follower::Follower(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
+                   const refine::Limits& limits, Frame frame)
+    : alphabet_(alphabet),
+      cycle_length_(std::max(1U, cycle_length)),
+      unread_(frame.unread),
+      system_(model, alphabet, cycle_length, frame),
+      budget_(limits),
+      form_(system_, budget_) {}
+
+std::optional<std::uint32_t> Follower::asked(Node node) {
+    if (!unread_) return std::nullopt;
+    const process::EventSet possible = form_.initials(node);
+    for (std::uint32_t input = 0; input < alphabet_.interface().inputs.size(); ++input)
+        if (std::binary_search(possible.begin(), possible.end(), system_.asks(input))) return input;
+    return std::nullopt;
+}
+
+std::optional<Parting> Follower::finish(Node& node, rc_result outcome, bool cut) {
+    if (auto stops = model_stops(node)) return stops;
+    over_ = cut || outcome != RC_QUIESCENT;
+    if (cut) return std::nullopt;
+    switch (outcome) {
+        case RC_PRECONDITION:
+            return differs(node, "the code calls an operation outside its precondition");
+        case RC_DEADLINE:
+            if (may_refuse(node, std::nullopt)) return std::nullopt;
+            return differs(node, "the code misses a deadline");
+        case RC_STEP_BOUND:
+            if (endless(node)) return Parting{Outcome::not_schedulable, endless_model, ""};
+            return Parting{Outcome::differs, "the code's cycle does not end: its step bound is reached",
+                           "an end of the cycle"};
+        case RC_TERMINATED:
+            return follow(node, process::tick, false);
+        case RC_QUIESCENT:
+            break;
+    }
+    for (std::uint32_t t = 0; t < cycle_length_; ++t)
+        if (auto parting = follow(node, alphabet_.tock(), false)) return parting;
+    return std::nullopt;
+}
+
+Parting Follower::differs(Node node, std::string reason) {
+    return {Outcome::differs, std::move(reason), allowed(node)};
+}
+
+/// Whether a stable state behind the node offers nothing but this event (or nothing at all), or there is no stable
+/// one: acceptances are minimal.
+bool Follower::may_refuse(Node node, std::optional<process::Event> but) {
+    const auto& acceptances = form_.acceptances(node);
+    const auto fits = [&](const process::EventSet& wanted) {
+        return wanted.empty() || (but && wanted.size() == 1 && wanted.front() == *but);
+    };
+    return std::any_of(acceptances.begin(), acceptances.end(), fits);
+}
+
+std::optional<Parting> Follower::follow(Node& node, process::Event event, bool read) {
+    if (auto stops = model_stops(node)) return stops;
+    const auto next = form_.after(node, event);
+    const bool insists = !read && !form_.acceptances(node).empty() && !may_refuse(node, event);
+    if (!next || insists)
+        return Parting{
+            Outcome::differs,
+            event == alphabet_.tock()
+                ? "the code ends its cycle where the model goes on"
+                : fmt::format("the code does {}, which the model does not allow here", alphabet_.tell(event)),
+            allowed(node)};
+    node = *next;
+    return std::nullopt;
+}
+
+/// Of a model that cannot be run in cycles nothing is asked behind the place where it shows: what the code does
+/// there is no fault of the code.
+std::optional<Parting> Follower::model_stops(Node node) {
+    if (form_.diverges(node)) return Parting{Outcome::not_schedulable, endless_model, ""};
+    const auto& acceptances = form_.acceptances(node);
+    const bool stuck = std::any_of(acceptances.begin(), acceptances.end(), [](const auto& a) { return a.empty(); });
+    if (!stuck) return std::nullopt;
+    for (const lts::StateView state : form_.states(node))
+        if (system_.standstill(state) == Standstill::other)
+            return Parting{Outcome::not_schedulable, "the model can neither go on nor let time pass", ""};
+    return std::nullopt;
+}
+
+/// Whether outputs can follow each other without end, before time passes.
+bool Follower::endless(Node from) {
+    std::unordered_map<Node, bool> open;  // whether the node is on the path; never iterated
+    struct Place {
+        Node node;
+        process::EventSet events;
+        std::size_t next = 0;
+    };
+    std::vector<Place> path{{from, form_.initials(from)}};
+    open[from] = true;
+    while (!path.empty()) {
+        Place& at = path.back();
+        if (at.next == at.events.size()) {
+            open[at.node] = false;
+            path.pop_back();
+            continue;
+        }
+        const process::Event event = at.events[at.next++];
+        if (alphabet_.cycle_role(event).kind != CycleRole::Kind::write) continue;
+        const auto next = form_.after(at.node, event);
+        if (!next) continue;
+        const auto [place, fresh] = open.emplace(*next, true);
+        if (!fresh && place->second) return true;
+        if (fresh) path.push_back({*next, form_.initials(*next)});
+    }
+    return false;
+}
+
+std::string Follower::allowed(Node node) {
+    std::string text;
+    std::size_t count = 0;
+    for (const process::Event event : form_.initials(node))
+        if (count++ < 6) text += (text.empty() ? "" : " or ") + alphabet_.tell(event);
+    if (count > 6) text += fmt::format(" or {} others", count - 6);
+    return text.empty() ? "nothing" : text;
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,60 @@
+// NF_c(M) made deterministic on the way and followed along what the code does, event by event: for walks, and for the
+// search over partial readings.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/verdict/normal_form.hpp"
+#include "conformance/check/result.hpp"
+#include "conformance/model/normal_form_system.hpp"
+#include "cpp_emit/runtime/explore_abi.h"
+
+namespace robochart::conformance {
+
+/// Where code and model part.
+struct Parting {
+    Outcome outcome = Outcome::differs;
+    std::string reason;
+    std::string expected;
+};
+
+class Follower {
+public:
+    using Node = refine::NormalForm::Node;
+
+    Follower(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length, const refine::Limits& limits,
+             Frame frame = {});
+
+    [[nodiscard]] Node start() { return form_.initial(); }
+    [[nodiscard]] std::size_t nodes() const { return form_.size(); }
+    [[nodiscard]] const NormalFormSystem& system() const { return system_; }
+
+    /// L(G) offers this event alone (or, `read`, all readings of a register). NF_c(M) must allow it, and may not insist
+    /// on others. Nothing: it is so, and `node` has gone on.
+    [[nodiscard]] std::optional<Parting> follow(Node& node, process::Event event, bool read);
+    /// The end of a cycle behind its writes; `cut`: the code did more than is logged, of which nothing is said.
+    [[nodiscard]] std::optional<Parting> finish(Node& node, rc_result outcome, bool cut);
+    /// Whether the code has ended in the cycle that was finished last.
+    [[nodiscard]] bool over() const { return over_; }
+    /// Frame::unread: a register whose reading would decide something here.
+    [[nodiscard]] std::optional<std::uint32_t> asked(Node node);
+
+private:
+    [[nodiscard]] Parting differs(Node node, std::string reason);
+    [[nodiscard]] bool may_refuse(Node node, std::optional<process::Event> but);
+    [[nodiscard]] std::optional<Parting> model_stops(Node node);
+    [[nodiscard]] bool endless(Node from);
+    [[nodiscard]] std::string allowed(Node node);
+
+    const Alphabet& alphabet_;
+    std::uint32_t cycle_length_;
+    bool unread_;
+    NormalFormSystem system_;
+    refine::Budget budget_;
+    refine::NormalForm form_;
+    bool over_ = false;
+};
+
+}  // namespace robochart::conformance

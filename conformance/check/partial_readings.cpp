@@ -1,0 +1,215 @@
+// See partial_readings.hpp. A position is where a cycle begins: an image of the code and a node of NF_c(M). A register is
+// left unread until the code's results or the model depend on it; then the cycle is tried with each of its readings.
+#include "conformance/check/partial_readings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "conformance/code/code_system.hpp"
+#include "conformance/check/dispatch_equivalence.hpp"
+#include "conformance/check/follower.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+using Node = Follower::Node;
+
+constexpr std::uint32_t not_read = 0xffffffffU;
+using Readings = std::vector<std::uint32_t>;  ///< of one cycle, one a register, or not_read
+
+Frame frame() {
+    Frame frame;
+    frame.unread = true;
+    return frame;
+}
+
+class PartialSearch {
+public:
+    PartialSearch(ModelGraph& model, const Alphabet& alphabet, CodeSystem& code, std::uint32_t cycle_length,
+                  const refine::Limits& limits)
+        : alphabet_(alphabet),
+          code_(code),
+          follower_(model, alphabet, cycle_length, limits, frame()),
+          budget_(limits),
+          inputs_(alphabet.interface().inputs.size()) {
+        code_.watch([this] { budget_.charge(); });
+    }
+    ~PartialSearch() { code_.watch({}); }
+    PartialSearch(const PartialSearch&) = delete;
+    PartialSearch& operator=(const PartialSearch&) = delete;
+
+    Result run() {
+        add(code_.reset(), follower_.start(), 0, {}, nullptr);
+        for (at_ = 0; at_ < positions_.size() && !found_; ++at_) {
+            Readings readings(inputs_, not_read);
+            const std::uint32_t image = positions_[at_].image;
+            through_tree(code_.root(image), 0, readings);
+        }
+        Result result;
+        result.outcome = Outcome::conforms;
+        if (found_) differs(result);
+        if (!code_.unsound().empty()) {
+            result.outcome = Outcome::differs;
+            result.reason = code_.unsound();
+        }
+        result.product.states = positions_.size();
+        result.product.transitions = cycles_;
+        result.product.spec_nodes = follower_.nodes();
+        if (missed_) result.deadlines = {false, "the code reports a missed deadline", told(missed_way_)};
+        return result;
+    }
+
+private:
+    struct Position {
+        std::uint32_t image = 0;
+        Node node = 0;
+        std::size_t from = 0;
+        Readings readings;  ///< of the cycle that led here
+        const CycleResult* result = nullptr;
+    };
+    /// A cycle at the end of a way, or the one in which code and model part.
+    struct Last {
+        std::size_t from = 0;
+        Readings readings;
+        const CycleResult* result = nullptr;
+        std::size_t writes = 0;  ///< of it
+    };
+
+    void add(std::uint32_t image, Node node, std::size_t from, const Readings& readings, const CycleResult* result) {
+        if (!known_.emplace(std::pair{image, node}, true).second) return;
+        positions_.push_back({image, node, from, readings, result});
+        budget_.states(positions_.size());
+    }
+
+    /// A register whose readings lead to one tree makes no difference to the code. As deep as there are registers.
+    void through_tree(std::uint32_t node, std::size_t level, Readings& readings) {
+        if (found_) return;
+        if (level == inputs_) {
+            const CycleResult& result = code_.result(node);
+            if (result.ways.empty()) return try_cycle(result, readings);
+            for (const std::uint32_t way : result.ways) try_cycle(code_.result(way), readings);
+            return;
+        }
+        const std::vector<std::uint32_t> below = code_.below(node);
+        const bool same = std::all_of(below.begin(), below.end(), [&](std::uint32_t each) { return each == below[0]; });
+        if (same) return through_tree(below.front(), level + 1, readings);
+        for (std::uint32_t reading = 0; reading < below.size(); ++reading) {
+            readings[level] = reading;
+            through_tree(below[reading], level + 1, readings);
+        }
+        readings[level] = not_read;
+    }
+
+    /// With every reading of a register that the model asks for. As deep as there are registers.
+    void try_cycle(const CycleResult& result, Readings& readings) {
+        if (found_) return;
+        const std::optional<std::uint32_t> asked = cycle(result, readings);
+        if (!asked) return;
+        const std::uint32_t all = alphabet_.interface().inputs[*asked].readings();
+        for (std::uint32_t reading = 0; reading < all; ++reading) {
+            readings[*asked] = reading;
+            try_cycle(result, readings);
+        }
+        readings[*asked] = not_read;
+    }
+
+    /// The register that the model asks for; nothing: the cycle is done.
+    std::optional<std::uint32_t> cycle(const CycleResult& result, const Readings& readings) {
+        budget_.charge();
+        ++cycles_;
+        Node node = positions_[at_].node;
+        for (std::uint32_t i = 0; i < inputs_; ++i) {
+            const bool unread = readings[i] == not_read;
+            const process::Event event = unread ? follower_.system().unread(i) : alphabet_.read(i, readings[i]);
+            if (part(follower_.follow(node, event, true), result, readings, 0)) return std::nullopt;
+        }
+        for (std::size_t w = 0; w < result.writes.size(); ++w) {
+            if (const auto asked = follower_.asked(node)) return asked;
+            if (part(follower_.follow(node, result.writes[w], false), result, readings, w + 1)) return std::nullopt;
+        }
+        if (const auto asked = follower_.asked(node)) return asked;
+        if (part(follower_.finish(node, result.outcome, false), result, readings, result.writes.size()))
+            return std::nullopt;
+        if (result.outcome == RC_DEADLINE && !missed_) {
+            missed_ = true;
+            missed_way_ = {at_, readings, &result, result.writes.size()};
+        }
+        if (!follower_.over()) add(result.next, node, at_, readings, &result);
+        return std::nullopt;
+    }
+
+    bool part(std::optional<Parting> parting, const CycleResult& result, const Readings& readings,
+              std::size_t writes) {
+        if (!parting) return false;
+        found_ = std::move(parting);
+        found_way_ = {at_, readings, &result, writes};
+        return true;
+    }
+
+    Cycle told(const Readings& readings, const CycleResult& result, std::size_t writes) const {
+        Cycle cycle;
+        for (std::uint32_t i = 0; i < inputs_; ++i)
+            if (readings[i] != not_read && readings[i] != 0)
+                cycle.inputs.push_back(alphabet_.tell(alphabet_.read(i, readings[i])));
+        for (std::size_t w = 0; w < writes; ++w) cycle.outputs.push_back(alphabet_.tell(result.writes[w]));
+        cycle.state = code_.print(result.next);
+        return cycle;
+    }
+
+    std::vector<Cycle> told(const Last& last) const {
+        std::vector<Cycle> cycles{told(last.readings, *last.result, last.writes)};
+        for (std::size_t at = last.from; at != 0; at = positions_[at].from) {
+            const Position& position = positions_[at];
+            cycles.push_back(told(position.readings, *position.result, position.result->writes.size()));
+        }
+        std::reverse(cycles.begin(), cycles.end());
+        return cycles;
+    }
+
+    void differs(Result& result) const {
+        result.outcome = found_->outcome;
+        result.reason = found_->reason;
+        result.expected = found_->expected;
+        result.cycles = told(found_way_);
+    }
+
+    const Alphabet& alphabet_;
+    CodeSystem& code_;
+    Follower follower_;
+    refine::Budget budget_;
+    std::size_t inputs_;
+    std::map<std::pair<std::uint32_t, Node>, bool> known_;
+    std::vector<Position> positions_;
+    std::size_t at_ = 0;
+    std::uint64_t cycles_ = 0;
+    std::optional<Parting> found_;
+    Last found_way_;
+    bool missed_ = false;
+    Last missed_way_;
+};
+
+}  // namespace
+
+Result judge_partially(ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled,
+                       std::uint32_t cycle_length, const refine::Limits& limits) {
+    Result result;
+    try {
+        CodeSystem code(compiled, alphabet, cycle_length);
+        result = PartialSearch(model, alphabet, code, cycle_length, limits).run();
+        compare_faces(result, compiled, code, alphabet, limits);
+        result.code_states = code.images();
+        result.code_cycles = code.cycles();
+    } catch (const process::Interrupted& limit) {
+        result.reason = limit.what();
+    } catch (const std::length_error& limit) {
+        result.reason = limit.what();
+    }
+    result.model_states = model.size();
+    return result;
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,271 @@
+// See random_walk.hpp. The code is stepped directly; the model is followed in NF_c(M) made deterministic on the way.
+#include "conformance/check/random_walk.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <random>
+#include <unordered_set>
+
+#include "conformance/code/code_system.hpp"
+#include "conformance/code/cycle_log.hpp"
+#include "conformance/check/follower.hpp"
+#include "conformance/code/watchdog.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+using Node = Follower::Node;
+using Readings = std::vector<std::uint32_t>;  ///< of one cycle, one a register: 0 absent, else 1 + its value
+using Bytes = std::vector<unsigned char>;
+
+constexpr std::uint64_t most_states = 50'000'000;
+
+struct Position {
+    Bytes image;
+    Node node = 0;
+};
+
+class Walker {
+public:
+    Walker(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code, std::uint32_t cycle_length,
+           const refine::Limits& limits)
+        : alphabet_(alphabet),
+          code_(code),
+          follower_(model, alphabet, cycle_length, limits) {}
+
+    [[nodiscard]] Position start() {
+        Position position{Bytes(code_.state_size), follower_.start()};
+        code_.initial(position.image.data());
+        return position;
+    }
+
+    /// One cycle; nothing: both went the same way, or the code has terminated (`over`).
+    std::optional<Parting> cycle(Position& at, const Readings& readings, Cycle* told = nullptr) {
+        std::vector<rc_register> registers;
+        for (const std::uint32_t reading : readings)
+            registers.push_back({reading == 0 ? 0U : 1U, reading == 0 ? 0U : reading - 1});
+        for (std::uint32_t i = 0; i < readings.size(); ++i) {
+            const process::Event read = alphabet_.read(i, readings[i]);
+            if (told != nullptr && readings[i] != 0) told->inputs.push_back(alphabet_.tell(read));
+            if (auto parting = follower_.follow(at.node, read, true)) return parting;
+        }
+        CycleLog log;
+        const Bytes before = at.image;
+        rc_result outcome = watched_step(code_, at.image.data(), registers.data(), &log).result;
+        while (log.cut() && log.grow()) {
+            at.image = before;
+            outcome = watched_step(code_, at.image.data(), registers.data(), &log).result;
+        }
+        if (told != nullptr) told->state = print(at.image);
+        for (std::uint32_t r = 0; r < log.count; ++r) {
+            const rc_record& record = log.record[r];
+            const process::Event write =
+                alphabet_.write(record.output, {record.argument, record.argument + record.count});
+            if (told != nullptr) told->outputs.push_back(alphabet_.tell(write));
+            if (auto parting = follower_.follow(at.node, write, false)) return parting;
+        }
+        return follower_.finish(at.node, outcome, log.overflow != 0);
+    }
+
+    [[nodiscard]] bool over() const { return follower_.over(); }
+    [[nodiscard]] std::size_t nodes() const { return follower_.nodes(); }
+    [[nodiscard]] std::string print(const Bytes& image) const { return state_text(code_, image.data()); }
+
+private:
+    const Alphabet& alphabet_;
+    const rc_interface& code_;
+    Follower follower_;
+};
+
+/// Something new was met here; walks go on from it.
+struct Find {
+    Position position;
+    std::size_t from = 0;
+    std::vector<Readings> way;  ///< since `from`
+    std::uint32_t used = 0;
+};
+
+class Search {
+public:
+    Search(Walker& walker, const Alphabet& alphabet, const WalkOptions& options)
+        : walker_(walker), alphabet_(alphabet), options_(options), random_(options.seed) {
+        finds_.push_back({walker.start(), 0, {}, 0});
+        remember(finds_.front().position);
+    }
+
+    Result run() {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options_.seconds);
+        while (cycles_ < options_.cycles && std::chrono::steady_clock::now() < end)
+            if (auto parting = one_walk()) return told(std::move(*parting));
+        Result result;
+        result.reason = summary();
+        count(result);
+        return result;
+    }
+
+    [[nodiscard]] std::string summary() const {
+        return fmt::format(
+            "no difference in {} guided walks of {} cycles together, which met {} states of the code and "
+            "{} of the normal form",
+            walks_, cycles_, images_.size(), walker_.nodes());
+    }
+
+private:
+    std::uint32_t below(std::uint32_t bound) { return bound == 0 ? 0 : static_cast<std::uint32_t>(random_() % bound); }
+
+    /// The least used of three.
+    std::size_t pick() {
+        std::size_t best = below(static_cast<std::uint32_t>(finds_.size()));
+        for (int n = 0; n < 2; ++n) {
+            const std::size_t other = below(static_cast<std::uint32_t>(finds_.size()));
+            if (finds_[other].used < finds_[best].used) best = other;
+        }
+        ++finds_[best].used;
+        return best;
+    }
+
+    Readings readings(std::uint32_t percent) {
+        Readings result;
+        for (const Register& input : alphabet_.interface().inputs)
+            result.push_back(below(100) < percent ? 1 + below(input.readings() - 1) : 0);
+        return result;
+    }
+
+    std::optional<Parting> one_walk() {
+        ++walks_;
+        const std::size_t from = pick();
+        Position at = finds_[from].position;
+        std::vector<Readings> way;
+        constexpr std::array<std::uint32_t, 5> shares{0, 10, 30, 60, 95};
+        const std::uint32_t percent = shares[below(shares.size())];
+        const std::uint32_t length = 1 + below(40);
+        for (std::uint32_t c = 0; c < length && cycles_ < options_.cycles; ++c) {
+            way.push_back(readings(percent));
+            ++cycles_;
+            auto parting = walker_.cycle(at, way.back());
+            if (parting) {
+                way_ = whole_way(from, way);
+                return parting;
+            }
+            if (walker_.over()) return std::nullopt;
+            if (remember(at) && finds_.size() < most_finds) finds_.push_back({at, from, way, 0});
+        }
+        return std::nullopt;
+    }
+
+    bool remember(const Position& at) {
+        const bool image = images_.emplace(at.image.begin(), at.image.end()).second;
+        return nodes_.insert(at.node).second || image;
+    }
+
+    std::vector<Readings> whole_way(std::size_t from, const std::vector<Readings>& last) const {
+        std::vector<const std::vector<Readings>*> parts{&last};
+        for (std::size_t at = from; at != 0; at = finds_[at].from) parts.push_back(&finds_[at].way);
+        std::vector<Readings> way;
+        for (auto part = parts.rbegin(); part != parts.rend(); ++part)
+            way.insert(way.end(), (*part)->begin(), (*part)->end());
+        return way;
+    }
+
+    // ------------------------------------------------------------ smaller witnesses
+
+    /// Whether code and model part on this way; it is cut behind that cycle.
+    std::optional<Parting> parts(std::vector<Readings>& way) {
+        Position at = walker_.start();
+        for (std::size_t c = 0; c < way.size(); ++c) {
+            if (auto parting = walker_.cycle(at, way[c])) {
+                way.resize(c + 1);
+                return parting;
+            }
+            if (walker_.over()) return std::nullopt;
+        }
+        return std::nullopt;
+    }
+
+    /// Leaves out cycles, then inputs, while they still part in the same manner.
+    void shrink(Parting& parting) {
+        std::size_t tries = 2000;
+        const auto attempt = [&](std::vector<Readings> smaller) {
+            if (tries-- == 0) return false;
+            auto found = parts(smaller);
+            if (!found || found->outcome != parting.outcome) return false;
+            way_ = std::move(smaller);
+            parting = std::move(*found);
+            return true;
+        };
+        for (std::size_t step = std::max<std::size_t>(1, way_.size() / 2); step > 0 && tries > 1; step /= 2)
+            for (std::size_t c = 0; c + step <= way_.size() && tries > 1;) {
+                std::vector<Readings> smaller = way_;
+                smaller.erase(smaller.begin() + static_cast<std::ptrdiff_t>(c),
+                              smaller.begin() + static_cast<std::ptrdiff_t>(c + step));
+                if (!attempt(std::move(smaller))) c += step;
+            }
+        for (std::size_t c = 0; c < way_.size() && tries > 1; ++c)
+            for (std::size_t i = 0; c < way_.size() && i < way_[c].size() && tries > 1; ++i) {
+                std::vector<Readings> smaller = way_;
+                if (smaller[c][i] == 0) continue;
+                smaller[c][i] = 0;
+                attempt(std::move(smaller));
+            }
+    }
+
+    Result told(Parting parting) {
+        shrink(parting);
+        Result result;
+        result.outcome = parting.outcome;
+        result.reason = fmt::format("{} (found by guided walks)", parting.reason);
+        result.expected = parting.expected;
+        Position at = walker_.start();
+        for (const Readings& readings : way_) {
+            Cycle& cycle = result.cycles.emplace_back();
+            if (walker_.cycle(at, readings, &cycle)) break;
+        }
+        count(result);
+        return result;
+    }
+
+    void count(Result& result) const {
+        result.code_states = images_.size();
+        result.code_cycles = cycles_;
+    }
+
+    static constexpr std::size_t most_finds = 200'000;
+    Walker& walker_;
+    const Alphabet& alphabet_;
+    const WalkOptions& options_;
+    std::mt19937_64 random_;
+    std::vector<Find> finds_;
+    std::unordered_set<std::string> images_;  ///< never iterated
+    std::unordered_set<Node> nodes_;          ///< never iterated
+    std::vector<Readings> way_;               ///< to where they part
+    std::uint64_t walks_ = 0;
+    std::uint64_t cycles_ = 0;
+};
+
+}  // namespace
+
+Result walk(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code, std::uint32_t cycle_length,
+            const refine::Limits& limits, const WalkOptions& options) {
+    refine::Limits bounds = limits;
+    // A cycle of the model may take long; the walks' own time is looked at between cycles.
+    bounds.deadline =
+        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                               std::chrono::duration<double>(2 * options.seconds + 1));
+    bounds.max_states = most_states;  // of the search, where it ended; walks are bounded by their cycles
+    Walker walker(model, alphabet, code, cycle_length, bounds);
+    std::optional<Search> search;
+    try {
+        search.emplace(walker, alphabet, options);
+        return search->run();
+    } catch (const process::Interrupted& limit) {
+        Result result;
+        result.reason = search ? fmt::format("{} ({})", search->summary(), limit.what()) : limit.what();
+        return result;
+    }
+}
+
+}  // namespace robochart::conformance

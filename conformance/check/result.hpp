@@ -1,0 +1,103 @@
+// What is asked of a component and its code, and the answer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/refine/verdict/verdict.hpp"
+#include "cpp_emit/plan/options.hpp"
+
+namespace robochart::conformance {
+
+enum class Outcome {
+    conforms,
+    differs,          ///< the code does something NF_c(M) does not allow
+    not_schedulable,  ///< the model cannot be run in cycles: a witness of NF_c(M) alone
+    not_generated,    ///< the generator refused the component (diagnostics say why)
+    inconclusive,
+};
+
+/// One control cycle of a counterexample.
+struct Cycle {
+    std::vector<std::string> inputs;   ///< registers raised, "seeRobot", "heading = 0.1"
+    std::vector<std::string> outputs;  ///< what the code wrote, in order
+    std::string state;                 ///< the code's state after it
+};
+
+/// A property of the model beside conformance: whether it has it, and if not, a shortest run that shows it.
+struct Aside {
+    bool holds = true;
+    std::string reason;  ///< why it does not
+    std::vector<Cycle> cycles;
+};
+
+/// What one face of the code did.
+struct Behaviour {
+    std::vector<std::string> outputs;  ///< in order
+    std::string ends;                  ///< "at rest", "terminates", ...
+    std::string state;                 ///< afterwards
+};
+
+/// Where the event-driven face differs from the cycle: after Result::cycles.
+struct FaceDifference {
+    std::string event;  ///< "heading = 90"; "" : none
+    std::string what;   ///< the promise that is not kept
+    Behaviour cycle;
+    Behaviour dispatched;
+};
+
+struct Result {
+    Outcome outcome = Outcome::inconclusive;
+    std::string reason;
+    std::vector<Cycle> cycles;          ///< differs, not_schedulable: shortest input sequence
+    std::string expected;               ///< what the model allows where the code differs
+    std::uint64_t code_states = 0;      ///< distinct state images of the code
+    std::uint64_t code_cycles = 0;      ///< (state, input valuation) pairs stepped
+    std::uint64_t model_states = 0;     ///< states of M met under the simulation assumptions
+    refine::Statistics product;         ///< of the refinement check
+    refine::Statistics schedulability;  ///< of the check of NF_c(M) alone
+    /// No cycle makes an output twice: then the strict relation, in which it may not, holds too. Nothing: not decided.
+    std::optional<Aside> register_cycles;
+    /// No deadline passes while an input is awaited that does not come. Nothing: not decided.
+    std::optional<Aside> deadlines;
+    std::uint64_t dispatched = 0;       ///< (state, event or none) pairs in which both faces were compared
+    std::optional<FaceDifference> faces;
+    std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
+    std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script
+    std::vector<std::string> warnings;  ///< of the code: states that are not canonical
+    std::string exported;               ///< L(G) in the format asked for (Options::exported)
+    std::string export_failure;         ///< why there is none, where one was asked for
+};
+
+/// What is decided of NF_c(M) and L(G).
+enum class Relation {
+    failures_divergences,  ///< [FD=
+    tick_tock,             ///< [TT=, with what is refused before each tock, and no divergence of the code
+};
+
+/// L(G) for other tools: Aldebaran's format, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
+enum class Export { none, aut, dot, csp };
+
+/// Guided random walks where the whole is too large (random_walk.hpp).
+struct WalkOptions {
+    std::uint64_t cycles = 200'000;  ///< of all walks together; 0: none
+    double seconds = 20;
+    std::uint64_t seed = 1;
+};
+
+struct Options {
+    std::uint32_t cycle_length = 1;  ///< c: tocks per cycle
+    Relation relation = Relation::failures_divergences;
+    WalkOptions walks;
+    Export exported = Export::none;
+    cpp_emit::Options generator;   ///< seeded faults, for tests
+    std::string compiler = "c++";  ///< must accept g++'s options
+    std::string flags = "-std=c++17 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror";
+    std::string
+        work_dir;  ///< where sources and the shared object are put; "" : a fresh temporary folder, removed after
+    refine::Limits limits;
+};
+
+}  // namespace robochart::conformance

@@ -1,0 +1,74 @@
+#include "conformance/code/code_equality.hpp"
+
+#include <algorithm>
+
+#include "checker/lts/bisimulation.hpp"
+#include "conformance/code/code_graph.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+void append(lts::Graph& whole, const lts::Graph& part) {
+    const auto first = static_cast<lts::StateIndex>(whole.size());
+    for (lts::StateIndex state = 0; state < part.size(); ++state) {
+        for (const lts::Edge& edge : part.edges(state)) whole.add_edge({edge.event, first + edge.target});
+        whole.finish_state();
+    }
+}
+
+/// Both behind one state, so that both are reachable: their first states are 1 and 1 + the states of the first.
+bool bisimilar(const lts::Graph& one, const lts::Graph& other) {
+    const auto second = static_cast<lts::StateIndex>(1 + one.size());
+    lts::Graph both;
+    both.add_edge({process::tau, 1});
+    both.add_edge({process::tau, second});
+    both.finish_state();
+    append(both, one);
+    append(both, other);
+    const lts::Quotient quotient = lts::minimise(both, lts::Equivalence::strong);
+    return quotient.state_of[1] == quotient.state_of[second];
+}
+
+/// How the implementation leaves the specification; nothing if it does not.
+std::optional<refine::Counterexample> left_by(const lts::Graph& implementation, const lts::Graph& specification,
+                                              const Alphabet& alphabet, const refine::Limits& limits) {
+    lts::GraphSystem from(specification, alphabet.events());
+    lts::GraphSystem to(implementation, alphabet.events());
+    return refine::refines(from, to, refine::Model::failures_divergences, limits).counterexample;
+}
+
+/// The inputs that are raised, the writes and the ends of cycles on the way.
+void tell(CodeEquality& result, const refine::Counterexample& found, const Alphabet& alphabet,
+          std::uint32_t cycle_length) {
+    std::size_t tocks = 0;
+    for (const refine::Step& step : found.steps) {
+        const CycleRole role = alphabet.cycle_role(step.event);
+        tocks += role.kind == CycleRole::Kind::tock ? 1U : 0U;
+        if (step.event == process::tau || (role.kind == CycleRole::Kind::read && role.reading == 0)) continue;
+        result.difference += (result.difference.empty() ? "" : ", ") + alphabet.tell(step.event);
+    }
+    if (found.kind == refine::ViolationKind::divergence) result.difference += ", without end";
+    for (const process::Event event : found.offered) result.difference += "; then " + alphabet.tell(event);
+    result.cycles = 1 + tocks / std::max(1U, cycle_length);
+}
+
+}  // namespace
+
+CodeEquality compare_code(const rc_interface& one, const rc_interface& other, const Alphabet& alphabet,
+                          std::uint32_t cycle_length, const refine::Limits& limits) {
+    CodeSystem one_system(one, alphabet, cycle_length);
+    CodeSystem other_system(other, alphabet, cycle_length);
+    const lts::Graph first = explored(one_system, limits);
+    const lts::Graph second = explored(other_system, limits);
+    CodeEquality result;
+    result.states = first.size() + second.size();
+    result.same = bisimilar(first, second);
+    if (result.same) return result;
+    auto found = left_by(second, first, alphabet, limits);
+    if (!found) found = left_by(first, second, alphabet, limits);
+    if (found) tell(result, *found, alphabet, cycle_length);
+    return result;
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,17 @@
+#include "conformance/code/code_graph.hpp"
+
+#include "checker/refine/search/budget.hpp"
+
+namespace robochart::conformance {
+
+lts::Graph explored(CodeSystem& system, const refine::Limits& limits) {
+    refine::Budget budget(limits);
+    return lts::explore(system,
+                        [&](std::size_t states) {
+                            budget.states(states);
+                            budget.charge();
+                        })
+        .graph;
+}
+
+}  // namespace robochart::conformance

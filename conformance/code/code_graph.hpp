@@ -1,0 +1,13 @@
+// L(G) whole, as a graph: for exports and for comparing one controller with another.
+#pragma once
+
+#include "checker/lts/graph.hpp"
+#include "checker/refine/verdict/check.hpp"
+#include "conformance/code/code_system.hpp"
+
+namespace robochart::conformance {
+
+/// All that the code can reach. Throws process::Interrupted at a limit.
+[[nodiscard]] lts::Graph explored(CodeSystem& system, const refine::Limits& limits);
+
+}  // namespace robochart::conformance

@@ -1,0 +1,356 @@
+// L(G); see code_system.hpp. Registers are read in one fixed order: a tree of readings whose leaves are results of
+// `step`. Equal subtrees are shared, as in a decision diagram, so registers that do not matter now cost nothing.
+// Why one order is enough: docs/conformance.md, "One order of reading".
+#include "conformance/code/code_system.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "conformance/code/watchdog.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+// Layout of a packed state.
+enum Field : std::size_t { phase, number, detail, fields };
+enum Phase : lts::Word {
+    reading,  ///< number: node of the tree of readings; detail: registers read
+    acting,   ///< number: result; detail: writes done, then tocks done
+    over,     ///< nothing more
+};
+
+/// Bytes handed to `initial` before it writes: two patterns, so that what it leaves unwritten shows.
+constexpr std::array<unsigned char, 2> fills{0x00, 0xA5};
+
+/// Results of one cycle, and calls of `step` to find them.
+constexpr std::size_t max_ways = 4096;
+constexpr std::size_t max_trials = 1U << 16U;
+
+/// The event that L(G) performs, and no NF allows, when a cycle ends in an outcome with no place in the relation.
+const char* violation(const CycleResult& result) {
+    switch (result.outcome) {
+        case RC_PRECONDITION:
+            return "code.precondition";
+        case RC_QUIESCENT:
+        case RC_DEADLINE:
+        case RC_TERMINATED:
+        case RC_STEP_BOUND:
+            return nullptr;
+    }
+    return "code.unknown_result";
+}
+
+}  // namespace
+
+Interface interface_of(const rc_interface& code) {
+    Interface interface;
+    interface.component = code.component == nullptr ? "" : code.component;
+    interface.scale = code.scale;
+    for (std::uint32_t i = 0; i < code.inputs; ++i) {
+        const rc_input& input = code.input[i];
+        Register& shown = interface.inputs.emplace_back();
+        shown.name = input.name;
+        shown.values.assign(input.value, input.value + input.values);
+        shown.texts.assign(input.text, input.text + input.values);
+    }
+    for (std::uint32_t o = 0; o < code.outputs; ++o)
+        interface.outputs.push_back({code.output[o].name, std::vector<Carrier>(code.output[o].arguments)});
+    return interface;
+}
+
+std::string state_text(const rc_interface& code, const void* state) {
+    std::string text;
+    for (std::size_t size = 4096; size <= longest_state_text; size *= 4) {
+        text.assign(size, '\0');
+        code.print(state, text.data(), text.size());
+        text.back() = '\0';
+        text.resize(text.find('\0'));
+        if (text.size() + 1 < size) break;
+    }
+    return text;
+}
+
+CodeSystem::CodeSystem(const rc_interface& code, const Alphabet& alphabet, std::uint32_t cycle_length)
+    : code_(&code), alphabet_(&alphabet), cycle_length_(cycle_length == 0 ? 1 : cycle_length) {
+    std::uint64_t valuations = 1;
+    for (const Register& input : alphabet.interface().inputs) {
+        valuations *= input.readings();
+        if (valuations > max_valuations)
+            throw std::length_error(fmt::format("the inputs have more than {} valuations together", max_valuations));
+    }
+    const Bytes first = fresh_state(fills[0]);
+    if (first != fresh_state(fills[1])) unsound_ = "`initial` does not write the whole state";
+    reset_ = intern(first);
+}
+
+CodeSystem::Bytes CodeSystem::fresh_state(unsigned char fill) const {
+    Bytes state(code_->state_size, fill);
+    code_->initial(state.data());
+    return state;
+}
+
+std::uint32_t CodeSystem::intern(const Bytes& state) {
+    const std::string key(state.begin(), state.end());
+    const auto [place, fresh] = image_ids_.emplace(key, static_cast<std::uint32_t>(image_count_));
+    if (fresh) {
+        images_.insert(images_.end(), state.begin(), state.end());
+        ++image_count_;
+        const std::string text = print(place->second);
+        if (text.size() + 1 < longest_state_text) alias_found_ |= !printed_.emplace(text, place->second).second;
+    }
+    return place->second;
+}
+
+CodeSystem::Bytes CodeSystem::bytes(std::uint32_t image) const {
+    const unsigned char* const begin = images_.data() + std::size_t{image} * code_->state_size;
+    return {begin, begin + code_->state_size};
+}
+
+std::string CodeSystem::print(std::uint32_t image) const {
+    return state_text(*code_, bytes(image).data());
+}
+
+std::size_t CodeSystem::width() const {
+    return fields;
+}
+
+void CodeSystem::initial(std::span<lts::Word> state) {
+    enter_cycle(state, reset_);
+}
+
+void CodeSystem::enter_cycle(std::span<lts::Word> state, std::uint32_t image) {
+    state[phase] = alphabet_->interface().inputs.empty() ? acting : reading;
+    state[number] = root(image);
+    state[detail] = 0;
+}
+
+void CodeSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
+    if (state[phase] == acting) act(state, sink);
+    if (state[phase] == reading) read(state, sink);
+}
+
+void CodeSystem::read(lts::StateView state, lts::SuccessorSink& sink) {
+    const std::uint32_t input = state[detail];
+    const bool last = input + 1 == alphabet_->interface().inputs.size();
+    const Node& node = nodes_[state[number]];
+    for (std::uint32_t r = 0; r < node.size(); ++r) {
+        const std::array<lts::Word, fields> next{last ? acting : reading, node[r], last ? 0 : input + 1};
+        const process::Event event = alphabet_->read(input, r);
+        sink.add(event, next, event);
+    }
+}
+
+void CodeSystem::act(lts::StateView state, lts::SuccessorSink& sink) {
+    const CycleResult& result = results_[state[number]];
+    for (const std::uint32_t way : result.ways)
+        sink.add(process::tau, std::array<lts::Word, fields>{acting, way, 0}, process::tau);
+    if (!result.ways.empty()) return;
+    if (state[detail] >= result.writes.size()) return finish(state, result, sink);
+    const std::array<lts::Word, fields> next{acting, state[number], state[detail] + 1};
+    const process::Event event = result.writes[state[detail]];
+    sink.add(event, next, event);
+}
+
+void CodeSystem::finish(lts::StateView state, const CycleResult& result, lts::SuccessorSink& sink) {
+    std::array<lts::Word, fields> next{over, 0, 0};
+    if (const char* const wrong = violation(result)) {
+        const process::Event event = alphabet_->events().intern(wrong);
+        sink.add(event, next, event);
+    } else if (result.outcome == RC_TERMINATED) {
+        sink.add(process::tick, next, process::tick);
+    } else if (result.outcome == RC_DEADLINE) {
+        return;  // the code cannot stop time, only report that the model has
+    } else if (result.outcome == RC_STEP_BOUND) {
+        sink.add(process::tau, state, process::tau);
+    } else {
+        if (state[detail] + 1 == result.writes.size() + cycle_length_)
+            enter_cycle(next, result.next);
+        else
+            next = {acting, state[number], state[detail] + 1};
+        sink.add(alphabet_->tock(), next, alphabet_->tock());
+    }
+}
+
+std::string CodeSystem::describe(lts::StateView state) const {
+    if (state[phase] == over) return "stopped";
+    if (state[phase] == reading) return fmt::format("{} registers read", state[detail]);
+    return "in the cycle that leads to " + print(results_[state[number]].next);
+}
+
+std::uint32_t CodeSystem::root(std::uint32_t image) {
+    const auto found = roots_.find(image);
+    if (found != roots_.end()) return found->second;
+    std::vector<rc_register> registers(alphabet_->interface().inputs.size());
+    const std::uint32_t made = tree(bytes(image), registers, 0);
+    roots_.emplace(image, made);
+    begun_.push_back(image);
+    return made;
+}
+
+/// The tree below the first `read` registers, which are set. As deep as there are registers.
+std::uint32_t CodeSystem::tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read) {
+    if (read == registers.size()) return run(from, registers);
+    Node node;
+    const std::uint32_t readings = alphabet_->interface().inputs[read].readings();
+    for (std::uint32_t r = 0; r < readings; ++r) {
+        registers[read] = {r == 0 ? 0U : 1U, r == 0 ? 0U : r - 1};
+        node.push_back(tree(from, registers, read + 1));
+    }
+    return intern_node(read, std::move(node));
+}
+
+std::uint32_t CodeSystem::intern_node(std::size_t level, Node node) {
+    const std::string key = fmt::format("{}:{}", level, fmt::join(node, ","));
+    const auto [place, fresh] = node_ids_.emplace(key, static_cast<std::uint32_t>(nodes_.size()));
+    if (fresh) nodes_.push_back(std::move(node));
+    return place->second;
+}
+
+/// One result, or a choice between those of all ways that probabilistic junctions may take.
+std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>& registers) {
+    CycleLog log;
+    std::vector<std::uint32_t> ways;
+    std::size_t trials = 0;
+    do {
+        if (++trials > max_trials) throw std::length_error("a cycle has too many choices");
+        const std::uint32_t result = run_once(from, registers, log);
+        if (std::find(ways.begin(), ways.end(), result) == ways.end()) ways.push_back(result);
+        if (ways.size() > max_ways) throw std::length_error("a cycle has too many ways to go");
+    } while (next_choices(log));
+    if (ways.size() == 1) return ways.front();
+    CycleResult choice;
+    choice.ways = std::move(ways);
+    return intern_result(std::move(choice));
+}
+
+/// Calls `step` twice on copies: a controller with memory outside its state would differ.
+std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_register>& registers, CycleLog& log) {
+    ++cycles_;
+    if (poll_) poll_();
+    Bytes once = from;
+    Bytes twice = from;
+    const Patience patience = endless_ ? Patience::short_ : Patience::seconds;
+    Stepped stepped = watched_step(*code_, once.data(), registers.data(), &log, patience);
+    while (!stepped.endless && log.cut()) {
+        if (!log.grow()) throw std::length_error(fmt::format("a cycle makes more than {} outputs", log.most_records));
+        once = from;
+        stepped = watched_step(*code_, once.data(), registers.data(), &log, patience);
+    }
+    if (stepped.endless) return endless(from);
+    most_writes_ = std::max(most_writes_, log.count);
+    CycleLog again = log;
+    again.clear();
+    const rc_result outcome = stepped.result;
+    if (outcome != code_->step(twice.data(), registers.data(), &again) || once != twice || !same_writes(log, again))
+        unsound_ = "`step` gives two results for one state and one set of inputs";
+    return intern_result(result_of(outcome, log, once));
+}
+
+/// A call that does not return is a divergence like that of a step bound; what it left behind counts for nothing.
+std::uint32_t CodeSystem::endless(const Bytes& from) {
+    endless_ = true;
+    CycleResult result;
+    result.outcome = RC_STEP_BOUND;
+    result.next = intern(from);
+    return intern_result(std::move(result));
+}
+
+CycleResult CodeSystem::result_of(rc_result outcome, const rc_log& log, const Bytes& after) {
+    if ((log.overflow & ROBOCHART_OVERFLOW_CHOICES) != 0)
+        throw std::length_error(fmt::format("a cycle makes more than {} choices", ROBOCHART_MAX_CHOICES));
+    CycleResult result;
+    result.outcome = outcome;
+    for (std::uint32_t r = 0; r < log.count; ++r) {
+        const rc_record& record = log.record[r];
+        if (record.output >= code_->outputs || record.count > ROBOCHART_MAX_ARGUMENTS)
+            throw AlphabetError("the code logs an output that its interface does not have");
+        result.writes.push_back(alphabet_->write(record.output, {record.argument, record.argument + record.count}));
+    }
+    result.next = intern(after);
+    return result;
+}
+
+std::uint32_t CodeSystem::intern_result(CycleResult result) {
+    std::string key = fmt::format("{} {}", static_cast<int>(result.outcome), result.next);
+    for (const process::Event event : result.writes) key += fmt::format(" {}", event);
+    for (const std::uint32_t way : result.ways) key += fmt::format(" or {}", way);
+    const auto [place, fresh] = result_ids_.emplace(key, static_cast<std::uint32_t>(results_.size()));
+    if (fresh) results_.push_back(std::move(result));
+    return place->second;
+}
+
+/// How each image was reached first.
+struct CodeSystem::Found {
+    struct From {
+        std::uint32_t image = 0;
+        PassedCycle cycle;
+    };
+    std::unordered_map<std::uint32_t, From> from;  ///< never iterated
+};
+
+/// The images that one cycle leads to; each node of the tree of readings is looked at once.
+void CodeSystem::look_behind(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const {
+    const std::size_t inputs = alphabet_->interface().inputs.size();
+    struct Place {
+        std::uint32_t node;
+        std::vector<std::uint32_t> readings;
+    };
+    std::vector<std::unordered_map<std::uint32_t, bool>> seen(inputs + 1);
+    std::deque<Place> places{{roots_.at(image), {}}};
+    while (!places.empty()) {
+        const Place place = std::move(places.front());
+        places.pop_front();
+        if (!seen[place.readings.size()].emplace(place.node, true).second) continue;
+        if (place.readings.size() < inputs) {
+            for (std::uint32_t r = 0; r < nodes_[place.node].size(); ++r) {
+                places.push_back({nodes_[place.node][r], place.readings});
+                places.back().readings.push_back(r);
+            }
+            continue;
+        }
+        const CycleResult& result = results_[place.node];
+        const std::vector<std::uint32_t> ways = result.ways.empty() ? std::vector{place.node} : result.ways;
+        for (const std::uint32_t way : ways) {
+            const std::uint32_t next = results_[way].next;
+            if (results_[way].outcome != RC_QUIESCENT || next == reset_ || roots_.count(next) == 0) continue;
+            if (found.from.emplace(next, Found::From{image, {place.readings, &results_[way]}}).second)
+                open.push_back(next);
+        }
+    }
+}
+
+std::vector<PassedCycle> CodeSystem::way_to(std::uint32_t image) const {
+    Found found;
+    std::vector<std::uint32_t> open{reset_};
+    for (std::size_t i = 0; i < open.size() && found.from.count(image) == 0 && image != reset_; ++i)
+        look_behind(open[i], open, found);
+    std::vector<PassedCycle> way;
+    while (image != reset_ && found.from.count(image) != 0) {
+        const Found::From& from = found.from.at(image);
+        way.insert(way.begin(), from.cycle);
+        image = from.image;
+    }
+    return way;
+}
+
+const CycleResult& CodeSystem::step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
+                                    const std::vector<process::Event>& writes) {
+    std::uint32_t at = root(image);
+    for (std::size_t i = 0; i < alphabet_->interface().inputs.size(); ++i)
+        at = nodes_[at][i < readings.size() ? readings[i] : 0];
+    const std::vector<std::uint32_t>& ways = results_[at].ways;
+    if (ways.empty()) return results_[at];
+    const auto begins = [&](std::uint32_t way) {
+        const std::vector<process::Event>& made = results_[way].writes;
+        return made.size() >= writes.size() && std::equal(writes.begin(), writes.end(), made.begin());
+    };
+    const auto found = std::find_if(ways.begin(), ways.end(), begins);
+    return results_[found == ways.end() ? ways.front() : *found];
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,129 @@
+// L(G): the compiled controller as a transition system. A state is the byte image of the code's state and how far
+// the cycle has come (docs/conformance.md, "The code").
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "checker/lts/transition_system.hpp"
+#include "conformance/code/cycle_log.hpp"
+#include "conformance/code/interface.hpp"
+#include "cpp_emit/runtime/explore_abi.h"
+
+namespace robochart::conformance {
+
+/// The interface as the code states it; carriers are numbers until the caller knows better.
+[[nodiscard]] Interface interface_of(const rc_interface&);
+
+/// What is longer is cut: more than a state of 64 KiB takes in words.
+inline constexpr std::size_t longest_state_text = 1U << 20U;
+
+/// A state as the code prints it.
+[[nodiscard]] std::string state_text(const rc_interface&, const void* state);
+
+/// What one call of `step` did. Equal results are one object.
+struct CycleResult {
+    rc_result outcome = RC_QUIESCENT;
+    std::vector<process::Event> writes;
+    std::uint32_t next = 0;  ///< image
+    /// Not empty: the cycle passed probabilistic junctions, and these are the results of the ways that they may take.
+    std::vector<std::uint32_t> ways;
+};
+
+/// A cycle on the way to an image: one reading of each register, and what came of it.
+struct PassedCycle {
+    std::vector<std::uint32_t> readings;
+    const CycleResult* result = nullptr;
+};
+
+class CodeSystem : public lts::TransitionSystem {
+public:
+    static constexpr std::uint64_t max_valuations = 1ULL << 24U;
+
+    /// Throws std::length_error if the inputs have more than `max_valuations` together.
+    CodeSystem(const rc_interface& code, const Alphabet& alphabet, std::uint32_t cycle_length);
+
+    [[nodiscard]] std::size_t width() const override;
+    void initial(std::span<lts::Word> state) override;
+    void successors(lts::StateView state, lts::SuccessorSink& sink) override;
+    [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
+    [[nodiscard]] std::string describe(lts::StateView state) const override;
+    void watch(const std::function<void()>& poll) override { poll_ = poll; }
+
+    /// For telling runs: the reset image, one step (`readings` one per register), an image as text. Of several ways
+    /// one that begins with these writes.
+    [[nodiscard]] std::uint32_t reset() const { return reset_; }
+    [[nodiscard]] const CycleResult& step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
+                                          const std::vector<process::Event>& writes);
+    [[nodiscard]] std::string print(std::uint32_t image) const;
+
+    /// The tree of an image's readings: for each reading of the next register the node below, behind the last one the
+    /// result. Of equal trees there is one, so a register that makes no difference has equal nodes below.
+    [[nodiscard]] std::uint32_t root(std::uint32_t image);
+    [[nodiscard]] std::vector<std::uint32_t> below(std::uint32_t node) const { return nodes_[node]; }
+    [[nodiscard]] const CycleResult& result(std::uint32_t number) const { return results_[number]; }
+
+    /// The images that a cycle was begun in so far, in the order in which they were first.
+    [[nodiscard]] const std::vector<std::uint32_t>& begun() const { return begun_; }
+    [[nodiscard]] std::vector<unsigned char> bytes(std::uint32_t image) const;
+    /// A shortest way to one of these.
+    [[nodiscard]] std::vector<PassedCycle> way_to(std::uint32_t image) const;
+
+    [[nodiscard]] std::uint64_t images() const { return image_count_; }
+    [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
+    /// Faults of the code that are no refinement questions: `step` or `initial` not a function of its arguments.
+    [[nodiscard]] const std::string& unsound() const { return unsound_; }
+    /// Some call of `step` did not return and was stopped (watchdog.hpp).
+    [[nodiscard]] bool endless() const { return endless_; }
+    /// The most outputs that one cycle made.
+    [[nodiscard]] std::uint32_t most_writes() const { return most_writes_; }
+    /// Two images print alike and differ in bytes: the state is not canonical, the numbers are larger than need be.
+    [[nodiscard]] bool alias_found() const { return alias_found_; }
+
+private:
+    using Bytes = std::vector<unsigned char>;
+    /// After some reads: for each reading of the next register the node, after the last one the result.
+    using Node = std::vector<std::uint32_t>;
+    std::uint32_t intern(const Bytes&);
+    struct Found;
+    void look_behind(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const;
+    [[nodiscard]] Bytes fresh_state(unsigned char fill) const;
+    std::uint32_t tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read);
+    std::uint32_t intern_node(std::size_t level, Node);
+    [[nodiscard]] std::uint32_t run(const Bytes& from, const std::vector<rc_register>& registers);
+    std::uint32_t endless(const Bytes& from);
+    std::uint32_t run_once(const Bytes& from, const std::vector<rc_register>& registers, CycleLog& log);
+    [[nodiscard]] CycleResult result_of(rc_result, const rc_log&, const Bytes&);
+    std::uint32_t intern_result(CycleResult);
+    void read(lts::StateView state, lts::SuccessorSink& sink);
+    void act(lts::StateView state, lts::SuccessorSink& sink);
+    void finish(lts::StateView state, const CycleResult& result, lts::SuccessorSink& sink);
+    void enter_cycle(std::span<lts::Word> state, std::uint32_t image);
+
+    const rc_interface* code_;
+    const Alphabet* alphabet_;
+    std::uint32_t cycle_length_;
+    std::uint32_t reset_ = 0;
+    std::uint64_t image_count_ = 0;
+    Bytes images_;
+    std::unordered_map<std::string, std::uint32_t> image_ids_;  ///< never iterated, as those below
+    std::unordered_map<std::string, std::uint32_t> printed_;
+    std::unordered_map<std::uint32_t, std::uint32_t> roots_;  ///< image -> its tree of readings
+    std::vector<std::uint32_t> begun_;                        ///< images in roots_
+    std::unordered_map<std::string, std::uint32_t> node_ids_;
+    std::unordered_map<std::string, std::uint32_t> result_ids_;
+    std::vector<Node> nodes_;
+    std::deque<CycleResult> results_;  ///< references stay valid
+    std::uint64_t cycles_ = 0;
+    std::uint32_t most_writes_ = 0;
+    std::function<void()> poll_;  ///< while the inputs of one state are tried, which may take long
+    std::string unsound_;
+    bool endless_ = false;
+    bool alias_found_ = false;
+};
+
+}  // namespace robochart::conformance

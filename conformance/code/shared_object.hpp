@@ -1,0 +1,39 @@
+// Generated sources, compiled by the system's compiler and loaded into this process through the C interface of
+// cpp_emit/runtime/explore_abi.h.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cpp_emit/emit.hpp"
+#include "cpp_emit/runtime/explore_abi.h"
+#include "cpp_emit/load/shared_library.hpp"
+
+namespace robochart::conformance {
+
+using BuildOptions = cpp_emit::BuildOptions;
+
+/// One loaded controller. Its code runs in this process: load only what this toolkit generated or tests wrote.
+class SharedObject {
+public:
+    /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and
+    /// loads it. On failure returns nothing and sets `error` to the cause, with the compiler's words if it spoke.
+    static std::unique_ptr<SharedObject> build(const std::vector<cpp_emit::OutputFile>& files,
+                                               const std::vector<std::string>& sources, const BuildOptions&,
+                                               std::string& error);
+    [[nodiscard]] const rc_interface& interface() const { return *interface_; }
+
+private:
+    SharedObject() = default;
+    [[nodiscard]] bool find_interface(std::string& error);
+
+    std::unique_ptr<cpp_emit::SharedLibrary> library_;
+    const rc_interface* interface_ = nullptr;
+};
+
+/// Why the interface cannot be used (version, null pointers, sizes); "" if it can.
+[[nodiscard]] std::string interface_fault(const rc_interface&);
+
+}  // namespace robochart::conformance

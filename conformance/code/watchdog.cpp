@@ -1,0 +1,126 @@
+// A timer of the thread's processor time ticks while code is explored. At a tick that finds the same call running as
+// the tick before, the signal handler leaves the call with siglongjmp. The state it needs is the thread's own.
+#include "conformance/code/watchdog.hpp"
+
+#include <setjmp.h>
+#include <signal.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <system_error>
+
+#ifndef sigev_notify_thread_id
+#define sigev_notify_thread_id _sigev_un._tid
+#endif
+
+namespace robochart::conformance {
+
+namespace {
+
+constexpr int alarm_signal = SIGVTALRM;
+
+/// The call that runs in this thread.
+struct Call {
+    sigjmp_buf back;
+    volatile sig_atomic_t running = 0;
+    volatile std::uint64_t number = 0;
+    volatile std::uint64_t at_tick = 0;  ///< the call that the last tick found running
+};
+thread_local Call call;
+
+void on_tick(int) {
+    if (call.running == 0) return;
+    if (call.at_tick != call.number) {
+        call.at_tick = call.number;
+        return;
+    }
+    siglongjmp(call.back, 1);
+}
+
+void handle_ticks() {
+    struct sigaction action = {};
+    action.sa_handler = on_tick;
+    // Not blocked while it runs: it does not return where it leaves the call.
+    action.sa_flags = SA_RESTART | SA_NODEFER;
+    if (sigaction(alarm_signal, &action, nullptr) != 0)
+        throw std::system_error(errno, std::generic_category(), "no watchdog");
+}
+
+/// Ticks for one thread as long as it lives.
+class Ticks {
+public:
+    Ticks() {
+        static const bool handled = (handle_ticks(), true);
+        (void)handled;
+        struct sigevent event = {};
+        event.sigev_notify = SIGEV_THREAD_ID;
+        event.sigev_signo = alarm_signal;
+        event.sigev_notify_thread_id = static_cast<pid_t>(syscall(SYS_gettid));
+        if (timer_create(CLOCK_THREAD_CPUTIME_ID, &event, &timer_) != 0)
+            throw std::system_error(errno, std::generic_category(), "no watchdog");
+        every(patience_);
+    }
+    void be(Patience patience) {
+        if (patience != patience_) every(patience);
+    }
+    ~Ticks() { timer_delete(timer_); }
+    Ticks(const Ticks&) = delete;
+    Ticks& operator=(const Ticks&) = delete;
+
+private:
+    /// A call is stopped at its second tick.
+    void every(Patience patience) {
+        const struct timespec between = patience == Patience::seconds ? timespec{1, 0} : timespec{0, 10'000'000};
+        const struct itimerspec both = {between, between};
+        timer_settime(timer_, 0, &both, nullptr);
+        patience_ = patience;
+    }
+
+    timer_t timer_{};
+    Patience patience_ = Patience::seconds;
+};
+
+/// By itself, so that nothing of the caller is held in registers over the jump.
+[[gnu::noinline]] bool returns(Guarded guarded, void* arguments, rc_result& result) {
+    if (sigsetjmp(call.back, 0) != 0) {
+        call.running = 0;
+        return false;
+    }
+    call.number = call.number + 1;
+    call.running = 1;
+    result = guarded(arguments);
+    call.running = 0;
+    return true;
+}
+
+struct StepArguments {
+    const rc_interface* code;
+    void* state;
+    const rc_register* registers;
+    rc_log* log;
+};
+
+rc_result step(void* arguments) {
+    const auto* with = static_cast<const StepArguments*>(arguments);
+    return with->code->step(with->state, with->registers, with->log);
+}
+
+}  // namespace
+
+Stepped watched(Guarded guarded, void* arguments, Patience patience) {
+    thread_local Ticks ticks;
+    ticks.be(patience);
+    rc_result result = RC_STEP_BOUND;
+    if (returns(guarded, arguments, result)) return {result, false};
+    return {RC_STEP_BOUND, true};
+}
+
+Stepped watched_step(const rc_interface& code, void* state, const rc_register* registers, rc_log* log,
+                     Patience patience) {
+    StepArguments arguments{&code, state, registers, log};
+    return watched(step, &arguments, patience);
+}
+
+}  // namespace robochart::conformance

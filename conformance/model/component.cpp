@@ -1,0 +1,212 @@
+// Facts about one component from the IR and the emitted script; see component.hpp.
+#include "conformance/model/component.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/lookup.hpp"
+#include "conformance/model/logged_value.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "semantics/evaluate/carrier.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+namespace b = cspm::build;
+
+/// CSPM identifiers keep "::" out of package and type names.
+std::string flatten(const std::string& name) {
+    std::string result;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (name[i] == ':' && i + 1 < name.size() && name[i + 1] == ':') ++i;
+        result += std::isalnum(static_cast<unsigned char>(name[i])) != 0 ? name[i] : '_';
+    }
+    return result;
+}
+
+/// A carrier by the model's type; values of composed types are numbered in the order of ir::carrier.
+Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    if (cpp_emit::composed(type)) {
+        Carrier carrier{Carrier::Kind::enumeration, {}, {}};
+        for (const ir::Value& value : ir::carrier(system, instantiation, id)) {
+            carrier.names.push_back(cpp_emit::cspm_value(system, id, value));
+            carrier.literals.push_back(log_text(system, instantiation, id, value));
+        }
+        return carrier;
+    }
+    if (type.kind == ir::TypeKind::boolean) return {Carrier::Kind::boolean, {}, {}};
+    if (type.kind == ir::TypeKind::real) return {Carrier::Kind::real, {}, {}};
+    if (type.kind != ir::TypeKind::enumeration) return {};
+    Carrier carrier{Carrier::Kind::enumeration, type.labels, {}};
+    const std::string prefix = type.package.empty() ? "" : flatten(type.package) + "_";
+    for (const std::string& label : type.labels) carrier.names.push_back(prefix + type.name + "_" + label);
+    return carrier;
+}
+
+/// Which variables of the outside occur in expressions of a machine and of the operations that it calls: what an
+/// operation requires may be its caller's own (semantics 3.8).
+class Reads {
+public:
+    /// `controller` defines the operations; null: none are defined.
+    Reads(const ir::System& system, const ir::Controller* controller, std::set<std::string>& found)
+        : system_(system), controller_(controller), found_(found) {}
+
+    void machine(const ir::Machine& root) {
+        std::set<std::string> shared;
+        for (const ir::Variable& variable : root.variables)
+            if (variable.scope == ir::VariableScope::required) shared.insert(variable.name);
+        machine(root, shared);
+    }
+
+private:
+    /// `shared` names what the machine shares with the outside. Calls do not recur (lowering refuses that).
+    void machine(const ir::Machine& machine, const std::set<std::string>& shared) {
+        if (!seen_.emplace(&machine, shared).second) return;
+        const ir::Machine* const outer_machine = std::exchange(current_, &machine);
+        const std::set<std::string>* const outer_shared = std::exchange(shared_, &shared);
+        expressions(machine);
+        for (const ir::OperationId called : ir::called_operations(machine)) call(machine, called, shared);
+        current_ = outer_machine;
+        shared_ = outer_shared;
+    }
+
+    void call(const ir::Machine& caller, ir::OperationId called, const std::set<std::string>& outside) {
+        if (controller_ == nullptr) return;
+        const ir::MachineId id = ir::definition_in(system_, *controller_, caller.operations[called.index]);
+        if (!id.valid()) return;
+        std::set<std::string> shared;
+        for (const ir::Variable& variable : system_.machine(id).variables)
+            if (variable.scope == ir::VariableScope::required && outside.count(variable.name) != 0)
+                shared.insert(variable.name);
+        machine(system_.machine(id), shared);
+    }
+
+    void expressions(const ir::Machine& machine) {
+        for (const ir::ExprPtr& condition : machine.preconditions) expression(condition);
+        for (const ir::ExprPtr& condition : machine.postconditions) expression(condition);
+        for (const ir::Variable& variable : machine.variables) expression(variable.initial);
+        for (const ir::Constant& constant : machine.constants) expression(constant.value);
+        for (const ir::Node& node : machine.nodes) {
+            for (const ir::StmtPtr& action : {node.entry, node.during, node.exit}) statement(action);
+        }
+        for (const ir::Transition& transition : machine.transitions) {
+            for (const ir::ExprPtr& part : {transition.guard, transition.deadline, transition.probability})
+                expression(part);
+            if (transition.trigger) communication(*transition.trigger);
+            statement(transition.action);
+        }
+    }
+
+    void variable(ir::VariableId id) {
+        const std::string& name = current_->variables[id.index].name;
+        if (shared_->count(name) != 0) found_.insert(name);
+    }
+    // As deep as the model's expressions, which the reader bounds.
+    void expression(const ir::ExprPtr& expr) {
+        if (!expr) return;
+        if (expr->kind == ir::ExprKind::variable) variable(expr->variable);
+        for (const ir::ExprPtr& part : expr->args) expression(part);
+    }
+    void communication(const ir::Communication& communication) {
+        expression(communication.value);
+        expression(communication.predicate);
+    }
+    void statement(const ir::StmtPtr& stmt) {
+        if (!stmt) return;
+        for (const ir::ExprPtr& part : {stmt->value, stmt->upper, stmt->condition}) expression(part);
+        for (const ir::ExprPtr& part : stmt->args) expression(part);
+        for (const ir::ExprPtr& part : stmt->path) expression(part);
+        // An assignment to a part keeps the rest.
+        if (stmt->kind == ir::StmtKind::assign && !stmt->path.empty()) variable(stmt->variable);
+        communication(stmt->communication);
+        for (const ir::StmtPtr& part : stmt->body) statement(part);
+    }
+
+    const ir::System& system_;
+    const ir::Controller* controller_;
+    std::set<std::string>& found_;
+    std::set<std::pair<const ir::Machine*, std::set<std::string>>> seen_;
+    const ir::Machine* current_ = nullptr;
+    const std::set<std::string>* shared_ = nullptr;
+};
+
+std::set<std::string> read_variables(const ir::System& system, const ir::ComponentRef& ref) {
+    std::set<std::string> read;
+    if (ref.kind == ir::ComponentKind::machine) Reads(system, nullptr, read).machine(system.machines[ref.definition]);
+    if (ref.kind != ir::ComponentKind::controller) return read;
+    const ir::Controller& controller = system.controllers[ref.definition];
+    Reads reads(system, &controller, read);
+    for (const ir::MachineInstance& instance : controller.machines) reads.machine(system.machine(instance.machine));
+    return read;
+}
+
+const std::vector<ir::Variable>* variables_of(const ir::System& system, const ir::ComponentRef& ref) {
+    if (ref.definition == ir::no_id) return nullptr;
+    if (ref.kind == ir::ComponentKind::machine) return &system.machines[ref.definition].variables;
+    if (ref.kind == ir::ComponentKind::controller) return &system.controllers[ref.definition].variables;
+    return nullptr;
+}
+
+const std::vector<ir::TypeId>* types_of(const csp_emit::Provenance& provenance, const std::string& event) {
+    const auto found = provenance.events.find(event);
+    return found == provenance.events.end() ? nullptr : &found->second.types;
+}
+
+}  // namespace
+
+std::string component_prefix(const ir::ComponentRef& ref) {
+    return ref.package.empty() ? ref.path : flatten(ref.package) + "::" + ref.path;
+}
+
+cspm::ExprPtr component_process(const cspm::Script& script, const ir::ComponentRef& ref) {
+    const std::string prefix = component_prefix(ref);
+    const cspm::DeclPtr process = cspm::declaration_of(script, prefix + "::D__");
+    if (!process || process->kind != cspm::DeclKind::function) return nullptr;
+    // semantics 3.12: the id, then the constants, whose values are global definitions of the same name.
+    std::vector<cspm::ExprPtr> arguments{b::number(0)};
+    const std::vector<cspm::PatternPtr>& parameters = process->patterns.front();
+    for (std::size_t p = 1; p < parameters.size(); ++p) {
+        if (!cspm::declaration_of(script, parameters[p]->text)) return nullptr;
+        arguments.push_back(b::name(parameters[p]->text));
+    }
+    return b::call(prefix + "::D__", std::move(arguments));
+}
+
+std::vector<std::string> unread_variables(const ir::System& system, const ir::ComponentRef& ref) {
+    std::vector<std::string> unread;
+    const std::vector<ir::Variable>* const variables = variables_of(system, ref);
+    if (variables == nullptr) return unread;
+    const std::set<std::string> read = read_variables(system, ref);
+    for (const ir::Variable& variable : *variables) {
+        if (variable.scope == ir::VariableScope::required && read.count(variable.name) == 0)
+            unread.push_back(variable.name);
+    }
+    return unread;
+}
+
+void complete(Interface& interface, const ir::System& system, const ir::Instantiation& instantiation,
+              const ir::ComponentRef& ref, const csp_emit::Provenance& provenance) {
+    interface.component = component_prefix(ref);
+    for (Register& input : interface.inputs) {
+        const auto* types = types_of(provenance, interface.component + "::" + input.name);
+        if (types != nullptr && !types->empty()) input.carrier = carrier_of(system, instantiation, types->front());
+    }
+    for (Output& output : interface.outputs) {
+        const auto* types = types_of(provenance, interface.component + "::" + output.name);
+        for (std::size_t a = 0; types != nullptr && a < types->size() && a < output.arguments.size(); ++a)
+            output.arguments[a] = carrier_of(system, instantiation, (*types)[a]);
+    }
+    for (const std::string& variable : unread_variables(system, ref)) {
+        const std::string channel = "set_EXT_" + variable;
+        const bool has_register = std::any_of(interface.inputs.begin(), interface.inputs.end(),
+                                              [&](const Register& input) { return input.name == channel; });
+        if (!has_register) interface.blocked.push_back(channel);
+    }
+}
+
+}  // namespace robochart::conformance

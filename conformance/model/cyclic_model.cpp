@@ -1,0 +1,47 @@
+// See cyclic_model.hpp.
+#include "conformance/model/cyclic_model.hpp"
+
+#include <fmt/format.h>
+
+#include "conformance/model/component.hpp"
+#include "conformance/model/renamed_model.hpp"
+
+namespace robochart::conformance {
+
+std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const ir::Instantiation& instantiation,
+                                               const ir::ComponentRef& ref, std::uint32_t cycle_length,
+                                               const refine::Limits& limits, diagnostics::SourceManager& sources,
+                                               diagnostics::Diagnostics& diagnostics, std::string& error) {
+    const std::size_t errors = diagnostics.errors();
+    std::unique_ptr<CyclicModel> loaded(new CyclicModel);
+    loaded->system_ = &system;
+    loaded->instantiation_ = &instantiation;
+    // Without blocks: one that replaces the instantiation would make the model range over other values than the code.
+    const SafeModel safe = safe_model(system, instantiation, ref, diagnostics);
+    loaded->cycle_length_ = cycle_length;
+    loaded->script_ =
+        csp_emit::emit(safe.system, safe.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+    const cspm::ExprPtr process = component_process(loaded->script_.definitions, safe.component);
+    if (diagnostics.errors() != errors || !process) {
+        error = fmt::format("{} has no timed CSP semantics here", ref.path);
+        return nullptr;
+    }
+    auto shown =
+        conformance::boundary(safe.system, safe.instantiation, safe.component, loaded->script_.provenance, diagnostics);
+    auto outside = conformance::boundary(system, instantiation, ref, loaded->script_.provenance, diagnostics);
+    if (!shown || !outside || diagnostics.errors() != errors) {
+        error = fmt::format("{} has no inputs and outputs of a controller", ref.path);
+        return nullptr;
+    }
+    loaded->boundary_ = std::move(*shown);
+    loaded->outside_ = std::move(outside->interface);
+    loaded->session_ = std::make_unique<cspm::Session>(loaded->script_.definitions);
+    loaded->model_ = loaded->session_->system(process, limits);
+    loaded->alphabet_ = std::make_unique<Alphabet>(loaded->boundary_.interface, loaded->session_->event_table());
+    loaded->graph_ = std::make_unique<ModelGraph>(*loaded->model_, *loaded->alphabet_);
+    loaded->normal_form_ =
+        std::make_unique<NormalFormSystem>(*loaded->graph_, *loaded->alphabet_, cycle_length);
+    return loaded;
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,57 @@
+// A component ready to be asked what it allows in control cycles, without any generated code: the script's process, the
+// alphabet, and NF_c(M) as a transition system (docs/conformance.md).
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "checker/cspm/session.hpp"
+#include "conformance/model/model_interface.hpp"
+#include "conformance/model/model_graph.hpp"
+#include "conformance/model/normal_form_system.hpp"
+#include "csp_emit/emit.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::conformance {
+
+class CyclicModel {
+public:
+    /// Nothing where the component has no timed semantics or no cyclic form; diagnostics or `error` tell. Throws
+    /// process::Interrupted at a limit and cspm::EvaluationError where the script cannot be evaluated.
+    [[nodiscard]] static std::unique_ptr<CyclicModel> load(const ir::System&, const ir::Instantiation&,
+                                                           const ir::ComponentRef&, std::uint32_t cycle_length,
+                                                           const refine::Limits&, diagnostics::SourceManager&,
+                                                           diagnostics::Diagnostics&, std::string& error);
+
+    [[nodiscard]] const Alphabet& alphabet() const { return *alphabet_; }
+    [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }
+    /// The interface under the names that its parts have in the model and in generated code, where the script has others
+    /// (csp_emit/passes/safe_names.hpp); in the same order.
+    [[nodiscard]] const Interface& outside() const { return outside_; }
+    [[nodiscard]] const Boundary& boundary() const { return boundary_; }
+    [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }
+    [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
+    [[nodiscard]] NormalFormSystem& normal_form() { return *normal_form_; }
+    [[nodiscard]] ModelGraph& graph() { return *graph_; }
+    [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
+    [[nodiscard]] const ir::System& system() const { return *system_; }
+    [[nodiscard]] const ir::Instantiation& instantiation() const { return *instantiation_; }
+
+private:
+    CyclicModel() = default;
+
+    const ir::System* system_ = nullptr;
+    const ir::Instantiation* instantiation_ = nullptr;
+    Interface outside_;
+    std::uint32_t cycle_length_ = 1;
+    csp_emit::Emission script_;
+    Boundary boundary_;
+    std::unique_ptr<cspm::Session> session_;
+    std::unique_ptr<lts::TransitionSystem> model_;
+    std::unique_ptr<Alphabet> alphabet_;
+    std::unique_ptr<ModelGraph> graph_;
+    std::unique_ptr<NormalFormSystem> normal_form_;
+};
+
+}  // namespace robochart::conformance

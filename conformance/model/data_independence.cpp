@@ -1,0 +1,160 @@
+// Data independence by syntax: a kind of numbers is passed on where no operator has an operand of it that depends on a
+// variable (Roscoe UCS 17.2, "data independence", without tests for equality). What is not recognised counts against.
+#include "conformance/model/data_independence.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+class Look {
+public:
+    explicit Look(const ir::System& system) : system_(system) {}
+
+    void machine(const ir::Machine& machine) {
+        machine_ = &machine;
+        for (const ir::ExprPtr& condition : machine.preconditions) used(condition);
+        for (const ir::ExprPtr& condition : machine.postconditions) used(condition);
+        for (const ir::Variable& variable : machine.variables) stored(variable.initial, variable.type);
+        for (const ir::Node& node : machine.nodes)
+            for (const ir::StmtPtr& action : {node.entry, node.during, node.exit}) statement(action);
+        for (const ir::Transition& transition : machine.transitions) {
+            used(transition.guard);
+            used(transition.deadline);
+            if (transition.trigger) communication(*transition.trigger);
+            statement(transition.action);
+        }
+    }
+
+    PassedOn result;
+
+private:
+    void tested(ir::TypeId id) {
+        if (!id.valid()) return;
+        switch (system_.type(id).kind) {
+            case ir::TypeKind::nat:
+                result.nat = false;
+                return;
+            case ir::TypeKind::integer:
+                result.integer = false;
+                return;
+            case ir::TypeKind::real:
+                result.real = false;
+                return;
+            case ir::TypeKind::boolean:
+            case ir::TypeKind::enumeration:
+            case ir::TypeKind::string:
+            case ir::TypeKind::given:
+            case ir::TypeKind::unit:
+                return;
+            default:  // composed: it may hold numbers of any kind
+                result = {false, false, false};
+        }
+    }
+
+    /// The same value in a place of another type is a conversion.
+    void stored(const ir::ExprPtr& value, ir::TypeId place) {
+        passed(value);
+        if (!value || constant(*value) || !value->type.valid() || !place.valid()) return;
+        if (same(value->type, place)) return;
+        tested(value->type);
+        tested(place);
+    }
+
+    /// Declared types by their names, others by what they are made of.
+    bool same(ir::TypeId a, ir::TypeId b) {
+        const ir::Type& x = system_.type(a);
+        const ir::Type& y = system_.type(b);
+        if (x.kind != y.kind || x.sizes != y.sizes) return false;
+        const bool by_name =
+            x.kind == ir::TypeKind::record || x.kind == ir::TypeKind::enumeration || x.kind == ir::TypeKind::given;
+        if (by_name) return x.name == y.name && x.package == y.package;
+        bool all = x.args.size() == y.args.size();
+        for (std::size_t i = 0; all && i < x.args.size(); ++i) all = same(x.args[i], y.args[i]);
+        return all;
+    }
+
+    static bool leaf(ir::ExprKind kind) {
+        return kind == ir::ExprKind::variable || kind == ir::ExprKind::trigger_value;
+    }
+
+    /// Depends on no variable. As deep as the model's expressions, which the reader bounds.
+    static bool constant(const ir::Expr& expr) {
+        switch (expr.kind) {
+            case ir::ExprKind::boolean:
+            case ir::ExprKind::integer:
+            case ir::ExprKind::real:
+            case ir::ExprKind::string:
+            case ir::ExprKind::constant:
+                return true;
+            case ir::ExprKind::negate:
+                return constant(*expr.args.front());
+            default:
+                return false;
+        }
+    }
+
+    /// A value that goes on as it is.
+    void passed(const ir::ExprPtr& expr) {
+        if (!expr || leaf(expr->kind) || constant(*expr)) return;
+        if (expr->kind != ir::ExprKind::if_then_else) return used(expr);
+        used(expr->args[0]);
+        passed(expr->args[1]);
+        passed(expr->args[2]);
+    }
+
+    /// A value that something depends on.
+    void used(const ir::ExprPtr& expr) {
+        if (!expr || constant(*expr)) return;
+        const bool clock = expr->kind == ir::ExprKind::since || expr->kind == ir::ExprKind::since_entry;
+        if (!clock) tested(expr->type);
+        for (const ir::ExprPtr& part : expr->args) used(part);
+    }
+
+    void communication(const ir::Communication& communication) {
+        used(communication.predicate);
+        if (!communication.event.valid()) return;
+        const ir::Event& event = machine_->events[communication.event.index];
+        if (communication.value && event.type) stored(communication.value, *event.type);
+        if (!communication.variable.valid() || !event.type) return;
+        const ir::TypeId variable = machine_->variables[communication.variable.index].type;
+        if (same(variable, *event.type)) return;
+        tested(variable);
+        tested(*event.type);
+    }
+
+    void statement(const ir::StmtPtr& stmt) {
+        if (!stmt) return;
+        used(stmt->condition);
+        used(stmt->upper);
+        for (const ir::ExprPtr& step : stmt->path) used(step);
+        if (!stmt->path.empty()) result = {false, false, false};
+        if (stmt->kind == ir::StmtKind::assign)
+            stored(stmt->value, machine_->variables[stmt->variable.index].type);
+        else
+            used(stmt->value);  // of a wait or a deadline
+        const ir::OperationSignature* const call =
+            stmt->operation.valid() ? &machine_->operations[stmt->operation.index] : nullptr;
+        for (std::size_t i = 0; i < stmt->args.size(); ++i)
+            stored(stmt->args[i], call != nullptr && i < call->parameters.size() ? call->parameters[i] : ir::TypeId{});
+        communication(stmt->communication);
+        for (const ir::StmtPtr& part : stmt->body) statement(part);
+    }
+
+    const ir::System& system_;
+    const ir::Machine* machine_ = nullptr;
+};
+
+}  // namespace
+
+bool PassedOn::of(ir::TypeKind kind) const {
+    return (kind == ir::TypeKind::nat && nat) || (kind == ir::TypeKind::integer && integer) ||
+           (kind == ir::TypeKind::real && real);
+}
+
+PassedOn passed_on(const ir::System& system, const std::vector<ir::MachineId>& machines) {
+    Look look(system);
+    for (const ir::MachineId id : machines) look.machine(system.machine(id));
+    return look.result;
+}
+
+}  // namespace robochart::conformance

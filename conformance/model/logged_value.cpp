@@ -1,0 +1,422 @@
+// See logged_value.hpp.
+#include "conformance/model/logged_value.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "conformance/code/interface.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "semantics/evaluate/carrier.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+using ir::TypeKind;
+
+const std::vector<std::int64_t>* numbers(const ir::Instantiation& instantiation, TypeKind kind) {
+    switch (kind) {
+        case TypeKind::nat:
+            return &instantiation.nat;
+        case TypeKind::integer:
+            return &instantiation.integer;
+        case TypeKind::real:
+            return &instantiation.real;
+        default:
+            return nullptr;
+    }
+}
+
+std::uint64_t mixed(std::string_view text, std::uint64_t salt) {
+    std::uint64_t hash = 0xcbf29ce484222325ULL ^ (salt * 0x9E3779B97F4A7C15ULL);
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    return (hash ^ hash >> 32U) * 0x9E3779B97F4A7C15ULL >> 16U;
+}
+
+/// Reads one value from left to right; as deep as its type.
+class ValueParser {
+public:
+    ValueParser(const ir::System& system, const ir::Instantiation& instantiation, std::string_view text)
+        : system_(system), instantiation_(instantiation), text_(text) {}
+
+    LoggedPart whole(ir::TypeId type) {
+        LoggedPart result = value(type);
+        skip_blanks();
+        if (at_ < text_.size()) throw ValueFault{shape(type), 0, text_.size()};
+        return result;
+    }
+
+private:
+    LoggedPart value(ir::TypeId id) {
+        const ir::Type& type = system_.type(id);
+        skip_blanks();
+        const std::size_t begin = at_;
+        switch (type.kind) {
+            case TypeKind::boolean:
+                return truth();
+            case TypeKind::nat:
+            case TypeKind::integer:
+            case TypeKind::real:
+            case TypeKind::given:
+                return number(type.kind);
+            case TypeKind::enumeration:
+                return literal(id);
+            case TypeKind::string:
+                return characters();
+            case TypeKind::sequence:
+            case TypeKind::set:
+                return list(type, begin, type.kind == TypeKind::set ? "{}" : "<>", [&] { return value(type.args[0]); });
+            case TypeKind::relation:
+            case TypeKind::function:
+                return list(type, begin, "{}", [&] { return tuple(type, begin); });
+            case TypeKind::vector:
+                return row(type, type.sizes.at(0), begin);
+            case TypeKind::matrix:
+                return repeated(type, type.sizes.at(0), begin, [&] { return row(type, type.sizes.at(1), begin); });
+            default:
+                return tuple(type, begin);
+        }
+    }
+
+    // ------------------------------------------------------------ without parts
+
+    LoggedPart truth() {
+        const std::string_view word = name();
+        if (word != "true" && word != "false") throw fault("true or false", word);
+        return {word == "true" ? 1 : 0, "", TypeKind::boolean, {}};
+    }
+
+    LoggedPart number(TypeKind kind) {
+        const std::string_view rest = text_.substr(at_);
+        double value = 0;
+        const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+        const auto length = static_cast<std::size_t>(end - rest.data());
+        if (code != std::errc() || !std::isfinite(value) || (length < rest.size() && !ends_value(rest[length])))
+            throw fault("a number", name());
+        const std::string_view word = rest.substr(0, length);
+        const bool real = kind == TypeKind::real;
+        const double scaled = real ? value * static_cast<double>(instantiation_.scale) : value;
+        if (!real && scaled != std::floor(scaled)) throw fault("a whole number", word);
+        at_ += length;
+        // A decimal of the model as binary floating point is off by less than this.
+        const double near = std::round(scaled);
+        const bool whole = std::abs(scaled - near) <= 1e-9 * std::max(1.0, std::abs(scaled)) && std::abs(near) < 9e15;
+        if (whole && carried(kind, static_cast<std::int64_t>(near)))
+            return {static_cast<std::int64_t>(near), "", kind, {}};
+        return {0, fmt::format("{}", value), kind, {}};
+    }
+
+    [[nodiscard]] bool carried(TypeKind kind, std::int64_t value) const {
+        if (kind == TypeKind::given) return value >= 0 && value < instantiation_.given_size;
+        const auto* const all = numbers(instantiation_, kind);
+        return std::binary_search(all->begin(), all->end(), value);
+    }
+
+    /// By its name, or the one it has in CSP.
+    LoggedPart literal(ir::TypeId id) {
+        const ir::Type& type = system_.type(id);
+        const std::size_t begin = at_;
+        const std::string_view word = name();
+        LoggedPart result{0, "", TypeKind::enumeration, {}};
+        const auto same = [&](std::size_t i) {
+            return word == type.labels[i] ||
+                   word == cpp_emit::cspm_value(system_, id, {static_cast<std::int64_t>(i), {}});
+        };
+        std::size_t index = 0;
+        while (index < type.labels.size() && !same(index)) ++index;
+        if (index == type.labels.size()) throw fault(shape(id), word);
+        result.number = static_cast<std::int64_t>(index);
+        if (index >= type.literal_args.size() || type.literal_args[index].empty()) return result;
+        const std::vector<ir::TypeId>& arguments = type.literal_args[index];
+        expect('(', type, begin);
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            if (i > 0) expect(',', type, begin);
+            result.parts.push_back(value(arguments[i]));
+        }
+        expect(')', type, begin);
+        return result;
+    }
+
+    LoggedPart characters() {
+        const std::size_t begin = at_;
+        LoggedPart result{0, "", TypeKind::string, {}};
+        const auto unfinished = [&] { return ValueFault{"a text in quotes", begin, text_.size() - begin}; };
+        if (at_ >= text_.size() || text_[at_] != '"') throw unfinished();
+        for (++at_; at_ < text_.size() && text_[at_] != '"';)
+            result.parts.push_back({character(), "", TypeKind::unit, {}});
+        if (at_ >= text_.size()) throw unfinished();
+        ++at_;
+        return result;
+    }
+
+    /// A backslash and three octal digits stand for any.
+    std::int64_t character() {
+        const auto digit = [&](std::size_t i) {
+            const char c = at_ + i < text_.size() ? text_[at_ + i] : ' ';
+            return c >= '0' && c <= '7' ? c - '0' : -1;
+        };
+        if (text_[at_] == '\\' && digit(1) >= 0 && digit(1) < 4 && digit(2) >= 0 && digit(3) >= 0) {
+            const int code = digit(1) * 64 + digit(2) * 8 + digit(3);
+            at_ += 4;
+            return code;
+        }
+        return static_cast<unsigned char>(text_[at_++]);
+    }
+
+    // ------------------------------------------------------------ with parts
+
+    template <class Item>
+    LoggedPart list(const ir::Type& type, std::size_t begin, const char* brackets, const Item& item) {
+        LoggedPart result{0, "", type.kind, {}};
+        expect(brackets[0], type, begin);
+        if (comes(brackets[1])) return result;
+        do result.parts.push_back(item());
+        while (comes(','));
+        expect(brackets[1], type, begin);
+        return result;
+    }
+
+    /// One alone stands without brackets.
+    template <class Item>
+    LoggedPart repeated(const ir::Type& type, std::int64_t count, std::size_t begin, const Item& item) {
+        LoggedPart result{0, "", TypeKind::product, {}};
+        if (count != 1) expect('(', type, begin);
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (i > 0) expect(',', type, begin);
+            result.parts.push_back(item());
+        }
+        if (count != 1) expect(')', type, begin);
+        return result;
+    }
+
+    LoggedPart row(const ir::Type& type, std::int64_t count, std::size_t begin) {
+        return repeated(type, count, begin, [&] { return value(type.args.at(0)); });
+    }
+
+    LoggedPart tuple(const ir::Type& type, std::size_t begin) {
+        std::size_t next = 0;
+        return repeated(type, static_cast<std::int64_t>(type.args.size()), begin,
+                        [&] { return value(type.args[next++]); });
+    }
+
+    // ------------------------------------------------------------ text
+
+    void skip_blanks() {
+        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+    }
+    bool comes(char c) {
+        skip_blanks();
+        const bool found = at_ < text_.size() && text_[at_] == c;
+        if (found) ++at_;
+        return found;
+    }
+    void expect(char c, const ir::Type& type, std::size_t begin) {
+        if (!comes(c)) throw ValueFault{shape(type), begin, text_.size() - begin};
+    }
+    static bool ends_value(char c) {
+        static constexpr std::string_view ends = " \t,()<>{}\"";
+        return ends.find(c) != std::string_view::npos;
+    }
+    std::string_view name() {
+        std::size_t end = at_;
+        while (end < text_.size() && !ends_value(text_[end])) ++end;
+        const std::string_view word = text_.substr(at_, end - at_);
+        at_ = end;
+        return word;
+    }
+    [[nodiscard]] ValueFault fault(std::string wanted, std::string_view word) const {
+        const auto begin = static_cast<std::size_t>(word.data() - text_.data());
+        return {std::move(wanted), begin, word.size()};
+    }
+
+    [[nodiscard]] std::string shape(ir::TypeId id) const { return shape(system_.type(id)); }
+    /// What values of the type look like.
+    [[nodiscard]] static std::string shape(const ir::Type& type) {
+        switch (type.kind) {
+            case TypeKind::enumeration:
+                return "a literal of " + type.name;
+            case TypeKind::sequence:
+                return "a sequence `<...,...>`";
+            case TypeKind::set:
+                return "a set `{...,...}`";
+            case TypeKind::relation:
+            case TypeKind::function:
+                return "pairs `{(...,...),...}`";
+            case TypeKind::matrix:
+                return fmt::format("{} rows of {} values, `((...,...),...)`", type.sizes.at(0), type.sizes.at(1));
+            case TypeKind::vector:
+                return fmt::format("{} values `(...,...)`", type.sizes.at(0));
+            case TypeKind::record:
+            case TypeKind::product:
+                return fmt::format("{} values `(...,...)`", type.args.size());
+            default:
+                return "one value of its type";
+        }
+    }
+
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+/// As the model has it, with numbers outside of their carriers replaced.
+ir::Value replaced(const LoggedPart& part, const ir::Instantiation& instantiation, std::uint64_t salt) {
+    ir::Value value{part.number, {}};
+    if (!part.outside.empty()) {
+        const std::vector<std::int64_t>& all = *numbers(instantiation, part.kind);
+        value.number = all[mixed(part.outside, salt) % all.size()];
+    }
+    for (const LoggedPart& each : part.parts) value.parts.push_back(replaced(each, instantiation, salt));
+    if (part.kind == TypeKind::set || part.kind == TypeKind::relation || part.kind == TypeKind::function) {
+        std::sort(value.parts.begin(), value.parts.end());
+        value.parts.erase(std::unique(value.parts.begin(), value.parts.end()), value.parts.end());
+    }
+    return value;
+}
+
+bool all_inside(const LoggedPart& part) {
+    return part.outside.empty() && std::all_of(part.parts.begin(), part.parts.end(), all_inside);
+}
+
+/// Every number outside of its carrier is of a kind that is passed on. Functions are total over their carriers, which
+/// other numbers are not.
+bool only_passed_on(const LoggedPart& part, const PassedOn& passed_on) {
+    if (part.kind == TypeKind::function) return all_inside(part);
+    return (part.outside.empty() || passed_on.of(part.kind)) &&
+           std::all_of(part.parts.begin(), part.parts.end(),
+                       [&](const LoggedPart& each) { return only_passed_on(each, passed_on); });
+}
+
+}  // namespace
+
+ValueReader::ValueReader(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId type,
+                         const PassedOn& passed_on)
+    : system_(&system),
+      instantiation_(&instantiation),
+      type_(type),
+      passed_on_(passed_on),
+      composed_(cpp_emit::composed(system.type(type))) {
+    passed_on_.nat = passed_on.nat && !instantiation.nat.empty();
+    passed_on_.integer = passed_on.integer && !instantiation.integer.empty();
+    passed_on_.real = passed_on.real && !instantiation.real.empty();
+    if (!composed_) return;
+    for (const ir::Value& value : ir::carrier(system, instantiation, type))
+        places_.emplace(value, static_cast<std::int64_t>(places_.size()));
+}
+
+std::optional<std::int64_t> ValueReader::place(const LoggedPart& whole, std::uint64_t salt) const {
+    const ir::Value value = replaced(whole, *instantiation_, salt);
+    if (!composed_) return value.number;
+    const auto found = places_.find(value);
+    return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+LoggedValue ValueReader::read(std::string_view text) const {
+    LoggedValue result;
+    result.whole = ValueParser(*system_, *instantiation_, text).whole(type_);
+    const bool inside = all_inside(result.whole);
+    if (inside) result.number = place(result.whole, 0);
+    if (result.number) return result;
+    result.text = composed_ ? std::string(text) : result.whole.outside;
+    // What is outside whatever its numbers are, as a sequence that is too long, cannot be replaced.
+    result.passed_on = !inside && only_passed_on(result.whole, passed_on_) && place(result.whole, 0).has_value();
+    return result;
+}
+
+std::int64_t ValueReader::stand_in(const LoggedValue& value, std::uint64_t salt) const {
+    return value.number ? *value.number : place(value.whole, salt).value();
+}
+
+namespace {
+
+/// Writes values; as deep as their types.
+class Writing {
+public:
+    Writing(const ir::System& system, const ir::Instantiation& instantiation)
+        : system_(system), instantiation_(instantiation) {}
+
+    [[nodiscard]] std::string value(ir::TypeId id, const ir::Value& value) const {
+        const ir::Type& type = system_.type(id);
+        switch (type.kind) {
+            case TypeKind::boolean:
+                return value.number != 0 ? "true" : "false";
+            case TypeKind::real:
+                return people_text({Carrier::Kind::real, {}, {}}, value.number, instantiation_.scale);
+            case TypeKind::enumeration:
+                return literal(type, value);
+            case TypeKind::string:
+                return characters(value);
+            case TypeKind::sequence:
+                return "<" + items(type.args.at(0), value) + ">";
+            case TypeKind::set:
+                return "{" + items(type.args.at(0), value) + "}";
+            case TypeKind::relation:
+            case TypeKind::function:
+                return "{" + joined(value, [&](const ir::Value& pair, std::size_t) { return tuple(type, pair); }) + "}";
+            case TypeKind::matrix:
+                return bracketed(value, joined(value, [&](const ir::Value& row, std::size_t) {
+                                     return bracketed(row, items(type.args.at(0), row));
+                                 }));
+            case TypeKind::vector:
+                return bracketed(value, items(type.args.at(0), value));
+            case TypeKind::record:
+            case TypeKind::product:
+                return tuple(type, value);
+            default:
+                return fmt::format("{}", value.number);
+        }
+    }
+
+private:
+    template <class Item>
+    static std::string joined(const ir::Value& value, const Item& item) {
+        std::string text;
+        for (std::size_t i = 0; i < value.parts.size(); ++i) text += (i == 0 ? "" : ",") + item(value.parts[i], i);
+        return text;
+    }
+    static std::string bracketed(const ir::Value& value, const std::string& text) {
+        return value.parts.size() == 1 ? text : "(" + text + ")";
+    }
+    [[nodiscard]] std::string items(ir::TypeId type, const ir::Value& value) const {
+        return joined(value, [&](const ir::Value& part, std::size_t) { return this->value(type, part); });
+    }
+    [[nodiscard]] std::string tuple(const ir::Type& type, const ir::Value& value) const {
+        return bracketed(value, joined(value, [&](const ir::Value& part, std::size_t i) {
+                             return this->value(type.args.at(i), part);
+                         }));
+    }
+    [[nodiscard]] std::string literal(const ir::Type& type, const ir::Value& value) const {
+        const auto index = static_cast<std::size_t>(value.number);
+        if (value.parts.empty()) return type.labels.at(index);
+        return fmt::format("{}({})", type.labels.at(index), joined(value, [&](const ir::Value& part, std::size_t i) {
+                               return this->value(type.literal_args[index].at(i), part);
+                           }));
+    }
+    /// As robochart/trace.hpp writes them.
+    static std::string characters(const ir::Value& value) {
+        static constexpr std::string_view special = "\"\\!?/";
+        std::string text;
+        for (const ir::Value& part : value.parts) {
+            const bool plain = part.number > 0x20 && part.number != 0x7f &&
+                               special.find(static_cast<char>(part.number)) == std::string_view::npos;
+            text += plain ? std::string(1, static_cast<char>(part.number)) : fmt::format("\\{:03o}", part.number);
+        }
+        return '"' + text + '"';
+    }
+
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+};
+
+}  // namespace
+
+std::string log_text(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId type,
+                     const ir::Value& value) {
+    return Writing(system, instantiation).value(type, value);
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,68 @@
+// The model M with its states numbered and its successors remembered: NF_c(M) visits each state of M under many
+// register contents, and asks which registers a state can still hear before time passes.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "checker/lts/transition_system.hpp"
+#include "conformance/code/interface.hpp"
+
+namespace robochart::conformance {
+
+using ModelState = std::uint32_t;
+
+struct ModelEdge {
+    ModelRole role;
+    process::Event event = process::tau;
+    process::Event revealed = process::tau;
+    ModelState target = 0;
+};
+
+class ModelGraph {
+public:
+    /// Throws AlphabetError when a state is met that can do what the alphabet has no name for.
+    ModelGraph(lts::TransitionSystem& model, const Alphabet& alphabet);
+
+    [[nodiscard]] ModelState initial() const { return initial_; }
+    [[nodiscard]] const std::vector<ModelEdge>& edges(ModelState);
+    /// One entry per register: whether its event can happen from here before the next tock, whatever else happens.
+    /// Ignores the simulation assumptions, so it may say yes too often, never no wrongly.
+    [[nodiscard]] const std::vector<bool>& hears(ModelState);
+    /// Whether time can pass, or the model terminate, once the right inputs have come: behind some events without time.
+    [[nodiscard]] bool goes_on(ModelState);
+    [[nodiscard]] std::string describe(ModelState) const;
+    /// Called for every state expanded; may throw. Empty: none.
+    void watch(const std::function<void()>& poll) { poll_ = poll; }
+    [[nodiscard]] std::size_t size() const { return edges_.size(); }
+
+private:
+    struct Node {
+        bool known = false;
+        std::vector<ModelEdge> edges;
+    };
+    ModelState intern(lts::StateView);
+    [[nodiscard]] lts::StateView view(ModelState) const;
+    void expand(ModelState);
+    [[nodiscard]] const ModelRole& role(process::Event);
+
+    std::function<void()> poll_;
+    lts::TransitionSystem* model_;
+    const Alphabet* alphabet_;
+    std::size_t width_;
+    ModelState initial_ = 0;
+    std::unordered_map<std::string, ModelState> ids_;  ///< bytes of the packed state; never iterated
+    std::vector<lts::Word> words_;
+    std::deque<Node> edges_;  ///< a deque: references stay valid while the graph grows
+    std::unordered_map<ModelState, std::vector<bool>> hears_;
+    std::unordered_map<ModelState, bool> goes_on_;
+    std::vector<ModelRole> roles_;
+    std::vector<bool> role_known_;
+};
+
+}  // namespace robochart::conformance

@@ -1,0 +1,29 @@
+// The interface of a component read off the model, before or without any generated code: for recorded runs, monitors
+// and test suites. Registers and outputs come in the order of the code's own interface
+// (cpp_emit/runtime/explore_abi.h).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "conformance/code/interface.hpp"
+#include "conformance/model/data_independence.hpp"
+#include "csp_emit/emit.hpp"
+#include "diagnostics/diagnostic.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::conformance {
+
+struct Boundary {
+    Interface interface;
+    std::vector<std::optional<ir::TypeId>> input_types;  ///< none: the register carries no value
+    std::vector<std::vector<ir::TypeId>> output_types;
+    PassedOn passed_on;
+};
+
+/// Nothing, with diagnostics, where no C++ could be generated for the component.
+[[nodiscard]] std::optional<Boundary> boundary(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
+                                               const csp_emit::Provenance&, diagnostics::Diagnostics&);
+
+}  // namespace robochart::conformance

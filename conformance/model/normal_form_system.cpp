@@ -1,0 +1,293 @@
+// NF_c(M) step by step. Each rule cites the assumption of docs/conformance.md that it carries out:
+// A1 registers, A2 outputs and time, A3 the cycle, H hiding of M's alphabet, P priority of τ and ✓ over tock.
+#include "conformance/model/normal_form_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace robochart::conformance {
+
+namespace {
+
+// Layout of a packed state; then come, with Outputs::once, the mask of outputs written in this cycle, and one word per
+// register: 0 nothing to consume, else the reading.
+enum Field : std::size_t { phase, progress, model_state, pending, fields };
+enum Phase : lts::Word {
+    reading,  ///< progress: the next register
+    acting,   ///< between the reads and the tock
+    waiting,  ///< progress: tocks still to come (cycles longer than one)
+    ending,   ///< terminated, ✓ to come
+    over,
+    repeated,  ///< Outputs::once; pending: the report of the second one
+    missed,    ///< Deadlines::mark and idle; model_state: where M waits
+};
+/// What a register holds that was not read (Frame::unread).
+constexpr lts::Word not_read = 0xffffffffU;
+/// Model state after M's own ✓, before `terminate`.
+constexpr lts::Word gone = 0xffffffffU;
+
+}  // namespace
+
+/// One call of `successors`: where from, where the steps go, and whether tock is still wanted.
+struct NormalFormSystem::Move {
+    lts::StateView from;
+    lts::SuccessorSink& sink;
+    std::vector<lts::Word> next;
+    bool urgent = false;  ///< a τ or ✓ was found (P)
+    bool stands = true;   ///< nothing was found
+
+    std::vector<lts::Word>& restart() {
+        next.assign(from.begin(), from.end());
+        return next;
+    }
+    void silent(process::Event revealed) {
+        urgent = true;
+        stands = false;
+        sink.add(process::tau, next, revealed);
+    }
+};
+
+NormalFormSystem::NormalFormSystem(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
+                                   Frame frame)
+    : model_(&model),
+      alphabet_(&alphabet),
+      cycle_length_(std::max(1U, cycle_length)),
+      frame_(frame),
+      repeats_(alphabet.events().intern("model.repeats")),
+      deadline_(alphabet.events().intern("model.deadline")),
+      inputs_(alphabet.interface().inputs.size()),
+      mask_words_(frame.outputs == Outputs::once ? (alphabet.interface().outputs.size() + 31) / 32 : 0) {
+    for (std::size_t i = 0; frame.unread && i < inputs_; ++i) {
+        unread_.push_back(alphabet.events().intern(fmt::format("model.unread.{}", i)));
+        asks_.push_back(alphabet.events().intern(fmt::format("model.asks.{}", i)));
+    }
+}
+
+std::size_t NormalFormSystem::width() const {
+    return fields + mask_words_ + inputs_;
+}
+
+void NormalFormSystem::initial(std::span<lts::Word> state) {
+    std::fill(state.begin(), state.end(), 0U);
+    state[model_state] = model_->initial();
+    begin_cycle(state);
+}
+
+// A2 starts again with all outputs, A3 with all reads. What A1 still holds cannot be consumed before it is read
+// again (A3), so it is forgotten here: an equivalent state, and one instead of many.
+void NormalFormSystem::begin_cycle(std::span<lts::Word> state) const {
+    std::fill(state.begin() + fields, state.end(), 0U);
+    state[phase] = inputs_ == 0 ? acting : reading;
+    state[progress] = 0;
+}
+
+void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
+    Move move{state, sink, {}};
+    if (state[phase] == over) {
+        if (frame_.after == AfterTermination::idle) sink.add(alphabet_->tock(), state, alphabet_->tock());
+        return;
+    }
+    if (state[phase] == repeated) return;
+    if (state[phase] == missed) {
+        if (frame_.deadlines == Deadlines::idle) sink.add(alphabet_->tock(), state, alphabet_->tock());
+        return;
+    }
+    if (state[phase] == ending) {
+        move.restart()[phase] = over;
+        if (frame_.after == AfterTermination::idle)
+            move.silent(process::tick);
+        else
+            sink.add(process::tick, move.next, process::tick);
+        return;
+    }
+    if (state[phase] == reading) read(move);
+    if (state[pending] != 0) {  // A2: the report follows the output before any other output or tock
+        move.restart()[pending] = 0;
+        move.stands = false;
+        sink.add(frame_.writes_hidden ? process::tau : state[pending], move.next, state[pending]);
+    }
+    if (state[model_state] == gone)
+        terminate(move);
+    else
+        model_moves(move);
+    if (move.stands && frame_.deadlines != Deadlines::stop && awaits_input(state)) miss(move);
+}
+
+/// Time stops (M lets none pass) in the middle of a cycle's actions, and inputs could make M go on, up to where time
+/// passes again. It is the only way in which a deadline on an input shows here: all that M can do by itself has been done
+/// (P). An input that some other machine would take, and behind which time stops all the same, is no excuse.
+bool NormalFormSystem::awaits_input(lts::StateView state) {
+    if (state[phase] != acting || state[pending] != 0 || state[model_state] == gone) return false;
+    const std::vector<ModelEdge>& edges = model_->edges(state[model_state]);
+    return std::any_of(edges.begin(), edges.end(), [this](const ModelEdge& edge) {
+        return edge.role.kind == ModelRole::Kind::input && model_->goes_on(edge.target);
+    });
+}
+
+void NormalFormSystem::miss(Move& move) {
+    move.restart()[phase] = missed;
+    std::fill(move.next.begin() + fields, move.next.end(), 0U);
+    if (frame_.deadlines == Deadlines::idle)
+        move.silent(deadline_);
+    else
+        move.sink.add(deadline_, move.next, deadline_);
+}
+
+namespace {
+
+class Counts final : public lts::SuccessorSink {
+public:
+    void add(process::Event /*event*/, lts::StateView /*target*/, process::Event /*revealed*/) override { ++count; }
+    std::size_t count = 0;
+};
+
+}  // namespace
+
+Standstill NormalFormSystem::standstill(lts::StateView state) {
+    if (state[phase] == over) return Standstill::terminated;
+    Counts sink;
+    successors(state, sink);
+    if (sink.count > 0) return Standstill::none;
+    return awaits_input(state) ? Standstill::inputs : Standstill::other;
+}
+
+// A1, A3: registers are read one after the other, each with any reading. A register that M cannot hear before time
+// passes is as good as absent (model_graph.hpp, hears).
+void NormalFormSystem::read(Move& move) {
+    const lts::Word at = move.from[progress];
+    const auto input = static_cast<std::uint32_t>(at);
+    const lts::Word state = move.from[model_state];
+    const bool heard = state != gone && model_->hears(state)[input];
+    const auto found = [&](lts::Word reading, process::Event event) {
+        std::vector<lts::Word>& next = move.restart();
+        next[fields + mask_words_ + input] = heard ? reading : 0;
+        next[progress] = at + 1;
+        if (at + 1 == inputs_) {
+            next[phase] = acting;
+            next[progress] = 0;
+        }
+        move.stands = false;
+        move.sink.add(event, next, event);
+    };
+    for (std::uint32_t r = 0; r < alphabet_->interface().inputs[input].readings(); ++r)
+        found(r, alphabet_->read(input, r));
+    if (frame_.unread) found(not_read, unread_[input]);
+}
+
+void NormalFormSystem::model_moves(Move& move) {
+    const std::vector<ModelEdge>& edges = model_->edges(move.from[model_state]);
+    for (const ModelEdge& edge : edges) model_step(move, edge);
+    if (move.urgent) return;  // P: prioritise(…, <{}, {tock}>)
+    for (const ModelEdge& edge : edges) {
+        if (edge.role.kind == ModelRole::Kind::tock) pass_time(move, edge);
+    }
+}
+
+void NormalFormSystem::model_step(Move& move, const ModelEdge& edge) {
+    std::vector<lts::Word>& next = move.restart();
+    switch (edge.role.kind) {
+        case ModelRole::Kind::tau:
+        case ModelRole::Kind::terminate:  // M \ {terminate}
+            next[model_state] = edge.target;
+            move.silent(edge.role.kind == ModelRole::Kind::tau ? edge.revealed : edge.event);
+            return;
+        case ModelRole::Kind::tick:  // M \ {terminate} ; terminate -> SKIP
+            next[model_state] = gone;
+            move.silent(edge.event);
+            return;
+        case ModelRole::Kind::input:
+            return input(move, edge);
+        case ModelRole::Kind::output:
+            return output(move, edge);
+        case ModelRole::Kind::tock:
+        case ModelRole::Kind::blocked:
+        case ModelRole::Kind::foreign:
+            return;
+    }
+}
+
+// A1: only what was read in this cycle, once. A3: not before all registers are read. H: invisible.
+void NormalFormSystem::input(Move& move, const ModelEdge& edge) {
+    lts::Word& held = move.next[fields + mask_words_ + edge.role.index];
+    if (move.from[phase] != acting) return;
+    if (held == not_read) {
+        move.stands = false;
+        move.sink.add(asks_[edge.role.index], move.from, asks_[edge.role.index]);
+    }
+    if (held != edge.role.reading) return;
+    held = 0;
+    move.next[model_state] = edge.target;
+    move.silent(edge.event);
+}
+
+// A2: any number of outputs, one report at a time. A3: not before all registers are read. H: invisible.
+void NormalFormSystem::output(Move& move, const ModelEdge& edge) {
+    if (move.from[phase] != acting || move.from[pending] != 0) return;
+    move.next[pending] = edge.role.write;
+    if (frame_.outputs == Outputs::once) {
+        lts::Word& mask = move.next[fields + edge.role.index / 32];
+        const lts::Word bit = 1U << (edge.role.index % 32);
+        if ((mask & bit) != 0) return repeat(move);
+        mask |= bit;
+    }
+    move.next[model_state] = edge.target;
+    move.silent(edge.event);
+}
+
+void NormalFormSystem::repeat(Move& move) {
+    std::fill(move.next.begin() + fields, move.next.end(), 0U);
+    move.next[phase] = repeated;
+    move.urgent = true;
+    move.stands = false;
+    move.sink.add(repeats_, move.next, repeats_);
+}
+
+// A2: no tock while a report is due. A3: none while reading; after the first of a cycle's tocks nothing but tocks.
+void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
+    const lts::Word at = move.from[phase];
+    if (at == reading || move.from[pending] != 0) return;
+    std::vector<lts::Word>& next = move.restart();
+    next[model_state] = edge.target;
+    const lts::Word left = (at == waiting ? move.from[progress] : cycle_length_) - 1;
+    if (left == 0) {
+        begin_cycle(next);
+    } else {
+        std::fill(next.begin() + fields, next.end(), 0U);  // A1, A2: of no use before the next cycle
+        next[phase] = waiting;
+        next[progress] = left;
+    }
+    move.stands = false;
+    move.sink.add(edge.event, next, edge.event);
+}
+
+// All agree on `terminate` after the reads and with no report due; hidden, then ✓ of all.
+void NormalFormSystem::terminate(Move& move) {
+    if (move.from[phase] != acting || move.from[pending] != 0) return;
+    std::vector<lts::Word>& next = move.restart();
+    std::fill(next.begin(), next.end(), 0U);
+    next[phase] = ending;
+    move.silent(process::tick);
+}
+
+bool NormalFormSystem::begins_cycle(lts::StateView state) const {
+    const bool fresh = std::all_of(state.begin() + fields, state.end(), [](lts::Word word) { return word == 0; });
+    const bool first = state[phase] == (inputs_ == 0 ? acting : reading) && state[progress] == 0;
+    return fresh && first && state[pending] == 0 && state[model_state] != gone;
+}
+
+std::string NormalFormSystem::describe_model(lts::StateView state) const {
+    const bool ended = state[phase] == ending || state[phase] == over || state[model_state] == gone;
+    return ended ? "" : model_->describe(state[model_state]);
+}
+
+std::string NormalFormSystem::describe(lts::StateView state) const {
+    if (state[phase] == ending || state[phase] == over) return "terminated";
+    if (state[model_state] == gone) return "terminating";
+    if (state[phase] == repeated)
+        return fmt::format("{} a second time in one cycle, at {}", alphabet_->tell(state[pending]),
+                           model_->describe(state[model_state]));
+    return model_->describe(state[model_state]);
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,101 @@
+// NF_c(M) as a transition system: the model in parallel with the three simulation assumptions (docs/conformance.md).
+// The same process as normal_form.hpp writes in CSPM; tests/conformance shows that the two are equivalent.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "checker/lts/transition_system.hpp"
+#include "conformance/model/model_graph.hpp"
+
+namespace robochart::conformance {
+
+/// What follows successful termination of the model.
+enum class AfterTermination {
+    stop,  ///< ✓, as in the definition
+    idle,  ///< tock for ever: termination is then no deadlock (schedulability)
+};
+
+/// How often an output may be made in one cycle (docs/conformance.md, A2).
+enum class Outputs {
+    sequence,  ///< any number, in the order in which M makes them
+    once,      ///< each at most once: a second one is the event `model.repeats`, and the end
+};
+
+/// Where time stops because M waits for an input that was not read, with a deadline that is over.
+enum class Deadlines {
+    stop,  ///< nothing more, as in M
+    mark,  ///< the event `model.deadline`, and the end
+    idle,  ///< tock for ever: a missed deadline is then no deadlock
+};
+
+/// What NF_c(M) is asked for. The first of each is the definition; the others serve the search for reasons why M cannot
+/// be run in cycles.
+struct Frame {
+    AfterTermination after = AfterTermination::stop;
+    Outputs outputs = Outputs::sequence;
+    Deadlines deadlines = Deadlines::stop;
+    bool writes_hidden = false;  ///< then outputs without end are a divergence
+    /// A register may also be left unread, which is the event `unread`. Where its reading would decide something, the
+    /// event `asks` is possible, and what else is possible says nothing.
+    bool unread = false;
+};
+
+/// Why nothing follows a state of NF_c(M).
+enum class Standstill {
+    none,       ///< something does
+    inputs,     ///< M waits for inputs that were not read, and a deadline is over
+    other,
+    terminated,
+};
+
+class NormalFormSystem : public lts::TransitionSystem {
+public:
+    NormalFormSystem(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length, Frame = {});
+
+    [[nodiscard]] std::size_t width() const override;
+    void initial(std::span<lts::Word> state) override;
+    void successors(lts::StateView state, lts::SuccessorSink& sink) override;
+    [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
+    [[nodiscard]] std::string describe(lts::StateView state) const override;
+    void watch(const std::function<void()>& poll) override { model_->watch(poll); }
+    /// Whether a cycle may begin in the state: nothing is read or written yet.
+    [[nodiscard]] bool begins_cycle(lts::StateView state) const;
+    /// Why nothing can happen in the state, if so.
+    [[nodiscard]] Standstill standstill(lts::StateView state);
+    /// The events of Outputs::once and Deadlines::mark.
+    [[nodiscard]] process::Event repeats() const { return repeats_; }
+    [[nodiscard]] process::Event deadline() const { return deadline_; }
+    /// The events of Frame::unread.
+    [[nodiscard]] process::Event unread(std::uint32_t input) const { return unread_[input]; }
+    [[nodiscard]] process::Event asks(std::uint32_t input) const { return asks_[input]; }
+    /// The states of M behind it, as M tells them; "" after termination.
+    [[nodiscard]] std::string describe_model(lts::StateView state) const;
+
+private:
+    struct Move;
+    void begin_cycle(std::span<lts::Word> state) const;
+    void read(Move&);
+    void model_moves(Move&);
+    void model_step(Move&, const ModelEdge&);
+    void input(Move&, const ModelEdge&);
+    void output(Move&, const ModelEdge&);
+    void pass_time(Move&, const ModelEdge&);
+    void terminate(Move&);
+    void repeat(Move&);
+    void miss(Move&);
+    [[nodiscard]] bool awaits_input(lts::StateView state);
+
+    ModelGraph* model_;
+    const Alphabet* alphabet_;
+    std::uint32_t cycle_length_;
+    Frame frame_;
+    process::Event repeats_;
+    process::Event deadline_;
+    std::vector<process::Event> unread_, asks_;
+    std::size_t inputs_;
+    std::size_t mask_words_;
+};
+
+}  // namespace robochart::conformance

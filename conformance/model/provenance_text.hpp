@@ -1,0 +1,21 @@
+// States and events in the elements of the model, with their places.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "conformance/code/interface.hpp"
+#include "csp_emit/emit.hpp"
+#include "diagnostics/source.hpp"
+
+namespace robochart::conformance {
+
+/// "in S1 (aggregation.rct:83)" for each machine in a state as ModelGraph::describe tells it; without repetitions.
+[[nodiscard]] std::vector<std::string> elements_of_state(const std::string& description, const csp_emit::Provenance&,
+                                                         const diagnostics::SourceManager&);
+
+/// "MoveForward()" or "MoveForward() (swarm_taxis.rct:24)": an event of NF_c(M) with the place of its element.
+[[nodiscard]] std::string tell_with_place(process::Event, const Alphabet&, const csp_emit::Provenance&,
+                                          const diagnostics::SourceManager&);
+
+}  // namespace robochart::conformance

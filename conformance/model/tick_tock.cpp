@@ -1,0 +1,220 @@
+// See tick_tock.hpp. Breadth first over pairs of a state of the implementation and the set of states that the
+// specification may be in after the same observation, refusals before tocks included. Only the largest refusal of each
+// state is followed: the model is closed under smaller ones (its healthiness condition TT1).
+#include "conformance/model/tick_tock.hpp"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/verdict/normal_form.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+using lts::StateIndex;
+using process::Event;
+using process::EventSet;
+using Members = std::vector<StateIndex>;
+using SetNumber = std::uint32_t;
+
+/// States that the specification may be in, closed under τ, numbered.
+class Sets {
+public:
+    Sets(lts::TransitionSystem& system, refine::Budget& budget, Event tock)
+        : graph_(system, budget), budget_(budget), tock_(tock) {}
+
+    SetNumber initial() { return number({graph_.initial()}); }
+    /// After an event other than tock; an empty set if it is none of the specification's.
+    SetNumber after(SetNumber set, Event event) {
+        Members next;
+        for (const StateIndex state : Members(members(set)))
+            for (const auto& edge : graph_.edges(state, event)) next.push_back(edge.target);
+        return number(next);
+    }
+    /// After a tock before which everything but `offered` was refused.
+    SetNumber after_tock(SetNumber set, const EventSet& offered) {
+        Members next;
+        for (const StateIndex state : Members(members(set))) {
+            const refine::Offer offer = graph_.offer(state);
+            if (offer.tau || offer.ticks() || !within(offer.events, offered)) continue;
+            for (const auto& edge : graph_.edges(state, tock_)) next.push_back(edge.target);
+        }
+        return number(next);
+    }
+    /// Whether some state refuses everything but `offered`.
+    bool refuses(SetNumber set, const EventSet& offered) {
+        for (const EventSet& accepted : acceptances(set))
+            if (within(accepted, offered)) return true;
+        return false;
+    }
+    std::vector<EventSet> acceptances(SetNumber set) {
+        std::vector<EventSet> all;
+        for (const StateIndex state : Members(members(set)))
+            if (auto accepted = refine::acceptance(graph_.offer(state))) all.push_back(std::move(*accepted));
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+        return all;
+    }
+    /// What the specification can do, tocks that maximal progress leaves included.
+    EventSet initials(SetNumber set) {
+        EventSet all;
+        for (const StateIndex state : Members(members(set))) {
+            const refine::Offer offer = graph_.offer(state);
+            for (const Event event : offer.events)
+                if (event != tock_ || (!offer.tau && !offer.ticks())) all.push_back(event);
+        }
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+        return all;
+    }
+    [[nodiscard]] bool empty(SetNumber set) const { return members(set).empty(); }
+    [[nodiscard]] std::size_t size() const { return sets_.size(); }
+
+private:
+    static bool within(const EventSet& small, const EventSet& large) {
+        return std::includes(large.begin(), large.end(), small.begin(), small.end());
+    }
+    [[nodiscard]] const Members& members(SetNumber set) const { return *sets_[set]; }
+
+    void take(Members& states, StateIndex state) {
+        if (mark_.size() <= state) mark_.resize(state + 1);
+        if (mark_[state] == round_) return;
+        mark_[state] = round_;
+        states.push_back(state);
+    }
+
+    /// The states reached by τ from the seeds.
+    SetNumber number(const Members& seeds) {
+        ++round_;
+        Members states;
+        for (const StateIndex state : seeds) take(states, state);
+        for (std::size_t at = 0; at < states.size(); ++at) {
+            for (const auto& edge : graph_.edges(states[at], process::tau)) take(states, edge.target);
+            budget_.charge();
+        }
+        std::sort(states.begin(), states.end());
+        const auto [place, fresh] = ids_.emplace(std::move(states), static_cast<SetNumber>(sets_.size()));
+        if (fresh) sets_.push_back(&place->first);
+        return place->second;
+    }
+
+    refine::LazyGraph graph_;
+    refine::Budget& budget_;
+    Event tock_;
+    std::map<Members, SetNumber> ids_;
+    std::vector<const Members*> sets_;
+    std::vector<std::uint32_t> mark_;  ///< per state: the round in which it was last taken
+    std::uint32_t round_ = 0;
+};
+
+class Search {
+public:
+    Search(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Event tock,
+           const refine::Limits& limits)
+        : budget_(limits),
+          sets_(specification, budget_, tock),
+          system_(implementation),
+          graph_(implementation, budget_),
+          tock_(tock) {}
+
+    refine::Verdict run() {
+        try {
+            add({graph_.initial(), sets_.initial()}, 0, process::tau);
+            for (std::size_t at = 0; at < pairs_.size() && !found_; ++at) expand(at);
+            verdict_.outcome = found_ ? refine::Outcome::fails : refine::Outcome::holds;
+        } catch (const process::Interrupted& limit) {
+            verdict_.reason = limit.what();
+        }
+        verdict_.statistics = {pairs_.size(), transitions_, depth_, sets_.size(), budget_.seconds()};
+        return std::move(verdict_);
+    }
+
+private:
+    struct Pair {
+        StateIndex state;
+        SetNumber set;
+    };
+    struct Origin {
+        std::size_t parent;
+        Event event;
+        std::uint64_t depth;
+    };
+
+    void add(Pair pair, std::size_t parent, Event event) {
+        const std::uint64_t key = (std::uint64_t{pair.set} << 32U) | static_cast<std::uint32_t>(pair.state);
+        if (!known_.emplace(key, pairs_.size()).second) return;
+        const std::uint64_t depth = origins_.empty() ? 0 : origins_[parent].depth + 1;
+        depth_ = std::max(depth_, depth);
+        pairs_.push_back(pair);
+        origins_.push_back({parent, event, depth});
+        budget_.states(pairs_.size());
+    }
+
+    void expand(std::size_t at) {
+        const Pair pair = pairs_[at];
+        const refine::Offer offer = graph_.offer(pair.state);
+        const auto accepted = refine::acceptance(offer);
+        if (accepted && !sets_.refuses(pair.set, *accepted)) return refused(at, *accepted);
+        const std::span<const refine::LazyGraph::Edge> now = graph_.edges(pair.state);
+        for (const auto& edge : std::vector<refine::LazyGraph::Edge>(now.begin(), now.end())) {
+            ++transitions_;
+            const bool waits = edge.event == tock_;
+            if (waits && (offer.tau || offer.ticks())) continue;  // maximal progress
+            const SetNumber next = edge.event == process::tau ? pair.set
+                                   : waits                    ? sets_.after_tock(pair.set, offer.events)
+                                                              : sets_.after(pair.set, edge.event);
+            if (sets_.empty(next)) return forbidden(at, edge);
+            add({edge.target, next}, at, edge.event);
+        }
+    }
+
+    void refused(std::size_t at, const EventSet& accepted) {
+        refine::Counterexample& found = tell(at);
+        found.kind = refine::ViolationKind::refusal;
+        found.offered = accepted;
+        found.required = sets_.acceptances(pairs_[at].set);
+    }
+
+    void forbidden(std::size_t at, const refine::LazyGraph::Edge& edge) {
+        refine::Counterexample& found = tell(at);
+        found.kind = refine::ViolationKind::trace;
+        found.event = edge.event;
+        found.required = {sets_.initials(pairs_[at].set)};
+        found.steps.push_back({edge.event, edge.event, system_.describe(graph_.state(edge.target))});
+    }
+
+    refine::Counterexample& tell(std::size_t at) {
+        found_ = true;
+        refine::Counterexample& found = verdict_.counterexample.emplace();
+        for (; at != 0; at = origins_[at].parent)
+            found.steps.push_back(
+                {origins_[at].event, origins_[at].event, system_.describe(graph_.state(pairs_[at].state))});
+        std::reverse(found.steps.begin(), found.steps.end());
+        found.initial = system_.describe(graph_.state(pairs_.front().state));
+        return found;
+    }
+
+    refine::Budget budget_;
+    Sets sets_;
+    lts::TransitionSystem& system_;
+    refine::LazyGraph graph_;
+    Event tock_;
+    std::unordered_map<std::uint64_t, std::size_t> known_;  ///< never iterated
+    std::vector<Pair> pairs_;
+    std::vector<Origin> origins_;
+    std::uint64_t transitions_ = 0, depth_ = 0;
+    bool found_ = false;
+    refine::Verdict verdict_;
+};
+
+}  // namespace
+
+refine::Verdict tick_tock_refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation,
+                                  process::Event tock, const refine::Limits& limits) {
+    return Search(specification, implementation, tock, limits).run();
+}
+
+}  // namespace robochart::conformance

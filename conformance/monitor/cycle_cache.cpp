@@ -1,0 +1,213 @@
+#include "conformance/monitor/cycle_cache.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace robochart::conformance {
+
+namespace {
+
+constexpr std::size_t slots = 2048;
+constexpr std::size_t most_inputs = 48;  ///< bits of a key
+
+/// Among eight, by the exponent: constants of a model are seldom of one size.
+std::size_t slot_of(std::uint64_t bits) {
+    return bits >> 52U & 7U;
+}
+
+}  // namespace
+
+WholeCycles::WholeCycles(const MonitorTables& tables, const std::vector<cpp_emit::Port>& inputs,
+                         const std::vector<cpp_emit::Port>& outputs)
+    : slots_(slots) {
+    for (std::uint32_t i = 0; i < tables.inputs; ++i) {
+        inputs_.push_back(channel(tables.input[i], inputs.at(i)));
+        if (inputs_.back().count > 0) valued_.push_back(i);
+    }
+    for (std::uint32_t o = 0; o < tables.outputs; ++o) outputs_.push_back(channel(tables.output[o], outputs.at(o)));
+    input_count_ = inputs_.size();
+    for (const std::uint32_t i : valued_)
+        width_ = std::max(width_, static_cast<unsigned>(std::bit_width(tables.input[i].values[0].count)));
+    has_keys_ = tables.inputs <= most_inputs && valued_.size() * width_ <= 64;
+}
+
+WholeCycles::Channel WholeCycles::channel(const MonitorChannel& table, const cpp_emit::Port& port) {
+    Channel result{table.column, table.arguments};
+    if (table.arguments == 0) result.alone = table.column[0];
+    for (std::uint32_t a = 0; a < table.arguments; ++a)
+        result.carriers.push_back(carrier(table.values[a], port.arguments.at(a) == cpp_emit::Carried::real));
+    if (table.arguments > 0) result.carrier = result.carriers.front();
+    return result;
+}
+
+/// Arguments that range over the same share what is known.
+std::uint32_t WholeCycles::carrier(const MonitorValues& values, bool real) {
+    const auto same = [&](const Carrier& other) {
+        const MonitorValues& others = *other.values;
+        return other.real == real && others.scale == values.scale && others.passed_on == values.passed_on &&
+               std::equal(others.value, others.value + others.count, values.value, values.value + values.count);
+    };
+    const auto found = std::find_if(carriers_.begin(), carriers_.end(), same);
+    if (found != carriers_.end()) return static_cast<std::uint32_t>(found - carriers_.begin());
+    Carrier& made = carriers_.emplace_back();
+    made.values = &values;
+    made.real = real;
+    if (values.count > 0) made.first = static_cast<std::uint64_t>(values.value[0]);
+    made.consecutive = values.consecutive && values.scale == 1 ? values.count : 0;
+    for (auto& known : made.known) known.place = Monitor::place_of(values, 0.0);  // zero has no bits set
+    return static_cast<std::uint32_t>(carriers_.size() - 1);
+}
+
+inline std::uint32_t WholeCycles::place(std::uint32_t number, rc_value value) {
+    Carrier& carrier = carriers_[number];
+    if (carrier.real) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &value.real, sizeof bits);
+        const auto& known = carrier.known[slot_of(bits)];
+        if (bits == known.bits) return known.place;
+    } else {
+        const std::uint64_t after = static_cast<std::uint64_t>(value.whole) - carrier.first;
+        if (after < carrier.consecutive) return static_cast<std::uint32_t>(after);
+    }
+    return new_place(carrier, value);
+}
+
+/// Rare, and kept out of the way of what is not.
+[[gnu::noinline]] std::uint32_t WholeCycles::new_place(Carrier& carrier, rc_value value) {
+    if (!carrier.real) return Monitor::place_of(*carrier.values, value.whole);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value.real, sizeof bits);
+    auto& known = carrier.known[slot_of(bits)];
+    known = {bits, Monitor::place_of(*carrier.values, value.real)};
+    return known.place;
+}
+
+[[gnu::noinline]] std::uint32_t WholeCycles::column(const rc_action& action) {
+    const Channel& output = outputs_[action.output];
+    if (output.count == 0) return output.alone;
+    if (output.count > 1) return column_of_many(action);
+    const std::uint32_t value = place(output.carrier, action.argument[0]);
+    return value == Monitor::no_place ? value : output.column[value];
+}
+
+[[gnu::noinline]] std::uint32_t WholeCycles::column_of_many(const rc_action& action) {
+    const Channel& output = outputs_[action.output];
+    std::uint32_t at = 0;
+    for (std::uint32_t k = 0; k < output.count; ++k) {
+        const std::uint32_t value = place(output.carriers[k], action.argument[k]);
+        if (value == Monitor::no_place) return value;
+        at = at * carriers_[output.carriers[k]].values->count + value;
+    }
+    return output.column[at];
+}
+
+/// False where a reading leaves the finite ones.
+inline bool WholeCycles::shorten(const rc_signal* inputs, Key& key) {
+    std::uint64_t present = 0;
+    for (const rc_signal* input = inputs; input != inputs + input_count_; ++input)
+        present = present << 1U | std::uint64_t{input->present != 0};
+    std::uint64_t values = 0;
+    for (const std::uint32_t i : valued_) {
+        if (inputs[i].present == 0) continue;
+        const std::uint32_t value = place(inputs_[i].carrier, inputs[i].value);
+        if (value == Monitor::no_place) return false;
+        values = values << width_ | value;
+    }
+    key = {key.head | present << 16U, values};
+    return true;
+}
+
+/// Multipliers of random bits; the upper bits of a product depend on all of its factor.
+inline WholeCycles::Slot& WholeCycles::slot(const Key& key) {
+    const std::uint64_t mixed = key.head * 0x9E3779B97F4A7C15ULL + key.values * 0xC2B2AE3D27D4EB4FULL;
+    static_assert(slots == std::size_t{1} << 11U);
+    return slots_[mixed >> 53U];
+}
+
+/// Most by a look at their bits; numbers that are only passed on by what stands for them.
+inline bool WholeCycles::same(const Done& done, const rc_action& action) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &action.argument[0], sizeof bits);
+    if ((((bits ^ done.bits) & done.mask) | (action.output ^ done.output) | done.many) == 0) return true;
+    return action.output == done.output && column(action) == done.column;
+}
+
+inline bool WholeCycles::same(const Slot& known, const rc_actions& outputs) {
+    if (known.count != outputs.count) return false;
+    for (std::uint32_t a = 0; a < outputs.count; ++a)
+        if (!same(known.done[a], outputs.action[a])) return false;
+    return true;
+}
+
+void WholeCycles::remember(Slot& known, const Key& key, const rc_actions& outputs, std::uint16_t next) {
+    known.key = key;
+    known.count = outputs.count;
+    known.next = next;
+    for (std::uint32_t a = 0; a < outputs.count; ++a) {
+        const rc_action& action = outputs.action[a];
+        const std::uint32_t arguments = outputs_[action.output].count;
+        Done& done = known.done[a];
+        std::memcpy(&done.bits, &action.argument[0], sizeof done.bits);
+        done.mask = arguments == 0 ? 0 : ~std::uint64_t{0};
+        done.output = action.output;
+        done.column = static_cast<std::uint16_t>(column(action));
+        done.many = arguments > 1 ? 1 : 0;
+    }
+}
+
+void WholeCycles::tell(Monitor& monitor, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result result) {
+    Key key;
+    key.head = monitor.state();
+    const bool has_key = has_keys_ && result == RC_DRIVE_QUIESCENT && monitor.verdict() == MonitorVerdict::allowed &&
+                         shorten(inputs, key);
+    if (!has_key) return tell_events(monitor, inputs, outputs, result);
+    Slot& first = slot(key);
+    if (first.key == key && same(first, outputs)) {
+        ++remembered_;
+        return monitor.continue_at(first.next);
+    }
+    tell_again(first, key, monitor, inputs, outputs);
+}
+
+/// Two outcomes are kept in a pair of slots, the latest first.
+[[gnu::noinline]] void WholeCycles::tell_again(Slot& first, const Key& key, Monitor& monitor, const rc_signal* inputs,
+                                               const rc_actions& outputs) {
+    Slot& second = slots_[static_cast<std::size_t>(&first - slots_.data()) ^ 1U];
+    if (second.key == key && same(second, outputs)) {
+        ++remembered_;
+        return monitor.continue_at(second.next);
+    }
+    tell_events(monitor, inputs, outputs, RC_DRIVE_QUIESCENT);
+    if (monitor.verdict() != MonitorVerdict::allowed || outputs.count > most_done) return;
+    second = first;
+    remember(first, key, outputs, monitor.state());
+}
+
+[[gnu::noinline]] void WholeCycles::tell_events(Monitor& monitor, const rc_signal* inputs, const rc_actions& outputs,
+                                                rc_drive_result result) const {
+    for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
+        if (inputs[i].present == 0)
+            monitor.absent(i);
+        else if (inputs_[i].count == 0)
+            monitor.read(i);
+        else if (carriers_[inputs_[i].carrier].real)
+            monitor.read(i, inputs[i].value.real);
+        else
+            monitor.read(i, inputs[i].value.whole);
+    }
+    for (std::uint32_t a = 0; a < outputs.count; ++a) {
+        const rc_action& action = outputs.action[a];
+        const Channel& output = outputs_[action.output];
+        std::uint32_t place = Monitor::start();
+        for (std::uint32_t k = 0; k < output.count; ++k)
+            place = carriers_[output.carriers[k]].real
+                        ? monitor.argument(place, action.output, k, action.argument[k].real)
+                        : monitor.argument(place, action.output, k, action.argument[k].whole);
+        monitor.wrote_at(action.output, place);
+    }
+    if (result == RC_DRIVE_QUIESCENT) monitor.end_of_cycle();
+    if (result == RC_DRIVE_TERMINATED) monitor.terminated();
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,94 @@
+// Monitors beside many controllers of one component: what whole cycles lead to is remembered, so that a cycle that any
+// of them has done before, from the same state, costs one look-up instead of one for each event.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cpp_emit/simulator_api.hpp"
+#include "cpp_emit/runtime/drive_abi.h"
+#include "cpp_emit/runtime/monitor.hpp"
+
+namespace robochart::conformance {
+
+/// Exact: an answer is given only for the same state, the same readings and the same columns of outputs in the same
+/// order. What is done seldom changes while state and readings are the same, so few outcomes of each are kept. Not for
+/// several threads.
+class WholeCycles {
+public:
+    /// `inputs` and `outputs` as in the tables.
+    WholeCycles(const MonitorTables&, const std::vector<cpp_emit::Port>& inputs,
+                const std::vector<cpp_emit::Port>& outputs);
+
+    /// Tells a monitor of these tables what its controller read and did in a cycle.
+    void tell(Monitor&, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result);
+
+    [[nodiscard]] std::uint64_t remembered() const { return remembered_; }  ///< cycles told by one look-up
+
+private:
+    /// What arguments of one type range over.
+    struct Carrier {
+        const MonitorValues* values = nullptr;
+        bool real = false;
+        std::uint64_t first = 0;
+        std::uint64_t consecutive = 0;  ///< so many whole numbers, each its place after the first
+        struct {
+            std::uint64_t bits = 0;
+            std::uint32_t place = Monitor::no_place;
+        } known[8];  ///< real numbers met, by their bits
+    };
+    struct Channel {
+        const std::uint16_t* column = nullptr;
+        std::uint32_t count = 0;                ///< of arguments
+        std::uint16_t alone = Monitor::dead;    ///< the column without arguments
+        std::vector<std::uint32_t> carriers{};  ///< of each
+        std::uint32_t carrier = 0;              ///< of the first
+    };
+    /// The state in which a cycle begins and what is read.
+    struct Key {
+        std::uint64_t head = 0;    ///< the state, which inputs are present
+        std::uint64_t values = 0;  ///< of those with values, `width_` bits each
+
+        friend bool operator==(const Key&, const Key&) = default;
+    };
+    /// What was written or called.
+    struct Done {
+        std::uint64_t bits = 0;  ///< of its one argument
+        std::uint64_t mask = 0;  ///< of these; none without argument
+        std::uint32_t output = 0;
+        std::uint16_t column = 0;
+        std::uint16_t many = 0;  ///< not 0: it has several arguments
+    };
+    static constexpr std::uint32_t most_done = 6;
+    struct alignas(64) Slot {
+        Key key{~std::uint64_t{0}, 0};  ///< of no cycle
+        std::uint32_t count = 0;
+        std::uint16_t next = Monitor::dead;
+        Done done[most_done];
+    };
+
+    [[nodiscard]] Channel channel(const MonitorChannel&, const cpp_emit::Port&);
+    [[nodiscard]] std::uint32_t carrier(const MonitorValues&, bool real);
+    [[nodiscard]] std::uint32_t place(std::uint32_t carrier, rc_value);
+    [[nodiscard]] static std::uint32_t new_place(Carrier&, rc_value);
+    [[nodiscard]] std::uint32_t column(const rc_action&);
+    [[nodiscard]] std::uint32_t column_of_many(const rc_action&);
+    [[nodiscard]] bool shorten(const rc_signal*, Key&);
+    [[nodiscard]] Slot& slot(const Key&);
+    [[nodiscard]] bool same(const Done&, const rc_action&);
+    [[nodiscard]] bool same(const Slot&, const rc_actions&);
+    void tell_again(Slot&, const Key&, Monitor&, const rc_signal*, const rc_actions&);
+    void remember(Slot&, const Key&, const rc_actions&, std::uint16_t next);
+    void tell_events(Monitor&, const rc_signal*, const rc_actions&, rc_drive_result) const;
+
+    std::vector<Carrier> carriers_;
+    std::vector<Channel> inputs_, outputs_;
+    std::vector<std::uint32_t> valued_;  ///< inputs that carry something
+    std::size_t input_count_ = 0;
+    unsigned width_ = 1;     ///< bits of a value in a key
+    bool has_keys_ = false;  ///< all inputs fit into one
+    std::vector<Slot> slots_;
+    std::uint64_t remembered_ = 0;
+};
+
+}  // namespace robochart::conformance

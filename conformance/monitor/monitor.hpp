@@ -1,0 +1,50 @@
+// The normal form of a component as dense tables for a monitor (cpp_emit/runtime/monitor.hpp): NF_c(M) made
+// deterministic and minimal, with equal columns shared. Traces only: a monitor sees what happens.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "conformance/model/cyclic_model.hpp"
+#include "cpp_emit/emit.hpp"
+#include "cpp_emit/runtime/monitor.hpp"
+#include "diagnostics/source.hpp"
+
+namespace robochart::conformance {
+
+/// The tables and all they point to.
+class MonitorBuild {
+public:
+    /// Throws std::length_error where the tables would be too large, process::Interrupted at a limit.
+    [[nodiscard]] static std::unique_ptr<MonitorBuild> make(CyclicModel&, const refine::Limits&,
+                                                            const diagnostics::SourceManager&);
+    [[nodiscard]] const MonitorTables& tables() const { return tables_; }
+    [[nodiscard]] std::size_t bytes() const { return next_.size() * sizeof next_[0]; }
+    [[nodiscard]] std::uint32_t nodes() const { return nodes_; }  ///< of the normal form before it was minimised
+
+private:
+    friend class MonitorBuilder;
+    MonitorBuild() = default;
+
+    struct Channel {
+        std::string name, element;
+        std::deque<std::vector<std::int64_t>> numbers;
+        std::vector<MonitorValues> values;
+        std::vector<std::uint16_t> columns;
+    };
+    std::string component_;
+    std::vector<std::uint16_t> next_;
+    std::deque<Channel> channels_;
+    std::vector<MonitorChannel> inputs_, outputs_;
+    std::deque<std::string> texts_;
+    std::vector<const char*> where_;
+    std::uint32_t nodes_ = 0;
+    MonitorTables tables_{};
+};
+
+/// The tables as a header that stands alone with robochart/monitor.hpp, and that header.
+[[nodiscard]] std::vector<cpp_emit::OutputFile> monitor_files(const MonitorTables&, const std::string& name);
+
+}  // namespace robochart::conformance

@@ -1,0 +1,43 @@
+// The normal form as a finite state machine over control cycles: a state is where a cycle may begin, an input symbol is
+// one reading of every register, an output symbol is what is written in the cycle. Complete and minimal; deterministic,
+// or, where the model leaves a choice, with several steps for one input that their writes tell apart.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "conformance/model/cyclic_model.hpp"
+
+namespace robochart::conformance {
+
+struct CycleStep {
+    std::vector<process::Event> writes;
+    std::uint32_t target = 0;  ///< `over` after termination
+    friend bool operator==(const CycleStep&, const CycleStep&) = default;
+};
+
+struct MachineOfCycles {
+    static constexpr std::uint32_t over = 0xffffffffU;
+
+    std::vector<std::vector<std::uint32_t>> inputs;  ///< symbol -> a reading of each register
+    std::vector<std::vector<CycleStep>> steps;       ///< [state][symbol]; state 0 is the beginning
+
+    [[nodiscard]] std::size_t states() const { return steps.size(); }
+};
+
+struct MachineOfChoices {
+    std::vector<std::vector<std::uint32_t>> inputs;             ///< as in MachineOfCycles
+    std::vector<std::vector<std::vector<CycleStep>>> branches;  ///< [state][symbol], at least one
+
+    [[nodiscard]] std::size_t states() const { return branches.size(); }
+    /// No input has a second branch.
+    [[nodiscard]] bool deterministic() const;
+};
+
+/// Throws std::length_error where it is too large, process::Interrupted at a limit.
+[[nodiscard]] MachineOfChoices machine_of_choices(CyclicModel&, const refine::Limits&);
+/// Throws std::length_error where it is too large or the model leaves a choice, process::Interrupted at a limit.
+[[nodiscard]] MachineOfCycles machine_of_cycles(CyclicModel&, const refine::Limits&);
+
+}  // namespace robochart::conformance

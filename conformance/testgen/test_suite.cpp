@@ -1,0 +1,158 @@
+// See test_suite.hpp.
+#include "conformance/testgen/test_suite.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "cpp_emit/files/trace_names.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+constexpr std::uint32_t over = MachineOfCycles::over;
+constexpr std::uint32_t none = 0xfffffffeU;
+
+class Suite {
+public:
+    Suite(const MachineOfCycles& machine, std::size_t most_cycles) : machine_(machine), most_(most_cycles) {}
+
+    std::vector<TestWord> make(std::uint32_t extra_states) {
+        cover();
+        identify();
+        for (std::uint32_t state = 0; state < machine_.states(); ++state)
+            extend(cover_[state], state, extra_states + 1);
+        return without_beginnings();
+    }
+
+private:
+    /// A shortest word to every state (all are reachable).
+    void cover() {
+        cover_.resize(machine_.states());
+        std::vector<bool> seen(machine_.states());
+        std::deque<std::uint32_t> open{0};
+        seen[0] = true;
+        for (; !open.empty(); open.pop_front())
+            for (std::uint32_t symbol = 0; symbol < machine_.inputs.size(); ++symbol) {
+                const std::uint32_t target = machine_.steps[open.front()][symbol].target;
+                if (target == over || seen[target]) continue;
+                seen[target] = true;
+                cover_[target] = cover_[open.front()];
+                cover_[target].push_back(symbol);
+                open.push_back(target);
+            }
+    }
+
+    [[nodiscard]] bool outputs_differ(std::uint32_t a, std::uint32_t b, std::uint32_t symbol) const {
+        const CycleStep& x = machine_.steps[a][symbol];
+        const CycleStep& y = machine_.steps[b][symbol];
+        return x.writes != y.writes || (x.target == over) != (y.target == over);
+    }
+
+    /// Pair by pair the first symbol of a shortest word that tells them apart; harmonised, for both have the same word.
+    void identify() {
+        const std::size_t n = machine_.states();
+        if (n * n > (1U << 24U)) throw std::length_error("it has too many states for a test suite");
+        first_.assign(n * n, none);
+        for (bool changed = true; changed;) {
+            changed = false;
+            const std::vector<std::uint32_t> before = first_;
+            for (std::uint32_t a = 0; a < n; ++a)
+                for (std::uint32_t b = a + 1; b < n; ++b)
+                    if (first_[a * n + b] == none) changed |= tell_apart(a, b, before);
+        }
+        identifiers_.resize(n);
+        for (std::uint32_t a = 0; a < n; ++a)
+            for (std::uint32_t b = a + 1; b < n; ++b) {
+                const TestWord word = separator(a, b);
+                identifiers_[a].insert(word);
+                identifiers_[b].insert(word);
+            }
+    }
+
+    bool tell_apart(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& before) {
+        const std::size_t n = machine_.states();
+        for (std::uint32_t symbol = 0; symbol < machine_.inputs.size(); ++symbol) {
+            bool found = outputs_differ(a, b, symbol);
+            if (!found && machine_.steps[a][symbol].target != over) {
+                const auto [x, y] = std::minmax(machine_.steps[a][symbol].target, machine_.steps[b][symbol].target);
+                found = x != y && before[x * n + y] != none;
+            }
+            if (!found) continue;
+            first_[a * n + b] = symbol;
+            return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] TestWord separator(std::uint32_t a, std::uint32_t b) const {
+        TestWord word;
+        while (true) {
+            if (a > b) std::swap(a, b);
+            const std::uint32_t symbol = first_[a * machine_.states() + b];
+            if (symbol == none) throw std::length_error("two of its states are the same");
+            word.push_back(symbol);
+            if (outputs_differ(a, b, symbol)) return word;
+            a = machine_.steps[a][symbol].target;
+            b = machine_.steps[b][symbol].target;
+        }
+    }
+
+    /// All words of at most `more` symbols behind `word`, and behind each the identifiers of the state it leads to.
+    void extend(const TestWord& word, std::uint32_t state, std::uint32_t more) {
+        if (state == over || identifiers_[state].empty()) add(word);
+        if (state == over) return;
+        for (const TestWord& identifier : identifiers_[state]) {
+            TestWord test = word;
+            test.insert(test.end(), identifier.begin(), identifier.end());
+            add(std::move(test));
+        }
+        if (more == 0) return;
+        for (std::uint32_t symbol = 0; symbol < machine_.inputs.size(); ++symbol) {
+            TestWord longer = word;
+            longer.push_back(symbol);
+            extend(longer, machine_.steps[state][symbol].target, more - 1);
+        }
+    }
+
+    void add(TestWord word) {
+        const std::size_t cycles = word.size();
+        if (!tests_.insert(std::move(word)).second) return;
+        cycles_ += cycles;
+        if (cycles_ > most_) throw std::length_error(fmt::format("a complete suite has more than {} cycles", most_));
+    }
+
+    /// In lexicographic order the words that begin with one follow it.
+    [[nodiscard]] std::vector<TestWord> without_beginnings() const {
+        std::vector<TestWord> result;
+        for (auto at = tests_.begin(); at != tests_.end(); ++at) {
+            const auto next = std::next(at);
+            const bool begins =
+                next != tests_.end() && at->size() < next->size() && std::equal(at->begin(), at->end(), next->begin());
+            if (!begins && !at->empty()) result.push_back(*at);
+        }
+        return result;
+    }
+
+    const MachineOfCycles& machine_;
+    std::size_t most_;
+    std::vector<TestWord> cover_;
+    std::vector<std::uint32_t> first_;
+    std::vector<std::set<TestWord>> identifiers_;
+    std::set<TestWord> tests_;
+    std::size_t cycles_ = 0;
+};
+
+}  // namespace
+
+std::vector<TestWord> complete_suite(const MachineOfCycles& machine, std::uint32_t extra_states,
+                                     std::size_t most_cycles) {
+    return Suite(machine, most_cycles).make(extra_states);
+}
+
+}  // namespace robochart::conformance

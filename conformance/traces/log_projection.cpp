@@ -1,0 +1,110 @@
+// See log_projection.hpp.
+#include "conformance/traces/log_projection.hpp"
+
+#include <algorithm>
+
+#include "checker/lts/graph.hpp"
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/search/poll_guard.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+/// First word of the state before the start is known; no phase of NF_c(M) has this number.
+constexpr lts::Word anywhere = 0xffffffffU;
+
+bool unknown(lts::StateView state) {
+    return !state.empty() && state[0] == anywhere;
+}
+
+}  // namespace
+
+std::vector<std::vector<lts::Word>> cycle_starts(NormalFormSystem& system, const refine::Limits& limits) {
+    refine::Budget budget(limits);
+    const refine::Watch watch({&system}, budget);
+    const lts::Exploration all = lts::explore(system, [&](std::size_t states) {
+        budget.states(states);
+        budget.charge();
+    });
+    std::vector<std::vector<lts::Word>> starts;
+    for (std::size_t i = 0; i < all.states.size(); ++i) {
+        const lts::StateView state = all.states[static_cast<lts::StateIndex>(i)];
+        if (system.begins_cycle(state)) starts.emplace_back(state.begin(), state.end());
+    }
+    return starts;
+}
+
+/// Hides on the way.
+class ObservedSystem::Sink final : public lts::SuccessorSink {
+public:
+    Sink(ObservedSystem& system, lts::SuccessorSink& out) : system_(system), out_(out) {}
+    void add(process::Event event, lts::StateView target, process::Event revealed) override {
+        out_.add(system_.hidden(event) ? process::tau : event, target, revealed);
+    }
+
+private:
+    ObservedSystem& system_;
+    lts::SuccessorSink& out_;
+};
+
+ObservedSystem::ObservedSystem(NormalFormSystem& normal_form, const Alphabet& alphabet, Observation observation,
+                               std::vector<std::vector<lts::Word>> starts)
+    : normal_form_(&normal_form),
+      alphabet_(&alphabet),
+      observation_(std::move(observation)),
+      starts_(std::move(starts)) {}
+
+void ObservedSystem::initial(std::span<lts::Word> state) {
+    if (starts_.empty()) return normal_form_->initial(state);
+    std::fill(state.begin(), state.end(), anywhere);
+}
+
+void ObservedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
+    if (unknown(state)) {
+        for (const auto& start : starts_) sink.add(process::tau, start, process::tau);
+        return;
+    }
+    Sink hiding(*this, sink);
+    normal_form_->successors(state, hiding);
+}
+
+bool ObservedSystem::hidden(process::Event event) {
+    if (event >= hidden_.size()) hidden_.resize(event + 1U, -1);
+    if (hidden_[event] < 0) {
+        const CycleRole role = alphabet_->cycle_role(event);
+        const bool shown = role.kind == CycleRole::Kind::read    ? observation_.inputs[role.index]
+                           : role.kind == CycleRole::Kind::write ? observation_.outputs[role.index]
+                                                                 : true;
+        hidden_[event] = shown ? 0 : 1;
+    }
+    return hidden_[event] == 1;
+}
+
+namespace {
+
+class FindsTau final : public lts::SuccessorSink {
+public:
+    void add(process::Event event, lts::StateView /*target*/, process::Event /*revealed*/) override {
+        found = found || event == process::tau;
+    }
+    bool found = false;
+};
+
+}  // namespace
+
+bool ObservedSystem::stable(lts::StateView state) {
+    FindsTau sink;
+    successors(state, sink);
+    return !sink.found;
+}
+
+std::string ObservedSystem::describe(lts::StateView state) const {
+    return unknown(state) ? "anywhere" : normal_form_->describe(state);
+}
+
+std::string ObservedSystem::describe_model(lts::StateView state) const {
+    return unknown(state) ? "" : normal_form_->describe_model(state);
+}
+
+}  // namespace robochart::conformance

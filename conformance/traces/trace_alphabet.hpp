@@ -1,0 +1,54 @@
+// Words of a log as events of NF_c(M): `e?v` is a reading, `o!a!b` a write (docs/traces.md). Values that the finite
+// reading does not have are told apart from those it has.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "conformance/model/cyclic_model.hpp"
+#include "conformance/model/logged_value.hpp"
+#include "conformance/traces/trace_text.hpp"
+
+namespace robochart::conformance {
+
+struct LoggedEvent {
+    enum class Kind { read, write };
+    Kind kind = Kind::read;
+    std::uint32_t index = 0;              ///< of the register or output
+    std::vector<LoggedValue> values;      ///< none for events without
+    process::Event event = process::tau;  ///< where all values are in their carriers
+
+    [[nodiscard]] bool inside() const;
+};
+
+class TraceAlphabet {
+public:
+    explicit TraceAlphabet(const CyclicModel&);
+
+    /// Throws TraceFault. The reference is good until the next call.
+    [[nodiscard]] const LoggedEvent& read(const TraceToken&);
+    /// A kind of event by its name with `?` or `!`. Throws TraceFault.
+    [[nodiscard]] LoggedEvent kind(const TraceToken&) const;
+    /// The event with values outside of their carriers replaced by `stand_in`'s choice inside.
+    [[nodiscard]] process::Event stand_in(const LoggedEvent&, std::uint64_t salt) const;
+    [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
+    [[nodiscard]] const std::vector<std::string>& outputs() const { return outputs_; }
+
+private:
+    [[nodiscard]] LoggedEvent parse(const TraceToken&) const;
+    [[nodiscard]] static LoggedValue value(const ValueReader&, std::string_view text, const TraceToken& token,
+                                           std::string_view name);
+
+    const CyclicModel* model_;
+    std::vector<std::string> inputs_, outputs_;
+    std::unordered_map<std::string, std::uint32_t> input_ids_, output_ids_;  ///< never iterated
+    std::vector<std::optional<ValueReader>> input_values_;
+    std::vector<std::vector<ValueReader>> output_values_;
+    std::unordered_map<std::string, LoggedEvent> known_;  ///< by token; never iterated
+    LoggedEvent last_;
+};
+
+}  // namespace robochart::conformance

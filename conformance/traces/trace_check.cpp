@@ -1,0 +1,377 @@
+// See trace_check.hpp. A run is followed in the normal form of NF_c(M) with what is not observed hidden: a node is the
+// set of states the model may be in after what the log shows (Roscoe UCS 10.4.2, normalisation; done lazily).
+#include "conformance/traces/trace_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "conformance/model/provenance_text.hpp"
+#include "conformance/model/rules.hpp"
+#include "cpp_emit/files/trace_names.hpp"
+
+namespace robochart::conformance {
+
+struct TraceChecker::Form {
+    Observation observation;
+    bool late = false;
+    ObservedSystem system;
+    refine::NormalForm normal_form;
+
+    Form(CyclicModel& model, Observation observed, std::vector<std::vector<lts::Word>> starts, bool anywhere,
+         refine::Budget& budget)
+        : observation(observed),
+          late(anywhere),
+          system(model.normal_form(), model.alphabet(), std::move(observed), std::move(starts)),
+          normal_form(system, budget) {}
+};
+
+TraceChecker::TraceChecker(CyclicModel& model, std::vector<std::string> component, const refine::Limits& limits,
+                           const diagnostics::SourceManager& sources)
+    : model_(&model),
+      component_(std::move(component)),
+      limits_(limits),
+      sources_(&sources),
+      budget_(limits),
+      alphabet_(model) {}
+
+TraceChecker::~TraceChecker() = default;
+
+TraceChecker::Form& TraceChecker::form(const Observation& observation, bool late) {
+    for (const auto& known : forms_)
+        if (known->late == late && known->observation == observation) return *known;
+    if (late && !starts_) starts_ = cycle_starts(model_->normal_form(), limits_);
+    forms_.push_back(std::make_unique<Form>(*model_, observation,
+                                            late ? *starts_ : std::vector<std::vector<lts::Word>>{}, late, budget_));
+    return *forms_.back();
+}
+
+/// One log while it is read.
+class TraceChecker::LogRun {
+public:
+    LogRun(TraceChecker& checker, std::istream& in, const std::function<void(const RunReport&)>& tell)
+        : checker_(checker),
+          model_(*checker.model_),
+          tell_(tell),
+          lines_(in),
+          reads_(model_.interface().inputs.size()) {
+        observation_.inputs.assign(model_.interface().inputs.size(), true);
+        observation_.outputs.assign(model_.interface().outputs.size(), true);
+    }
+
+    LogReport check() {
+        try {
+            header();
+            while (more_) {
+                line();
+                advance();
+            }
+            end_run();
+        } catch (const TraceFault& fault) {
+            report_.fault = LogFault{fault, lines_.number(), std::string(lines_.text())};
+        }
+        return std::move(report_);
+    }
+
+private:
+    /// What follows one word of a run: go on, or leave the rest of the run unread.
+    enum class Next { go_on, stop };
+
+    void advance() { more_ = lines_.next(); }
+
+    // ------------------------------------------------------------ header
+
+    void header() {
+        advance();
+        while (more_ && blank()) advance();
+        expect_version();
+        for (advance(); more_; advance()) {
+            if (blank()) continue;
+            if (tokens_.front().text == "run") break;
+            if (!read_header_line(tokens_, report_.header, lines_.number()))
+                fault_here("`run NAME` or a line of the header");
+            if (tokens_.front().text == "unobserved") observe();
+        }
+        check_header();
+    }
+
+    [[nodiscard]] bool blank() {
+        split_line(lines_.text(), tokens_);
+        return tokens_.empty();
+    }
+
+    void expect_version() {
+        if (!more_) throw TraceFault{&rules::log_syntax, {"`robochart-trace 1`", "an empty log"}};
+        const std::string version = fmt::format("{}", cpp_emit::trace_version);
+        if (tokens_.size() == 2 && tokens_[0].text == "robochart-trace" && tokens_[1].text == version) return;
+        fault_here("`robochart-trace 1` in the first line");
+    }
+
+    [[noreturn]] void fault_here(const char* expected) const {
+        const TraceToken& at = tokens_.front();
+        throw TraceFault{&rules::log_syntax,
+                         {expected, fmt::format("`{}`", at.text)},
+                         at.column,
+                         static_cast<std::uint32_t>(at.text.size())};
+    }
+
+    void observe() {
+        for (std::size_t i = 1; i < tokens_.size(); ++i) {
+            const LoggedEvent kind = checker_.alphabet_.kind(tokens_[i]);
+            if (kind.kind == LoggedEvent::Kind::read)
+                observation_.inputs[kind.index] = false;
+            else
+                observation_.outputs[kind.index] = false;
+        }
+    }
+
+    void check_header() const {
+        const TraceHeader& header = report_.header;
+        const auto& names = checker_.component_;
+        if (header.component.empty()) throw TraceFault{&rules::log_syntax, {"`component NAME` in the header", "none"}};
+        if (std::find(names.begin(), names.end(), header.component) == names.end())
+            throw TraceFault{&rules::log_of_other, {header.component, names.front()}};
+        if (header.cycle != model_.cycle_length())
+            throw TraceFault{&rules::log_of_other,
+                             {fmt::format("cycles of {} time units", header.cycle),
+                              fmt::format("cycles of {}", model_.cycle_length())}};
+    }
+
+    // ------------------------------------------------------------ runs
+
+    void line() {
+        if (blank()) return;
+        const std::string_view first = tokens_.front().text;
+        if (first == "run") return begin_run();
+        if (!run_) fault_here("`run NAME`");
+        if (first == "late" || first == "lost") return anywhere(first);
+        words();
+    }
+
+    void begin_run() {
+        end_run();
+        run_.emplace();
+        run_->line = lines_.number();
+        if (tokens_.size() > 1) {
+            const char* const end = tokens_.back().text.data() + tokens_.back().text.size();
+            run_->name.assign(tokens_[1].text.data(), end);
+        }
+        ++report_.runs;
+        form_ = &checker_.form(observation_, false);
+        node_ = form_->normal_form.initial();
+        begin_cycle();
+        before_.clear();
+        done_ = ended_ = false;
+    }
+
+    /// The run's state is not known: a log that starts late, or cycles that were lost.
+    void anywhere(std::string_view word) {
+        if (tokens_.size() > 1 || (word == "late" && run_->cycles > 0))
+            fault_here("`late` alone before the first cycle, or `lost`");
+        if (!clean_) fault_here("the end of the cycle, `tock`");
+        if (done_) return;
+        form_ = &checker_.form(observation_, true);
+        node_ = cycle_node_ = form_->normal_form.initial();
+    }
+
+    void end_run() {
+        if (!run_) return;
+        if (run_->verdict == RunVerdict::accepted) ++report_.accepted;
+        if (run_->verdict == RunVerdict::rejected) ++report_.rejected;
+        if (run_->verdict == RunVerdict::inconclusive) ++report_.inconclusive;
+        report_.cycles += run_->cycles;
+        report_.replaced += run_->replaced;
+        if (run_->verdict != RunVerdict::accepted) tell_(*run_);
+        run_.reset();
+    }
+
+    void begin_cycle() {
+        std::fill(reads_.begin(), reads_.end(), process::tau);
+        cycle_node_ = node_;
+        clean_ = true;
+        acted_ = false;
+        tocks_ = 0;
+        so_far_.clear();
+    }
+
+    void words() {
+        const std::string_view whole = lines_.text();
+        for (const TraceToken& token : tokens_) {
+            if (token.text == "run" || token.text == "late" || token.text == "lost")
+                fault_here("one event after the other");
+            // Words after a verdict are still read: a log is in order or it is not.
+            const Next next = word(token);
+            if (next == Next::stop) done_ = true;
+        }
+        if (before_.size() == 3) before_.erase(before_.begin());
+        before_.emplace_back(whole);
+    }
+
+    Next word(const TraceToken& token) {
+        if (token.text == "tock") return done_ ? Next::go_on : tock();
+        if (token.text == "terminate") return done_ ? Next::go_on : terminate();
+        const LoggedEvent& event = checker_.alphabet_.read(token);
+        const bool read = event.kind == LoggedEvent::Kind::read;
+        const bool observed = read ? observation_.inputs[event.index] : observation_.outputs[event.index];
+        if (!observed)
+            throw TraceFault{&rules::log_syntax,
+                             {"only what the header does not call unobserved", fmt::format("`{}`", token.text)},
+                             token.column,
+                             static_cast<std::uint32_t>(token.text.size())};
+        if (done_) return Next::go_on;
+        if (ended_) return reject(std::string(token.text));
+        clean_ = false;
+        const auto meant = in_carrier(event, token);
+        if (!meant) return Next::stop;
+        const Next next = read ? take_read(event.index, *meant, token) : take_write(*meant, token);
+        so_far_.emplace_back(token.text);
+        return next;
+    }
+
+    /// The event as NF_c(M) has it. A value outside the finite reading that the component only passes on stands for
+    /// some value inside; any other leaves the run undecided.
+    std::optional<process::Event> in_carrier(const LoggedEvent& event, const TraceToken& token) {
+        if (event.event != process::tau) return event.event;
+        for (const LoggedValue& value : event.values) {
+            if (value.number) continue;
+            if (!value.passed_on) {
+                undecided(token, value);
+                return std::nullopt;
+            }
+            ++run_->replaced;
+        }
+        return checker_.alphabet_.stand_in(event, report_.runs);
+    }
+
+    void undecided(const TraceToken& token, const LoggedValue& value) {
+        place();
+        run_->verdict = RunVerdict::inconclusive;
+        run_->what = token.text;
+        run_->reason = fmt::format(
+            "{} is outside the finite reading of the model, which calculates with such values or tests them",
+            value.text);
+    }
+
+    Next take_read(std::uint32_t index, process::Event event, const TraceToken& token) {
+        if (acted_ || tocks_ > 0 || reads_[index] != process::tau) return reject(std::string(token.text));
+        reads_[index] = event;
+        return Next::go_on;
+    }
+
+    Next take_write(process::Event event, const TraceToken& token) {
+        if (!finish_reads()) return Next::stop;
+        return step(event) ? Next::go_on : reject(std::string(token.text));
+    }
+
+    /// A3: all registers are read, in the order of the interface, before anything else happens.
+    bool finish_reads() {
+        if (acted_) return true;
+        acted_ = true;
+        for (std::uint32_t i = 0; i < reads_.size(); ++i) {
+            if (!observation_.inputs[i]) continue;
+            const process::Event event = reads_[i] == process::tau ? model_.alphabet().read(i, 0) : reads_[i];
+            if (step(event)) continue;
+            reject("a further cycle");
+            return false;
+        }
+        return true;
+    }
+
+    bool step(process::Event event) {
+        const auto next = form_->normal_form.after(node_, event);
+        if (next) node_ = *next;
+        return next.has_value();
+    }
+
+    Next tock() {
+        if (ended_) return reject("a further cycle");
+        if (!finish_reads()) return Next::stop;
+        if (!step(model_.alphabet().tock())) return reject("the end of the cycle");
+        if (++tocks_ < model_.cycle_length()) return Next::go_on;
+        ++run_->cycles;
+        begin_cycle();
+        return Next::go_on;
+    }
+
+    Next terminate() {
+        if (!finish_reads()) return Next::stop;
+        if (!step(process::tick)) return reject("termination");
+        ended_ = true;
+        return Next::go_on;
+    }
+
+    // ------------------------------------------------------------ telling
+
+    void place() {
+        run_->at_line = lines_.number();
+        run_->cycle = run_->cycles + 1;
+        run_->cycle_so_far = so_far_;
+        run_->before = before_;
+    }
+
+    Next reject(std::string what) {
+        place();
+        run_->verdict = RunVerdict::rejected;
+        run_->what = std::move(what);
+        const Alphabet& alphabet = model_.alphabet();
+        const std::size_t mark = run_->what.find_first_of("?!");
+        const bool read_again = mark != std::string::npos && run_->what[mark] == '?' && !ended_;
+        if (read_again) run_->allowed.emplace_back("every input is read once, before anything is written");
+        for (const process::Event event : form_->normal_form.initials(node_)) {
+            if (read_again) break;
+            const CycleRole role = alphabet.cycle_role(event);
+            if (role.kind == CycleRole::Kind::read) continue;
+            run_->allowed.push_back(tell_with_place(event, alphabet, model_.provenance(), *checker_.sources_));
+        }
+        if (ended_) run_->allowed.emplace_back("nothing: it has terminated");
+        tell_elements();
+        return Next::stop;
+    }
+
+    /// Of the states at the cycle's beginning that stand still; of all, where none does.
+    void tell_elements() {
+        const std::vector<lts::StateView> states = form_->normal_form.states(cycle_node_);
+        for (const bool still : {true, false}) {
+            for (const lts::StateView state : states)
+                if (!still || form_->system.stable(state)) add_elements(form_->system.describe_model(state));
+            if (!run_->elements.empty()) return;
+        }
+    }
+
+    void add_elements(const std::string& state) {
+        constexpr std::size_t most = 8;
+        for (std::string& element : elements_of_state(state, model_.provenance(), *checker_.sources_)) {
+            std::vector<std::string>& all = run_->elements;
+            const bool known = std::find(all.begin(), all.end(), element) != all.end();
+            if (!known && all.size() < most) all.push_back(std::move(element));
+        }
+    }
+
+    TraceChecker& checker_;
+    CyclicModel& model_;
+    const std::function<void(const RunReport&)>& tell_;
+    LineReader lines_;
+    std::vector<TraceToken> tokens_;
+    LogReport report_;
+    Observation observation_;
+    bool more_ = true;
+
+    std::optional<RunReport> run_;
+    Form* form_ = nullptr;
+    refine::NormalForm::Node node_ = 0;
+    refine::NormalForm::Node cycle_node_ = 0;  ///< where the cycle began
+    std::vector<process::Event> reads_;        ///< of this cycle; tau: absent
+    std::vector<std::string> so_far_;          ///< words of this cycle
+    std::vector<std::string> before_;          ///< the lines before
+    bool clean_ = true;                        ///< no word of this cycle yet
+    bool acted_ = false;                       ///< the reads are done
+    std::uint32_t tocks_ = 0;
+    bool ended_ = false;  ///< terminated
+    bool done_ = false;   ///< a verdict is there: the rest of the run is only read
+};
+
+LogReport TraceChecker::check(std::istream& in, const std::function<void(const RunReport&)>& tell) {
+    return LogRun(*this, in, tell).check();
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,88 @@
+// Are recorded runs runs of the model? Membership in traces(NF_c(M)), run by run and cycle by cycle, for logs of any
+// size (docs/traces.md; trace validation after Cirstea et al., "Validating traces of distributed programs against TLA+
+// specifications", 2024).
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <iosfwd>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/verdict/normal_form.hpp"
+#include "conformance/traces/log_projection.hpp"
+#include "conformance/traces/trace_alphabet.hpp"
+#include "conformance/traces/trace_text.hpp"
+
+namespace robochart::conformance {
+
+enum class RunVerdict {
+    accepted,
+    rejected,
+    inconclusive,  ///< the run leaves the finite reading where that matters
+};
+
+/// One run of a log.
+struct RunReport {
+    std::string name;
+    std::uint64_t line = 0;  ///< where it begins
+    RunVerdict verdict = RunVerdict::accepted;
+    std::uint64_t cycles = 0;    ///< whole cycles looked at
+    std::uint64_t replaced = 0;  ///< values outside the finite reading that the component only passes on
+    // rejected, inconclusive:
+    std::uint64_t at_line = 0;
+    std::uint64_t cycle = 0;                ///< from 1
+    std::string what;                       ///< "StartTurning!0.5", "the end of the cycle"
+    std::string reason;                     ///< inconclusive
+    std::vector<std::string> cycle_so_far;  ///< words of the cycle before it
+    std::vector<std::string> before;        ///< the cycles before, as logged
+    std::vector<std::string> allowed;       ///< what the model would have allowed, with places
+    std::vector<std::string> elements;      ///< where the model may be when the cycle begins
+};
+
+/// A log that cannot be read: nothing behind the fault was looked at.
+struct LogFault {
+    TraceFault fault;
+    std::uint64_t line = 0;
+    std::string text;  ///< of the line
+};
+
+struct LogReport {
+    std::uint64_t runs = 0, accepted = 0, rejected = 0, inconclusive = 0;
+    std::uint64_t cycles = 0;
+    std::uint64_t replaced = 0;
+    std::optional<LogFault> fault;
+    TraceHeader header;
+};
+
+class TraceChecker {
+public:
+    /// `component`: names by which logs may call it.
+    TraceChecker(CyclicModel&, std::vector<std::string> component, const refine::Limits&,
+                 const diagnostics::SourceManager&);
+    ~TraceChecker();
+
+    /// Reads one log to its end, or to the first line that cannot be read. `tell` gets every run that is not accepted.
+    /// Throws process::Interrupted at a limit.
+    LogReport check(std::istream&, const std::function<void(const RunReport&)>& tell);
+
+private:
+    struct Form;
+    class LogRun;
+    [[nodiscard]] Form& form(const Observation&, bool late);
+
+    CyclicModel* model_;
+    std::vector<std::string> component_;
+    const refine::Limits& limits_;
+    const diagnostics::SourceManager* sources_;
+    refine::Budget budget_;
+    TraceAlphabet alphabet_;
+    std::optional<std::vector<std::vector<lts::Word>>> starts_;
+    std::deque<std::unique_ptr<Form>> forms_;
+};
+
+}  // namespace robochart::conformance

@@ -1,0 +1,120 @@
+// See trace_text.hpp.
+#include "conformance/traces/trace_text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <istream>
+
+#include "conformance/model/rules.hpp"
+#include "cpp_emit/files/trace_names.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+bool blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+/// The end of the word at `begin`, which is no blank.
+std::size_t end_of_word(std::string_view line, std::size_t begin) {
+    int depth = 0;
+    bool quoted = false;
+    std::size_t end = begin;
+    for (; end < line.size(); ++end) {
+        const char c = line[end];
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (c == '(' || c == '{' || c == '<') ++depth;
+        if (c == ')' || c == '}' || c == '>') --depth;
+        if (blank(c) && depth <= 0) break;
+    }
+    return end;
+}
+
+std::string rest_of(const std::vector<TraceToken>& tokens) {
+    if (tokens.size() < 2) return "";
+    const char* const end = tokens.back().text.data() + tokens.back().text.size();
+    return {tokens[1].text.data(), static_cast<std::size_t>(end - tokens[1].text.data())};
+}
+
+std::uint32_t cycle_of(const std::vector<TraceToken>& tokens) {
+    std::uint32_t value = 0;
+    const std::string_view text = tokens.size() == 2 ? tokens[1].text : std::string_view();
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code == std::errc() && end == text.data() + text.size() && value >= 1 && value <= 1000) return value;
+    throw TraceFault{&rules::log_syntax,
+                     {"`cycle` and a number of time units from 1 to 1000", fmt::format("`cycle {}`", rest_of(tokens))},
+                     tokens[0].column,
+                     5};
+}
+
+}  // namespace
+
+void split_line(std::string_view line, std::vector<TraceToken>& tokens) {
+    tokens.clear();
+    for (std::size_t at = 0; at < line.size();) {
+        if (blank(line[at])) {
+            ++at;
+            continue;
+        }
+        if (line.substr(at, 2) == "//") return;
+        const std::size_t end = end_of_word(line, at);
+        tokens.push_back({line.substr(at, end - at), static_cast<std::uint32_t>(at)});
+        at = end;
+    }
+}
+
+bool read_header_line(const std::vector<TraceToken>& tokens, TraceHeader& header, std::uint64_t line) {
+    const std::string_view key = tokens.front().text;
+    if (key == "model") {
+        header.model = rest_of(tokens);
+    } else if (key == "component") {
+        header.component = rest_of(tokens);
+    } else if (key == "robot") {
+        header.robot = rest_of(tokens);
+    } else if (key == "cycle") {
+        header.cycle = cycle_of(tokens);
+    } else if (key == "unobserved") {
+        for (std::size_t i = 1; i < tokens.size(); ++i) {
+            header.unobserved.emplace_back(tokens[i].text);
+            header.unobserved_line.push_back(static_cast<std::uint32_t>(line));
+        }
+    } else {
+        return key == "unit" || key == "seed" || key == "scenario";  // for people
+    }
+    return true;
+}
+
+bool LineReader::fill() {
+    constexpr std::size_t chunk = 1U << 18U;
+    buffer_.resize(chunk);
+    in_.read(buffer_.data(), static_cast<std::streamsize>(chunk));
+    buffer_.resize(static_cast<std::size_t>(in_.gcount()));
+    at_ = 0;
+    return !buffer_.empty();
+}
+
+bool LineReader::next() {
+    line_.clear();
+    ++number_;
+    bool any = false;
+    while (at_ < buffer_.size() || fill()) {
+        any = true;
+        const std::size_t end = buffer_.find('\n', at_);
+        line_.append(buffer_, at_, end == std::string::npos ? end : end - at_);
+        at_ = end == std::string::npos ? buffer_.size() : end + 1;
+        if (line_.size() > longest) {
+            line_.resize(80);
+            throw TraceFault{&rules::log_syntax, {"lines of at most a megabyte", "a longer one"}};
+        }
+        if (end != std::string::npos) break;
+    }
+    const std::size_t zero = line_.find('\0');
+    if (zero != std::string::npos)
+        throw TraceFault{&rules::log_syntax, {"text", "a zero byte"}, static_cast<std::uint32_t>(zero)};
+    return any;
+}
+
+}  // namespace robochart::conformance

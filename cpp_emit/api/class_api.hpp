@@ -1,0 +1,97 @@
+// The classes that users of the generated code see, after Li et al. 2017, "Simulation and deployment": a class per
+// interface (variables as members, events as flags, operations as methods to override), a class per machine that
+// inherits them (states as an enumeration, a timer per clock, MakeTransition). Behaviour is the core's alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cpp_emit/files/files.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::cpp_emit {
+
+/// A method of an interface class.
+struct FaceOperation {
+    const ir::OperationSignature* signature = nullptr;
+    std::string method;       ///< of the class
+    std::string core_method;  ///< of the core's platform
+    bool modelled = false;    ///< the model defines it; overriding is optional
+};
+
+/// A received or sent event: a flag, and a value if it carries one.
+struct FaceEvent {
+    const EventPort* port = nullptr;
+    std::string flag;
+    std::string value;
+    bool sent = false;
+    std::string method;  ///< raises it; of sent ones, is told of it
+};
+
+struct FaceVariable {
+    const StoredVariable* stored = nullptr;
+    std::string member;
+    std::vector<std::string> copies;  ///< below State: those of other machines, which the class relays to
+};
+
+/// A class made from an interface, or the machine's own part ("" as interface).
+struct FaceClass {
+    std::string interface;
+    std::string cpp_name;
+    std::vector<FaceVariable> variables;
+    std::vector<FaceEvent> events;
+    std::vector<FaceOperation> operations;
+};
+
+struct FaceTimer {
+    std::string member;
+    std::string field;  ///< below the core's state
+    const ir::Clock* clock = nullptr;
+};
+
+/// What shows where one of the component's machines is.
+struct FaceMachine {
+    std::string method;               ///< "state"; of several machines "state_stm0"
+    std::string enumeration;          ///< "States"
+    std::string place;                ///< below the core's state: "at", "stm0.at"
+    std::size_t unit = 0;             ///< Component::units
+    std::vector<std::string> states;  ///< enumerators by node; "" for nodes that are no states
+};
+
+/// A function that the model specifies by contract only.
+struct FaceFunction {
+    const FunctionHook* hook = nullptr;
+    std::string method;
+};
+
+struct Face {
+    std::string name_space;
+    std::string cpp_name;          ///< of the machine's class
+    std::vector<FaceClass> bases;  ///< interfaces, in textual order
+    FaceClass own;
+    std::vector<FaceTimer> timers;
+    std::vector<FaceMachine> machines;
+    std::vector<FaceFunction> functions;
+};
+
+/// Parts of the class that face its users, of all interfaces and its own.
+template <class Visit>
+void each_class(const Face& face, const Visit& visit) {
+    for (const FaceClass& base : face.bases) visit(base);
+    visit(face.own);
+}
+
+[[nodiscard]] Face make_face(const Generation&);
+[[nodiscard]] std::string interface_header(const Generation&, const Core&, const Face&, const FaceClass&);
+[[nodiscard]] std::string machine_header(const Generation&, const Core&, const Face&);
+[[nodiscard]] std::string machine_source(const Generation&, const Core&, const Face&);
+/// A program that reads the inputs of each cycle from a line of text and prints what the controller does.
+[[nodiscard]] std::string console_source(const Generation&, const Core&, const Face&);
+[[nodiscard]] std::string build_file(const Face&);
+
+/// double, std::int64_t, bool, or a declared type of the core, whose namespace is given as seen from the user's.
+[[nodiscard]] Spelling deployed(const std::string& core);
+[[nodiscard]] std::string deployed_type(const Generation&, const std::string& core, ir::TypeId);
+
+}  // namespace robochart::cpp_emit

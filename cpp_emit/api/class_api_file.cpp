@@ -1,0 +1,424 @@
+// The text of interface and machine classes.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_emit/api/class_api.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "semantics/evaluate/carrier.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+/// The start value of a member, as deployed: `-0.75`, `3`, `true`, `core::Light::Red`.
+std::string deployed_value(const Generation& generation, const Core& core, ir::TypeId id, const ir::Value& value) {
+    const std::string text = cpp_value(generation.system, generation.inst, id, value, deployed(core.relative));
+    if (!numeric(generation.system.type(id).kind)) return text;
+    return text.substr(text.find('(') + 1, text.rfind(')') - text.find('(') - 1);
+}
+
+std::string parameters(const Generation& generation, const Core& core, const ir::OperationSignature& signature,
+                       bool unused) {
+    const std::vector<std::string> names = parameter_identifiers(signature.parameter_names);
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < signature.parameters.size(); ++i)
+        texts.push_back(fmt::format("{}{} {}", unused ? "[[maybe_unused]] " : "",
+                                    deployed_type(generation, core.relative, signature.parameters[i]),
+                                    names.at(i)));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+void write_operation(const Generation& generation, const Core& core, CodeWriter& out, const FaceOperation& operation) {
+    out.gap();
+    const diagnostics::ForeignText place = generation.place(operation.signature->origin);
+    const std::string list = parameters(generation, core, *operation.signature, true);
+    if (operation.modelled) {
+        out.doc(place + ", as the model defines it. Override it and return true to do it differently.");
+        out.line(fmt::format("virtual bool {}({}) {{ return false; }}", operation.method, list));
+    } else {
+        out.doc(place + ", done by the platform.");
+        out.line(fmt::format("virtual void {}({}) {{}}", operation.method, list));
+    }
+}
+
+std::string function_parameters(const Generation& generation, const Core& core, const ir::Function& function) {
+    const std::vector<std::string> names = parameter_identifiers(function.parameter_names);
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+        texts.push_back(fmt::format("[[maybe_unused]] {} {}",
+                                    deployed_type(generation, core.relative, function.parameters[i]),
+                                    names.at(i)));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+void write_functions(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
+    for (const FaceFunction& each : face.functions) {
+        const ir::Function& function = generation.system.functions[each.hook->id.index];
+        const ir::Value value = ir::default_value(generation.system, generation.inst, function.result);
+        out.gap();
+        out.doc(fmt::format("Function {}: the model has only its contract.", function.name));
+        out.line(fmt::format("[[nodiscard]] virtual {} {}({}) {{ return {}; }}",
+                             deployed_type(generation, core.relative, function.result), each.method,
+                             function_parameters(generation, core, function),
+                             deployed_value(generation, core, function.result, value)));
+    }
+}
+
+void write_function_hooks(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
+    for (const FaceFunction& each : face.functions) {
+        const ir::Function& function = generation.system.functions[each.hook->id.index];
+        const std::vector<std::string> arguments = parameter_identifiers(function.parameter_names);
+        out.gap();
+        out.open(fmt::format("{} {}({}) const noexcept {{", deployed_type(generation, core.relative, function.result),
+                             each.hook->method, function_parameters(generation, core, function)));
+        out.line(fmt::format("return machine.{}({});", each.method, fmt::join(arguments, ", ")));
+        out.close();
+    }
+}
+
+/// `raise_e(value)` for events received, `on_e(value)`, to be overridden, for those sent.
+void write_event_method(const Generation& generation, const Core& core, CodeWriter& out, const FaceEvent& event) {
+    const std::string type = event.port->type ? deployed_type(generation, core.relative, *event.port->type) : "";
+    out.gap();
+    if (event.sent) {
+        out.doc("Event " + event.port->model_name + " is sent.");
+        out.line(fmt::format("virtual void {}({}) {{}}", event.method,
+                             type.empty() ? "" : fmt::format("[[maybe_unused]] {} new_value", type)));
+        return;
+    }
+    out.doc("Raises the event for the next cycle; of several values the last counts.");
+    out.open(fmt::format("void {}({}) noexcept {{", event.method, type.empty() ? "" : type + " new_value"));
+    out.line(event.flag + " = true;");
+    if (!type.empty()) out.line(event.value + " = new_value;");
+    out.close();
+}
+
+void write_members(const Generation& generation, const Core& core, CodeWriter& out, const FaceClass& face) {
+    for (const FaceVariable& variable : face.variables) {
+        const ir::Variable& declared = *variable.stored->variable;
+        out.line_with_doc(
+            fmt::format("{} {} = {};", deployed_type(generation, core.relative, declared.type), variable.member,
+                        deployed_value(generation, core, declared.type, variable.stored->initial)),
+            generation.place(declared.origin));
+    }
+    for (const FaceEvent& event : face.events) {
+        const char* use = event.sent ? "sent in the last cycle" : "raise it before a cycle, which lowers it again";
+        out.line(fmt::format("bool {} = false;  ///< event {}: {}", event.flag, event.port->model_name, use));
+        if (event.port->type)
+            out.line(
+                fmt::format("{} {}{{}};", deployed_type(generation, core.relative, *event.port->type), event.value));
+    }
+    for (const FaceEvent& event : face.events) write_event_method(generation, core, out, event);
+    for (const FaceOperation& operation : face.operations) write_operation(generation, core, out, operation);
+}
+
+std::string base_list(const Face& face) {
+    std::vector<std::string> bases;
+    for (const FaceClass& base : face.bases) bases.push_back("public " + base.cpp_name);
+    return bases.empty() ? "" : fmt::format(" : {}", fmt::join(bases, ", "));
+}
+
+void write_states(const Face& face, CodeWriter& out) {
+    for (const FaceMachine& machine : face.machines) {
+        out.doc("The states; none before the first cycle and at the end.");
+        std::vector<std::string> names = {"none"};
+        for (const std::string& state : machine.states)
+            if (!state.empty()) names.push_back(state);
+        out.line(fmt::format("enum class {} : {} {{ {} }};", machine.enumeration,
+                             names.size() <= 256 ? "std::uint8_t" : "std::uint16_t", fmt::join(names, ", ")));
+    }
+}
+
+void write_platform(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
+    out.doc("What the core asks of its platform, done by the object's methods and members.");
+    out.open(fmt::format("struct {}::Platform {{", face.cpp_name));
+    out.line(fmt::format("{}& machine;", face.cpp_name));
+    write_function_hooks(generation, core, face, out);
+    if (generation.component.probabilistic) {
+        out.gap();
+        out.open("std::size_t choose(const double* chances, std::size_t count) const noexcept {");
+        out.line("return machine.choose(chances, count);");
+        out.close();
+    }
+    if (generation.options.choices) {
+        out.gap();
+        out.line("std::size_t pick(std::size_t count) const noexcept { return machine.pick(count); }");
+    }
+    each_class(face, [&](const FaceClass& part) {
+        for (const FaceOperation& operation : part.operations) {
+            const auto& signature = *operation.signature;
+            const std::vector<std::string> arguments = parameter_identifiers(signature.parameter_names);
+            out.gap();
+            out.open(fmt::format("{} {}({}) const noexcept {{", operation.modelled ? "bool" : "void",
+                                 operation.core_method, parameters(generation, core, signature, false)));
+            out.line(fmt::format("{}machine.{}({});", operation.modelled ? "return " : "", operation.method,
+                                 fmt::join(arguments, ", ")));
+            out.close();
+        }
+        for (const FaceEvent& event : part.events) {
+            if (!event.sent) continue;
+            out.gap();
+            const bool valued = event.port->type.has_value();
+            const std::string list =
+                valued ? deployed_type(generation, core.relative, *event.port->type) + " value" : "";
+            out.open(fmt::format("void {}({}) const noexcept {{", event.port->output, list));
+            out.line(fmt::format("machine.{} = true;", event.flag));
+            if (valued) out.line(fmt::format("machine.{} = value;", event.value));
+            out.line(fmt::format("machine.{}({});", event.method, valued ? "value" : ""));
+            out.close();
+        }
+        for (const FaceVariable& variable : part.variables) {
+            if (!variable.stored->visible) continue;
+            out.gap();
+            const std::string type = deployed_type(generation, core.relative, variable.stored->variable->type);
+            out.line(fmt::format("void {}({} value) const noexcept {{ machine.{} = value; }}", variable.stored->output,
+                                 type, variable.member));
+        }
+    });
+    out.close("};");
+}
+
+/// Variables that others write are members here: a log has those that have changed.
+void write_outside_writes(const Core& core, const Face& face, CodeWriter& out) {
+    std::vector<const FaceVariable*> written;
+    each_class(face, [&](const FaceClass& part) {
+        for (const FaceVariable& variable : part.variables)
+            if (!variable.stored->input.empty()) written.push_back(&variable);
+    });
+    if (written.empty()) return;
+    out.line("#if ROBOCHART_TRACE");
+    out.line("if (tracer_ != nullptr) {");
+    for (const FaceVariable* variable : written)
+        out.line(fmt::format("    {}::log_write_of_{}(*tracer_, core_, {});", core.relative, variable->stored->input,
+                             variable->member));
+    out.line("}");
+    out.line("#endif");
+}
+
+void write_cycle(const Core& core, const Face& face, CodeWriter& out) {
+    out.open(fmt::format("robochart::StepResult {}::MakeTransition() noexcept {{", face.cpp_name));
+    out.line("CheckInEvent();");
+    out.line(fmt::format("{}::Inputs<robochart::Deployment> inputs;", core.relative));
+    std::vector<std::string> before, after;
+    each_class(face, [&](const FaceClass& part) {
+        for (const FaceEvent& event : part.events) {
+            const std::string lower = event.flag + " = false;";
+            if (event.sent) {
+                before.push_back(lower);
+                continue;
+            }
+            before.push_back(fmt::format("inputs.{}.present = {};", event.port->input, event.flag));
+            if (event.port->type)
+                before.push_back(fmt::format("inputs.{}.value = {};", event.port->input, event.value));
+            after.push_back(lower);
+        }
+        for (const FaceVariable& variable : part.variables) {
+            for (const std::string& copy : variable.copies)
+                before.push_back(fmt::format("core_.{} = {};", copy, variable.member));
+            if (!variable.stored->stored()) continue;
+            before.push_back(fmt::format("core_.{} = {};", variable.stored->path, variable.member));
+            if (variable.copies.empty())
+                after.push_back(fmt::format("{} = core_.{};", variable.member, variable.stored->path));
+        }
+    });
+    for (const FaceTimer& timer : face.timers) {
+        before.push_back(fmt::format("core_.{} = {}.counter;", timer.field, timer.member));
+        after.push_back(fmt::format("{}.counter = core_.{};", timer.member, timer.field));
+    }
+    write_outside_writes(core, face, out);
+    for (const std::string& line : before) out.line(line);
+    out.line("Platform platform{*this};");
+    out.line("#if ROBOCHART_TRACE");
+    out.line(fmt::format("const robochart::StepResult result = tracer_ == nullptr ? {0}::step(core_, inputs, platform)",
+                         core.relative));
+    out.line(
+        fmt::format("                                                        : "
+                    "{}::traced_step(core_, inputs, platform, *tracer_);",
+                    core.relative));
+    out.line("#else");
+    out.line(fmt::format("const robochart::StepResult result = {}::step(core_, inputs, platform);", core.relative));
+    out.line("#endif");
+    out.line("terminated_ = result == robochart::StepResult::terminated;");
+    for (const std::string& line : after) out.line(line);
+    out.line("return result;");
+    out.close();
+}
+
+void write_reset(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
+    out.open(fmt::format("void {}::reset() noexcept {{", face.cpp_name));
+    out.line("core_ = {};");
+    out.line("terminated_ = false;");
+    each_class(face, [&](const FaceClass& part) {
+        for (const FaceVariable& variable : part.variables)
+            out.line(fmt::format(
+                "{} = {};", variable.member,
+                deployed_value(generation, core, variable.stored->variable->type, variable.stored->initial)));
+        for (const FaceEvent& event : part.events) out.line(event.flag + " = false;");
+    });
+    for (const FaceTimer& timer : face.timers) out.line(timer.member + ".ResetTimer();");
+    out.line("#if ROBOCHART_TRACE");
+    out.line("if (tracer_ != nullptr) tracer_->begin();");
+    out.line("#endif");
+    out.close();
+}
+
+void write_state(const Core& core, const Face& face, const FaceMachine& machine, CodeWriter& out) {
+    const Enumeration& places = core.machines[machine.unit].enumerations.front();
+    const std::string& type = machine.enumeration;
+    out.open(fmt::format("{0}::{1} {0}::{2}() const noexcept {{", face.cpp_name, type, machine.method));
+    out.open(fmt::format("switch (core_.{}) {{", machine.place));
+    for (const Enumerator& place : places.values) {
+        const std::string state = place.state.valid() ? machine.states[place.state.index] : "none";
+        out.line(fmt::format("case {}::{}::{}: return {}::{};", core.relative, places.name, place.name, type, state));
+    }
+    out.close();
+    out.line(fmt::format("return {}::none;", type));
+    out.close();
+    out.gap();
+    out.open(fmt::format("const char* {}::name({} state) noexcept {{", face.cpp_name, type));
+    out.open("switch (state) {");
+    out.line(fmt::format("case {}::none: return \"none\";", type));
+    for (const std::string& state : machine.states)
+        if (!state.empty()) out.line(fmt::format("case {0}::{1}: return \"{1}\";", type, state));
+    out.close();
+    out.line("return \"none\";");
+    out.close();
+}
+
+}  // namespace
+
+std::string interface_header(const Generation& generation, const Core& core, const Face& face, const FaceClass& base) {
+    CodeWriter out;
+    out.comment(fmt::format("Interface {} as {} uses it.", base.interface, face.cpp_name));
+    out.comment("Generated by robochart-verify; change the model, not this file.");
+    out.line("#pragma once");
+    out.gap();
+    out.line("#include <cstdint>");
+    out.gap();
+    if (!generation.component.enumerations.empty()) out.line(fmt::format("#include \"{}\"", core.header));
+    out.gap();
+    out.line(fmt::format("namespace {} {{", face.name_space));
+    out.gap();
+    out.open(fmt::format("class {} {{", base.cpp_name));
+    out.label("public:");
+    out.line(fmt::format("virtual ~{}() = default;", base.cpp_name));
+    out.gap();
+    write_members(generation, core, out, base);
+    out.close("};");
+    out.gap();
+    out.line(fmt::format("}}  // namespace {}", face.name_space));
+    return out.text();
+}
+
+std::string machine_header(const Generation& generation, const Core& core, const Face& face) {
+    CodeWriter out;
+    file_comment(generation, out, "Controller");
+    out.line("#pragma once");
+    out.gap();
+    out.line("#include <cstdint>");
+    out.gap();
+    for (const FaceClass& base : face.bases) out.line(fmt::format("#include \"{}.hpp\"", base.cpp_name));
+    out.line(fmt::format("#include \"{}\"", core.header));
+    if (!face.timers.empty()) out.line("#include \"robochart/timer.hpp\"");
+    out.line("#if ROBOCHART_TRACE");
+    out.line("#include \"robochart/trace.hpp\"");
+    out.line("#endif");
+    out.gap();
+    out.line(fmt::format("namespace {} {{", face.name_space));
+    out.gap();
+    const Component& component = generation.component;
+    out.doc(component.composed() ? "The machines of " + generation.place(component.origin) + ", side by side"
+                                 : "State machine " + generation.place(component.root().machine->origin));
+    out.open(fmt::format("class {}{} {{", face.cpp_name, base_list(face)));
+    out.label("public:");
+    write_states(face, out);
+    out.gap();
+    if (face.bases.empty()) out.line(fmt::format("virtual ~{}() = default;", face.cpp_name));
+    out.gap();
+    out.doc(
+        "One control cycle: reads the events raised, makes every transition that they and time enable, lowers the "
+        "events.");
+    out.line("robochart::StepResult MakeTransition() noexcept;");
+    out.line("robochart::StepResult step() noexcept { return MakeTransition(); }");
+    out.doc("Called first in each cycle: override it to raise events from sensors.");
+    out.line("virtual void CheckInEvent() {}");
+    out.doc("Back to the beginning.");
+    out.line("void reset() noexcept;");
+    for (const FaceMachine& machine : face.machines) {
+        out.doc("The innermost active state, or the one whose action is running.");
+        out.line(fmt::format("[[nodiscard]] {} {}() const noexcept;", machine.enumeration, machine.method));
+        out.line(fmt::format("[[nodiscard]] static const char* name({} state) noexcept;", machine.enumeration));
+    }
+    out.line("[[nodiscard]] bool isFinal() const noexcept { return terminated_; }");
+    out.line("#if ROBOCHART_TRACE");
+    out.doc("Whom it tells what it does from now on (robochart/trace_file.hpp writes logs); null: nobody.");
+    out.line("void SetTracer(robochart::Tracer* tracer) noexcept { tracer_ = tracer; }");
+    out.doc("What its logs begin with, and its transitions.");
+    out.line("[[nodiscard]] static const robochart::RunHeader& RunHeader() noexcept;");
+    out.line("#endif");
+    out.gap();
+    for (const FaceTimer& timer : face.timers)
+        out.line_with_doc(fmt::format("robochart::Timer {};", timer.member),
+                          "clock " + generation.place(timer.clock->origin));
+    out.gap();
+    write_members(generation, core, out, face.own);
+    write_functions(generation, core, face, out);
+    if (generation.component.probabilistic) {
+        out.gap();
+        out.doc("Which way a probabilistic junction takes, by the chances of its ways; override it to draw one.");
+        out.line("virtual std::size_t choose(const double* chances, std::size_t count) noexcept {");
+        out.line("    return robochart::first_way(chances, count);");
+        out.line("}");
+    }
+    if (generation.options.choices) {
+        out.gap();
+        out.doc("Which of several choices of the model is taken, from 0; override it to take others than the first.");
+        out.line("virtual std::size_t pick([[maybe_unused]] std::size_t count) noexcept { return 0; }");
+    }
+    out.gap();
+    out.label("private:");
+    out.line("struct Platform;");
+    out.gap();
+    out.line(fmt::format("{}::State<robochart::Deployment> core_{{}};", core.relative));
+    out.line("bool terminated_ = false;");
+    out.line("#if ROBOCHART_TRACE");
+    out.line("robochart::Tracer* tracer_ = nullptr;");
+    out.line("#endif");
+    out.close("};");
+    out.gap();
+    out.line(fmt::format("}}  // namespace {}", face.name_space));
+    return out.text();
+}
+
+std::string machine_source(const Generation& generation, const Core& core, const Face& face) {
+    CodeWriter out;
+    file_comment(generation, out, "Controller");
+    out.line(fmt::format("#include \"{}.hpp\"", face.cpp_name));
+    out.line("#if ROBOCHART_TRACE");
+    out.line(fmt::format("#include \"{}_trace.hpp\"", generation.component.cpp_name));
+    out.line("#endif");
+    out.gap();
+    out.line(fmt::format("namespace {} {{", face.name_space));
+    out.gap();
+    write_platform(generation, core, face, out);
+    out.gap();
+    write_cycle(core, face, out);
+    out.gap();
+    write_reset(generation, core, face, out);
+    out.gap();
+    for (const FaceMachine& machine : face.machines) {
+        write_state(core, face, machine, out);
+        out.gap();
+    }
+    out.line("#if ROBOCHART_TRACE");
+    out.line(fmt::format("const robochart::RunHeader& {}::RunHeader() noexcept {{ return {}::run_header; }}",
+                         face.cpp_name, core.relative));
+    out.line("#endif");
+    out.gap();
+    out.line(fmt::format("}}  // namespace {}", face.name_space));
+    return out.text();
+}
+
+}  // namespace robochart::cpp_emit

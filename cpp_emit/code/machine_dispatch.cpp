@@ -1,0 +1,372 @@
+// The event-driven face of a machine whose programs never wait: what a state does on an event is one case, chosen by a
+// nested switch or, from five states on, by a dense table. Each case tries the transitions as step() does: inner states
+// first, then textual order (semantics 3.4); then what needs no event, until nothing is enabled.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_emit/code/dispatch.hpp"
+#include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/code/suspension.hpp"
+#include "cpp_emit/code/machine_writer.hpp"
+#include "cpp_emit/code/reception.hpp"
+#include "cpp_emit/code/fault_injection.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+using ir::NodeKind;
+
+namespace {
+
+constexpr std::size_t leaves_for_table = 5;
+
+}  // namespace
+
+/// Every transition is one straight effect, so control rests in states only (or where a junction has no way).
+bool MachineWriter::direct() const {
+    const auto& nodes = plan_.machine().nodes;
+    for (std::uint32_t index = 0; index < nodes.size(); ++index)
+        if (!plan_.straight(NodeId{index})) return false;
+    const auto waits = [&](const ir::Transition& transition) {
+        if (plan_.acts(transition) || !plan_.straight_exits(transition.source)) return true;
+        if (!transition.trigger) return false;
+        const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
+        return !from_register(use) && !use.spontaneous();
+    };
+    const auto& transitions = plan_.machine().transitions;
+    return unit_.root && !generation_.component.composed() && during_.empty() && !guards_deadlines(*unit_.machine) &&
+           faultless_cycle(generation_.options) && !generation_.options.choices && plan_.machine().initial.valid() &&
+           std::none_of(transitions.begin(), transitions.end(), waits);
+}
+
+/// The transition waits for no event of the platform.
+bool MachineWriter::urgent(const ir::Transition& transition) const {
+    return !transition.trigger || generation_.component.event(unit_, transition.trigger->event).spontaneous();
+}
+
+bool MachineWriter::asks_for(const ir::Transition& transition, const EventPort& port) const {
+    if (urgent(transition)) return false;
+    const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
+    return &generation_.component.events[use.ports.front()] == &port;
+}
+
+/// Something in the node or around it needs no event, or control may go on from a junction.
+bool MachineWriter::goes_on(NodeId rest) const {
+    if (!plan_.settles(rest)) return true;
+    const std::vector<NodeId> chain = plan_.chain(rest);
+    return std::any_of(chain.begin(), chain.end(), [&](NodeId state) {
+        const auto& ways = plan_.node(state).outgoing;
+        return std::any_of(ways.begin(), ways.end(),
+                           [&](ir::TransitionId way) { return urgent(plan_.machine().transitions[way.index]); });
+    });
+}
+
+/// Whether a look at what needs no event is due after entering a node.
+bool MachineWriter::look_after(NodeId target) const {
+    std::vector<bool> seen(plan_.machine().nodes.size(), false);
+    std::vector<NodeId> open = {target};
+    while (!open.empty()) {
+        const NodeId at = open.back();
+        open.pop_back();
+        if (seen[at.index]) continue;
+        seen[at.index] = true;
+        const ir::Node& node = plan_.node(at);
+        const bool chooses = !plan_.settles(at) && node.kind != NodeKind::state;
+        if (chooses) {
+            const bool rests = std::any_of(control_.places.begin(), control_.places.end(),
+                                           [&](const Place& place) { return place.label == plan_.label(at); });
+            if (rests) return true;
+            for (const ir::TransitionId way : node.outgoing)
+                open.push_back(plan_.machine().transitions[way.index].target);
+        } else if (node.composite()) {
+            open.push_back(node.initial);
+        } else if (goes_on(at)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::string MachineWriter::rest_result() const {
+    return plan_.finals().empty() ? "return robochart::StepResult::quiescent;"
+                                  : "return finished(f) ? robochart::StepResult::terminated : "
+                                    "robochart::StepResult::quiescent;";
+}
+
+/// A transition out of a leaf, taken on `port`'s event or, null, on none.
+void MachineWriter::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
+    const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
+    const bool consumes = !urgent(transition);
+    const auto hits = [&](Fault fault) { return generation_.mutation.hits(fault, port, &transition); };
+    if (transition.trigger) {
+        const std::string line = received(generation_, unit_, *transition.trigger, incoming(transition));
+        if (!line.empty() && !hits(Fault::dispatch_value_lost)) out.line(line);
+    }
+    for (const ir::ClockId clock : transition.resets) {
+        const std::string line = clock_reset(generation_, unit_, clock);
+        if (!line.empty() && !hits(Fault::dispatch_reset_dropped)) out.line(line);
+    }
+    out.line(tell_taken(id));
+    for (const Watch& watch : watches_) {
+        const std::vector<NodeId> around = plan_.chain(watch.state);
+        const bool left = std::find(around.begin(), around.end(), transition.source) != around.end();
+        if (left && !hits(Fault::dispatch_deadline_kept)) out.line(fmt::format("f.{} = 0;", watch.field));
+    }
+    std::string exits = leave(transition.source);
+    if (!exits.empty() && hits(Fault::dispatch_exits_dropped)) {
+        const bool own = plan_.node(transition.source).composite() && plan_.node(transition.source).exit;
+        exits = own ? call(plan_.exit_label(transition.source)) + ";" : "";
+    }
+    if (!exits.empty()) out.line(exits);
+    out.line(proceed(transition));
+    const bool again = port != nullptr && !consumes ? true : look_after(transition.target);
+    if (!again || hits(Fault::dispatch_look_dropped)) return out.line(rest_result());
+    if (consumes && !hits(Fault::dispatch_event_kept)) out.line("event = nothing;");
+    out.line("break;");
+}
+
+std::string MachineWriter::incoming(const ir::Transition& transition) const {
+    const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
+    if (use.spontaneous()) return use.type ? default_text(generation_, *use.type) : "";
+    return "inputs_." + generation_.component.events[use.ports.front()].input + ".value";
+}
+
+/// The transitions out of a leaf and of what is around it that an event (null: none) may take, in the order in which
+/// they are tried.
+std::vector<const ir::Transition*> MachineWriter::candidates(NodeId leaf, const EventPort* port) const {
+    std::vector<NodeId> chain = plan_.chain(leaf);
+    std::vector<std::vector<const ir::Transition*>> by_state;
+    for (const NodeId state : chain) {
+        std::vector<const ir::Transition*> own;
+        for (const ir::TransitionId way : plan_.node(state).outgoing) {
+            const ir::Transition& transition = plan_.machine().transitions[way.index];
+            if (urgent(transition) || (port != nullptr && asks_for(transition, *port))) own.push_back(&transition);
+        }
+        if (!own.empty()) by_state.push_back(std::move(own));
+    }
+    if (by_state.size() > 1 && generation_.mutation.hits(Fault::dispatch_outer_first, port, &plan_.node(leaf)))
+        std::reverse(by_state.begin(), by_state.end());
+    std::vector<const ir::Transition*> all;
+    for (const auto& own : by_state) all.insert(all.end(), own.begin(), own.end());
+    return all;
+}
+
+/// What has to hold for a transition in a case; "" if nothing.
+CppExpr MachineWriter::case_condition(const ir::Transition& transition, NodeId leaf) {
+    const std::string value = transition.trigger ? incoming(transition) : "";
+    const CppExpr wanted =
+        transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : CppExpr();
+    CppExpr holds = guard(transition, value);
+    if (!holds.empty() && generation_.mutation.hits(Fault::dispatch_guard_dropped, &plan_.node(leaf), &transition))
+        holds = {};
+    return conjunction(wanted, holds);
+}
+
+/// Where control is before it rests in a state: the beginning, or a junction without an open way.
+void MachineWriter::place_body(NodeId place, CodeWriter& out) {
+    out.comment("from " + generation_.place(plan_.node(place).origin));
+    if (place == plan_.machine().initial) {
+        if (generation_.mutation.hits(Fault::dispatch_not_begun, nullptr, &plan_.node(place)))
+            return out.line(rest_result());
+        begin_machine(out);
+    } else {
+        begin(place, out);
+    }
+    if (!plan_.passes(place))
+        out.line(fmt::format("if (f.at == {}) {}", control_.at(plan_.label(place)), rest_result()));
+    out.line("break;");
+}
+
+/// What a leaf does on an event; "" if nothing.
+std::string MachineWriter::case_body(NodeId leaf, const EventPort* port, std::size_t depth) {
+    CodeWriter out(depth);
+    if (!plan_.settles(leaf)) {
+        place_body(leaf, out);
+        return out.text();
+    }
+    const std::vector<const ir::Transition*> tried = candidates(leaf, port);
+    for (const ir::Transition* transition : tried) {
+        out.comment(generation_.place(transition->origin));
+        const CppExpr condition = case_condition(*transition, leaf);
+        if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition.whole()));
+        case_effect(*transition, port, out);
+        if (condition.empty()) return out.text();
+        if (transition != tried.back() &&
+            generation_.mutation.hits(Fault::dispatch_guard_ends, &plan_.node(leaf), transition)) {
+            out.reopen("} else {");
+            out.line(rest_result());
+        }
+        out.close();
+    }
+    if (!out.empty()) out.line(rest_result());
+    return out.text();
+}
+
+void MachineWriter::dispatch_function() {
+    std::vector<NodeId> rows;
+    for (const Enumerator& value : points().values)
+        for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index)
+            if (plan_.label(NodeId{index}) == value.name) rows.push_back(NodeId{index});
+    std::vector<const EventPort*> columns = input_events(generation_.component);
+    std::size_t leaves = 0;
+    bool quiet = false;
+    for (const NodeId row : rows) {
+        leaves += plan_.settles(row) ? 1U : 0U;
+        quiet = quiet || (plan_.settles(row) && goes_on(row));
+    }
+    // The row where the machine begins keeps its event.
+    const bool places = std::any_of(rows.begin(), rows.end(),
+                                    [&](NodeId row) { return !plan_.settles(row) && row != plan_.machine().initial; });
+    if (quiet || places) columns.push_back(nullptr);
+    const Strategy wanted = generation_.options.strategy;
+    const bool table = wanted == Strategy::table || (wanted == Strategy::automatic && leaves >= leaves_for_table);
+    const std::string type = event_type(generation_);
+    out_.open(fmt::format("robochart::StepResult dispatch({} event) noexcept {{", type));
+    out_.line(fmt::format("{}& f = state_;", frame_type()));
+    if (columns.back() == nullptr)
+        out_.line(
+            fmt::format("[[maybe_unused]] constexpr auto nothing = static_cast<{}>({});", type, columns.size() - 1));
+    if (table) {
+        dispatch_table(rows, columns);
+    } else {
+        dispatch_switch(rows, columns);
+    }
+    // Without these only the beginning, which comes once, is followed by another look.
+    if (columns.back() == nullptr) out_.line("if (!spend()) return robochart::StepResult::step_bound;");
+    out_.close();
+    out_.close();
+    begin_function(columns);
+    pass_function_of_time(columns);
+}
+
+/// The clocks start with the machine: a cycle before that does not count.
+void MachineWriter::begin_machine(CodeWriter& out) {
+    for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index)
+        if (unit_.clock_read[index] &&
+            !generation_.mutation.hits(Fault::dispatch_clock_early, &unit_, &unit_.clock_fields[index]))
+            out.line(fmt::format("f.{} = 0;", unit_.clock_fields[index]));
+    begin(plan_.machine().initial, out);
+}
+
+void MachineWriter::begin_function(const std::vector<const EventPort*>& columns) {
+    out_.gap();
+    out_.doc("What the machine does before the first event. It does nothing later.");
+    out_.open("robochart::StepResult begin() noexcept {");
+    if (columns.back() == nullptr) {
+        out_.line(fmt::format("return dispatch(static_cast<{}>({}));", event_type(generation_), columns.size() - 1));
+    } else {
+        out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
+        out_.open(fmt::format("if (f.at == {}) {{", control_.at(plan_.label(plan_.machine().initial))));
+        begin_machine(out_);
+        out_.close();
+        out_.line(rest_result());
+    }
+    out_.close();
+}
+
+/// A cycle without inputs: what needs no event, then time passes.
+void MachineWriter::pass_function_of_time(const std::vector<const EventPort*>& columns) {
+    out_.gap();
+    out_.doc("A cycle without inputs, once the machine has begun.");
+    out_.open("robochart::StepResult pass() noexcept {");
+    out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
+    if (columns.back() == nullptr && !generation_.mutation.hits(Fault::pass_not_quiet)) {
+        out_.line("const robochart::StepResult result = begin();");
+    } else {
+        out_.line(fmt::format("const robochart::StepResult result = {};", plan_.finals().empty()
+                                                                              ? "robochart::StepResult::quiescent"
+                                                                              : "this->result(finished(f))"));
+    }
+    if (timed() && !generation_.mutation.hits(Fault::pass_timeless)) {
+        out_.line("if (result == robochart::StepResult::quiescent) advance(f);");
+        if (!watches_.empty()) out_.line("if (late()) return robochart::StepResult::deadline;");
+    }
+    out_.line("return result;");
+    out_.close();
+}
+
+/// The event itself; Fault::dispatch_shifted: the one beside it, where that is another case.
+const EventPort* MachineWriter::taken_for(NodeId row, const EventPort& port,
+                                          const std::vector<const EventPort*>& columns) {
+    const auto place = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), &port) - columns.begin());
+    const EventPort* const beside = columns[(place + 1) % columns.size()];
+    const bool other =
+        generation_.mutation.seeded(Fault::dispatch_shifted) && case_body(row, &port, 7) != case_body(row, beside, 7);
+    return other && generation_.mutation.hits(Fault::dispatch_shifted) ? beside : &port;
+}
+
+void MachineWriter::dispatch_switch(const std::vector<NodeId>& rows, const std::vector<const EventPort*>& columns) {
+    const std::string type = event_type(generation_);
+    out_.open("for (;;) {");
+    out_.open("switch (f.at) {");
+    const NodeId initial = plan_.machine().initial;
+    for (const NodeId row : rows) {
+        if (row == initial) continue;
+        out_.line(fmt::format("case {}:", control_.at(plan_.label(row))));
+        if (!plan_.settles(row)) {
+            out_.raw(case_body(row, nullptr, 5));
+            continue;
+        }
+        const bool alone = goes_on(row);
+        out_.line("    switch (event) {");
+        for (const EventPort* port : columns) {
+            if (port == nullptr) continue;
+            const std::string body = case_body(row, taken_for(row, *port, columns), 7);
+            if (body.empty()) continue;
+            const bool asked = body != case_body(row, nullptr, 7);
+            if (!asked) continue;
+            out_.line(fmt::format("        case {}::{}:", type, port->input));
+            out_.raw(body);
+        }
+        out_.line("        default:");
+        if (alone) {
+            out_.raw(case_body(row, nullptr, 7));
+        } else {
+            out_.line("            " + rest_result());
+        }
+        out_.line("    }");
+        out_.line("    break;");
+    }
+    out_.line(fmt::format("ROBOCHART_UNLIKELY default:  // {}", control_.at(plan_.label(initial))));
+    out_.raw(case_body(initial, nullptr, 5));
+    out_.close();
+}
+
+void MachineWriter::dispatch_table(const std::vector<NodeId>& rows, const std::vector<const EventPort*>& columns) {
+    std::vector<std::string> bodies;
+    std::vector<std::string> lines;
+    for (const NodeId row : rows) {
+        std::vector<std::string> numbers;
+        for (const EventPort* port : columns) {
+            const EventPort* const taken = port == nullptr ? nullptr : taken_for(row, *port, columns);
+            const std::string body = case_body(row, taken, 5);
+            const auto known = std::find(bodies.begin(), bodies.end(), body);
+            const auto number = static_cast<std::size_t>(known - bodies.begin()) + 1;
+            if (!body.empty() && known == bodies.end()) bodies.push_back(body);
+            numbers.push_back(body.empty() ? "0" : fmt::format("{}", number));
+        }
+        lines.push_back(fmt::format("{{{}}},  // {}", fmt::join(numbers, ", "), plan_.label(row)));
+    }
+    std::vector<std::string> names;
+    for (const EventPort* port : columns) names.push_back(port == nullptr ? "nothing" : port->input);
+    out_.comment("What a place does on an event, by the number of the case below; 0: nothing.");
+    out_.comment(fmt::format("{}", fmt::join(names, ", ")));
+    out_.open(fmt::format("static constexpr {} cases[{}][{}] = {{",
+                          bodies.size() < 256 ? "std::uint8_t" : "std::uint16_t", rows.size(), columns.size()));
+    for (const std::string& line : lines) out_.line(line);
+    out_.close("};");
+    out_.open("for (;;) {");
+    out_.line("const auto chosen = cases[static_cast<std::size_t>(f.at)][static_cast<std::size_t>(event)];");
+    out_.line("if (chosen == 0) " + rest_result());
+    out_.open("switch (chosen) {");
+    for (std::size_t number = 0; number < bodies.size(); ++number) {
+        out_.line(fmt::format("case {}:", number + 1));
+        out_.raw(bodies[number]);
+    }
+    out_.line("default: " + rest_result());
+    out_.close();
+}
+
+}  // namespace robochart::cpp_emit

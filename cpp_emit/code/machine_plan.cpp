@@ -1,0 +1,143 @@
+#include "cpp_emit/code/machine_plan.hpp"
+
+#include <algorithm>
+
+#include "cpp_emit/code/suspension.hpp"
+#include "cpp_emit/plan/walk.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+using ir::NodeKind;
+
+MachinePlan::MachinePlan(const Generation& generation, const Unit& unit) : generation_(generation), unit_(unit) {
+    for (const auto& node : machine().nodes) labels_.push_back(places_.unique(node.path));
+    for (const auto& node : machine().nodes) {
+        const bool state = node.kind == NodeKind::state || node.kind == NodeKind::final;
+        enter_.push_back(state ? places_.unique("enter_" + node.path) : "");
+        exit_.push_back(node.kind == NodeKind::state ? places_.unique("exit_" + node.path) : "");
+    }
+    for (const auto& transition : machine().transitions) {
+        const NodeId parent = node(transition.source).parent;
+        const std::string scope = parent.valid() ? node(parent).path + "_" : "";
+        take_.push_back(places_.unique("take_" + scope + transition.name));
+    }
+    straight_exits_.assign(machine().nodes.size(), true);
+    for (std::uint32_t index = 0; index < machine().nodes.size(); ++index) {
+        straight_.push_back(enters_straight(NodeId{index}));
+        if (!waits(machine().nodes[index].exit)) continue;
+        for (const NodeId around : chain(NodeId{index})) straight_exits_[around.index] = false;
+    }
+}
+
+bool MachinePlan::waits(const ir::StmtPtr& program) const {
+    return suspends(generation_, unit_, program);
+}
+
+bool MachinePlan::chooses(NodeId id) const {
+    return !settles(id) && node(id).kind != NodeKind::state;
+}
+
+/// From junction to junction, back to this one.
+bool MachinePlan::in_loop(NodeId id) const {
+    std::vector<bool> seen(machine().nodes.size(), false);
+    std::vector<NodeId> open = {id};
+    while (!open.empty()) {
+        const NodeId at = open.back();
+        open.pop_back();
+        for (const ir::TransitionId way : node(at).outgoing) {
+            const NodeId next = machine().transitions[way.index].target;
+            if (next == id) return true;
+            if (!chooses(next) || seen[next.index]) continue;
+            seen[next.index] = true;
+            open.push_back(next);
+        }
+    }
+    return false;
+}
+
+bool MachinePlan::enters_straight(NodeId id) const {
+    if (node(id).kind == NodeKind::probabilistic) return false;
+    return chooses(id) ? !in_loop(id) : !waits(node(id).entry);
+}
+
+bool MachinePlan::passes(NodeId id) const {
+    if (node(id).kind != NodeKind::initial || node(id).outgoing.size() != 1) return false;
+    const ir::Transition& only = machine().transitions[node(id).outgoing.front().index];
+    return !only.guard && only.resets.empty();
+}
+
+bool MachinePlan::exits_below(NodeId id) const {
+    const auto& children = node(id).children;
+    return std::any_of(children.begin(), children.end(),
+                       [&](NodeId child) { return node(child).exit != nullptr || exits_below(child); });
+}
+
+std::vector<NodeId> MachinePlan::chain(NodeId id) const {
+    std::vector<NodeId> result;
+    for (NodeId at = id; at.valid(); at = node(at).parent) result.push_back(at);
+    return result;
+}
+
+std::vector<NodeId> MachinePlan::ancestors(NodeId id) const {
+    return chain(node(id).parent);
+}
+
+bool MachinePlan::notes_entry(NodeId id) const {
+    if (node(id).kind != NodeKind::state) return false;
+    const ir::ClockId clock = entry_clock(machine(), id);
+    return node(id).during != nullptr || watched(id) || (clock.valid() && unit_.clock_read[clock.index]);
+}
+
+bool MachinePlan::watched(NodeId id) const {
+    const auto& outgoing = node(id).outgoing;
+    return std::any_of(outgoing.begin(), outgoing.end(), [&](ir::TransitionId transition) {
+        return machine().transitions[transition.index].deadline != nullptr;
+    });
+}
+
+bool MachinePlan::needs_entry(NodeId id) const {
+    if (!settles(id)) return node(id).kind == NodeKind::state;
+    const std::vector<NodeId> around = chain(id);
+    const auto noted = [&](NodeId state) { return notes_entry(state); };
+    return node(id).entry != nullptr || std::any_of(around.begin(), around.end(), noted);
+}
+
+bool MachinePlan::shared_exit(NodeId id) const {
+    const ir::Node& state = node(id);
+    if (state.kind != NodeKind::state) return false;
+    const auto waits_while_left = [&](NodeId left) { return !node(left).outgoing.empty() && !straight_exits(left); };
+    const std::vector<NodeId> around = ancestors(id);
+    if (std::any_of(around.begin(), around.end(), waits_while_left)) return true;
+    return waits_while_left(id) && (state.composite() || state.outgoing.size() > 1);
+}
+
+bool MachinePlan::acts(const ir::Transition& transition) const {
+    const bool exits_here = waits(node(transition.source).exit) && !shared_exit(transition.source);
+    return waits(transition.action) || exits_here;
+}
+
+std::vector<NodeId> MachinePlan::leaves(NodeId id) const {
+    if (!node(id).composite()) return settles(id) ? std::vector<NodeId>{id} : std::vector<NodeId>{};
+    std::vector<NodeId> result;
+    for (const NodeId child : node(id).children) {
+        const std::vector<NodeId> below = leaves(child);
+        result.insert(result.end(), below.begin(), below.end());
+    }
+    return result;
+}
+
+bool MachinePlan::has_noted_leaving() const {
+    for (std::uint32_t index = 0; index < machine().nodes.size(); ++index)
+        if (notes_leaving(NodeId{index})) return true;
+    return false;
+}
+
+std::vector<NodeId> MachinePlan::finals() const {
+    std::vector<NodeId> result;
+    for (const NodeId id : machine().top)
+        if (node(id).kind == NodeKind::final) result.push_back(id);
+    return result;
+}
+
+}  // namespace robochart::cpp_emit

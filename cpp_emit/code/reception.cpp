@@ -1,0 +1,130 @@
+#include "cpp_emit/code/reception.hpp"
+
+#include <fmt/format.h>
+
+#include "cpp_emit/expressions/expression.hpp"
+#include "cpp_emit/code/fault_injection.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "semantics/evaluate/carrier.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+class Reception {
+public:
+    Reception(const Generation& generation, const Unit& unit, const ir::Communication& communication, CodeWriter& out,
+              const Condition& condition, const std::function<void()>& then)
+        : generation_(generation),
+          unit_(unit),
+          communication_(communication),
+          use_(generation.component.event(unit, communication.event)),
+          out_(out),
+          condition_(condition),
+          then_(then) {}
+
+    bool write() {
+        for (const std::size_t port : use_.ports) from_port(generation_.component.events[port]);
+        for (const std::size_t buffer : use_.emptied) from_buffer(generation_.component.buffers[buffer]);
+        for (const Peer& peer : use_.peers) {
+            const EventUse* const sender = generation_.component.event(peer);
+            if (sender != nullptr && sender->sent) from_peer(*sender);
+        }
+        return use_.spontaneous() && by_itself();
+    }
+
+private:
+    [[nodiscard]] CppExpr condition(const std::string& incoming) const {
+        return conjunction(predicate(generation_, unit_, communication_, incoming), condition_(incoming));
+    }
+
+    /// The event is there, and its value is what is asked for.
+    [[nodiscard]] std::string wanted(const std::string& there, const std::string& incoming) const {
+        return conjunction(CppExpr(there), condition(incoming)).whole();
+    }
+
+    [[nodiscard]] std::string stores(const std::string& incoming) const {
+        return received(generation_, unit_, communication_, incoming);
+    }
+
+    void take(const std::string& consume, const std::string& stored) {
+        if (!consume.empty()) out_.line(consume);
+        if (!stored.empty()) out_.line(stored);
+        then_();
+    }
+
+    void from_port(const EventPort& own) {
+        const EventPort& port = received_port(generation_, own);
+        const std::string input = "inputs_." + port.input;
+        out_.open(fmt::format("if ({}) {{", wanted(input + ".present", input + ".value")));
+        take(consume(generation_, port), stores(input + ".value"));
+        out_.close();
+    }
+
+    /// The reader empties the buffer (semantics 3.9); Fault::buffer_kept leaves its content.
+    void from_buffer(const Buffer& buffer) {
+        const std::string place = "state_." + buffer.field;
+        out_.open(fmt::format("if ({}) {{", wanted(place + ".full()", place + ".value")));
+        const std::string stored = stores("incoming");
+        if (!stored.empty())
+            out_.line(fmt::format("const {} incoming = {}.value;", cpp_type(generation_.system, *use_.type), place));
+        take(generation_.mutation.hits(Fault::buffer_kept) ? "" : place + " = {};", stored);
+        out_.close();
+    }
+
+    /// Rendezvous: the sender waits at one of its sites, the receiver moves it on.
+    void from_peer(const EventUse& sender) {
+        const std::string& channel = heard(generation_, sender).channel;
+        out_.open(fmt::format("for (std::uint32_t site = 0; site != sites_{}; ++site) {{", channel));
+        if (use_.type) out_.line(fmt::format("{} incoming{{}};", cpp_type(generation_.system, *use_.type)));
+        const CppExpr guard = condition("incoming");
+        out_.line(fmt::format("if (!offers_{}(site{}){}) continue;", channel, use_.type ? ", incoming" : "",
+                              guard.empty() ? "" : " || !(" + guard.whole() + ")"));
+        take(fmt::format("accept_{}(site);", channel), stores("incoming"));
+        out_.close();
+    }
+
+    /// Connected to nothing: it happens on its own as soon as it can, with some value (semantics 3.9).
+    bool by_itself() {
+        const CppExpr guard = condition("");
+        if (!guard.empty()) out_.open(fmt::format("if ({}) {{", guard.whole()));
+        const std::string value = use_.type ? default_text(generation_, *use_.type) : "";
+        take("", stores(value));
+        if (!guard.empty()) out_.close();
+        return guard.empty();
+    }
+
+    const Generation& generation_;
+    const Unit& unit_;
+    const ir::Communication& communication_;
+    const EventUse& use_;
+    CodeWriter& out_;
+    const Condition& condition_;
+    const std::function<void()>& then_;
+};
+
+}  // namespace
+
+std::string default_text(const Generation& generation, ir::TypeId type) {
+    return cpp_value(generation.system, generation.inst, type,
+                     ir::default_value(generation.system, generation.inst, type));
+}
+
+bool receive(const Generation& generation, const Unit& unit, const ir::Communication& communication, CodeWriter& out,
+             const Condition& condition, const std::function<void()>& then) {
+    return Reception(generation, unit, communication, out, condition, then).write();
+}
+
+CppExpr predicate(const Generation& generation, const Unit& unit, const ir::Communication& communication,
+                  const std::string& incoming) {
+    if (!communication.predicate || generation.mutation.hits(Fault::predicate_dropped)) return {};
+    ExpressionWriter expressions(generation, unit);
+    expressions.set_incoming(incoming);
+    return expressions.expression_asked(*communication.predicate).enclosed();
+}
+
+bool from_register(const EventUse& use) {
+    return use.ports.size() == 1 && use.peers.empty() && use.emptied.empty();
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,428 @@
+#include "cpp_emit/code/resumable_code.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/expressions/expression.hpp"
+#include "cpp_emit/code/fault_injection.hpp"
+#include "cpp_emit/code/machine_plan.hpp"
+#include "cpp_emit/code/reception.hpp"
+#include "cpp_emit/code/suspension.hpp"
+#include "cpp_emit/plan/types.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::CommKind;
+using ir::StmtKind;
+
+ProgramWriter::ProgramWriter(const Generation& generation, const Unit& unit, Thread& thread, ir::NodeId state)
+    : generation_(generation), unit_(unit), thread_(thread), state_(state) {}
+
+CodeWriter& ProgramWriter::code() {
+    return thread_.places.back().code;
+}
+
+void ProgramWriter::begin(const std::string& label, const diagnostics::ForeignText& comment) {
+    thread_.places.push_back({label, comment, state_, CodeWriter(5)});
+}
+
+void ProgramWriter::jump(const std::string& label) {
+    code().line(thread_.go(label));
+    code().line("break;");
+}
+
+void ProgramWriter::line(const std::string& text) {
+    if (!text.empty()) code().line(text);
+}
+
+void ProgramWriter::resume_at(const std::string& label, const diagnostics::ForeignText& comment) {
+    jump(label);
+    begin(label, comment);
+}
+
+/// A place to come back to: the current one if nothing is written there yet.
+std::string ProgramWriter::resume_here(const std::string& stem, const diagnostics::ForeignText& comment) {
+    if (code().empty()) return thread_.places.back().label;
+    std::string label = fresh(stem);
+    resume_at(label, comment);
+    return label;
+}
+
+std::string ProgramWriter::fresh(const std::string& stem) {
+    if (generation_.mutation.hits(Fault::name_collision)) return thread_.places.back().label;
+    return thread_.labels->numbered(stem);
+}
+
+/// `pre & statement` (semantics 3.5): where a precondition does not hold nothing more happens in this thread.
+void ProgramWriter::ask(const ir::Stmt& stmt) {
+    const ExpressionWriter expressions(generation_, unit_);
+    CppExpr conditions;
+    for (const ir::Expr* expr : evaluated_first(stmt)) conditions = conjunction(conditions, expressions.asked(*expr));
+    if (conditions.empty()) return;
+    const std::string stays = thread_.go(stuck_place());
+    code().open(fmt::format("if (!({})) {{", conditions.whole()));
+    code().line(stays);
+    code().line("break;");
+    code().close();
+}
+
+/// Where the thread stays that has met a false precondition, in front of the place that is being written.
+const std::string& ProgramWriter::stuck_place() {
+    const auto found = thread_.stuck.find(state_.index);
+    if (found != thread_.stuck.end()) return found->second;
+    const std::string& label = thread_.stuck[state_.index] = thread_.labels->numbered("stuck");
+    CodeWriter stays(5);
+    stays.line("return moved;");
+    thread_.places.insert(thread_.places.end() - 1, {label, "outside the precondition of a function", state_, stays});
+    return label;
+}
+
+void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) {
+    if (!stmt) return;
+    ask(*stmt);
+    switch (stmt->kind) {
+        case StmtKind::sequence:
+            return sequence(stmt->body, stem);
+        case StmtKind::if_then_else:
+            return if_statement(*stmt, stem);
+        case StmtKind::assign:
+            return assign(*stmt);
+        case StmtKind::communicate:
+            return communicate(*stmt, stem);
+        case StmtKind::call:
+            return call(*stmt, stem);
+        case StmtKind::wait:
+        case StmtKind::wait_interval:
+            return wait(*stmt, stem);
+        case StmtKind::clock_reset:
+            return line(clock_reset(generation_, unit_, stmt->clock));
+        case StmtKind::deadline:
+            return deadline(*stmt, stem);
+        case StmtKind::skip:
+            return;
+    }
+}
+
+void ProgramWriter::sequence(std::vector<ir::StmtPtr> parts, const std::string& stem) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const bool exchanged = i + 1 < parts.size() && generation_.mutation.hits(Fault::statements_exchanged);
+        if (exchanged) std::swap(parts[i], parts[i + 1]);
+        statement(parts[i], stem);
+    }
+}
+
+/// What runs where the condition holds, and where not.
+ProgramWriter::Branches ProgramWriter::branches(const ir::Stmt& stmt) {
+    Branches result{stmt.body[0], stmt.body.size() > 1 ? stmt.body[1] : nullptr};
+    if (generation_.mutation.hits(Fault::branches_exchanged)) std::swap(result.then, result.otherwise);
+    return result;
+}
+
+void ProgramWriter::if_statement(const ir::Stmt& stmt, const std::string& stem) {
+    if (suspends(generation_, unit_, stmt.body[0]) ||
+        (stmt.body.size() > 1 && suspends(generation_, unit_, stmt.body[1])))
+        return suspending_if(stmt, stem);
+    const ExpressionWriter expressions(generation_, unit_);
+    const Branches parts = branches(stmt);
+    code().open(fmt::format("if ({}) {{", expressions.write(*stmt.condition)));
+    statement(parts.then, stem);
+    if (parts.otherwise && parts.otherwise->kind != StmtKind::skip) {
+        code().reopen("} else {");
+        statement(parts.otherwise, stem);
+    }
+    code().close();
+}
+
+void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem) {
+    const ExpressionWriter expressions(generation_, unit_);
+    const std::string then_label = fresh(stem);
+    const std::string else_label = fresh(stem);
+    const std::string end_label = fresh(stem);
+    code().line(fmt::format("{} = {} ? {} : {};", thread_.variable, expressions.operand(*stmt.condition),
+                            thread_.at(then_label), thread_.at(else_label)));
+    code().line("break;");
+    const Branches parts = branches(stmt);
+    begin(then_label, "then");
+    statement(parts.then, stem);
+    jump(end_label);
+    begin(else_label, "else");
+    statement(parts.otherwise, stem);
+    resume_at(end_label, "end if");
+}
+
+/// Before what others see of the machine.
+void ProgramWriter::look_at_deadlines() {
+    if (!guards_deadlines(*unit_.machine)) return;
+    code().line(fmt::format("watch({});", frame_arguments(generation_.component, unit_)));
+}
+
+void ProgramWriter::assign(const ir::Stmt& stmt) {
+    if (generation_.mutation.hits(Fault::assignment_dropped)) return;
+    const ir::Variable& variable = unit_.machine->variables[stmt.variable.index];
+    if (variable.scope == ir::VariableScope::required) look_at_deadlines();
+    const ExpressionWriter expressions(generation_, unit_);
+    const ir::TypeId type = variable.type;
+    if (!stmt.path.empty()) return assign_part(stmt, type);
+    line(store(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
+}
+
+/// A part of a variable: the value is changed in a copy and stored as a whole, as the semantics does.
+void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
+    const ExpressionWriter expressions(generation_, unit_);
+    const std::string place = expressions.variable(stmt.variable);
+    if (place.empty()) return;
+    code().open("{");
+    std::string part = "changed";
+    code().line(fmt::format("auto changed = {};", place));
+    ir::TypeId type = whole;
+    bool in_row = false;  // the first place in a matrix leads to a row
+    std::vector<std::string> back;
+    for (std::size_t step = 0; step < stmt.path.size(); ++step) {
+        const ir::Type& outer = generation_.system.type(type);
+        if (is_struct(outer)) {
+            const std::int64_t number = stmt.path[step]->number;
+            const std::int64_t first = outer.kind == ir::TypeKind::product ? 1 : 0;
+            part += "." + member_name(outer, number);
+            type = outer.args.at(static_cast<std::size_t>(number - first));
+            continue;
+        }
+        const std::string index = fmt::format("place_{}", step);
+        code().line(fmt::format("const std::int64_t {} = {};", index, expressions.place(*stmt.path[step])));
+        code().line(fmt::format("auto item_{} = {}.at({});", step, part, index));
+        back.push_back(fmt::format("{}.put({}, item_{});", part, index, step));
+        part = fmt::format("item_{}", step);
+        in_row = outer.kind == ir::TypeKind::matrix && !in_row;
+        if (!in_row) type = outer.args.at(0);
+    }
+    if (!generation_.mutation.hits(Fault::part_not_assigned))
+        code().line(fmt::format("{} = {};", part, expressions.write_as(*stmt.value, type)));
+    for (auto change = back.rbegin(); change != back.rend(); ++change) code().line(*change);
+    line(store(generation_, unit_, stmt.variable, "changed"));
+    code().close();
+}
+
+void ProgramWriter::communicate(const ir::Stmt& stmt, const std::string& stem) {
+    look_at_deadlines();
+    if (stmt.communication.kind == CommKind::input) {
+        await_input(stmt, stem);
+    } else {
+        send(stmt, stem);
+    }
+}
+
+void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
+    const ir::Communication& communication = stmt.communication;
+    const EventUse& use = generation_.component.event(unit_, communication.event);
+    if (!from_register(use)) {
+        return await_any(stmt, use, stem);
+    }
+    const EventPort& port = received_port(generation_, generation_.component.events[use.ports.front()]);
+    const std::string value = "inputs_." + port.input + ".value";
+    const bool unawaited =
+        generation_.mutation.hits(Fault::input_not_awaited) || generation_.mutation.hits(Fault::loop_never_ends);
+    if (!unawaited) {
+        resume_at(fresh(stem), fmt::format("waits for {}", use.name));
+        const CppExpr there("inputs_." + port.input + ".present");
+        const CppExpr wanted = conjunction(there, predicate(generation_, unit_, communication, value));
+        code().open(fmt::format("if (!({})) {{", wanted.whole()));
+        code().line("return moved;");
+        code().close();
+    }
+    line(consume(generation_, port));
+    line(received(generation_, unit_, communication, value));
+}
+
+/// Several sources, or another machine: a function of its own tries them.
+void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const std::string& stem) {
+    const std::string at = fresh(stem);
+    const std::string next = fresh(stem);
+    const std::string name = "await_" + thread_.prefix + at;
+    resume_at(at, fmt::format("waits for {}", use.name));
+    code().open(fmt::format("if (!{}({})) {{", name, frame_arguments(generation_.component, unit_)));
+    code().line("return moved;");
+    code().close();
+    code().line("break;");
+    begin(next, fmt::format("has {}", use.name));
+    CodeWriter& helper = thread_.helpers;
+    helper.gap();
+    helper.doc(fmt::format("Takes {} if it is there.", use.name));
+    helper.open(fmt::format("bool {}({}) noexcept {{", name, frame_parameters(generation_.component, unit_)));
+    const bool always = receive(
+        generation_, unit_, stmt.communication, helper, [](const std::string&) { return CppExpr(); },
+        [&] {
+            helper.line(thread_.go(next));
+            helper.line("return true;");
+        });
+    if (!always) helper.line("return false;");
+    helper.close();
+}
+
+void ProgramWriter::send(const ir::Stmt& stmt, const std::string& stem) {
+    if (generation_.mutation.hits(Fault::send_dropped)) return;
+    const EventUse& use = generation_.component.event(unit_, stmt.communication.event);
+    const ExpressionWriter expressions(generation_, unit_);
+    const ir::ExprPtr& expr = stmt.communication.value;
+    const std::string value = expr ? expressions.write_as(*expr, *use.type) : "";
+    if (!use.filled.empty()) return fill_buffers(use, value);
+    if (!use.ports.empty()) return send_out(use, value);
+    if (use.peers.empty()) return code().comment(fmt::format("{} is connected to nothing", use.name));
+    const std::string at = resume_here(stem, fmt::format("sends {}", use.name));
+    offer(use, value, at, fresh(stem));
+}
+
+/// The writer never waits and the newest value wins (semantics 3.9).
+void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) {
+    for (const std::size_t index : use.filled) {
+        const std::string place = "state_." + generation_.component.buffers[index].field;
+        const bool keeps = generation_.mutation.hits(Fault::buffer_first);
+        code().line(fmt::format("{}{}.fill({});", keeps ? fmt::format("if (!{}.full()) ", place) : "", place, value));
+    }
+}
+
+/// Outputs are made at once and in order (docs/conformance.md, A2). Of the platform and machines that could take it the
+/// platform does, which is always ready.
+void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
+    const EventPort& port = sent_port(generation_, generation_.component.events[use.ports.front()]);
+    made(fmt::format("platform_.{}({});", port.output, value));
+}
+
+void ProgramWriter::made(const std::string& output) {
+    code().line(output);
+    if (generation_.mutation.hits(Fault::output_repeated)) code().line(output);
+}
+
+/// The machine that takes it moves this thread on.
+void ProgramWriter::offer(const EventUse& use, const std::string& value, const std::string& at,
+                          const std::string& next) {
+    thread_.sites.push_back({use.channel, thread_.variable, thread_.at(at), thread_.at(next), value});
+    if (generation_.mutation.hits(Fault::send_not_awaited)) {
+        jump(next);
+    } else {
+        code().line("return moved;");
+    }
+    begin(next, fmt::format("has sent {}", use.name));
+}
+
+std::vector<std::string> ProgramWriter::arguments(const ir::Stmt& stmt) {
+    const ExpressionWriter expressions(generation_, unit_);
+    const auto& parameters = unit_.machine->operations[stmt.operation.index].parameters;
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < stmt.args.size(); ++i)
+        texts.push_back(expressions.write_as(*stmt.args[i], parameters[i]));
+    const bool swappable = texts.size() >= 2 && parameters[0] == parameters[1];
+    if (swappable && generation_.mutation.hits(Fault::argument_swapped)) std::swap(texts[0], texts[1]);
+    return texts;
+}
+
+void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
+    if (generation_.mutation.hits(Fault::call_dropped)) return;
+    const std::vector<std::string> texts = arguments(stmt);
+    if (unit_.definitions[stmt.operation.index].valid()) {
+        call_operation(stmt, texts, stem);
+    } else {
+        call_platform(stmt, texts);
+    }
+}
+
+void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts) {
+    look_at_deadlines();
+    const PlatformCall& call = called(generation_, generation_.component.call(unit_, stmt.operation));
+    made(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
+}
+
+CallFrame& ProgramWriter::call_frame(const Unit& operation) {
+    for (auto& frame : thread_.calls)
+        if (frame.operation == operation.number) return frame;
+    const std::string& name = operation.machine->name;
+    thread_.calls.push_back({thread_.fields->unique(thread_.prefix + name), operation.number, {}});
+    return thread_.calls.back();
+}
+
+void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::string>& texts,
+                                   const std::string& stem) {
+    const Unit& operation = generation_.component.callee(unit_, stmt.operation);
+    CallFrame& frame = call_frame(operation);
+    const std::string place = "f." + frame.field;
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        if (!generation_.mutation.hits(Fault::argument_dropped))
+            code().line(fmt::format("{}.{} = {};", place, operation.variable_fields[i], texts[i]));
+    require_preconditions(operation, place);
+    offer_to_platform(operation, place);
+    if (!operation.machine->initial.valid()) {
+        code().line(place + " = {};");
+        return;
+    }
+    const std::string label = fresh(stem);
+    frame.live.push_back(label);
+    resume_at(label, fmt::format("operation {}", operation.machine->name));
+    const std::string run =
+        fmt::format("run({}, moved)", frame_arguments(generation_.component, operation, unit_, place));
+    if (generation_.mutation.hits(Fault::operation_not_awaited)) {
+        code().line(fmt::format("static_cast<void>({});", run));
+    } else {
+        code().open(fmt::format("if (!{}) {{", run));
+        code().line("return moved;");
+        code().close();
+    }
+    if (!generation_.mutation.hits(Fault::operation_kept)) code().line(place + " = {};");
+}
+
+/// A violated precondition of an operation is reported.
+void ProgramWriter::require_preconditions(const Unit& operation, const std::string& frame) {
+    const ExpressionWriter expressions(generation_, operation, unit_, frame);
+    for (const auto& condition : operation.machine->preconditions) {
+        const CppExpr holds = expressions.expression_asked(*condition);
+        const bool negated = generation_.mutation.hits(Fault::precondition_negated);
+        code().line(fmt::format("ROBOCHART_PRECONDITION({});", (negated ? negation(holds) : holds).whole()));
+    }
+}
+
+/// The platform may do an operation itself; then the model's definition counts as finished.
+void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& frame) {
+    const std::size_t parameters = generation_.component.modelled_call(operation.id).signature->parameters.size();
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < parameters; ++i) texts.push_back(frame + "." + operation.variable_fields[i]);
+    const std::string offer = fmt::format("platform_.{}({})", generation_.component.modelled_call(operation.id).method,
+                                          fmt::join(texts, ", "));
+    const auto& machine = *operation.machine;
+    const auto final = std::find_if(machine.top.begin(), machine.top.end(),
+                                    [&](ir::NodeId id) { return machine.nodes[id.index].kind == ir::NodeKind::final; });
+    if (!machine.initial.valid()) {
+        code().line(fmt::format("static_cast<void>({});", offer));
+    } else if (final != machine.top.end()) {
+        const MachinePlan plan(generation_, operation);
+        code().line(fmt::format("if ({}) {}.at = {}::{};", offer, frame, operation.points, plan.label(*final)));
+    }
+}
+
+/// `S <{d}` (semantics 3.10): where S may have to wait, a counter tells when it has waited too long.
+void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
+    if (!suspends(generation_, unit_, stmt.body[0])) return statement(stmt.body[0], stem);
+    const std::string field = thread_.fields->unique(fmt::format("deadline_{}{}", thread_.prefix, stmt.point));
+    thread_.deadlines.push_back(field);
+    line(watch_from(generation_, unit_, field, *stmt.value, stmt.value.get()));
+    statement(stmt.body[0], stem);
+    if (!generation_.mutation.hits(Fault::deadline_kept)) code().line(fmt::format("f.{} = 0;", field));
+}
+
+void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {
+    if (generation_.mutation.hits(Fault::wait_dropped) || generation_.mutation.hits(Fault::loop_never_ends)) return;
+    const ExpressionWriter expressions(generation_, unit_);
+    std::string length = fmt::format("duration({})", expressions.write(*stmt.value));
+    if (generation_.options.choices && stmt.kind == StmtKind::wait_interval && stmt.upper)
+        length =
+            fmt::format("robochart::pick_between(platform_, {}, duration({}))", length, expressions.write(*stmt.upper));
+    const bool late = generation_.mutation.hits(Fault::wait_late);
+    code().line(fmt::format("{} = {}{};", thread_.wait, length, late ? " + 1" : ""));
+    if (generation_.mutation.hits(Fault::wait_early)) code().line(fmt::format("advance_wait({}, 1);", thread_.wait));
+    thread_.waits = true;
+    resume_at(fresh(stem), "waits");
+    code().open(fmt::format("if ({} > 0) {{", thread_.wait));
+    code().line("return moved;");
+    code().close();
+}
+
+}  // namespace robochart::cpp_emit

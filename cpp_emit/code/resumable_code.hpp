@@ -1,0 +1,117 @@
+// Resumable programs as the cases of one switch: each case runs to the next place where the program may have to
+// wait (for time, for an input, for an operation), stores where it is and gives up control (codegen.md 6.3, A1).
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cpp_emit/expressions/code_writer.hpp"
+#include "cpp_emit/expressions/generation.hpp"
+#include "cpp_emit/plan/names.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::cpp_emit {
+
+/// A place in a program.
+struct Place {
+    std::string label;
+    diagnostics::ForeignText comment;
+    ir::NodeId state;  ///< that the machine shows to be in meanwhile
+    CodeWriter code{5};
+};
+
+/// State of an operation called by a thread, a member of the caller's frame.
+struct CallFrame {
+    std::string field;
+    std::size_t operation = 0;      ///< Unit::number
+    std::vector<std::string> live;  ///< labels of the thread at which the operation runs
+};
+
+/// A place where a thread waits until another machine takes what it sends.
+struct SendSite {
+    std::string channel;
+    std::string thread;  ///< "f.at"
+    std::string at;      ///< "At::S1_1"
+    std::string next;    ///< "At::S1_2"
+    std::string value;   ///< "" if the event carries none
+};
+
+/// One line of control of a machine: its transitions and entries, or a state's during action.
+struct Thread {
+    std::string variable;     ///< where its place is stored: "f.at"
+    std::string enumeration;  ///< "At"
+    std::string wait;         ///< its wait counter: "f.wait"
+    std::string prefix;       ///< of its operations' frames
+    NameScope* labels = nullptr;
+    NameScope* fields = nullptr;  ///< of the frame, for frames of operations
+    std::vector<Place> places;    ///< in textual order
+    std::vector<CallFrame> calls;
+    std::vector<SendSite> sites;
+    std::vector<std::string> deadlines;  ///< members of the frame: time left plus one, 0 when none runs
+    CodeWriter helpers{1};               ///< functions that its places call
+    std::map<std::uint32_t, std::string> stuck;  ///< by the state shown: where a false precondition leads
+    bool waits = false;
+
+    [[nodiscard]] std::string at(const std::string& label) const { return enumeration + "::" + label; }
+    [[nodiscard]] std::string go(const std::string& label) const { return variable + " = " + at(label) + ";"; }
+};
+
+/// Writes programs into a thread's places.
+class ProgramWriter {
+public:
+    /// `state` is the one that the machine shows to be in while the program runs.
+    ProgramWriter(const Generation&, const Unit&, Thread&, ir::NodeId state);
+
+    /// Starts a place; what follows is written there until the next `begin`.
+    void begin(const std::string& label, const diagnostics::ForeignText& comment);
+    /// Ends the current place: control goes on at another.
+    void jump(const std::string& label);
+    /// Ends the current place in a way written by the caller.
+    [[nodiscard]] CodeWriter& code();
+    /// A statement; places in the middle of it are called `stem`_1, `stem`_2, ...
+    void statement(const ir::StmtPtr&, const std::string& stem);
+    /// A line of the current place; nothing for "".
+    void line(const std::string&);
+
+private:
+    void resume_at(const std::string& label, const diagnostics::ForeignText& comment);
+    [[nodiscard]] std::string resume_here(const std::string& stem, const diagnostics::ForeignText& comment);
+    [[nodiscard]] std::string fresh(const std::string& stem);
+    void ask(const ir::Stmt&);
+    [[nodiscard]] const std::string& stuck_place();
+    void sequence(std::vector<ir::StmtPtr> parts, const std::string& stem);
+    struct Branches {
+        ir::StmtPtr then, otherwise;
+    };
+    [[nodiscard]] Branches branches(const ir::Stmt&);
+    void if_statement(const ir::Stmt&, const std::string& stem);
+    void suspending_if(const ir::Stmt&, const std::string& stem);
+    void look_at_deadlines();
+    void assign(const ir::Stmt&);
+    void assign_part(const ir::Stmt&, ir::TypeId whole);
+    void communicate(const ir::Stmt&, const std::string& stem);
+    void await_input(const ir::Stmt&, const std::string& stem);
+    void await_any(const ir::Stmt&, const EventUse&, const std::string& stem);
+    void send(const ir::Stmt&, const std::string& stem);
+    void fill_buffers(const EventUse&, const std::string& value);
+    void send_out(const EventUse&, const std::string& value);
+    void made(const std::string& output);
+    void offer(const EventUse&, const std::string& value, const std::string& at, const std::string& next);
+    void call(const ir::Stmt&, const std::string& stem);
+    void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments);
+    void call_operation(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
+    void offer_to_platform(const Unit& operation, const std::string& frame);
+    void require_preconditions(const Unit& operation, const std::string& frame);
+    [[nodiscard]] std::vector<std::string> arguments(const ir::Stmt&);
+    void wait(const ir::Stmt&, const std::string& stem);
+    void deadline(const ir::Stmt&, const std::string& stem);
+    CallFrame& call_frame(const Unit& operation);
+
+    const Generation& generation_;
+    const Unit& unit_;
+    Thread& thread_;
+    ir::NodeId state_;
+};
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,65 @@
+// Statements by structural recursion; what waits is decided by where an event comes from or goes to (semantics 3.9).
+#include "cpp_emit/code/suspension.hpp"
+
+#include <algorithm>
+
+#include "semantics/evaluate/preconditions.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::CommKind;
+using ir::StmtKind;
+
+bool guards_deadlines(const ir::Machine& machine) {
+    return std::any_of(machine.transitions.begin(), machine.transitions.end(), [&](const ir::Transition& transition) {
+        const bool leaves_state = machine.nodes[transition.source.index].kind == ir::NodeKind::state;
+        return transition.deadline && transition.guard && leaves_state;
+    });
+}
+
+std::vector<const ir::Expr*> evaluated_first(const ir::Stmt& stmt) {
+    std::vector<const ir::Expr*> result;
+    if (stmt.kind == StmtKind::communicate && stmt.communication.kind == CommKind::input) return result;
+    for (const auto* expr : {&stmt.condition, &stmt.value, &stmt.upper, &stmt.communication.value})
+        if (*expr) result.push_back(expr->get());
+    for (const auto* list : {&stmt.args, &stmt.path})
+        for (const auto& expr : *list) result.push_back(expr.get());
+    return result;
+}
+
+namespace {
+
+/// Whether the statement waits for ever where a function is called outside its precondition.
+bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
+    const auto expressions = evaluated_first(stmt);
+    return std::any_of(expressions.begin(), expressions.end(), [&](const ir::Expr* expr) {
+        return ir::preconditions_can_fail(generation.system, generation.inst, unit.constants, *expr);
+    });
+}
+
+}  // namespace
+
+bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr& stmt) {
+    if (!stmt) return false;
+    if (may_be_stuck(generation, unit, *stmt)) return true;
+    switch (stmt->kind) {
+        case StmtKind::wait:
+        case StmtKind::wait_interval:
+            return true;
+        case StmtKind::communicate:
+            return stmt->communication.kind == CommKind::input ||
+                   waits_to_send(generation.component.event(unit, stmt->communication.event));
+        case StmtKind::call:
+            return unit.definitions[stmt->operation.index].valid();
+        default:
+            return std::any_of(stmt->body.begin(), stmt->body.end(),
+                               [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
+    }
+}
+
+/// Another machine has to take it; the platform always does.
+bool waits_to_send(const EventUse& use) {
+    return use.filled.empty() && use.ports.empty() && !use.peers.empty();
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,25 @@
+// Where a program may have to wait, so that its code must be able to stop there and go on later (codegen.md 6.3, A1).
+#pragma once
+
+#include <vector>
+
+#include "cpp_emit/expressions/generation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::cpp_emit {
+
+/// Whether running the statement can stop half-way: waits, inputs, outputs, calls of defined operations, and functions
+/// outside their preconditions.
+[[nodiscard]] bool suspends(const Generation&, const Unit&, const ir::StmtPtr&);
+
+/// Whether a transition of the machine has a deadline that counts only while its guard holds (semantics 3.10).
+[[nodiscard]] bool guards_deadlines(const ir::Machine&);
+
+/// Sending the event may have to wait, for another machine.
+[[nodiscard]] bool waits_to_send(const EventUse&);
+
+/// What the statement evaluates before it does anything, in the order in which the semantics asks for preconditions. An
+/// input asks with its value, which is not there yet.
+[[nodiscard]] std::vector<const ir::Expr*> evaluated_first(const ir::Stmt&);
+
+}  // namespace robochart::cpp_emit

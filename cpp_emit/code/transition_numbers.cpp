@@ -1,0 +1,23 @@
+// See transition_numbers.hpp.
+#include "cpp_emit/code/transition_numbers.hpp"
+
+namespace robochart::cpp_emit {
+
+std::uint32_t transition_number(const Unit& unit, ir::TransitionId id) {
+    return static_cast<std::uint32_t>(unit.first_transition + id.index);
+}
+
+std::vector<TransitionName> transition_names(const Generation& generation) {
+    std::vector<TransitionName> names;
+    for (const Unit& unit : generation.component.units) {
+        if (unit.first_transition < names.size()) continue;  // has those of a unit before
+        const std::string& part = generation.component.part(unit).name;
+        for (const ir::Transition& transition : unit.machine->transitions) {
+            const ir::Origin& origin = transition.origin;
+            names.push_back({(part.empty() ? "" : part + ": ") + origin.element, generation.line(origin.span)});
+        }
+    }
+    return names;
+}
+
+}  // namespace robochart::cpp_emit

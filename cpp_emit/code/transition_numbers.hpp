@@ -1,0 +1,22 @@
+// The transitions of a component by number: those of all its machines and operations, in the order of
+// Component::units; units that are one operation of the model have its numbers. The trace hook tells them by these.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cpp_emit/expressions/generation.hpp"
+
+namespace robochart::cpp_emit {
+
+struct TransitionName {
+    std::string element;             ///< "Door::t1"; of several machines "stm0: Door::t1"
+    diagnostics::ForeignText place;  ///< "door.rct:18", "" if unknown
+};
+
+[[nodiscard]] std::uint32_t transition_number(const Unit&, ir::TransitionId);
+/// By number.
+[[nodiscard]] std::vector<TransitionName> transition_names(const Generation&);
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,90 @@
+#include "cpp_emit/expressions/code_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+constexpr std::size_t indent_width = 4;
+constexpr std::size_t line_width = 120;
+
+}  // namespace
+
+namespace {
+
+/// The last defence: names are made identifiers and foreign text literals before.
+void require_code(std::string_view text) {
+    const bool printable = std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F; });
+    if (!printable) throw std::logic_error("a line of generated code holds foreign text: " + diagnostics::shown(text));
+}
+
+}  // namespace
+
+void CodeWriter::line_with_doc(std::string_view text, const diagnostics::ForeignText& behind) {
+    require_code(text);
+    put(fmt::format("{}  ///< {}", text, diagnostics::comment_text(behind)));
+}
+
+void CodeWriter::line(std::string_view text) {
+    require_code(text);
+    put(text);
+}
+
+void CodeWriter::put(std::string_view text) {
+    if (!text.empty()) {
+        text_.append(depth_ * indent_width, ' ');
+        text_ += text;
+    }
+    text_ += '\n';
+    fresh_ = false;
+}
+
+void CodeWriter::open(std::string_view text) {
+    line(text);
+    ++depth_;
+    fresh_ = true;
+}
+
+void CodeWriter::close(std::string_view text) {
+    if (depth_ > 0) --depth_;
+    line(text);
+}
+
+void CodeWriter::reopen(std::string_view text) {
+    close(text);
+    ++depth_;
+    fresh_ = true;
+}
+
+void CodeWriter::label(std::string_view text) {
+    close(text);
+    ++depth_;
+    fresh_ = true;
+}
+
+void CodeWriter::gap() {
+    if (fresh_ || text_.ends_with("\n\n")) return;
+    line();
+}
+
+void CodeWriter::raw(std::string_view lines) {
+    text_ += lines;
+    fresh_ = false;
+}
+
+void CodeWriter::wrapped(std::string_view prefix, std::string_view text) {
+    const std::size_t width = line_width - depth_ * indent_width - prefix.size();
+    while (text.size() > width) {
+        const std::size_t blank = text.rfind(' ', width);
+        if (blank == std::string_view::npos || blank == 0) break;
+        put(std::string(prefix) + std::string(text.substr(0, blank)));
+        text.remove_prefix(blank + 1);
+    }
+    put(std::string(prefix) + std::string(text));
+}
+
+}  // namespace robochart::cpp_emit

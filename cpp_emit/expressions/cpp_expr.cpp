@@ -1,0 +1,56 @@
+#include "cpp_emit/expressions/cpp_expr.hpp"
+
+namespace robochart::cpp_emit {
+
+CppExpr CppExpr::test(std::string text, std::string operand, bool differs) {
+    CppExpr result(std::move(text), Binding::equality);
+    result.last_ = {std::move(operand), differs, Joined::alone};
+    return result;
+}
+
+CppExpr CppExpr::enclosed() const {
+    CppExpr result("(" + text_ + ")");
+    result.last_ = last_;
+    return result;
+}
+
+/// GCC warns where a test follows one that excludes it (`a && x == 1 && x == 2`), by no name that a pragma could switch
+/// off, and does not where the second one is the value of a function.
+CppExpr CppExpr::joined(const CppExpr& first, const CppExpr& second, Binding least, Joined how) {
+    if (first.empty()) return second;
+    if (second.empty()) return first;
+    const bool differs = how == Joined::any;
+    const auto tests = [&](const CppExpr& each) {
+        return !each.last_.operand.empty() && each.last_.differs == differs &&
+               (each.last_.joined == Joined::alone || each.last_.joined == how);
+    };
+    const bool excluded = tests(first) && tests(second) && first.last_.operand == second.last_.operand;
+    const CppExpr behind = excluded ? CppExpr("robochart::holds(" + second.whole() + ")") : second;
+    const bool all = how == Joined::all;
+    CppExpr result(first.operand(least) + (all ? " && " : " || ") + behind.operand(least),
+                   all ? Binding::conjunction : Binding::disjunction);
+    if (tests(second)) result.last_ = {second.last_.operand, differs, how};
+    return result;
+}
+
+CppExpr conjunction(const CppExpr& first, const CppExpr& second, Binding least) {
+    return CppExpr::joined(first, second, least, CppExpr::Joined::all);
+}
+
+CppExpr disjunction(const CppExpr& first, const CppExpr& second, Binding least) {
+    return CppExpr::joined(first, second, least, CppExpr::Joined::any);
+}
+
+CppExpr negation(const CppExpr& condition) {
+    CppExpr result("!" + condition.operand(), Binding::prefix);
+    result.last_ = condition.last_;
+    result.last_.differs = !result.last_.differs;
+    if (result.last_.joined == CppExpr::Joined::all) {
+        result.last_.joined = CppExpr::Joined::any;
+    } else if (result.last_.joined == CppExpr::Joined::any) {
+        result.last_.joined = CppExpr::Joined::all;
+    }
+    return result;
+}
+
+}  // namespace robochart::cpp_emit

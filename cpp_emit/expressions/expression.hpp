@@ -1,0 +1,118 @@
+// Expressions of the model as C++ text over the Types policy.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cpp_emit/expressions/generation.hpp"
+#include "semantics/ir/ir.hpp"
+#include "cpp_emit/expressions/code_writer.hpp"
+#include "cpp_emit/expressions/cpp_expr.hpp"
+
+namespace robochart::cpp_emit {
+
+/// The member behind ExprKind::member's number: a field's index, or a place counted from 1.
+[[nodiscard]] std::string member_name(const ir::Type&, std::int64_t number);
+
+/// The parameters of a unit's functions: its own state, f, and that of the operations that lend it variables or clocks.
+[[nodiscard]] std::string frame_parameters(const Component&, const Unit&);
+/// What its own functions pass on: "f", "f, TurnFrame_f".
+[[nodiscard]] std::string frame_arguments(const Component&, const Unit&);
+/// What a function of its caller passes, which refers to the unit's state as `frame`.
+[[nodiscard]] std::string frame_arguments(const Component&, const Unit&, const Unit& caller, const std::string& frame);
+/// The parameter for the state of an operation that lends variables or clocks.
+[[nodiscard]] std::string lent_frame(const Unit& owner);
+
+class ExpressionWriter {
+public:
+    /// In the unit's functions.
+    ExpressionWriter(const Generation& generation, const Unit& unit) : ExpressionWriter(generation, unit, unit, "f") {}
+    /// In a function of the unit's caller, which refers to the unit's state as `frame`: "f.Turn".
+    ExpressionWriter(const Generation& generation, const Unit& unit, const Unit& caller, std::string frame)
+        : generation_(generation), unit_(unit), caller_(caller), frame_(std::move(frame)) {}
+
+    /// What `trigger_value` means: the incoming value, as C++ text.
+    void set_incoming(std::string text) { incoming_ = std::move(text); }
+
+    [[nodiscard]] CppExpr expression(const ir::Expr&) const;
+    /// The expression as a value of a numeric type other than its own; others unchanged.
+    [[nodiscard]] CppExpr expression_as(const ir::Expr&, ir::TypeId) const;
+    /// Standing alone: an argument, an initial value, a condition between parentheses.
+    [[nodiscard]] std::string write(const ir::Expr& expr) const { return expression(expr).whole(); }
+    [[nodiscard]] std::string write_as(const ir::Expr& expr, ir::TypeId type) const {
+        return expression_as(expr, type).whole();
+    }
+    /// An operand of any operator: in parentheses unless it binds tightest.
+    [[nodiscard]] std::string operand(const ir::Expr& expr) const { return expression(expr).operand(); }
+    /// That all preconditions of functions hold that the expression calls, innermost calls first (semantics 3.5); none
+    /// where none can be false. It is asked before the expression is evaluated.
+    [[nodiscard]] CppExpr asked(const ir::Expr&) const;
+    /// The condition behind its preconditions.
+    [[nodiscard]] CppExpr expression_asked(const ir::Expr& condition) const;
+    /// Where a variable is stored; "" for shared variables that nothing reads.
+    [[nodiscard]] std::string variable(ir::VariableId) const;
+    [[nodiscard]] std::string clock(ir::ClockId) const;
+    /// An item's place, counted from 1.
+    [[nodiscard]] std::string place(const ir::Expr& index) const;
+
+private:
+    [[nodiscard]] CppExpr right(const ir::Expr&) const;  ///< without a seeded fault
+    [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
+    [[nodiscard]] CppExpr arithmetic(const ir::Expr&, const char* symbol, Binding) const;
+    [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;
+    [[nodiscard]] CppExpr comparison(const ir::Expr&, const char* symbol, Binding) const;
+    [[nodiscard]] CppExpr compared(const ir::Expr&, const char* symbol, const std::string& left,
+                                   const std::string& right, Binding) const;
+    [[nodiscard]] std::string constant(const ir::Expr&) const;
+    [[nodiscard]] std::string enum_literal(const ir::Expr&) const;
+    [[nodiscard]] std::string list(const ir::Expr&, const std::vector<ir::TypeId>& types) const;
+    [[nodiscard]] std::string built(const ir::Expr&, const char* maker) const;
+    [[nodiscard]] std::string cast(const ir::Expr&) const;
+    [[nodiscard]] std::string call(const ir::Expr&) const;
+    [[nodiscard]] std::string let(const ir::Expr&) const;
+    [[nodiscard]] ir::TypeKind kind(const ir::Expr&) const;
+    [[nodiscard]] std::string type_text(ir::TypeId) const;
+    [[nodiscard]] std::string index(const ir::Expr&) const;
+    [[nodiscard]] std::string membership(const ir::Expr&) const;
+
+    // expression_conditions.cpp: preconditions of functions
+    [[nodiscard]] std::vector<CppExpr> preconditions(const ir::Expr&) const;
+    [[nodiscard]] std::vector<CppExpr> bound_preconditions(const ir::Expr&) const;
+    /// The text with the first `count` names of the let bound around it.
+    [[nodiscard]] std::string bound_by_let(const ir::Expr&, std::size_t count, std::string text) const;
+
+    // expression_composed.cpp: what binds variables, functions as values, toolkits, vectors and matrices
+    [[nodiscard]] std::string any(const ir::Expr&, std::size_t from, const std::string& visit) const;
+    [[nodiscard]] CppExpr quantified(const ir::Expr&) const;
+    [[nodiscard]] std::string collected(const ir::Expr&) const;
+    [[nodiscard]] std::string collected_item(const ir::Expr&) const;
+    [[nodiscard]] std::string bound_values(const ir::Expr&, ir::TypeId) const;
+    [[nodiscard]] std::string apply(const ir::Expr&) const;
+    [[nodiscard]] std::string lookup(const ir::Expr& function, const std::vector<std::string>& arguments,
+                                     ir::TypeId domain) const;
+    [[nodiscard]] std::string beta_reduced(const ir::Expr& lambda, const std::vector<std::string>& arguments) const;
+    [[nodiscard]] std::string platform_call(ir::FunctionId, const std::string& arguments) const;
+    [[nodiscard]] const FunctionHook& hook(ir::FunctionId) const;
+    [[nodiscard]] std::string call_arguments(const ir::Expr&) const;
+    [[nodiscard]] std::string function_value(const ir::Expr&) const;
+    [[nodiscard]] std::string toolkit(const ir::Expr&) const;
+    [[nodiscard]] std::string range(const ir::Expr&) const;
+    [[nodiscard]] std::string is_type(const ir::Expr&) const;
+    [[nodiscard]] bool block_arithmetic(const ir::Expr&) const;
+    [[nodiscard]] std::string block_operand(const ir::Expr&, ir::TypeId entry) const;
+    [[nodiscard]] CppExpr block_arithmetic_text(const ir::Expr&) const;
+
+    [[nodiscard]] std::string frame_of(const Unit& owner) const;
+
+    const Generation& generation_;
+    const Unit& unit_;
+    const Unit& caller_;  ///< whose function the text is in
+    std::string frame_;
+    std::string incoming_;
+};
+
+/// `pre_f(n)` and the like: functions of Step that ask the preconditions of functions.
+void write_preconditions(const Generation&, CodeWriter&);
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,29 @@
+// What all emitters of one run share.
+#pragma once
+
+#include <string>
+
+#include "cpp_emit/plan/component.hpp"
+#include "cpp_emit/expressions/mutation.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::cpp_emit {
+
+struct Generation {
+    const ir::System& system;
+    const ir::Instantiation& inst;
+    const Options& options;
+    const Component& component;
+    Mutation& mutation;
+
+    /// "S1 (aggregation.rct:83)", or the element alone if its place is unknown. Files may have any name.
+    [[nodiscard]] diagnostics::ForeignText place(std::string_view element, diagnostics::Span) const;
+    /// "aggregation.rct:83"; "" if it is unknown.
+    [[nodiscard]] diagnostics::ForeignText line(diagnostics::Span) const;
+    /// "aggregation.rct"; "" if it is unknown.
+    [[nodiscard]] diagnostics::ForeignText file(diagnostics::Span) const;
+    [[nodiscard]] diagnostics::ForeignText place(const ir::Origin& origin) const { return place(origin.element, origin.span); }
+};
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,194 @@
+#include "cpp_emit/files/channels.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_emit/expressions/expression.hpp"
+#include "cpp_emit/code/fault_injection.hpp"
+#include "cpp_emit/plan/types.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+/// A unit that runs and where its state is.
+struct Running {
+    const Unit* unit = nullptr;
+    std::string frame;
+};
+
+/// A send site and the frame in which its thread runs, behind those of the operations that called it.
+struct Place {
+    std::vector<Running> calls;
+    const SendSite* site = nullptr;
+};
+
+class ChannelWriter {
+public:
+    ChannelWriter(const Generation& generation, const Core& core, CodeWriter& out)
+        : generation_(generation), core_(core), out_(out) {}
+
+    void write(const Part& part, const EventUse& use) {
+        places_.clear();
+        collect({{&generation_.component.units[part.root], part.place()}}, use.channel);
+        const std::string who = part.name + " sends " + use.name;
+        const std::string value =
+            use.type ? fmt::format(", [[maybe_unused]] {}& value", cpp_type(generation_.system, *use.type)) : "";
+        out_.gap();
+        out_.doc(fmt::format("Places where {}.", who));
+        out_.line(fmt::format("static constexpr std::uint32_t sites_{} = {};", use.channel, places_.size()));
+        out_.gap();
+        out_.open(fmt::format("[[nodiscard]] bool offers_{}([[maybe_unused]] std::uint32_t site{}) const noexcept {{",
+                              use.channel, value));
+        switch_of([&](const Place& place) { offer(place, use); }, "return false;", "const auto& ");
+        out_.close();
+        out_.gap();
+        out_.open(fmt::format("void accept_{}([[maybe_unused]] std::uint32_t site) noexcept {{", use.channel));
+        switch_of([&](const Place& place) { accept(place); }, "return;", "auto& ");
+        out_.close();
+    }
+
+private:
+    /// The unit's own sites, then those of the operations that its threads run. As deep as calls nest.
+    void collect(const std::vector<Running>& calls, const std::string& channel) {
+        const Component& component = generation_.component;
+        const Running& running = calls.back();
+        const MachineCode& code = core_.machines[component.unit_places[running.unit->number]];
+        for (const SendSite& site : code.sites)
+            if (site.channel == channel) places_.push_back({calls, &site});
+        for (const CallFrame& call : code.calls) {
+            std::vector<Running> inside = calls;
+            inside.push_back({&component.unit(call.operation), running.frame + "." + call.field});
+            collect(inside, channel);
+        }
+    }
+
+    /// Names for the state of the site's unit and of the operations that lend it variables.
+    void bind(const Place& place, const std::string& reference) {
+        const Running& running = place.calls.back();
+        out_.line(fmt::format("{}f = {};", reference, running.frame));
+        if (place.site->value.empty()) return;
+        for (const Running& outer : place.calls) {
+            const auto& lenders = running.unit->lenders;
+            if (std::find(lenders.begin(), lenders.end(), outer.unit->number) != lenders.end())
+                out_.line(fmt::format("[[maybe_unused]] {}{} = {};", reference, lent_frame(*outer.unit), outer.frame));
+        }
+    }
+
+    template <class Case>
+    void switch_of(const Case& write_case, const char* otherwise, const char* binding) {
+        if (places_.empty()) return out_.line(otherwise);
+        out_.open("switch (site) {");
+        for (std::size_t index = 0; index < places_.size(); ++index) {
+            out_.open(fmt::format("case {}: {{", index));
+            bind(places_[index], binding);
+            write_case(places_[index]);
+            out_.close();
+        }
+        out_.line(fmt::format("default: {}", otherwise));
+        out_.close();
+    }
+
+    void offer(const Place& place, const EventUse& use) {
+        out_.line(fmt::format("if ({} != {}) return false;", place.site->thread, place.site->at));
+        if (use.type && !place.site->value.empty()) out_.line(fmt::format("value = {};", place.site->value));
+        out_.line("return true;");
+    }
+
+    /// Fault::offer_kept: the sender stays where it is.
+    void accept(const Place& place) {
+        if (generation_.mutation.hits(Fault::offer_kept)) {
+            out_.line("static_cast<void>(f);");
+        } else {
+            out_.line(fmt::format("{} = {};", place.site->thread, place.site->next));
+        }
+        out_.line("return;");
+    }
+
+    const Generation& generation_;
+    const Core& core_;
+    CodeWriter& out_;
+    std::vector<Place> places_;
+};
+
+/// "state_.stm0" of each part.
+std::vector<std::string> each_part(const Generation& generation, const char* format) {
+    std::vector<std::string> result;
+    for (const Part& part : generation.component.parts)
+        result.push_back(fmt::format(fmt::runtime(format), part.place()));
+    return result;
+}
+
+}  // namespace
+
+void write_channels(const Generation& generation, const Core& core, CodeWriter& out) {
+    ChannelWriter writer(generation, core, out);
+    for (const Part& part : generation.component.parts)
+        for (const EventUse& use : part.events)
+            if (!use.channel.empty()) writer.write(part, use);
+}
+
+std::vector<Field> common_fields(const Generation& generation) {
+    std::vector<Field> fields;
+    for (const Buffer& buffer : generation.component.buffers) {
+        const Extent extent = buffer.type ? cpp_extent(generation.system, generation.inst, *buffer.type) : Extent{0, 1};
+        const std::string type = buffer.type
+                                     ? fmt::format("robochart::Buffer<{}>", cpp_type(generation.system, *buffer.type))
+                                     : std::string("robochart::Flag");
+        fields.push_back({type, buffer.field, "{}", "connection of " + buffer.name, extent.size + extent.alignment,
+                          extent.alignment});
+    }
+    if (!generation.component.composed()) return fields;
+    for (const StoredVariable& stored : generation.component.variables) {
+        if (!stored.stored() || stored.home != no_part) continue;
+        const Extent extent = cpp_extent(generation.system, generation.inst, stored.variable->type);
+        fields.push_back({cpp_type(generation.system, stored.variable->type), stored.field,
+                          cpp_value(generation.system, generation.inst, stored.variable->type,
+                                    begins_with(generation, *stored.variable, stored.initial)),
+                          generation.place(stored.variable->origin), extent.size, extent.alignment});
+    }
+    return fields;
+}
+
+FrameLayout composed_layout(const Generation& generation, const Core& core, std::vector<Field> more) {
+    bool timed = false;
+    for (const Part& part : generation.component.parts) {
+        const FrameLayout& inner = core.machines[part.root].layout;
+        more.push_back({generation.component.units[part.root].frame + "<Types>", part.tag, "", part.name, inner.size,
+                        inner.alignment});
+        timed = timed || inner.timed;
+    }
+    return arrange(std::move(more), timed);
+}
+
+void write_composition(const Generation& generation, const Core& core, CodeWriter& out) {
+    out.gap();
+    out.doc("Everything that can happen in this cycle, in any machine.");
+    out.open("void run() noexcept {");
+    if (generation.mutation.hits(Fault::single_transition_step)) {
+        for (const std::string& round : each_part(generation, "round({});")) out.line(round);
+    } else {
+        std::vector<std::string> rounds = each_part(generation, "round({})");
+        if (generation.mutation.hits(Fault::machines_reversed)) std::reverse(rounds.begin(), rounds.end());
+        out.open(fmt::format("while ({}({})) {{", bound_test(generation), fmt::join(rounds, " || ")));
+        out.close();
+    }
+    out.close();
+    out.gap();
+    out.doc("All machines have ended: they terminate together.");
+    out.open("[[nodiscard]] bool finished() const noexcept {");
+    const bool one = generation.mutation.hits(Fault::ended_by_one);
+    out.line(fmt::format("return {};", fmt::join(each_part(generation, "finished({})"), one ? " || " : " && ")));
+    out.close();
+    if (!core.layout.timed) return;
+    out.gap();
+    out.doc("Time passes for all.");
+    out.open("void advance() noexcept {");
+    for (const Part& part : generation.component.parts)
+        if (core.machines[part.root].layout.timed) out.line(fmt::format("advance({});", part.place()));
+    out.close();
+}
+
+}  // namespace robochart::cpp_emit

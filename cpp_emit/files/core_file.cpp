@@ -1,0 +1,487 @@
+// The core header: one translation of the machine, used by the deployed controller and by the explorer alike.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "cpp_emit/code/carriers.hpp"
+#include "cpp_emit/files/channels.hpp"
+#include "cpp_emit/code/dispatch.hpp"
+#include "cpp_emit/files/files.hpp"
+#include "cpp_emit/files/shipped_headers.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/plan/feature_analysis.hpp"
+#include "cpp_emit/expressions/expression.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+void numeric_aliases(CodeWriter& out) {
+    for (const char* name : {"Real", "Nat", "Int"}) out.line(fmt::format("using {0} = typename Types::{0};", name));
+}
+
+std::string bound_text(const Core& core) {
+    // A cycle may pass each place often, as a loop over a variable does; a model that needs more without time passing is
+    // taken to diverge.
+    std::size_t places = 0;
+    for (const MachineCode& machine : core.machines)
+        for (const Enumeration& enumeration : machine.enumerations) places += enumeration.values.size();
+    return fmt::format("{}", 100'000 + 16 * places);
+}
+
+void write_enumeration(CodeWriter& out, const Enumeration& enumeration) {
+    out.gap();
+    out.doc(enumeration.comment);
+    const char* base = enumeration.values.size() <= 256 ? "std::uint8_t" : "std::uint16_t";
+    out.open(fmt::format("enum class {} : {} {{", enumeration.name, base));
+    for (const Enumerator& value : enumeration.values)
+        value.comment.empty() ? out.line(value.name + ",") : out.line_with_doc(value.name + ",", value.comment);
+    out.close("};");
+}
+
+/// `a.x == b.x && ...`, for language standards without defaulted comparison.
+void write_comparison(CodeWriter& out, const std::string& name, const std::vector<std::string>& fields) {
+    std::vector<std::string> equal;
+    for (const std::string& field : fields) equal.push_back(fmt::format("a.{0} == b.{0}", field));
+    const char* const unused = fields.empty() ? "[[maybe_unused]] " : "";
+    out.open(
+        fmt::format("friend constexpr bool operator==({1}const {0}& a, {1}const {0}& b) noexcept {{", name, unused));
+    out.line(fmt::format("return {};", equal.empty() ? "true" : fmt::format("{}", fmt::join(equal, " && "))));
+    out.close();
+    out.line(fmt::format(
+        "friend constexpr bool operator!=(const {0}& a, const {0}& b) noexcept {{ return !(a == b); }}", name));
+}
+
+/// The first member that differs decides: sets keep their members in this order.
+void write_order(CodeWriter& out, const std::string& name, const std::vector<std::string>& fields) {
+    out.open(fmt::format("friend constexpr bool operator<(const {0}& a, const {0}& b) noexcept {{", name));
+    for (const std::string& field : fields)
+        out.line(fmt::format("if (!(a.{0} == b.{0})) return a.{0} < b.{0};", field));
+    out.line("return false;");
+    out.close();
+}
+
+/// A static function that makes a value of its members.
+void write_maker(const Generation& generation, CodeWriter& out, const std::string& type, const std::string& maker,
+                 const std::vector<TypeMember>& given, const std::string& also) {
+    std::vector<std::string> parameters;
+    for (const TypeMember& member : given)
+        parameters.push_back(fmt::format("{} a_{}", cpp_type(generation.system, member.type), member.name));
+    out.open(
+        fmt::format("[[nodiscard]] static constexpr {} {}({}) noexcept {{", type, maker, fmt::join(parameters, ", ")));
+    out.line(fmt::format("{} value{{}};", type));
+    if (!also.empty()) out.line(also);
+    for (const TypeMember& member : given) out.line(fmt::format("value.{0} = a_{0};", member.name));
+    out.line("return value;");
+    out.close();
+}
+
+/// Records and products: one maker. Enumerations whose literals have arguments: one for each literal.
+void write_makers(const Generation& generation, CodeWriter& out, const ir::Type& type) {
+    const std::string name = declared_name(type);
+    const std::vector<TypeMember> all = members(type);
+    if (type.kind != ir::TypeKind::enumeration) return write_maker(generation, out, name, "make", all, "");
+    for (std::size_t literal = 0; literal < type.labels.size(); ++literal) {
+        std::vector<TypeMember> given;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(given),
+                     [&](const TypeMember& member) { return member.literal == literal; });
+        const std::string label = literal_name(type, literal);
+        write_maker(generation, out, name, label, given, fmt::format("value.kind = Kind::{};", label));
+    }
+}
+
+void write_value_struct(const Generation& generation, CodeWriter& out, const ir::Type& type) {
+    std::vector<Field> fields;
+    for (const TypeMember& member : members(type)) {
+        const Extent extent = cpp_extent(generation.system, generation.inst, member.type);
+        fields.push_back(
+            {cpp_type(generation.system, member.type), member.name, "", "", extent.size, extent.alignment});
+    }
+    const bool tagged = type.kind == ir::TypeKind::enumeration;
+    if (tagged) fields.push_back({"Kind", "kind", "Kind::" + literal_name(type, 0), "", 1, 1});
+    const FrameLayout layout = arrange(std::move(fields), false);
+    out.gap();
+    out.doc(generation.place(type.origin.element.empty() ? type.name : type.origin.element, type.origin.span));
+    out.line("template <class Types>");
+    out.open(fmt::format("struct {} {{", declared_name(type)));
+    numeric_aliases(out);
+    if (tagged) {
+        std::vector<std::string> labels;
+        for (std::size_t i = 0; i < type.labels.size(); ++i) labels.push_back(literal_name(type, i));
+        out.line(fmt::format("enum class Kind : std::uint8_t {{ {} }};", fmt::join(labels, ", ")));
+    }
+    out.gap();
+    std::vector<std::string> compared;
+    for (const Field& field : layout.fields) {
+        out.line(fmt::format("{} {}{};", field.type, field.name, field.initial.empty() ? "{}" : " = " + field.initial));
+        if (!field.name.starts_with("filler[")) compared.push_back(field.name);
+    }
+    out.gap();
+    write_makers(generation, out, type);
+    write_comparison(out, declared_name(type), compared);
+    if (generation.component.ordered) write_order(out, declared_name(type), compared);
+    out.close("};");
+}
+
+void write_declared_types(const Generation& generation, CodeWriter& out) {
+    for (const ir::TypeId id : generation.component.enumerations) {
+        const ir::Type& type = generation.system.type(id);
+        if (is_struct(type)) {
+            write_value_struct(generation, out, type);
+            continue;
+        }
+        if (type.kind == ir::TypeKind::given) {
+            out.gap();
+            out.doc("Given type " + generation.place(type.origin) + ": its elements are numbered.");
+            out.line(fmt::format("enum class {} : std::uint8_t {{}};", cpp_type(generation.system, id)));
+            continue;
+        }
+        Enumeration enumeration{cpp_type(generation.system, id), generation.place(type.origin), {}};
+        for (std::size_t index = 0; index < type.labels.size(); ++index)
+            enumeration.values.push_back({literal_name(type, index), "", {}});
+        write_enumeration(out, enumeration);
+    }
+}
+
+void write_struct(const Generation& generation, CodeWriter& out, const std::string& name, const FrameLayout& layout) {
+    out.line("template <class Types>");
+    out.open(fmt::format("struct {} {{", name));
+    numeric_aliases(out);
+    out.gap();
+    for (const Field& field : layout.fields) {
+        const std::string initial = field.initial == "{}"   ? " = {}"
+                                    : field.initial.empty() ? "{}"
+                                                            : " = " + field.initial;
+        if (generation.mutation.hits(Fault::undeclared_member)) continue;
+        const std::string member = fmt::format("{} {}{};", field.type, field.name, initial);
+        field.comment.empty() ? out.line(member) : out.line_with_doc(member, field.comment);
+    }
+    out.gap();
+    std::vector<std::string> compared;
+    for (const Field& field : layout.fields)
+        if (!field.name.starts_with("filler[")) compared.push_back(field.name);
+    write_comparison(out, name, compared);
+    out.close("};");
+}
+
+void write_frame(const Generation& generation, CodeWriter& out, const Unit& unit, const FrameLayout& layout) {
+    out.gap();
+    const bool whole = unit.root && !generation.component.composed();
+    out.doc(whole       ? fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
+                                      unit.machine->name)
+            : unit.root ? fmt::format("Machine {}.", generation.component.part(unit).name)
+                        : fmt::format("Operation {} in progress; as constructed when it is not.", unit.machine->name));
+    write_struct(generation, out, unit.frame, layout);
+}
+
+/// State around the frames of several machines.
+void write_state(const Generation& generation, CodeWriter& out, const FrameLayout& layout) {
+    out.gap();
+    out.doc(fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
+                        generation.component.name));
+    write_struct(generation, out, "State", layout);
+}
+
+void write_inputs(const Generation& generation, CodeWriter& out) {
+    out.gap();
+    out.doc("What the control cycle reads: events received, shared variables written from outside.");
+    out.line("template <class Types>");
+    out.open("struct Inputs {");
+    numeric_aliases(out);
+    out.gap();
+    for (const EventPort& event : generation.component.events) {
+        if (!event.received) continue;
+        const std::string type = event.type
+                                     ? fmt::format("robochart::Message<{}>", cpp_type(generation.system, *event.type))
+                                     : "robochart::Signal";
+        out.line(fmt::format("{} {};", type, event.input));
+    }
+    for (const StoredVariable& variable : generation.component.variables)
+        if (!variable.input.empty() && !variable.copy)
+            out.line(fmt::format("robochart::Message<{}> {};", cpp_type(generation.system, variable.variable->type),
+                                 variable.input));
+    out.close("};");
+}
+
+std::string parameter_list(const Generation& generation, const ir::OperationSignature& signature) {
+    std::string parameters;
+    for (std::size_t i = 0; i < signature.parameters.size(); ++i)
+        parameters += fmt::format("{}{} {}", i == 0 ? "" : ", ", cpp_type(generation.system, signature.parameters[i]),
+                                  signature.parameter_names[i]);
+    return parameters;
+}
+
+void write_platform_comment(const Generation& generation, CodeWriter& out) {
+    std::vector<std::string> calls;
+    const auto method = [&](const char* result, const std::string& name, const std::string& parameters,
+                            const std::vector<ir::TypeId>& types) {
+        out.comment(fmt::format("    {} {}({});", result, name, parameters));
+        std::vector<std::string> values;
+        for (const ir::TypeId type : types)
+            values.push_back(fmt::format("std::declval<{}>()", cpp_type(generation.system, type)));
+        calls.push_back(fmt::format("{}({})", name, fmt::join(values, ", ")));
+    };
+    const Component& component = generation.component;
+    out.gap();
+    out.comment(
+        "The platform that Step drives has these methods, all noexcept; replaces_X answers true when it has done X "
+        "itself:");
+    for (const FunctionHook& hook : component.functions) {
+        const ir::Function& function = generation.system.functions[hook.id.index];
+        std::vector<std::string> parameters;
+        for (const ir::TypeId type : function.parameters) parameters.push_back(cpp_type(generation.system, type));
+        method(cpp_type(generation.system, function.result).c_str(), hook.method,
+               fmt::format("{}", fmt::join(parameters, ", ")), function.parameters);
+    }
+    for (const PlatformCall& call : component.calls)
+        method("void", call.method, parameter_list(generation, *call.signature), call.signature->parameters);
+    for (const ModelledCall& call : component.modelled)
+        method("bool", call.method, parameter_list(generation, *call.signature), call.signature->parameters);
+    for (const EventPort& event : component.events)
+        if (!event.output.empty())
+            method("void", event.output, event.type ? cpp_type(generation.system, *event.type) + " value" : "",
+                   event.type ? std::vector{*event.type} : std::vector<ir::TypeId>{});
+    for (const StoredVariable& variable : component.variables)
+        if (variable.visible && !variable.copy)
+            method("void", variable.output, cpp_type(generation.system, variable.variable->type) + " value",
+                   {variable.variable->type});
+    write_platform_concept(calls, out);
+}
+
+void write_variables(const Generation& generation, CodeWriter& out) {
+    for (const StoredVariable& variable : generation.component.variables) {
+        if (!variable.visible) continue;
+        out.gap();
+        out.doc("Shared variable " + generation.place(variable.variable->origin));
+        out.open(fmt::format("void {}({} value) noexcept {{", variable.writer,
+                             cpp_type(generation.system, variable.variable->type)));
+        if (variable.stored()) out.line(fmt::format("state_.{} = value;", variable.path));
+        out.line(fmt::format("platform_.{}(value);", variable.output));
+        out.close();
+    }
+}
+
+void take_kept(CodeWriter& out, const EventPort& event) {
+    out.open(fmt::format("if (state_.kept_{0} && !inputs_.{0}.present) {{", event.input));
+    out.line(fmt::format("inputs_.{}.present = true;", event.input));
+    if (event.type) out.line(fmt::format("inputs_.{0}.value = state_.kept_value_{0};", event.input));
+    out.close();
+}
+
+void keep(CodeWriter& out, const EventPort& event) {
+    out.line(fmt::format("state_.kept_{0} = inputs_.{0}.present;", event.input));
+    if (!event.type) return;
+    out.line(fmt::format("state_.kept_value_{0} = {{}};", event.input));
+    out.line(fmt::format("if (inputs_.{0}.present) state_.kept_value_{0} = inputs_.{0}.value;", event.input));
+}
+
+/// What is written from outside is seen at once; Fault::outside_write_late: `late`, after the cycle.
+void write_outside(const Generation& generation, const StoredVariable& variable, CodeWriter& out,
+                   std::vector<std::string>& late) {
+    if (generation.mutation.hits(Fault::outside_write_lost)) return;
+    const std::string line =
+        fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input, variable.path);
+    if (generation.mutation.hits(Fault::outside_write_late))
+        late.push_back(line);
+    else
+        out.line(line);
+}
+
+void write_cycle(const Generation& generation, const Core& core, CodeWriter& out) {
+    out.doc("One control cycle: inputs, everything that they and time make possible, then time passes.");
+    out.open("robochart::StepResult cycle() noexcept {");
+    std::vector<std::string> late;
+    for (const StoredVariable& variable : generation.component.variables)
+        if (!variable.input.empty() && variable.stored()) write_outside(generation, variable, out, late);
+    for (const EventPort* event : core.kept) take_kept(out, *event);
+    const char* const state = generation.component.composed() ? "" : "state_";
+    out.line(fmt::format("run({});", state));
+    for (const EventPort* event : core.kept) keep(out, *event);
+    for (const std::string& line : late) out.line(line);
+    out.line(fmt::format("const robochart::StepResult result = this->result(finished({}));", state));
+    if (core.layout.timed) out.line(fmt::format("if (result == robochart::StepResult::quiescent) advance({});", state));
+    out.line("return late() ? robochart::StepResult::deadline : result;");
+    out.close();
+}
+
+/// Nothing is left of it where the platform does not listen.
+void write_hook(const Generation& generation, CodeWriter& out) {
+    out.gap();
+    out.doc(fmt::format("Tells a platform that has a method `taken` of a transition; {}_trace.hpp names them.",
+                        generation.component.cpp_name));
+    out.open("void taken([[maybe_unused]] std::uint32_t transition) noexcept {");
+    out.line("if constexpr (robochart::Listens<Platform>::value) platform_.taken(transition);");
+    out.close();
+    if (!generation.options.choices) return;
+    out.gap();
+    out.doc("Whether an enabled transition is the one to take, while a platform that has a method `pick` is asked.");
+    out.open("bool in_turn() noexcept {");
+    out.open("if constexpr (robochart::Picks<Platform>::value) {");
+    out.line("return turn_.come();");
+    out.reopen("} else {");
+    out.line("return true;");
+    out.close();
+    out.close();
+}
+
+void write_step_class(const Generation& generation, const Core& core, CodeWriter& out) {
+    out.gap();
+    out.line("ROBOCHART_MODEL_BEGIN");
+    out.doc("The behaviour. It lives for one cycle.");
+    out.line("template <class Types, class Platform>");
+    out.open("class Step : private robochart::Cycle {");
+    out.label("public:");
+    numeric_aliases(out);
+    out.gap();
+    out.line("Step(State<Types>& state, const Inputs<Types>& inputs, Platform& platform) noexcept");
+    out.line("    : Cycle(step_bound), state_(state), inputs_(inputs), platform_(platform) {}");
+    out.gap();
+    write_cycle(generation, core, out);
+    write_dispatch(generation, generation.component.composed() ? "" : core.machines.back().dispatch, out);
+    out.gap();
+    out.label("private:");
+    write_variables(generation, out);
+    write_hook(generation, out);
+    for (const MachineCode& machine : core.machines) {
+        out.gap();
+        out.raw(machine.methods);
+    }
+    write_preconditions(generation, out);
+    write_carriers(generation, out);
+    write_channels(generation, core, out);
+    if (generation.component.composed()) write_composition(generation, core, out);
+    out.gap();
+    out.line("State<Types>& state_;");
+    out.line("Inputs<Types> inputs_;");
+    out.line("Platform& platform_;");
+    if (generation.options.choices) out.line("[[maybe_unused]] robochart::Turn turn_;");
+    out.close("};");
+    out.line("ROBOCHART_MODEL_END");
+}
+
+}  // namespace
+
+namespace {
+
+/// Members of the state for inputs that outlive their cycle.
+std::vector<Field> kept_fields(const Generation& generation, const Core& core) {
+    std::vector<Field> fields;
+    for (const EventPort* event : core.kept) {
+        fields.push_back({"bool", "kept_" + event->input, "false", "", 1, 1});
+        if (!event->type) continue;
+        const Extent extent = cpp_extent(generation.system, generation.inst, *event->type);
+        fields.push_back({cpp_type(generation.system, *event->type), "kept_value_" + event->input, "", "", extent.size,
+                          extent.alignment});
+    }
+    return fields;
+}
+
+}  // namespace
+
+std::string package_namespace(const std::string& package) {
+    std::string result;
+    std::size_t begin = 0;
+    while (begin <= package.size() && !package.empty()) {
+        const std::size_t end = std::min(package.find("::", begin), package.size());
+        NameScope scope(result.empty() ? reserved_at_global_scope : reserved_below_global_scope);
+        result += (result.empty() ? "" : "::") + scope.unique(package.substr(begin, end - begin));
+        begin = end + 2;
+    }
+    return result.empty() ? "robot" : result;
+}
+
+void file_comment(const Generation& generation, CodeWriter& out, const std::string& what) {
+    const Component& component = generation.component;
+    out.comment(fmt::format("{} of the RoboChart {} ", what, component.kind) + generation.place(component.origin) + ".");
+    out.comment("Generated by robochart-verify; change the model, not this file.");
+}
+
+Core make_core(const Generation& generation) {
+    Core core;
+    const Component& component = generation.component;
+    core.relative = component.cpp_name + "_core";
+    core.name_space = package_namespace(component.package) + "::" + core.relative;
+    core.header = component.cpp_name + "_core.hpp";
+    NameScope type_names = core_type_scope(component);
+    for (const ir::TypeId id : component.enumerations)
+        (void)type_names.unique(declared_name(generation.system.type(id)));
+    for (const Unit& unit : component.units) {
+        (void)type_names.unique(unit.frame);
+        (void)type_names.unique(unit.points);
+    }
+    for (const EventPort& event : component.events)
+        if (event.received && generation.mutation.hits(Fault::event_kept)) core.kept.push_back(&event);
+    if (!input_events(component).empty()) (void)type_names.unique(event_type(generation));
+    std::vector<Field> more = kept_fields(generation, core);
+    const std::vector<Field> common = common_fields(generation);
+    more.insert(more.end(), common.begin(), common.end());
+    Layouts layouts;
+    const bool composed = component.composed();
+    for (const Unit& unit : component.units) {
+        core.machines.push_back(
+            generate(generation, unit, layouts, type_names, unit.root && !composed ? more : std::vector<Field>{}));
+        layouts[unit.number] = core.machines.back().layout;
+    }
+    core.layout = composed ? composed_layout(generation, core, std::move(more)) : core.machines.back().layout;
+    return core;
+}
+
+std::string core_header(const Generation& generation, const Core& core) {
+    CodeWriter out;
+    file_comment(generation, out, "Core");
+    out.comment("One call of step() is one control cycle; see robochart/runtime.hpp for its results.");
+    out.line("#pragma once");
+    out.gap();
+    out.line("#include <cstdint>");
+    out.gap();
+    std::vector<std::string> headers = {"robochart/runtime.hpp"};
+    for (const OutputFile& header : value_headers(generation.component))
+        if (header.path != "robochart/eigen.hpp") headers.push_back(header.path);
+    std::sort(headers.begin(), headers.end());
+    for (const std::string& header : headers) out.line(fmt::format("#include \"{}\"", header));
+    out.gap();
+    out.line(fmt::format("namespace {} {{", core.name_space));
+    out.gap();
+    out.doc("Time units that pass between two cycles.");
+    out.line(fmt::format("inline constexpr std::uint32_t cycle_length = {};",
+                         std::max(1U, generation.options.cycle_length)));
+    out.doc("Steps that one cycle may take before the model is taken to diverge.");
+    out.line(fmt::format("inline constexpr std::uint32_t step_bound = {};", bound_text(core)));
+    out.gap();
+    out.line("using robochart::advance_clock, robochart::advance_wait, robochart::duration;");
+    out.line("using robochart::divide, robochart::modulus, robochart::place_of, robochart::rounded_down;");
+    write_declared_types(generation, out);
+    for (std::size_t index = 0; index < core.machines.size(); ++index) {
+        for (const Enumeration& enumeration : core.machines[index].enumerations) write_enumeration(out, enumeration);
+        write_frame(generation, out, generation.component.units[index], core.machines[index].layout);
+    }
+    if (generation.component.composed()) write_state(generation, out, core.layout);
+    write_inputs(generation, out);
+    write_event_type(generation, out);
+    write_platform_comment(generation, out);
+    write_step_class(generation, core, out);
+    out.gap();
+    out.doc("The state before the first cycle, which runs the initial transition.");
+    out.line("template <class Types>");
+    out.open("[[nodiscard]] constexpr State<Types> init() noexcept {");
+    out.line("return {};");
+    out.close();
+    out.gap();
+    out.doc("One control cycle of the controller.");
+    out.line("template <class Types, class Platform>");
+    out.open(
+        "robochart::StepResult step(State<Types>& state, const Inputs<Types>& inputs, Platform& platform) noexcept {");
+    out.line("#if defined(__cpp_concepts) && __cpp_concepts >= 201907L");
+    out.line("static_assert(PlatformOf<Platform, Types>, \"the platform lacks a method, or one may throw\");");
+    out.line("#endif");
+    out.line("return Step<Types, Platform>(state, inputs, platform).cycle();");
+    out.close();
+    write_dispatch_functions(generation, out);
+    out.gap();
+    out.line(fmt::format("}}  // namespace {}", core.name_space));
+    return out.text();
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,113 @@
+// See dispatch.hpp.
+#include <fmt/format.h>
+
+#include <set>
+
+#include "cpp_emit/code/dispatch.hpp"
+#include "cpp_emit/plan/types.hpp"
+
+namespace robochart::cpp_emit {
+
+std::vector<const EventPort*> input_events(const Component& component) {
+    std::vector<const EventPort*> result;
+    for (const EventPort& port : component.events)
+        if (port.received) result.push_back(&port);
+    return result;
+}
+
+std::string event_type(const Generation& generation) {
+    std::set<std::string> taken;
+    for (const ir::TypeId id : generation.component.enumerations)
+        taken.insert(declared_name(generation.system.type(id)));
+    for (const Unit& unit : generation.component.units) {
+        taken.insert(unit.frame);
+        taken.insert(unit.points);
+    }
+    NameScope scope(taken);
+    return scope.unique("Event");
+}
+
+void write_event_type(const Generation& generation, CodeWriter& out) {
+    const auto events = input_events(generation.component);
+    if (events.empty()) return;
+    out.gap();
+    out.doc("The events received, for dispatch().");
+    out.open(fmt::format("enum class {} : {} {{", event_type(generation),
+                         events.size() < 256 ? "std::uint8_t" : "std::uint16_t"));
+    for (const EventPort* event : events) out.line(event->input + ",");
+    out.close("};");
+}
+
+void write_dispatch(const Generation& generation, const std::string& direct, CodeWriter& out) {
+    const auto events = input_events(generation.component);
+    if (events.empty()) return;
+    out.gap();
+    out.doc("What a cycle with this event and no other input does before time passes.");
+    if (!direct.empty()) return out.raw(direct);
+    const std::string type = event_type(generation);
+    out.open(fmt::format("robochart::StepResult dispatch({} event) noexcept {{", type));
+    Mutation& mutation = generation.mutation;
+    out.line("[[maybe_unused]] const Inputs<Types> values = inputs_;");
+    if (!mutation.hits(Fault::dispatch_others_read)) out.line("inputs_ = {};");
+    out.open("switch (event) {");
+    for (const EventPort* event : events) {
+        out.line(fmt::format("case {}::{}:", type, event->input));
+        if (event->type && !mutation.hits(Fault::dispatch_other_value))
+            out.line(fmt::format("    inputs_.{0}.value = values.{0}.value;", event->input));
+        out.line(fmt::format("    inputs_.{}.present = true;", event->input));
+        out.line("    break;");
+    }
+    out.close();
+    const char* const state = generation.component.composed() ? "" : "state_";
+    out.line(fmt::format("run({});", state));
+    out.line(mutation.hits(Fault::dispatch_end_unnoticed) ? "return this->result(false);"
+                                                          : fmt::format("return this->result(finished({}));", state));
+    out.close();
+    out.gap();
+    out.doc("What needs no event.");
+    out.open("robochart::StepResult begin() noexcept {");
+    out.line("inputs_ = {};");
+    out.line(fmt::format("run({});", state));
+    out.line(fmt::format("return this->result(finished({}));", state));
+    out.close();
+    out.gap();
+    out.doc("A cycle without inputs.");
+    out.open("robochart::StepResult pass() noexcept {");
+    out.line("inputs_ = {};");
+    out.line("return cycle();");
+    out.close();
+}
+
+void write_dispatch_functions(const Generation& generation, CodeWriter& out) {
+    if (input_events(generation.component).empty()) return;
+    const std::string type = event_type(generation);
+    out.gap();
+    out.doc("What the controller does before the first event; a first dispatch() does it too.");
+    out.line("template <class Types, class Platform>");
+    out.open("robochart::StepResult begin(State<Types>& state, Platform& platform) noexcept {");
+    out.line("return Step<Types, Platform>(state, Inputs<Types>{}, platform).begin();");
+    out.close();
+    out.gap();
+    out.doc("One event that carries a value: that in `values`, where nothing else is read.");
+    out.line("template <class Types, class Platform>");
+    out.line(fmt::format("robochart::StepResult dispatch(State<Types>& state, {} event, const Inputs<Types>& values,",
+                         type));
+    out.open("                               Platform& platform) noexcept {");
+    out.line("return Step<Types, Platform>(state, values, platform).dispatch(event);");
+    out.close();
+    out.gap();
+    out.doc("One event, without time passing.");
+    out.line("template <class Types, class Platform>");
+    out.open(fmt::format(
+        "robochart::StepResult dispatch(State<Types>& state, {} event, Platform& platform) noexcept {{", type));
+    out.line("return Step<Types, Platform>(state, Inputs<Types>{}, platform).dispatch(event);");
+    out.close();
+    out.gap();
+    out.doc("A cycle without inputs, after begin(): what needs no event, then time passes.");
+    out.line("template <class Types, class Platform>");
+    out.open("robochart::StepResult pass(State<Types>& state, Platform& platform) noexcept {");
+    out.line("return Step<Types, Platform>(state, Inputs<Types>{}, platform).pass();");
+    out.close();
+}
+
+}  // namespace robochart::cpp_emit

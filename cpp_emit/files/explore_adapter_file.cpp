@@ -1,0 +1,339 @@
+// The exploration interface: the core over finite carriers behind the plain C functions of explore_abi.h.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_emit/code/dispatch.hpp"
+#include "cpp_emit/files/files.hpp"
+#include "cpp_emit/plan/functions.hpp"
+#include "cpp_emit/plan/exploration_ports.hpp"
+#include "cpp_emit/files/explore_adapter_printers.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "semantics/evaluate/carrier.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+class ShimWriter {
+public:
+    ShimWriter(const Generation& generation, const Core& core)
+        : generation_(generation),
+          core_(core),
+          registers_(registers(generation.component)),
+          outputs_(outputs(generation.component)),
+          printers_(generation, core) {}
+
+    std::string write() {
+        head();
+        carriers();
+        input_tables();
+        output_table();
+        value_tables();
+        log_class();
+        printers_.write(out_);
+        functions();
+        event_functions();
+        interface_table();
+        return out_.text();
+    }
+
+private:
+    void head() {
+        file_comment(generation_, out_, "Exploration interface");
+        for (const char* header : {"<cstddef>", "<cstring>", "<type_traits>"})
+            out_.line(fmt::format("#include {}", header));
+        out_.gap();
+        out_.comment("A violated precondition is a result of step(), not an abort.");
+        out_.line("#define RC_REQUIRE(condition) static_cast<void>(0)");
+        out_.gap();
+        out_.line(fmt::format("#include \"{}\"", core_.header));
+        out_.line("#include \"robochart/explore.hpp\"");
+        if (printers_.words_of_logs()) {
+            out_.line("#include \"robochart/explore_values.hpp\"");
+            out_.line(fmt::format("#include \"{}\"", trace_header_name(generation_)));
+        }
+        out_.gap();
+        out_.line("namespace {");
+        out_.gap();
+        out_.line(fmt::format("namespace core = {};", core_.name_space));  // not from the global scope: batches wrap it
+    }
+
+    void carrier_struct(const char* name, const std::vector<std::int64_t>& values, std::int64_t scale) {
+        out_.gap();
+        const bool range =
+            !values.empty() && (values.back() - values.front()) + 1 == static_cast<std::int64_t>(values.size());
+        if (!range)
+            out_.line(fmt::format("constexpr std::int64_t {}_values[] = {{{}}};", name, fmt::join(values, ", ")));
+        out_.open(fmt::format("struct {}Carrier {{", name));
+        out_.line(fmt::format("[[maybe_unused]] static constexpr std::int64_t scale = {};", scale));
+        out_.open("static constexpr bool contains(std::int64_t value) noexcept {");
+        out_.line(range ? fmt::format("return value >= {} && value <= {};", values.front(), values.back())
+                        : fmt::format("return robochart::listed({}_values, value);", name));
+        out_.close();
+        out_.close("};");
+    }
+
+    void carriers() {
+        const ir::Instantiation& inst = generation_.inst;
+        carrier_struct("Nat", inst.nat, 1);
+        carrier_struct("Int", inst.integer, 1);
+        carrier_struct("Real", inst.real, inst.scale);
+        out_.gap();
+        out_.doc("The model's basic types over the carriers of its instantiation.");
+        out_.open("struct Checking {");
+        for (const char* name : {"Real", "Nat", "Int"})
+            out_.line(fmt::format("using {0} = robochart::Finite<{0}Carrier>;", name));
+        out_.line(fmt::format("[[maybe_unused]] static constexpr std::size_t longest = {};", longest(inst)));
+        out_.close("};");
+        out_.line("using Real = Checking::Real;");
+        out_.line("using Nat = Checking::Nat;");
+        out_.line("using Int = Checking::Int;");
+        out_.line("using State = core::State<Checking>;");
+        out_.line("using Inputs = core::Inputs<Checking>;");
+        out_.gap();
+        out_.line("static_assert(std::is_trivially_copyable_v<State>);");
+        out_.line("static_assert(std::has_unique_object_representations_v<State>, \"equal states have equal bytes\");");
+    }
+
+    void input_tables() {
+        out_.gap();
+        for (const Register& input : registers_) {
+            if (!input.type) continue;
+            std::vector<std::int64_t> numbers;
+            std::vector<std::string> texts;
+            const bool whole = composed(generation_.system.type(*input.type));
+            for (const ir::Value& value : ir::carrier(generation_.system, generation_.inst, *input.type)) {
+                numbers.push_back(whole ? static_cast<std::int64_t>(numbers.size()) : value.number);
+                texts.push_back(diagnostics::cpp_string(cspm_value(generation_.system, *input.type, value)));
+            }
+            out_.line(
+                fmt::format("constexpr std::int64_t {}_values[] = {{{}}};", input.member, fmt::join(numbers, ", ")));
+            out_.line(fmt::format("constexpr const char* {}_texts[] = {{{}}};", input.member, fmt::join(texts, ", ")));
+        }
+        if (registers_.empty()) return out_.line("constexpr const rc_input* inputs = nullptr;");
+        out_.open("constexpr rc_input inputs[] = {");
+        for (const Register& input : registers_) {
+            out_.line(input.type ? fmt::format("{{\"{0}\", {1}, {2}_values, {2}_texts}},", input.name,
+                                               ir::carrier(generation_.system, generation_.inst, *input.type).size(),
+                                               input.member)
+                                 : fmt::format("{{\"{}\", 0, nullptr, nullptr}},", input.name));
+        }
+        out_.close("};");
+    }
+
+    void output_table() {
+        out_.gap();
+        if (outputs_.empty()) return out_.line("constexpr const rc_output* outputs = nullptr;");
+        out_.open("constexpr rc_output outputs[] = {");
+        for (const Output& output : outputs_)
+            out_.line(fmt::format("{{\"{}\", {}}},", output.name, output.types.size()));
+        out_.close("};");
+    }
+
+    static Spelling spelling() { return {"Checking", "core::", "Real", "Nat", "Int"}; }
+
+    std::string type(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
+
+    /// The table of all values of a composed type at the boundary: its numbers are places there. Compilers bound what
+    /// they compute for a constant expression.
+    std::string table(ir::TypeId id) const { return fmt::format("all_values_{}", id.index); }
+
+    void value_tables() {
+        std::vector<ir::TypeId> types;
+        for (const Register& input : registers_)
+            if (input.type) types.push_back(*input.type);
+        for (const Output& output : outputs_) types.insert(types.end(), output.types.begin(), output.types.end());
+        std::vector<ir::TypeId> done;
+        for (const ir::TypeId id : types) {
+            if (!composed(generation_.system.type(id)) || std::find(done.begin(), done.end(), id) != done.end())
+                continue;
+            done.push_back(id);
+            out_.gap();
+            out_.open(fmt::format("const {} {}[] = {{", type(id), table(id)));
+            for (const ir::Value& value : ir::carrier(generation_.system, generation_.inst, id))
+                out_.line(cpp_value(generation_.system, generation_.inst, id, value, spelling()) + ",");
+            out_.close("};");
+        }
+    }
+
+    std::string as_number(ir::TypeId id, const std::string& value) const {
+        return composed(generation_.system.type(id)) ? fmt::format("robochart::place_in({}, {})", table(id), value)
+                                                     : fmt::format("robochart::to_raw({})", value);
+    }
+
+    /// Functions have the values that the semantics gives them, of which the default is one (semantics 3.13).
+    void functions_of_the_model() {
+        for (const FunctionHook& hook : generation_.component.functions) {
+            const ir::Function& function = generation_.system.functions[hook.id.index];
+            std::string parameters;
+            for (std::size_t i = 0; i < function.parameters.size(); ++i)
+                parameters +=
+                    fmt::format("{}[[maybe_unused]] {} a{}", i == 0 ? "" : ", ", type(function.parameters[i]), i);
+            const auto text = [&](ir::TypeId id, const ir::Value& value) {
+                return cpp_value(generation_.system, generation_.inst, id, value, spelling());
+            };
+            out_.open(fmt::format("{} {}({}) const noexcept {{", type(function.result), hook.method, parameters));
+            ir::Value otherwise = ir::default_value(generation_.system, generation_.inst, function.result);
+            for (const FunctionValue& row : values_of(generation_.system, generation_.inst, hook.id)) {
+                if (row.arguments.empty()) {  // there is but one value
+                    otherwise = row.result;
+                    break;
+                }
+                std::vector<std::string> equal;
+                for (std::size_t i = 0; i < row.arguments.size(); ++i)
+                    equal.push_back(fmt::format("a{} == {}", i, text(function.parameters[i], row.arguments[i])));
+                out_.line(
+                    fmt::format("if ({}) return {};", fmt::join(equal, " && "), text(function.result, row.result)));
+            }
+            out_.line(fmt::format("return {};", text(function.result, otherwise)));
+            out_.close();
+        }
+    }
+
+    void log_class() {
+        out_.gap();
+        out_.doc("The platform of the exploration: writes down what the controller does.");
+        out_.open("class Log {");
+        out_.label("public:");
+        out_.line("explicit Log(rc_log& log) noexcept : log_(log) {}");
+        out_.gap();
+        for (std::size_t index = 0; index < outputs_.size(); ++index) {
+            std::string parameters, arguments;
+            for (std::size_t i = 0; i < outputs_[index].types.size(); ++i) {
+                parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", type(outputs_[index].types[i]), i);
+                arguments += ", " + as_number(outputs_[index].types[i], fmt::format("a{}", i));
+            }
+            out_.line(fmt::format("void {}({}) noexcept {{ robochart::write_record(log_, {}{}); }}",
+                                  outputs_[index].method, parameters, index, arguments));
+        }
+        functions_of_the_model();
+        if (generation_.component.probabilistic)
+            out_.line(
+                "std::size_t choose(const double*, std::size_t count) noexcept { return "
+                "robochart::recorded_way(log_, count); }");
+        if (generation_.options.choices)
+            out_.line("std::size_t pick(std::size_t count) noexcept { return robochart::recorded_way(log_, count); }");
+        for (const ModelledCall& call : generation_.component.modelled) {
+            std::string parameters;
+            for (const ir::TypeId parameter : call.signature->parameters)
+                parameters += (parameters.empty() ? "" : ", ") + type(parameter);
+            out_.line(fmt::format("bool {}({}) noexcept {{ return false; }}", call.method, parameters));
+        }
+        out_.gap();
+        out_.label("private:");
+        out_.line("[[maybe_unused]] rc_log& log_;");
+        out_.close("};");
+    }
+
+    void functions() {
+        out_.gap();
+        out_.open("void write_initial(void* state) noexcept {");
+        out_.line("const State initial{};");
+        out_.line("std::memcpy(state, &initial, sizeof initial);");
+        out_.close();
+        out_.gap();
+        out_.open("Inputs read_inputs([[maybe_unused]] const rc_register* registers) noexcept {");
+        out_.line("Inputs read;");
+        for (std::size_t index = 0; index < registers_.size(); ++index) {
+            const Register& input = registers_[index];
+            out_.line(fmt::format("read.{}.present = registers[{}].present != 0;", input.member, index));
+            if (input.type && composed(generation_.system.type(*input.type)))
+                out_.line(
+                    fmt::format("read.{}.value = {}[registers[{}].value];", input.member, table(*input.type), index));
+            else if (input.type)
+                out_.line(fmt::format("read.{0}.value = robochart::from_raw<{1}>({0}_values[registers[{2}].value]);",
+                                      input.member, type(*input.type), index));
+        }
+        out_.line("return read;");
+        out_.close();
+        out_.gap();
+        out_.open("rc_result step_once(void* state, const rc_register* registers, rc_log* log) noexcept {");
+        out_.line("State current;");
+        out_.line("std::memcpy(&current, state, sizeof current);");
+        out_.line("robochart::clear(*log);");
+        out_.line("Log platform(*log);");
+        out_.line("const robochart::StepResult result = core::step(current, read_inputs(registers), platform);");
+        out_.line("std::memcpy(state, &current, sizeof current);");
+        out_.line("return robochart::to_abi(result);");
+        out_.close();
+        out_.gap();
+        out_.open("void print_state(const void* state, char* buffer, std::size_t size) noexcept {");
+        out_.line("State current;");
+        out_.line("std::memcpy(&current, state, sizeof current);");
+        out_.line("robochart::Text text(buffer, size);");
+        out_.line("print(text, \"\", current);");
+        out_.close();
+    }
+
+    /// The event-driven face, where there is one.
+    void event_functions() {
+        const std::size_t events = input_events(generation_.component).size();
+        if (events == 0) return;
+        out_.gap();
+        out_.open(
+            "rc_result dispatch_once(void* state, std::uint32_t event, const rc_register* registers, rc_log* log) "
+            "noexcept {");
+        out_.line("State current;");
+        out_.line("std::memcpy(&current, state, sizeof current);");
+        out_.line("robochart::clear(*log);");
+        out_.line("Log platform(*log);");
+        out_.line(
+            fmt::format("const robochart::StepResult result = event == {} ? core::begin(current, platform)", events));
+        out_.line(
+            fmt::format("    : core::dispatch(current, static_cast<core::{}>(event), read_inputs(registers), "
+                        "platform);",
+                        event_type(generation_)));
+        out_.line("std::memcpy(state, &current, sizeof current);");
+        out_.line("return robochart::to_abi(result);");
+        out_.close();
+        out_.gap();
+        out_.open("rc_result pass_once(void* state, rc_log* log) noexcept {");
+        out_.line("State current;");
+        out_.line("std::memcpy(&current, state, sizeof current);");
+        out_.line("Log platform(*log);");
+        out_.line("const robochart::StepResult result = core::pass(current, platform);");
+        out_.line("std::memcpy(state, &current, sizeof current);");
+        out_.line("return robochart::to_abi(result);");
+        out_.close();
+    }
+
+    void interface_table() {
+        out_.gap();
+        out_.open("constexpr rc_interface interface = {");
+        out_.line("ROBOCHART_ABI_VERSION,");
+        out_.line(fmt::format("\"{}\",", generation_.component.name));
+        out_.line("sizeof(State),");
+        out_.line(fmt::format("{}, inputs,", registers_.size()));
+        out_.line(fmt::format("{}, outputs,", outputs_.size()));
+        out_.line(fmt::format("{},", generation_.inst.scale));
+        out_.line("write_initial,");
+        out_.line("step_once,");
+        out_.line("print_state,");
+        const std::size_t events = input_events(generation_.component).size();
+        out_.line(events == 0 ? "0, nullptr, nullptr," : fmt::format("{}, dispatch_once, pass_once,", events));
+        out_.close("};");
+        out_.gap();
+        out_.line("}  // namespace");
+        out_.gap();
+        out_.open("extern \"C\" const rc_interface* robochart_explore(void) {");
+        out_.line("return &interface;");
+        out_.close();
+    }
+
+    const Generation& generation_;
+    const Core& core_;
+    std::vector<Register> registers_;
+    std::vector<Output> outputs_;
+    StatePrinters printers_;
+    CodeWriter out_;
+};
+
+}  // namespace
+
+std::string shim_source(const Generation& generation, const Core& core) {
+    return ShimWriter(generation, core).write();
+}
+
+}  // namespace robochart::cpp_emit

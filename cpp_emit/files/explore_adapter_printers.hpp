@@ -1,0 +1,33 @@
+// How the exploration interface prints a state: functions of its source that name each field and its value.
+#pragma once
+
+#include <string>
+
+#include "cpp_emit/files/files.hpp"
+
+namespace robochart::cpp_emit {
+
+class StatePrinters {
+public:
+    StatePrinters(const Generation& generation, const Core& core) : generation_(generation), core_(core) {}
+
+    /// Some field has parts: their words are those of logs (robochart/explore_values.hpp, NAME_trace.hpp).
+    [[nodiscard]] bool words_of_logs() const;
+    /// The functions `print`, the last of them for the whole state.
+    void write(CodeWriter&) const;
+
+private:
+    void name_functions(CodeWriter&) const;
+    void print_unit(CodeWriter&, std::size_t unit) const;
+    void print_composed(CodeWriter&) const;
+    void print_field(CodeWriter&, const Field&) const;
+    void print_frame(CodeWriter&, const Field&) const;
+    [[nodiscard]] std::string value_printer(const std::string& type, const std::string& value) const;
+    [[nodiscard]] bool frame(const std::string& type) const;
+    [[nodiscard]] bool named(const std::string& type) const;
+
+    const Generation& generation_;
+    const Core& core_;
+};
+
+}  // namespace robochart::cpp_emit

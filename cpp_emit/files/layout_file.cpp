@@ -1,0 +1,145 @@
+// What tools know of a generated controller: the layout of its state as a table, the names of places, and, for
+// compilers that have them, the platform as a concept.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_emit/files/files.hpp"
+#include "cpp_emit/plan/types.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+class LayoutWriter {
+public:
+    LayoutWriter(const Generation& generation, const Core& core) : generation_(generation), core_(core) {}
+
+    std::string write() {
+        file_comment(generation_, out_, "Layout of the state");
+        out_.comment("For printing, hashing and tools; the controller does not need it.");
+        out_.line("#pragma once");
+        out_.gap();
+        out_.line("#include <cstddef>");
+        out_.line("#include <type_traits>");
+        out_.gap();
+        out_.line(fmt::format("#include \"{}\"", core_.header));
+        out_.line("#include \"robochart/layout.hpp\"");
+        out_.gap();
+        out_.line(fmt::format("namespace {} {{", core_.name_space));
+        out_.gap();
+        table();
+        for (const MachineCode& machine : core_.machines)
+            for (const Enumeration& enumeration : machine.enumerations) names(enumeration);
+        out_.gap();
+        out_.line(fmt::format("}}  // namespace {}", core_.name_space));
+        return out_.text();
+    }
+
+private:
+    void table() {
+        out_.doc("Every member of State, with those of the frames in it.");
+        out_.line("template <class Types>");
+        out_.open("inline constexpr robochart::Field layout[] = {");
+        rows("", "", "State<Types>", core_.layout);
+        out_.close("};");
+        out_.gap();
+        out_.line("static_assert(std::is_trivially_copyable<State<robochart::Deployment>>::value &&");
+        out_.line("                  std::is_standard_layout<State<robochart::Deployment>>::value,");
+        out_.line("              \"a value\");");
+        out_.line(
+            "static_assert(robochart::covers(layout<robochart::Deployment>, sizeof(State<robochart::Deployment>)), "
+            "\"no padding\");");
+    }
+
+    /// The layout of a struct that is a frame; null if the type is none.
+    [[nodiscard]] const FrameLayout* frame(const std::string& type) const {
+        const auto& units = generation_.component.units;
+        for (std::size_t i = 0; i < units.size(); ++i)
+            if (units[i].frame + "<Types>" == type) return &core_.machines[i].layout;
+        return nullptr;
+    }
+
+    void rows(const std::string& path, const std::string& offset, const std::string& owner, const FrameLayout& layout) {
+        for (const Field& field : layout.fields) {
+            const std::string name = field.name.substr(0, field.name.find('['));
+            const std::string place = fmt::format("{}offsetof({}, {})", offset, owner, name);
+            if (name == "filler") {
+                out_.line(fmt::format("robochart::filler({}, sizeof({}::filler)),", place, owner));
+                continue;
+            }
+            if (const FrameLayout* const inner = frame(field.type)) {
+                rows(path + name + ".", place + " + ", field.type, *inner);
+                continue;
+            }
+            const std::size_t values = values_of(field.type);
+            out_.line(fmt::format("robochart::field<decltype({}::{})>(\"{}\", {}{}),", owner, name, path + name, place,
+                                  values == 0 ? "" : fmt::format(", {}", values)));
+        }
+    }
+
+    /// Of an enumeration of the core.
+    [[nodiscard]] std::size_t values_of(const std::string& type) const {
+        for (const MachineCode& machine : core_.machines)
+            for (const Enumeration& enumeration : machine.enumerations)
+                if (enumeration.name == type) return enumeration.values.size();
+        for (const ir::TypeId id : generation_.component.enumerations) {
+            const ir::Type& declared = generation_.system.type(id);
+            if (declared.kind == ir::TypeKind::enumeration && declared_name(declared) == type)
+                return declared.labels.size();
+        }
+        return 0;
+    }
+
+    void names(const Enumeration& enumeration) {
+        out_.gap();
+        out_.doc("The place as it is called in the code, and what it is in the model.");
+        two_names("name", enumeration, [](const Enumerator& value) { return diagnostics::cpp_string(value.name); });
+        out_.gap();
+        two_names("element", enumeration, [](const Enumerator& value) { return diagnostics::cpp_string(value.comment); });
+    }
+
+    template <class Text>
+    void two_names(const char* function, const Enumeration& enumeration, const Text& text) {
+        out_.open(
+            fmt::format("[[nodiscard]] constexpr const char* {}({} place) noexcept {{", function, enumeration.name));
+        out_.open("switch (place) {");
+        for (const Enumerator& value : enumeration.values)
+            out_.line(fmt::format("case {}::{}: return {};", enumeration.name, value.name, text(value)));
+        out_.close();
+        out_.line("return \"\";");
+        out_.close();
+    }
+
+    const Generation& generation_;
+    const Core& core_;
+    CodeWriter out_;
+};
+
+}  // namespace
+
+std::string layout_header(const Generation& generation, const Core& core) {
+    return LayoutWriter(generation, core).write();
+}
+
+void write_platform_concept(const std::vector<std::string>& calls, CodeWriter& out) {
+    out.line("#if defined(__cpp_concepts) && __cpp_concepts >= 201907L");
+    out.doc("The same for compilers that have concepts; step() asks for it.");
+    out.line("template <class Types, class P>");
+    out.open("struct PlatformCheck {");
+    out.line("using Real = typename Types::Real;");
+    out.line("using Nat = typename Types::Nat;");
+    out.line("using Int = typename Types::Int;");
+    out.gap();
+    out.open("static constexpr bool complete = requires([[maybe_unused]] P& platform) {");
+    for (const std::string& call : calls) out.line(fmt::format("{{ platform.{} }} noexcept;", call));
+    if (calls.empty()) out.line("requires true;");
+    out.close("};");
+    out.close("};");
+    out.line("template <class P, class Types>");
+    out.line("concept PlatformOf = PlatformCheck<Types, P>::complete;");
+    out.line("#endif");
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,16 @@
+// The headers that ship with generated code, below robochart/.
+#pragma once
+
+#include <vector>
+
+#include "cpp_emit/plan/component.hpp"
+#include "cpp_emit/plan/options.hpp"
+
+namespace robochart::cpp_emit {
+
+/// All headers that generated code may include, below robochart/.
+[[nodiscard]] std::vector<OutputFile> shipped_headers();
+/// Those of these headers that the component needs.
+[[nodiscard]] std::vector<OutputFile> value_headers(const Component&);
+
+}  // namespace robochart::cpp_emit

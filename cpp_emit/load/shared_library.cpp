@@ -1,0 +1,224 @@
+// Compiling and loading; see shared_library.hpp. The flags keep two loaded controllers apart: each symbol stays in
+// its own object (hidden visibility, RTLD_LOCAL), and inline variables are not made unique across objects
+// (-fno-gnu-unique): otherwise one controller would run with the other's tables and every comparison would agree.
+#include "cpp_emit/load/shared_library.hpp"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+extern char** environ;
+
+namespace robochart::cpp_emit {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The environment of a program whose temporary files are to go to this folder: one that is ended leaves them behind.
+std::vector<std::string> environment_within(const fs::path& folder) {
+    std::vector<std::string> result{"TMPDIR=" + fs::absolute(folder).string()};
+    for (char** entry = environ; *entry != nullptr; ++entry)
+        if (!std::string_view(*entry).starts_with("TMPDIR=")) result.emplace_back(*entry);
+    return result;
+}
+
+std::vector<char*> as_argv(const std::vector<std::string>& words) {
+    std::vector<char*> result;
+    for (const std::string& word : words) result.push_back(const_cast<char*>(word.c_str()));
+    result.push_back(nullptr);
+    return result;
+}
+
+/// Starts the program as the leader of a process group, as it may have to be ended with all that it starts; with the
+/// signals as a program expects them, whatever this one does with its own. Returns 0 with `error` set where it cannot.
+pid_t start(const std::vector<std::string>& command, const std::string& log, std::string& error) {
+    const std::vector<char*> arguments = as_argv(command);
+    const std::vector<std::string> variables = environment_within(fs::path(log).parent_path());
+    const std::vector<char*> environment = as_argv(variables);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0600);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t none;
+    sigemptyset(&none);
+    sigset_t usual;
+    sigemptyset(&usual);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGXFSZ}) sigaddset(&usual, signal);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &usual);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    pid_t child = 0;
+    const int spawned = posix_spawnp(&child, arguments.front(), &actions, &attributes, arguments.data(), environment.data());
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    if (spawned == 0) return child;
+    error = fmt::format("cannot run {}: {}", command.front(), std::strerror(spawned));
+    return 0;
+}
+
+/// Waits until the program has ended, and polls. It is not collected yet: until then its number is its own.
+void wait_within(pid_t child, diagnostics::Budget& budget) {
+    siginfo_t ended{};
+    const auto running = [&] {
+        return waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
+    };
+    // Most programs end soon; what takes long is asked less often.
+    auto pause = std::chrono::milliseconds(1);
+    for (; running(); std::this_thread::sleep_for(pause)) {
+        budget.check();
+        pause = std::min(pause * 2, std::chrono::milliseconds(20));
+    }
+}
+
+/// Its exit status once it has ended; -1 where it is lost.
+int collect(pid_t child) {
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) return -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error,
+                diagnostics::Budget* budget) {
+    const pid_t child = start(command, log, error);
+    if (child == 0) return -1;
+    const diagnostics::Budget::Held held(budget, child);
+    try {
+        if (budget != nullptr) wait_within(child, *budget);
+    } catch (const diagnostics::LimitReached&) {
+        kill(-child, SIGKILL);
+        (void)collect(child);
+        throw;
+    }
+    const int status = collect(child);
+    if (status < 0) error = fmt::format("lost {}: {}", command.front(), std::strerror(errno));
+    return status;
+}
+
+namespace {
+
+std::string read_file(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::vector<std::string> words(const std::string& text) {
+    std::istringstream in(text);
+    std::vector<std::string> found;
+    for (std::string word; in >> word;) found.push_back(word);
+    return found;
+}
+
+std::vector<std::string> command_line(const BuildOptions& options, const fs::path& folder,
+                                      const std::vector<std::string>& sources, const std::string& target) {
+    std::vector<std::string> command{options.compiler};
+    for (std::string& flag : words(options.flags)) command.push_back(std::move(flag));
+    command.insert(command.end(), {"-shared", "-fPIC", "-fvisibility=hidden", "-I", folder.string(), "-o", target});
+    // Absolute: a compiler takes "-x" and "@x" for something else than a file.
+    for (const std::string& source : sources) command.push_back(fs::absolute(folder / source).string());
+    return command;
+}
+
+/// A compiler that the system gave too little memory has found nothing wrong with the code.
+bool lacked_memory(const std::string& said) {
+    const auto says = [&](const char* words) { return said.find(words) != std::string::npos; };
+    return says("memory exhausted") || says("out of memory") || says("annot allocate memory") || says("Killed signal") ||
+           says("std::bad_alloc");
+}
+
+bool compile(const BuildOptions& options, const fs::path& folder, const std::vector<std::string>& sources,
+             const std::string& target, std::string& error) {
+    std::vector<std::string> command = command_line(options, folder, sources, target);
+    command.insert(command.begin() + 1, "-fno-gnu-unique");
+    const std::string log = target + ".log";
+    int status = run_program(command, log, error, options.budget);
+    std::string said = read_file(log);
+    if (status > 0 && said.find("no-gnu-unique") != std::string::npos) {
+        command.erase(command.begin() + 1);  // clang knows no unique symbols and no such option
+        status = run_program(command, log, error, options.budget);
+        said = read_file(log);
+    }
+    std::error_code ignored;
+    fs::remove(log, ignored);
+    if (status > 0 && lacked_memory(said))
+        throw diagnostics::LimitReached(fmt::format("{} was given no more memory", options.compiler));
+    if (status > 0) error = fmt::format("{} failed with status {}:\n{}", options.compiler, status, said);
+    return status == 0;
+}
+
+/// Each build gets a name of its own: the loader would take a loaded object of the same name for the new one.
+std::string object_name(const fs::path& folder, std::string& error) {
+    std::string name = (folder / "controller-XXXXXX.so").string();
+    const int file = mkstemps(name.data(), 3);
+    if (file < 0) {
+        error = fmt::format("cannot write in {}: {}", folder.string(), std::strerror(errno));
+        return "";
+    }
+    close(file);
+    return name;
+}
+
+}  // namespace
+
+std::unique_ptr<SharedLibrary> SharedLibrary::build(const std::vector<OutputFile>& files,
+                                                    const std::vector<std::string>& sources,
+                                                    const BuildOptions& options, std::string& error) {
+    std::unique_ptr<SharedLibrary> object(new SharedLibrary);
+    std::error_code failed;
+    object->folder_ = options.work_dir;
+    if (options.work_dir.empty()) {
+        object->temporary_ = std::make_unique<diagnostics::TemporaryFolder>("", error, options.budget);
+        object->folder_ = object->temporary_->path();
+        if (object->folder_.empty()) return nullptr;
+    } else {
+        fs::create_directories(object->folder_, failed);
+    }
+    for (const OutputFile& file : files) {
+        error = diagnostics::write_below(object->folder_, file.path, file.text);
+        if (!error.empty()) return nullptr;
+    }
+    object->path_ = object_name(object->folder_, error);
+    if (object->path_.empty() || !compile(options, object->folder_, sources, object->path_, error) ||
+        !object->load(error))
+        return nullptr;
+    return object;
+}
+
+bool SharedLibrary::load(std::string& error) {
+    handle_ = dlopen(fs::absolute(path_).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle_ == nullptr) error = fmt::format("cannot load the generated code: {}", dlerror());
+    return handle_ != nullptr;
+}
+
+void* SharedLibrary::symbol(const char* name) const {
+    return dlsym(handle_, name);
+}
+
+SharedLibrary::~SharedLibrary() {
+    if (handle_ != nullptr) dlclose(handle_);
+    std::error_code ignored;
+    if (temporary_ == nullptr && !path_.empty()) fs::remove(path_, ignored);
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,64 @@
+// Looking up what a unit's numbers stand for in the component.
+#include <algorithm>
+
+#include "cpp_emit/plan/component.hpp"
+#include "cpp_emit/plan/types.hpp"
+
+namespace robochart::cpp_emit {
+
+std::set<std::string> never_members(const ir::System& system, const Component& component) {
+    std::set<std::string> names = {"at",    "wait",  "leaving", "filler", "kept", "State", "Inputs",   "At",
+                                   "Event", "Types", "Real",    "Nat",    "Int",  "std",   "robochart"};
+    for (const ir::TypeId type : component.enumerations) names.insert(declared_name(system.type(type)));
+    for (const Unit& unit : component.units) names.insert({unit.frame, unit.points});
+    return names;
+}
+
+NameScope core_type_scope(const Component& component) {
+    NameScope scope(own_type_names());
+    for (const Unit& unit : component.units) {
+        for (const ir::Variable& variable : unit.machine->variables) scope.take(identifier(variable.name));
+        for (const ir::Clock& clock : unit.machine->clocks) scope.take(identifier(clock.name));
+        for (const ir::Event& event : unit.machine->events) scope.take(identifier(event.name));
+    }
+    for (const Part& part : component.parts) scope.take(identifier(part.name));
+    return scope;
+}
+
+const EventUse& Component::event(const Unit& of, ir::EventId id) const {
+    return *event(Peer{of.part, of.machine->events[id.index].name});
+}
+
+const EventUse* Component::event(const Peer& end) const {
+    const std::vector<EventUse>& uses = parts[end.part].events;
+    const auto found =
+        std::find_if(uses.begin(), uses.end(), [&](const EventUse& use) { return use.name == end.event; });
+    return found == uses.end() ? nullptr : &*found;
+}
+
+const StoredVariable* Component::stored(const Unit& of, ir::VariableId id) const {
+    if (!unit(of.variable_owners[id.index].unit).root) return nullptr;
+    return &variables[part(of).variables.at(of.machine->variables[id.index].name)];
+}
+
+const PlatformCall& Component::call(const Unit& of, ir::OperationId id) const {
+    const std::string& wanted = of.machine->operations[id.index].name;
+    return *std::find_if(calls.begin(), calls.end(),
+                         [&](const PlatformCall& candidate) { return candidate.signature->name == wanted; });
+}
+
+const ModelledCall& Component::modelled_call(ir::MachineId definition) const {
+    return *std::find_if(modelled.begin(), modelled.end(),
+                         [&](const ModelledCall& candidate) { return candidate.definition == definition; });
+}
+
+const CarrierUse& Component::carrier(ir::TypeId type) const {
+    return *std::find_if(carriers.begin(), carriers.end(), [&](const CarrierUse& use) { return use.type == type; });
+}
+
+std::pair<const Unit*, ir::ClockId> Component::clock(const Unit& of, ir::ClockId id) const {
+    const Owner& owner = of.clock_owners[id.index];
+    return {&unit(owner.unit), ir::ClockId{owner.place}};
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,31 @@
+// See exploration_ports.hpp.
+#include "cpp_emit/plan/exploration_ports.hpp"
+
+namespace robochart::cpp_emit {
+
+std::vector<Register> registers(const Component& component) {
+    std::vector<Register> result;
+    for (const EventPort& event : component.events)
+        if (event.received) result.push_back({event.outside + ".in", event.input, event.type});
+    for (const StoredVariable& variable : component.variables)
+        if (!variable.input.empty() && !variable.copy)
+            result.push_back({"set_EXT_" + variable.variable->name, variable.input, variable.variable->type});
+    return result;
+}
+
+std::vector<Output> outputs(const Component& component) {
+    std::vector<Output> result;
+    for (const PlatformCall& call : component.calls)
+        result.push_back({call.signature->name + "Call", call.method, call.signature->parameters});
+    for (const EventPort& event : component.events) {
+        if (event.output.empty()) continue;
+        result.push_back({event.outside + ".out", event.output, {}});
+        if (event.type) result.back().types.push_back(*event.type);
+    }
+    for (const StoredVariable& variable : component.variables)
+        if (variable.visible && !variable.copy)
+            result.push_back({"set_" + variable.variable->name, variable.output, {variable.variable->type}});
+    return result;
+}
+
+}  // namespace robochart::cpp_emit

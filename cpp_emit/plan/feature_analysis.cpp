@@ -1,0 +1,120 @@
+#include "cpp_emit/plan/feature_analysis.hpp"
+
+#include <algorithm>
+
+#include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/plan/walk.hpp"
+#include "semantics/evaluate/toolkit.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::ExprKind;
+using ir::TypeKind;
+
+namespace {
+
+/// The types whose values an expression visits.
+std::vector<ir::TypeId> visited(const ir::System& system, const ir::Expr& expr) {
+    switch (expr.kind) {
+        case ExprKind::forall:
+        case ExprKind::exists:
+        case ExprKind::exists_unique:
+        case ExprKind::lambda:
+        case ExprKind::the:
+        case ExprKind::set_comprehension:
+            return expr.bound_types;
+        case ExprKind::function_value:
+            return {system.type(expr.type).args.at(0)};
+        case ExprKind::range: {
+            const ir::TypeId member = system.type(expr.type).args.at(0);
+            return system.type(member).kind == TypeKind::real ? std::vector<ir::TypeId>{member}
+                                                              : std::vector<ir::TypeId>{};
+        }
+        case ExprKind::toolkit: {
+            std::vector<ir::TypeId> result;
+            for (const std::size_t place : ir::toolkit_carriers(expr.text))
+                result.push_back(expr.bound_types.at(place));
+            return result;
+        }
+        default:
+            return {};
+    }
+}
+
+class Uses {
+public:
+    Uses(Component& component, const ir::System& system) : component_(component), system_(system) {}
+
+    void collect() {
+        for (const Part& part : component_.parts)
+            for (const EventUse& event : part.events)
+                if (event.type) type(*event.type);
+        for (const FunctionHook& hook : component_.functions) signature(system_.functions[hook.id.index]);
+        for (const PlatformCall& call : component_.calls)
+            for (const ir::TypeId parameter : call.signature->parameters) type(parameter);
+        for (const Unit& unit : component_.units) {
+            for (const ir::Node& node : unit.machine->nodes)
+                component_.probabilistic = component_.probabilistic || node.kind == ir::NodeKind::probabilistic;
+            for (const ir::Variable& variable : unit.machine->variables) type(variable.type);
+            visit_expressions(*unit.machine, [&](const ir::Expr& expr) { expression(expr); });
+        }
+        visit_asked(component_, system_, [&](const ir::Expr& expr) { expression(expr); });
+        component_.matrices = component_.matrices || component_.toolkit;
+    }
+
+private:
+    void signature(const ir::Function& function) {
+        for (const ir::TypeId parameter : function.parameters) type(parameter);
+        type(function.result);
+    }
+
+    void expression(const ir::Expr& expr) {
+        if (expr.type.valid()) type(expr.type);
+        const bool converts = expr.kind == ExprKind::toolkit || expr.kind == ExprKind::cast ||
+                              expr.kind == ExprKind::apply || expr.kind == ExprKind::function_value ||
+                              expr.kind == ExprKind::set_range || expr.kind == ExprKind::range ||
+                              expr.kind == ExprKind::is_type;
+        const bool with_parts = expr.type.valid() && composed(system_.type(expr.type));
+        component_.toolkit = component_.toolkit || (converts && (with_parts || expr.kind != ExprKind::cast));
+        for (const ir::ExprPtr& part : expr.args)
+            if (part && part->type.valid() && with_parts && mixed(part->type)) component_.toolkit = true;
+        for (const ir::TypeId each : visited(system_, expr)) carrier(each);
+    }
+
+    /// Values with parts may be converted where they are used as others.
+    [[nodiscard]] bool mixed(ir::TypeId id) const { return composed(system_.type(id)); }
+
+    void carrier(ir::TypeId id) {
+        const auto same = [&](const CarrierUse& use) { return use.type == id; };
+        if (std::any_of(component_.carriers.begin(), component_.carriers.end(), same)) return;
+        component_.carriers.push_back({id, scope_.unique("any_" + system_.type(id).name)});
+    }
+
+    // Types may contain themselves.
+    void type(ir::TypeId id) {
+        if (std::find(seen_.begin(), seen_.end(), id) != seen_.end()) return;
+        seen_.push_back(id);
+        const ir::Type& found = system_.type(id);
+        component_.matrices = component_.matrices || block(found);
+        component_.strings = component_.strings || found.kind == TypeKind::string;
+        const bool of_parts = found.kind == TypeKind::set && composed(system_.type(found.args.at(0)));
+        component_.toolkit = component_.toolkit || of_pairs(found) || of_parts;
+        component_.ordered = component_.ordered || of_pairs(found) || of_parts;
+        for (const ir::TypeId part : found.args) type(part);
+        for (const auto& arguments : found.literal_args)
+            for (const ir::TypeId part : arguments) type(part);
+    }
+
+    Component& component_;
+    const ir::System& system_;
+    NameScope scope_;
+    std::vector<ir::TypeId> seen_;
+};
+
+}  // namespace
+
+void collect_uses(Component& component, const ir::System& system) {
+    Uses(component, system).collect();
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,12 @@
+// Which parts of the shipped headers a component needs, and whose types' values its expressions visit.
+#pragma once
+
+#include "cpp_emit/plan/component.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::cpp_emit {
+
+/// Fills Component::carriers, matrices, toolkit, strings and ordered from the types and expressions of its units.
+void collect_uses(Component&, const ir::System&);
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,123 @@
+#include "cpp_emit/plan/names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "cpp_emit/plan/reserved.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+// ISO C++20 [lex.key], [lex.digraph], [lex.name]; then macros that compilers define without a header.
+constexpr std::array keywords = {
+    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
+    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
+    "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
+    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
+    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
+    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
+    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
+    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
+    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
+    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
+    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
+    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
+    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
+    "xor_eq",      "import",   "module",     "linux",     "unix",      "i386",         "main",
+    "std",         "final",    "override",
+};
+
+bool listed(std::span<const std::string_view> names, std::string_view name) {
+    return std::binary_search(names.begin(), names.end(), name);
+}
+
+/// The macros of the headers that ship with generated code.
+bool of_runtime(std::string_view name) {
+    return name.starts_with("ROBOCHART_") || name.starts_with("RC_");
+}
+
+/// An identifier that can be made free by what is put behind it.
+std::string stem_of(std::string_view text) {
+    const std::string name = identifier(text);
+    return of_runtime(name) ? "model_" + name : name;
+}
+
+bool identifier_character(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+}  // namespace
+
+bool reserved_in_cpp(std::string_view name) {
+    return std::find(keywords.begin(), keywords.end(), name) != keywords.end() || listed(reserved_macros(), name) ||
+           of_runtime(name);
+}
+
+bool reserved_below_global_scope(std::string_view name) {
+    // The namespace of the runtime, then what the projects' own code has and includes.
+    static constexpr std::array outside = {"robochart", "rclcpp", "Body", "CVector2", "Eigen",
+                                           "Enki",      "Eye",    "Puck", "argos",    "testing"};
+    return reserved_in_cpp(name) || std::find(outside.begin(), outside.end(), name) != outside.end();
+}
+
+bool reserved_at_global_scope(std::string_view name) {
+    return reserved_below_global_scope(name) || listed(reserved_globals(), name) ||
+           listed(reserved_own_types(), name) || listed(reserved_own_members(), name);
+}
+
+std::set<std::string> own_type_names() {
+    return {reserved_own_types().begin(), reserved_own_types().end()};
+}
+
+std::set<std::string> own_member_names() {
+    return {reserved_own_members().begin(), reserved_own_members().end()};
+}
+
+std::string identifier(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (identifier_character(c)) {
+            result += c;
+        } else if (!result.empty() && result.back() != '_') {
+            result += '_';
+        }
+    }
+    if (result.empty()) result = "unnamed";
+    if (std::isdigit(static_cast<unsigned char>(result.front())) != 0) result.insert(0, "n");
+    return result;
+}
+
+std::vector<std::string> parameter_identifiers(const std::vector<std::string>& names) {
+    NameScope scope(own_member_names());
+    std::vector<std::string> result;
+    for (const std::string& name : names) result.push_back(scope.unique(name));
+    return result;
+}
+
+/// Underscores that an identifier may not have are written out, behind a digit that no name begins with.
+std::string bound_identifier(std::string_view name) {
+    if (identifier(name) == name) return "bound_" + std::string(name);
+    std::string result = "bound_0";
+    for (const char c : name) result += c == '_' ? "_u" : std::string(1, c);
+    return result;
+}
+
+std::string NameScope::unique(std::string_view wanted) {
+    const std::string base = stem_of(wanted);
+    std::string name = reserved_(base) ? base + "_" : base;
+    for (unsigned number = 2; reserved_(name) || !taken_.insert(name).second; ++number)
+        name = base + "_" + std::to_string(number);
+    return name;
+}
+
+std::string NameScope::numbered(std::string_view stem) {
+    const std::string base = stem_of(stem) + "_";
+    for (unsigned number = 1;; ++number) {
+        std::string name = base + std::to_string(number);
+        if (!reserved_(name) && taken_.insert(name).second) return name;
+    }
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,403 @@
+#include "cpp_emit/plan/types.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "cpp_emit/plan/names.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::TypeKind;
+
+bool numeric(TypeKind kind) {
+    return kind == TypeKind::nat || kind == TypeKind::integer || kind == TypeKind::real;
+}
+
+bool is_struct(const ir::Type& type) {
+    if (type.kind == TypeKind::record || type.kind == TypeKind::product) return true;
+    return type.kind == TypeKind::enumeration && std::any_of(type.literal_args.begin(), type.literal_args.end(),
+                                                             [](const auto& args) { return !args.empty(); });
+}
+
+bool declared(const ir::Type& type) {
+    return is_struct(type) || type.kind == TypeKind::enumeration || type.kind == TypeKind::given;
+}
+
+bool composed(const ir::Type& type) {
+    switch (type.kind) {
+        case TypeKind::sequence:
+        case TypeKind::set:
+        case TypeKind::relation:
+        case TypeKind::function:
+        case TypeKind::vector:
+        case TypeKind::matrix:
+        case TypeKind::string:
+            return true;
+        default:
+            return is_struct(type);
+    }
+}
+
+bool block(const ir::Type& type) {
+    return type.kind == TypeKind::vector || type.kind == TypeKind::matrix;
+}
+
+bool of_pairs(const ir::Type& type) {
+    return type.kind == TypeKind::relation || type.kind == TypeKind::function;
+}
+
+namespace {
+
+/// Types may contain themselves; no value of such a type has a bounded size.
+constexpr std::size_t deepest_type = 16;
+
+bool supported_below(const ir::System& system, ir::TypeId id, std::size_t depth) {
+    const ir::Type& type = system.type(id);
+    if (depth > deepest_type) return false;
+    const auto parts = [&] {
+        const std::vector<TypeMember> all = members(type);
+        return std::all_of(all.begin(), all.end(),
+                           [&](const TypeMember& member) { return supported_below(system, member.type, depth + 1); });
+    };
+    switch (type.kind) {
+        case TypeKind::enumeration:
+            return !type.labels.empty() && type.labels.size() <= 256 && parts();
+        case TypeKind::record:
+        case TypeKind::product:
+            return !type.args.empty() && parts();
+        case TypeKind::vector:
+        case TypeKind::matrix:
+        case TypeKind::sequence:
+        case TypeKind::set:
+            return supported_below(system, type.args.at(0), depth + 1);
+        case TypeKind::relation:
+        case TypeKind::function:
+            return supported_below(system, type.args.at(0), depth + 1) &&
+                   supported_below(system, type.args.at(1), depth + 1);
+        default:
+            return numeric(type.kind) || type.kind == TypeKind::boolean || type.kind == TypeKind::given ||
+                   type.kind == TypeKind::string;
+    }
+}
+
+}  // namespace
+
+bool supported(const ir::System& system, ir::TypeId id) {
+    return supported_below(system, id, 0);
+}
+
+std::vector<TypeMember> members(const ir::Type& type) {
+    std::vector<TypeMember> result;
+    NameScope names({"filler", "kind", "Kind", "make", "of", "Real", "Nat", "Int", "Types", "robochart", "std",
+                     "result", declared_name(type)});
+    for (const std::string& label : type.labels)
+        if (type.kind == TypeKind::enumeration) (void)names.unique(label);
+    for (std::size_t i = 0; i < type.args.size() && type.kind != TypeKind::enumeration; ++i)
+        result.push_back({names.unique(type.kind == TypeKind::record ? type.labels[i] : fmt::format("item_{}", i + 1)),
+                          type.args[i], 0});
+    for (std::size_t literal = 0; type.kind == TypeKind::enumeration && literal < type.literal_args.size(); ++literal)
+        for (const ir::TypeId argument : type.literal_args[literal])
+            result.push_back({names.numbered(type.labels[literal]), argument, literal});
+    return result;
+}
+
+namespace {
+
+/// Names like those of functions that the core has for elements of the model, which would hide the type.
+bool method_like(const std::string& name) {
+    static constexpr const char* prefixes[] = {"accept_", "any_",  "await_", "cut_",   "during_",
+                                               "enter_",  "exit_", "from_",  "leave_", "name_",
+                                               "offers_", "pass_", "sites_", "take_",  "write_"};
+    return std::any_of(std::begin(prefixes), std::end(prefixes),
+                       [&](const char* prefix) { return name.starts_with(prefix); });
+}
+
+}  // namespace
+
+/// Declared types keep clear of what the core itself declares.
+std::string declared_name(const ir::Type& type) {
+    static const std::set<std::string> taken = own_type_names();
+    NameScope scope(taken);
+    const std::string name = scope.unique(type.kind == TypeKind::product ? "Tuple_" + type.name : type.name);
+    return method_like(name) ? name + "_type" : name;
+}
+
+std::string cpp_type(const ir::System& system, ir::TypeId id, const Spelling& spelling) {
+    const ir::Type& type = system.type(id);
+    const auto part = [&](std::size_t place) { return cpp_type(system, type.args.at(place), spelling); };
+    switch (type.kind) {
+        case TypeKind::boolean:
+            return "bool";
+        case TypeKind::nat:
+            return spelling.nat;
+        case TypeKind::integer:
+            return spelling.integer;
+        case TypeKind::real:
+            return spelling.real;
+        case TypeKind::string:
+            return fmt::format("robochart::String<{}>", longest_string);
+        case TypeKind::sequence:
+            return fmt::format("robochart::Sequence<{}, {}::longest>", part(0), spelling.types);
+        case TypeKind::set:
+            return fmt::format("robochart::Set<{}, {}>", part(0), capacity(system, type, spelling));
+        case TypeKind::relation:
+        case TypeKind::function:
+            return fmt::format("robochart::Set<{}, {}>", cpp_pair(system, type, spelling),
+                               capacity(system, type, spelling));
+        case TypeKind::vector:
+            return fmt::format("robochart::Vector<{}, {}>", part(0), type.sizes.at(0));
+        case TypeKind::matrix:
+            return fmt::format("robochart::Matrix<{}, {}, {}>", part(0), type.sizes.at(0), type.sizes.at(1));
+        default:
+            return spelling.core + declared_name(type) + (is_struct(type) ? "<" + spelling.types + ">" : "");
+    }
+}
+
+std::string cpp_pair(const ir::System& system, const ir::Type& type, const Spelling& spelling) {
+    return fmt::format("robochart::Pair<{}, {}>", cpp_type(system, type.args.at(0), spelling),
+                       cpp_type(system, type.args.at(1), spelling));
+}
+
+namespace {
+
+Extent padded(std::size_t size, std::size_t alignment) {
+    return {(size + alignment - 1) / alignment * alignment, alignment};
+}
+
+}  // namespace
+
+namespace {
+
+std::size_t entries(const ir::Type& type) {
+    std::size_t result = 1;
+    for (const std::int64_t size : type.sizes) result *= static_cast<std::size_t>(size);
+    return result;
+}
+
+/// robochart::Pair: padded at the end, or between its parts.
+Extent pair_extent(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
+    const Extent first = cpp_extent(system, inst, type.args.at(0));
+    const Extent second = cpp_extent(system, inst, type.args.at(1));
+    if (first.alignment == second.alignment) return {first.size + second.size, first.alignment};
+    const bool wider = first.alignment > second.alignment;
+    const std::size_t alignment = wider ? first.alignment : second.alignment;
+    const std::size_t narrow = wider ? second.size : first.size;
+    return {first.size + second.size + alignment - narrow % alignment, alignment};
+}
+
+}  // namespace
+
+std::size_t longest(const ir::Instantiation& inst) {
+    const std::size_t numbers = std::max({inst.nat.size(), inst.integer.size(), inst.real.size()});
+    const auto given = static_cast<std::size_t>(std::max<std::int64_t>(inst.given_size, 2));
+    return std::max({static_cast<std::size_t>(std::max<std::int64_t>(inst.sequence_bound, 1)), numbers, given});
+}
+
+Extent cpp_extent(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    if (numeric(type.kind)) return {8, 8};
+    if (!composed(type)) return {1, 1};
+    if (type.kind == TypeKind::string) return {longest_string + 1, 1};
+    if (!is_struct(type)) {
+        const Extent part =
+            of_pairs(type) ? pair_extent(system, inst, type) : cpp_extent(system, inst, type.args.at(0));
+        if (block(type)) return {part.size * entries(type), part.alignment};
+        const std::size_t places =
+            type.kind == TypeKind::sequence ? longest(inst) : std::min(capacity(system, inst, type), largest_set);
+        return {part.size * places + part.alignment, part.alignment};
+    }
+    Extent whole{type.kind == TypeKind::enumeration ? 1U : 0U, 1};
+    for (const TypeMember& member : members(type)) {
+        const Extent part = cpp_extent(system, inst, member.type);
+        whole.size += part.size;
+        whole.alignment = std::max(whole.alignment, part.alignment);
+    }
+    return padded(whole.size, whole.alignment);
+}
+
+std::string decimal_text(ir::Decimal decimal) {
+    const bool negative = decimal.unscaled < 0;
+    std::string digits = fmt::format("{}", decimal.unscaled);
+    if (negative) digits.erase(0, 1);
+    if (digits.size() <= decimal.decimals) digits.insert(0, decimal.decimals + 1 - digits.size(), '0');
+    const std::size_t point = digits.size() - decimal.decimals;
+    std::string text = digits.substr(0, point) + "." + digits.substr(point);
+    if (decimal.decimals == 0) text += '0';
+    return (negative ? "-" : "") + text;
+}
+
+std::string literal_name(const ir::Type& type, std::size_t index) {
+    NameScope scope;
+    std::string name;
+    for (std::size_t label = 0; label <= index; ++label) name = scope.unique(type.labels[label]);
+    return name;
+}
+
+namespace {
+
+std::uint32_t decimals_of(std::int64_t scale) {
+    std::uint32_t decimals = 0;
+    for (; scale > 1; scale /= 10) ++decimals;
+    return decimals;
+}
+
+/// Drops zeros at the end: 0.50 is 0.5.
+ir::Decimal shortest(ir::Decimal decimal) {
+    while (decimal.decimals > 1 && decimal.unscaled % 10 == 0) {
+        decimal.unscaled /= 10;
+        --decimal.decimals;
+    }
+    return decimal;
+}
+
+}  // namespace
+
+namespace {
+
+std::string part_values(const ir::System& system, const ir::Instantiation& inst, const std::vector<ir::TypeId>& types,
+                        const ir::Value& value, const Spelling& spelling) {
+    std::string text;
+    for (std::size_t i = 0; i < value.parts.size(); ++i)
+        text += (i == 0 ? "" : ", ") +
+                cpp_value(system, inst, types.at(types.size() > 1 ? i : 0), value.parts[i], spelling);
+    return text;
+}
+
+std::string entry_values(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type,
+                         const ir::Value& matrix, const Spelling& spelling) {
+    std::string text;
+    for (const ir::Value& row : matrix.parts)
+        text += (text.empty() ? "" : ", ") + part_values(system, inst, type.args, row, spelling);
+    return text;
+}
+
+std::string pair_values(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type,
+                        const ir::Value& value, const Spelling& spelling) {
+    std::string text;
+    for (const ir::Value& pair : value.parts)
+        text += fmt::format("{}{}::make({})", text.empty() ? "" : ", ", cpp_pair(system, type, spelling),
+                            part_values(system, inst, type.args, pair, spelling));
+    return text;
+}
+
+std::string enumeration_value(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id,
+                              const ir::Value& value, const Spelling& spelling) {
+    const ir::Type& type = system.type(id);
+    const auto index = static_cast<std::size_t>(value.number);
+    const std::string name = fmt::format("{}::{}", cpp_type(system, id, spelling), literal_name(type, index));
+    if (!is_struct(type)) return name;
+    const std::vector<ir::TypeId> none;
+    const auto& arguments = index < type.literal_args.size() ? type.literal_args[index] : none;
+    return fmt::format("{}({})", name, part_values(system, inst, arguments, value, spelling));
+}
+
+}  // namespace
+
+diagnostics::ForeignText string_text(const ir::Value& value) {
+    std::string text;
+    for (const ir::Value& part : value.parts) text += static_cast<char>(part.number);
+    return text;
+}
+
+std::string cpp_value(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id, const ir::Value& value,
+                      const Spelling& spelling) {
+    const ir::Type& type = system.type(id);
+    const auto built = [&](const char* maker) {
+        return fmt::format("{}::{}({})", cpp_type(system, id, spelling), maker,
+                           part_values(system, inst, type.args, value, spelling));
+    };
+    switch (type.kind) {
+        case TypeKind::boolean:
+            return value.number != 0 ? "true" : "false";
+        case TypeKind::real:
+            return fmt::format("{}({})", spelling.real,
+                               decimal_text(shortest({value.number, decimals_of(inst.scale)})));
+        case TypeKind::enumeration:
+            return enumeration_value(system, inst, id, value, spelling);
+        case TypeKind::string:
+            return fmt::format("{}::of({})", cpp_type(system, id, spelling),
+                               diagnostics::cpp_string(string_text(value)));
+        case TypeKind::record:
+        case TypeKind::product:
+            return built("make");
+        case TypeKind::sequence:
+        case TypeKind::set:
+        case TypeKind::vector:
+            return built("of");
+        case TypeKind::matrix:
+            return fmt::format("{}::of({})", cpp_type(system, id, spelling),
+                               entry_values(system, inst, type, value, spelling));
+        case TypeKind::relation:
+        case TypeKind::function:
+            return fmt::format("{}::of({})", cpp_type(system, id, spelling),
+                               pair_values(system, inst, type, value, spelling));
+        default:
+            return fmt::format("{}({})", cpp_type(system, id, spelling), value.number);
+    }
+}
+
+namespace {
+
+std::string cspm_parts(const ir::System& system, const std::vector<ir::TypeId>& types, const ir::Value& value,
+                       const char* separator) {
+    std::string text;
+    for (std::size_t i = 0; i < value.parts.size(); ++i)
+        text += (i == 0 ? "" : separator) + cspm_value(system, types.at(types.size() > 1 ? i : 0), value.parts[i]);
+    return text;
+}
+
+/// Parts that are tuples themselves: pairs of a function, rows of a matrix.
+std::string cspm_rows(const ir::System& system, const std::vector<ir::TypeId>& types, const ir::Value& value) {
+    std::string text;
+    for (const ir::Value& row : value.parts) {
+        const std::string parts = cspm_parts(system, types, row, ", ");
+        text += (text.empty() ? "" : ", ") + (row.parts.size() == 1 ? parts : "(" + parts + ")");
+    }
+    return text;
+}
+
+std::string cspm_literal(const ir::System& system, const ir::Type& type, const ir::Value& value) {
+    const auto index = static_cast<std::size_t>(value.number);
+    std::string package = type.package;
+    for (std::size_t at = package.find("::"); at != std::string::npos; at = package.find("::")) package.replace(at, 2, "_");
+    const std::string name = (package.empty() ? "" : package + "_") + type.name + "_" + type.labels[index];
+    if (value.parts.empty()) return name;
+    return name + "." + cspm_parts(system, type.literal_args[index], value, ".");
+}
+
+}  // namespace
+
+std::string cspm_value(const ir::System& system, ir::TypeId id, const ir::Value& value) {
+    const ir::Type& type = system.type(id);
+    switch (type.kind) {
+        case TypeKind::boolean:
+            return value.number != 0 ? "true" : "false";
+        case TypeKind::enumeration:
+            return cspm_literal(system, type, value);
+        case TypeKind::string:  // a sequence of characters: an empty one is no other than the empty sequence
+            return string_text(value).empty() ? "<>" : diagnostics::cspm_string(string_text(value));
+        case TypeKind::sequence:
+            return "<" + cspm_parts(system, type.args, value, ", ") + ">";
+        case TypeKind::set:
+            return "{" + cspm_parts(system, type.args, value, ", ") + "}";
+        case TypeKind::relation:
+        case TypeKind::function:
+            return "{" + cspm_rows(system, type.args, value) + "}";
+        case TypeKind::matrix: {
+            const std::string rows = cspm_rows(system, type.args, value);
+            return value.parts.size() == 1 ? rows : "(" + rows + ")";
+        }
+        case TypeKind::record:
+        case TypeKind::product:
+        case TypeKind::vector: {
+            const std::string parts = cspm_parts(system, type.args, value, ", ");
+            return value.parts.size() == 1 ? parts : "(" + parts + ")";
+        }
+        default:
+            return fmt::format("{}", value.number);
+    }
+}
+
+}  // namespace robochart::cpp_emit

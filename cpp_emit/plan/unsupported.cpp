@@ -1,0 +1,314 @@
+#include "cpp_emit/plan/unsupported.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cpp_emit/plan/functions.hpp"
+#include "cpp_emit/plan/exploration_ports.hpp"
+#include "cpp_emit/plan/rules.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/plan/walk.hpp"
+#include "semantics/evaluate/carrier.hpp"
+#include "semantics/evaluate/preconditions.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+using diagnostics::Diagnostics;
+using diagnostics::Span;
+using ir::ExprKind;
+using ir::NodeKind;
+
+/// Arguments that one record of the exploration interface holds (runtime/explore_abi.h).
+constexpr std::size_t max_arguments = 8;
+/// Values of one input that the exploration interface lists.
+constexpr std::size_t max_input_values = 4096;
+constexpr std::size_t max_output_values = 65536;
+/// Numbers and literals in the values of one type that the interface lists: a compiler needs seconds for so many.
+constexpr std::size_t max_listed = 8 * max_output_values;
+constexpr std::size_t max_bound_values = 1024;
+/// Beyond this a decimal literal is not exact in binary floating point times the scale.
+constexpr std::int64_t max_exact = std::int64_t{1} << 52;
+
+/// Null: there is C++ for it.
+const char* refused_expression(ExprKind kind) {
+    switch (kind) {
+        case ExprKind::boolean:
+        case ExprKind::integer:
+        case ExprKind::real:
+        case ExprKind::enum_literal:
+        case ExprKind::variable:
+        case ExprKind::trigger_value:
+        case ExprKind::constant:
+        case ExprKind::since:
+        case ExprKind::since_entry:
+        case ExprKind::negate:
+        case ExprKind::logical_not:
+        case ExprKind::iff:
+        case ExprKind::implies:
+        case ExprKind::disjunction:
+        case ExprKind::conjunction:
+        case ExprKind::equal:
+        case ExprKind::not_equal:
+        case ExprKind::greater:
+        case ExprKind::greater_equal:
+        case ExprKind::less:
+        case ExprKind::less_equal:
+        case ExprKind::plus:
+        case ExprKind::minus:
+        case ExprKind::times:
+        case ExprKind::divide:
+        case ExprKind::modulus:
+        case ExprKind::if_then_else:
+        case ExprKind::call:
+        case ExprKind::tuple:
+        case ExprKind::record:
+        case ExprKind::sequence:
+        case ExprKind::set:
+        case ExprKind::matrix:
+        case ExprKind::member:
+        case ExprKind::index:
+        case ExprKind::concat:
+        case ExprKind::is_in:
+        case ExprKind::cast:
+        case ExprKind::bound:
+        case ExprKind::let:
+        case ExprKind::string:
+        case ExprKind::set_range:
+        case ExprKind::range:
+        case ExprKind::forall:
+        case ExprKind::exists:
+        case ExprKind::exists_unique:
+        case ExprKind::lambda:
+        case ExprKind::the:
+        case ExprKind::set_comprehension:
+        case ExprKind::function_value:
+        case ExprKind::apply:
+        case ExprKind::toolkit:
+        case ExprKind::is_type:
+        case ExprKind::transpose:
+            return nullptr;
+        default:
+            return "this kind of expression";
+    }
+}
+
+/// Operators of numbers, which vectors have too.
+bool arithmetic(ExprKind kind) {
+    return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::divide ||
+           kind == ExprKind::modulus || kind == ExprKind::negate;
+}
+
+/// Those that vectors and matrices have.
+bool of_blocks(ExprKind kind) {
+    return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::negate;
+}
+
+bool has_at_most(const ir::System& system, const ir::Instantiation& inst, ir::TypeId type, std::size_t most) {
+    try {
+        (void)ir::carrier(system, inst, type, most);
+    } catch (const std::length_error&) {
+        return false;
+    }
+    return true;
+}
+
+class Support {
+public:
+    Support(const ir::System& system, const ir::Instantiation& inst, const Component& component,
+            Diagnostics& diagnostics)
+        : system_(system), inst_(inst), component_(component), diagnostics_(diagnostics) {}
+
+    bool check() {
+        const std::size_t before = diagnostics_.errors();
+        check_boundary();
+        for (const Unit& unit : component_.units) check_unit(unit);
+        return diagnostics_.errors() == before;
+    }
+
+private:
+    void check_boundary() {
+        for (const EventPort& event : component_.events)
+            if (event.type) check_type(*event.type, component_.name + "::" + event.model_name, component_.origin.span);
+        for (const StoredVariable& entry : component_.variables)
+            check_type(entry.variable->type, entry.variable->origin.element, entry.variable->origin.span);
+        for (const PlatformCall& call : component_.calls) check_call(*call.signature);
+        for (const FunctionHook& hook : component_.functions) check_function(hook);
+        check_preconditions();
+        check_carriers();
+    }
+
+    void check_call(const ir::OperationSignature& signature) {
+        for (const ir::TypeId type : signature.parameters)
+            check_type(type, signature.origin.element, signature.origin.span);
+        if (signature.parameters.size() > max_arguments)
+            diagnostics_.report(rules::too_large, signature.origin.span,
+                                {signature.name, "an operation has at most 8 parameters"});
+    }
+
+    void check_type(ir::TypeId id, const std::string& element, Span span) {
+        const ir::Type& type = system_.type(id);
+        if (!supported(system_, id)) diagnostics_.report(rules::unsupported_type, span, {element, type.name});
+    }
+
+    /// Every member of a set has its place.
+    void check_size(const std::string& where, ir::TypeId id, Span span) {
+        const ir::Type& type = system_.type(id);
+        if (!(type.kind == ir::TypeKind::set || of_pairs(type)) || !supported(system_, id)) return;
+        if (capacity(system_, inst_, type) > largest_set)
+            diagnostics_.report(rules::too_large, span, {where, "a " + type.name + " may have more than 1024 members"});
+    }
+
+    /// Bound variables take all values of their types.
+    void check_carriers() {
+        for (const CarrierUse& use : component_.carriers) {
+            check_type(use.type, component_.name, component_.origin.span);
+            check_values(use.type, system_.type(use.type).name, "a bound variable has at most 1024 values",
+                         max_bound_values);
+        }
+    }
+
+    void check_values(ir::TypeId id, const std::string& name, const char* limit, std::size_t most) {
+        if (supported(system_, id) && !has_at_most(system_, inst_, id, most))
+            diagnostics_.report(rules::too_large, component_.origin.span, {name, limit});
+    }
+
+    void check_function(const FunctionHook& hook) {
+        const ir::Function& function = system_.functions[hook.id.index];
+        for (const ir::TypeId type : function.parameters) check_type(type, function.name, {});
+        check_type(function.result, function.name, {});
+    }
+
+    /// Those that code asks; none may have to be asked to ask it.
+    void check_preconditions() {
+        for (const FunctionHook& hook : component_.functions) {
+            if (!hook.guarded) continue;
+            const ir::Function& function = system_.functions[hook.id.index];
+            for (const ir::ExprPtr& condition : function.preconditions)
+                visit(condition, [&](const ir::Expr& expr) { check_expression(function.name, expr); });
+            if (asks_for_itself(hook.id))
+                diagnostics_.report(rules::unsupported_expr, function.origin.span,
+                                    {"a precondition that asks for itself", function.name});
+        }
+    }
+
+    [[nodiscard]] bool asks_for_itself(ir::FunctionId function) const {
+        std::vector<ir::FunctionId> reached = {function};
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            bool back = false;
+            for (const ir::ExprPtr& condition : system_.functions[reached[i].index].preconditions)
+                visit(condition, [&](const ir::Expr& expr) {
+                    if (!ir::precondition_can_fail(system_, inst_, {}, expr) || !expr.function.valid()) return;
+                    back = back || expr.function == function;
+                    if (std::find(reached.begin(), reached.end(), expr.function) == reached.end())
+                        reached.push_back(expr.function);
+                });
+            if (back) return true;
+        }
+        return false;
+    }
+
+    void check_unit(const Unit& unit) {
+        const ir::Machine& machine = *unit.machine;
+        for (const auto& node : machine.nodes) check_node(machine, node);
+        for (const auto& transition : machine.transitions) check_transition(machine, transition);
+        visit_expressions(machine, [&](const ir::Expr& expr) { check_expression(machine.name, expr); });
+        for (const auto& variable : machine.variables)
+            if (!unit.root) check_type(variable.type, variable.origin.element, variable.origin.span);
+    }
+
+    void check_node(const ir::Machine& machine, const ir::Node& node) {
+        if (node.composite() && !node.initial.valid())
+            diagnostics_.report(rules::unsupported_node, node.origin.span,
+                                {"a composite state without an initial node", machine.name + "::" + node.path});
+    }
+
+    void check_transition(const ir::Machine& machine, const ir::Transition& transition) {
+        const ir::Node& source = machine.nodes[transition.source.index];
+        const std::string& name = transition.origin.element;
+        const Span span = transition.origin.span;
+        if (source.parent != machine.nodes[transition.target.index].parent)
+            diagnostics_.report(rules::crossing, span, {name});
+        if (transition.deadline && ir::preconditions_can_fail(system_, inst_, {}, *transition.deadline))
+            diagnostics_.report(rules::unsupported_expr, span,
+                                {"a deadline by a function with a precondition", name});
+        if (!transition.trigger) return;
+        const bool settled = source.kind == NodeKind::state;
+        if (!settled) diagnostics_.report(rules::unsupported_trigger, span, {name, "its source is not a state"});
+        const ir::CommKind kind = transition.trigger->kind;
+        if (kind == ir::CommKind::output || kind == ir::CommKind::sync)
+            diagnostics_.report(rules::unsupported_trigger, span, {name, "it does not only receive"});
+    }
+
+    void check_expression(const std::string& where, const ir::Expr& expr) {
+        if (const char* what = refused_expression(expr.kind)) {
+            diagnostics_.report(rules::unsupported_expr, expr.span, {what, where});
+            return;
+        }
+        if (!supported(system_, expr.type))
+            diagnostics_.report(rules::unsupported_type, expr.span, {where, system_.type(expr.type).name});
+        const ir::Type& type = system_.type(expr.type);
+        if (arithmetic(expr.kind) && !numeric(type.kind) && !(block(type) && of_blocks(expr.kind)))
+            diagnostics_.report(rules::unsupported_expr, expr.span, {"arithmetic on other than numbers", where});
+        if (expr.kind == ExprKind::is_type && !numeric(system_.type(expr.bound_types.at(0)).kind))
+            diagnostics_.report(rules::unsupported_expr, expr.span, {"`is` of other than numbers", where});
+        check_size(where, expr.type, expr.span);
+        if (expr.kind == ExprKind::real && (expr.decimal.unscaled > max_exact || expr.decimal.unscaled < -max_exact))
+            diagnostics_.report(rules::too_large, expr.span, {where, "a decimal has more than 15 digits"});
+    }
+
+    const ir::System& system_;
+    const ir::Instantiation& inst_;
+    const Component& component_;
+    Diagnostics& diagnostics_;
+};
+
+/// Numbers and literals in a value.
+std::size_t leaves(const ir::Value& value) {
+    if (value.parts.empty()) return 1;
+    std::size_t count = 0;
+    for (const ir::Value& part : value.parts) count += leaves(part);
+    return count;
+}
+
+/// Of a type that has not too many values.
+bool lists_too_much(const ir::System& system, const ir::Instantiation& inst, ir::TypeId type) {
+    if (!composed(system.type(type))) return false;
+    std::size_t count = 0;
+    for (const ir::Value& value : ir::carrier(system, inst, type)) count += leaves(value);
+    return count > max_listed;
+}
+
+}  // namespace
+
+std::vector<BeyondExploration> beyond_exploration(const ir::System& system, const ir::Instantiation& inst,
+                                                  const Component& component) {
+    std::vector<BeyondExploration> result;
+    const auto look = [&](ir::TypeId type, const std::string& name, std::size_t most, const char* limit) {
+        if (!has_at_most(system, inst, type, most))
+            result.push_back({name, limit});
+        else if (lists_too_much(system, inst, type))
+            result.push_back({name, "all values of an input or output have at most 524288 numbers and literals"});
+    };
+    for (const Register& input : registers(component))
+        if (input.type) look(*input.type, input.name, max_input_values, "an input has at most 4096 values");
+    for (const Output& output : outputs(component))
+        for (const ir::TypeId type : output.types)
+            look(type, output.name, max_output_values, "an output has at most 65536 values");
+    for (const FunctionHook& hook : component.functions) {
+        try {
+            (void)values_of(system, inst, hook.id);
+        } catch (const std::length_error& error) {
+            result.push_back({system.functions[hook.id.index].name, error.what()});
+        }
+    }
+    return result;
+}
+
+bool check_support(const ir::System& system, const ir::Instantiation& inst, const Component& component,
+                   Diagnostics& diagnostics) {
+    return Support(system, inst, component, diagnostics).check();
+}
+
+}  // namespace robochart::cpp_emit

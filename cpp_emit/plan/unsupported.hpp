@@ -1,0 +1,25 @@
+// What can't be generated is refused by name before any code is written.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cpp_emit/plan/component.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::cpp_emit {
+
+/// Reports every construct of the component that has no C++ (rules.hpp); true if there is none.
+[[nodiscard]] bool check_support(const ir::System&, const ir::Instantiation&, const Component&,
+                                 diagnostics::Diagnostics&);
+
+/// A part of a component that has more values than the tables of the exploration interface take, and how many they do.
+struct BeyondExploration {
+    std::string name;
+    std::string limit;
+};
+[[nodiscard]] std::vector<BeyondExploration> beyond_exploration(const ir::System&, const ir::Instantiation&,
+                                                                const Component&);
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,391 @@
+// The emission for simulators; see simulator_api.hpp.
+#include "cpp_emit/simulator_api.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cpp_emit/files/files.hpp"
+#include "cpp_emit/files/shipped_headers.hpp"
+#include "cpp_emit/plan/resolve_component.hpp"
+#include "cpp_emit/plan/rules.hpp"
+#include "cpp_emit/plan/unsupported.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "semantics/evaluate/carrier.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+Carried carried(ir::TypeKind kind) {
+    switch (kind) {
+        case ir::TypeKind::boolean:
+            return Carried::boolean;
+        case ir::TypeKind::nat:
+        case ir::TypeKind::integer:
+            return Carried::whole;
+        case ir::TypeKind::real:
+            return Carried::real;
+        default:
+            return Carried::enumeration;
+    }
+}
+
+/// A port with what the emitted text needs.
+struct Channel {
+    Port port;
+    std::string exported;  ///< name in the interface
+    std::string member;    ///< of Inputs, or method of the platform
+    std::vector<ir::TypeId> types;
+};
+
+class DriveWriter {
+public:
+    DriveWriter(const Generation& generation, const Core& core) : generation_(generation), core_(core) {
+        collect_inputs();
+        collect_outputs();
+        for (const ir::Node& node : generation.component.root(0).machine->nodes)
+            if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final) states_.push_back(&node);
+    }
+
+    std::string write() {
+        head();
+        names("inputs", inputs_);
+        names("outputs", outputs_);
+        state_names();
+        actions_class();
+        state_function();
+        place_function();
+        step_function();
+        table();
+        return out_.text();
+    }
+
+    [[nodiscard]] static std::vector<Port> ports(const std::vector<Channel>& channels) {
+        std::vector<Port> result;
+        for (const Channel& channel : channels) result.push_back(channel.port);
+        return result;
+    }
+    [[nodiscard]] std::vector<Port> inputs() const { return ports(inputs_); }
+    [[nodiscard]] std::vector<Port> outputs() const { return ports(outputs_); }
+
+private:
+    Channel channel(Port::Kind kind, const std::string& name, std::string exported, std::string member,
+                    std::vector<ir::TypeId> types) const {
+        Channel result{{kind, name, {}}, std::move(exported), std::move(member), std::move(types)};
+        result.port.exported = result.exported;
+        for (const ir::TypeId id : result.types) {
+            const ir::Type& type = generation_.system.type(id);
+            result.port.arguments.push_back(carried(type.kind));
+            const bool named = type.kind == ir::TypeKind::enumeration;
+            result.port.literals.push_back(named ? type.labels : std::vector<std::string>{});
+        }
+        return result;
+    }
+
+    static std::vector<ir::TypeId> listed(const std::optional<ir::TypeId>& type) {
+        return type ? std::vector<ir::TypeId>{*type} : std::vector<ir::TypeId>{};
+    }
+
+    void collect_inputs() {
+        for (const EventPort& event : generation_.component.events)
+            if (event.received)
+                inputs_.push_back(
+                    channel(Port::Kind::event, event.outside, event.outside + ".in", event.input, listed(event.type)));
+        for (const StoredVariable& variable : generation_.component.variables)
+            if (!variable.input.empty() && !variable.copy)
+                inputs_.push_back(channel(Port::Kind::variable, variable.variable->name,
+                                          "set_EXT_" + variable.variable->name, variable.input,
+                                          {variable.variable->type}));
+    }
+
+    void collect_outputs() {
+        for (const PlatformCall& call : generation_.component.calls)
+            outputs_.push_back(channel(Port::Kind::call, call.signature->name, call.signature->name + "Call",
+                                       call.method, call.signature->parameters));
+        for (const EventPort& event : generation_.component.events)
+            if (!event.output.empty())
+                outputs_.push_back(channel(Port::Kind::event, event.outside, event.outside + ".out", event.output,
+                                           listed(event.type)));
+        for (const StoredVariable& variable : generation_.component.variables) {
+            if (!variable.visible || variable.copy) continue;
+            outputs_.push_back(channel(Port::Kind::variable, variable.variable->name, "set_" + variable.variable->name,
+                                       variable.output, {variable.variable->type}));
+            outputs_.back().port.initial = initial(variable);
+        }
+    }
+
+    [[nodiscard]] double initial(const StoredVariable& variable) const {
+        switch (generation_.system.type(variable.variable->type).kind) {
+            case ir::TypeKind::real:
+                return static_cast<double>(variable.initial.number) / static_cast<double>(generation_.inst.scale);
+            case ir::TypeKind::nat:
+            case ir::TypeKind::integer:
+                return static_cast<double>(variable.initial.number);
+            default:
+                return 0;
+        }
+    }
+
+    void head() {
+        file_comment(generation_, out_, "Interface for simulators");
+        for (const char* header : {"<new>", "<type_traits>"}) out_.line(fmt::format("#include {}", header));
+        out_.gap();
+        out_.comment("A violated precondition is a result of step(), not an abort.");
+        out_.line("#define RC_REQUIRE(condition) static_cast<void>(0)");
+        out_.gap();
+        out_.line(fmt::format("#include \"{}\"", core_.header));
+        out_.line("#include \"robochart/drive_abi.h\"");
+        out_.gap();
+        out_.line("namespace {");
+        out_.gap();
+        out_.line(fmt::format("namespace core = ::{};", core_.name_space));
+        out_.line("using Types = robochart::Deployment;");
+        out_.line("using Real = Types::Real;");
+        out_.line("using Nat = Types::Nat;");
+        out_.line("using Int = Types::Int;");
+        out_.line("using State = core::State<Types>;");
+        out_.line("using Inputs = core::Inputs<Types>;");
+        out_.gap();
+        out_.line("static_assert(std::is_trivially_copyable_v<State>);");
+    }
+
+    void names(const char* table, const std::vector<Channel>& channels) {
+        std::vector<std::string> quoted;
+        for (const Channel& channel : channels) quoted.push_back('"' + channel.exported + '"');
+        string_table(table, quoted);
+    }
+
+    void state_names() {
+        std::vector<std::string> quoted;
+        for (const ir::Node* node : states_) quoted.push_back('"' + node->path + '"');
+        string_table("states", quoted);
+    }
+
+    void string_table(const char* table, const std::vector<std::string>& quoted) {
+        out_.gap();
+        if (quoted.empty()) return out_.line(fmt::format("constexpr const char* const* {} = nullptr;", table));
+        out_.line(fmt::format("constexpr const char* {}[] = {{{}}};", table, fmt::join(quoted, ", ")));
+    }
+
+    static Spelling spelling() { return {"Types", "core::", "Real", "Nat", "Int"}; }
+
+    [[nodiscard]] std::string type(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
+
+    /// rc_value to the type.
+    [[nodiscard]] std::string from_value(ir::TypeId id, const std::string& value) const {
+        switch (carried(generation_.system.type(id).kind)) {
+            case Carried::real:
+                return value + ".real";
+            case Carried::whole:
+                return value + ".whole";
+            case Carried::boolean:
+                return value + ".whole != 0";
+            case Carried::enumeration:
+                break;
+        }
+        return fmt::format("static_cast<{}>({}.whole)", type(id), value);
+    }
+
+    [[nodiscard]] std::string to_value(ir::TypeId id, std::size_t argument) const {
+        const bool real = generation_.system.type(id).kind == ir::TypeKind::real;
+        return real ? fmt::format("action->argument[{0}].real = a{0};", argument)
+                    : fmt::format("action->argument[{0}].whole = static_cast<std::int64_t>(a{0});", argument);
+    }
+
+    void action_method(const Channel& output, std::size_t index) {
+        std::string parameters;
+        for (std::size_t i = 0; i < output.types.size(); ++i)
+            parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", type(output.types[i]), i);
+        out_.open(fmt::format("void {}({}) noexcept {{", output.member, parameters));
+        if (output.types.empty()) {
+            out_.line(fmt::format("(void)add({}, 0);", index));
+        } else {
+            out_.line(fmt::format("rc_action* const action = add({}, {});", index, output.types.size()));
+            out_.line("if (action == nullptr) return;");
+            for (std::size_t i = 0; i < output.types.size(); ++i) out_.line(to_value(output.types[i], i));
+        }
+        out_.close();
+    }
+
+    void modelled_method(const ModelledCall& call) {
+        std::string parameters;
+        for (const ir::TypeId parameter : call.signature->parameters)
+            parameters += (parameters.empty() ? "" : ", ") + type(parameter);
+        out_.line(fmt::format("bool {}({}) noexcept {{ return false; }}", call.method, parameters));
+    }
+
+    /// Functions without definition have the default of their type (semantics 3.13).
+    void function_method(const FunctionHook& hook) {
+        const ir::Function& function = generation_.system.functions[hook.id.index];
+        std::vector<std::string> parameters;
+        for (const ir::TypeId parameter : function.parameters) parameters.push_back(type(parameter));
+        const ir::Value value = ir::default_value(generation_.system, generation_.inst, function.result);
+        out_.line(fmt::format("{} {}({}) const noexcept {{ return {}; }}", type(function.result), hook.method,
+                              fmt::join(parameters, ", "),
+                              cpp_value(generation_.system, generation_.inst, function.result, value, spelling())));
+    }
+
+    void actions_class() {
+        out_.gap();
+        out_.doc("The platform: writes down what the controller does.");
+        out_.open("class Actions {");
+        out_.label("public:");
+        out_.line("explicit Actions(rc_actions& actions) noexcept : actions_(actions) {}");
+        out_.gap();
+        for (std::size_t index = 0; index < outputs_.size(); ++index) action_method(outputs_[index], index);
+        for (const ModelledCall& call : generation_.component.modelled) modelled_method(call);
+        for (const FunctionHook& hook : generation_.component.functions) function_method(hook);
+        out_.gap();
+        out_.label("private:");
+        out_.open("[[maybe_unused]] rc_action* add(std::uint32_t output, std::uint32_t count) noexcept {");
+        out_.open("if (actions_.count == ROBOCHART_DRIVE_MAX_ACTIONS) {");
+        out_.line("actions_.overflow = 1;");
+        out_.line("return nullptr;");
+        out_.close();
+        out_.line("rc_action* const action = &actions_.action[actions_.count++];");
+        out_.line("action->output = output;");
+        out_.line("action->count = count;");
+        out_.line("return action;");
+        out_.close();
+        out_.gap();
+        out_.line("rc_actions& actions_;");
+        out_.close("};");
+    }
+
+    void state_function() {
+        out_.gap();
+        out_.open("std::uint32_t state_of(const void* controller) noexcept {");
+        out_.open(fmt::format("switch (static_cast<const State*>(controller)->{}at) {{", first_part()));
+        const ir::Machine& machine = *generation_.component.root(0).machine;
+        for (const Enumerator& value : root_places().values) {
+            if (!value.state.valid()) continue;
+            for (std::size_t s = 0; s < states_.size(); ++s)
+                if (states_[s] == &machine.nodes[value.state.index])
+                    out_.line(fmt::format("case core::{}::{}: return {};", root_places().name, value.name, s));
+        }
+        out_.line(fmt::format("default: return {};", states_.size()));
+        out_.close();
+        out_.close();
+    }
+
+    void place_function() {
+        out_.gap();
+        out_.open("const char* place_of(const void* controller) noexcept {");
+        out_.open(fmt::format("switch (static_cast<const State*>(controller)->{}at) {{", first_part()));
+        for (const Enumerator& value : root_places().values)
+            out_.line(fmt::format("case core::{}::{}: return {};", root_places().name, value.name,
+                                  diagnostics::cpp_string(value.comment.empty() ? diagnostics::ForeignText(value.name) : value.comment)));
+        out_.close();
+        out_.line("return \"?\";");
+        out_.close();
+    }
+
+    /// Of several machines the first one is shown.
+    [[nodiscard]] std::string first_part() const {
+        const std::string& tag = generation_.component.parts.front().tag;
+        return tag.empty() ? "" : tag + ".";
+    }
+
+    [[nodiscard]] const Enumeration& root_places() const {
+        const MachineCode& machine = core_.machines[generation_.component.parts.front().root];
+        const std::string& wanted = generation_.component.root(0).points;
+        for (const Enumeration& enumeration : machine.enumerations)
+            if (enumeration.name == wanted) return enumeration;
+        return machine.enumerations.front();
+    }
+
+    void step_function() {
+        out_.gap();
+        out_.open("void initial(void* controller) noexcept {");
+        out_.line("::new (controller) State{};");
+        out_.close();
+        out_.gap();
+        out_.open(
+            "rc_drive_result step(void* controller, [[maybe_unused]] const rc_signal* signals, rc_actions* actions) "
+            "noexcept {");
+        out_.line("Inputs read;");
+        for (std::size_t i = 0; i < inputs_.size(); ++i) {
+            const Channel& input = inputs_[i];
+            out_.line(fmt::format("read.{}.present = signals[{}].present != 0;", input.member, i));
+            if (!input.types.empty())
+                out_.line(fmt::format("read.{}.value = {};", input.member,
+                                      from_value(input.types.front(), fmt::format("signals[{}].value", i))));
+        }
+        out_.line("actions->count = 0;");
+        out_.line("actions->overflow = 0;");
+        out_.line("Actions platform(*actions);");
+        out_.line("State& state = *static_cast<State*>(controller);");
+        out_.line("return static_cast<rc_drive_result>(core::step<Types>(state, read, platform));");
+        out_.close();
+    }
+
+    void table() {
+        out_.gap();
+        out_.open("constexpr rc_drive drive = {");
+        out_.line("ROBOCHART_DRIVE_ABI_VERSION,");
+        out_.line(fmt::format("\"{}\",", generation_.component.name));
+        out_.line("sizeof(State),");
+        out_.line("alignof(State),");
+        out_.line(fmt::format("{}, inputs,", inputs_.size()));
+        out_.line(fmt::format("{}, outputs,", outputs_.size()));
+        out_.line(fmt::format("{}, states,", states_.size()));
+        out_.line("initial, step, state_of, place_of,");
+        out_.close("};");
+        out_.gap();
+        out_.line("}  // namespace");
+        out_.gap();
+        out_.open("extern \"C\" const rc_drive* robochart_drive(void) {");
+        out_.line("return &drive;");
+        out_.close();
+    }
+
+    const Generation& generation_;
+    const Core& core_;
+    std::vector<Channel> inputs_;
+    std::vector<Channel> outputs_;
+    std::vector<const ir::Node*> states_;
+    CodeWriter out_;
+};
+
+/// rc_value holds numbers only.
+bool carries_numbers(const Component& component, const ir::System& system, diagnostics::Diagnostics& diagnostics) {
+    const std::size_t before = diagnostics.errors();
+    const auto check = [&](ir::TypeId id, const std::string& name) {
+        const ir::Type& type = system.type(id);
+        if (composed(type)) diagnostics.report(rules::unsupported_type, component.origin.span, {name, type.name});
+    };
+    for (const EventPort& event : component.events)
+        if (event.type) check(*event.type, event.model_name);
+    for (const PlatformCall& call : component.calls)
+        for (const ir::TypeId type : call.signature->parameters) check(type, call.signature->name);
+    for (const StoredVariable& variable : component.variables)
+        if (variable.visible || !variable.input.empty()) check(variable.variable->type, variable.variable->name);
+    return diagnostics.errors() == before;
+}
+
+}  // namespace
+
+DriveEmission emit_drive(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
+                         const Options& options, diagnostics::Diagnostics& diagnostics) {
+    DriveEmission emission;
+    const std::optional<Component> component = resolve(system, inst, ref, diagnostics);
+    if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
+    if (!carries_numbers(*component, system, diagnostics)) return emission;
+    Mutation mutation(options.fault, options.fault_site);
+    const Generation generation{system, inst, options, *component, mutation};
+    const Core core = make_core(generation);
+    DriveWriter writer(generation, core);
+    emission.sources = {component->cpp_name + "_drive.cpp"};
+    emission.files = {{core.header, core_header(generation, core)},
+                      {emission.sources.front(), writer.write()},
+                      {"robochart/runtime.hpp", runtime_header()},
+                      {"robochart/drive_abi.h", drive_header()}};
+    const std::vector<OutputFile> values = value_headers(*component);
+    emission.files.insert(emission.files.end(), values.begin(), values.end());
+    emission.inputs = writer.inputs();
+    emission.outputs = writer.outputs();
+    emission.fault_sites = mutation.sites();
+    return emission;
+}
+
+}  // namespace robochart::cpp_emit

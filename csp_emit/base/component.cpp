@@ -1,0 +1,47 @@
+// The channels that machines, controllers and modules declare alike (semantics 3.2).
+#include "csp_emit/base/component.hpp"
+
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/types.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+
+void ChannelDeclarations::mean(const std::string& event, EventMeaning meaning) {
+    meaning.component = owner_;
+    provenance_.events[owner_ + "::" + event] = std::move(meaning);
+}
+
+void ChannelDeclarations::event(const ir::Event& event) {
+    b::Exprs fields{b::name("InOut")};
+    std::vector<ir::TypeId> types;
+    if (event.type) {
+        fields.push_back(type_set(project_, *event.type));
+        types.push_back(*event.type);
+    }
+    decls_.push_back(b::channel({event.name}, b::dot(fields)));
+    mean(event.name + ".in", {MeaningKind::trigger, "input " + event.name, types, event.origin});
+    mean(event.name + ".out", {MeaningKind::output, "output " + event.name, types, event.origin});
+}
+
+void ChannelDeclarations::call(const ir::OperationSignature& operation) {
+    b::Exprs fields;
+    for (const ir::TypeId type : operation.parameters) fields.push_back(type_set(project_, type));
+    const std::string channel = operation.name + "Call";
+    decls_.push_back(b::channel({channel}, fields.empty() ? nullptr : b::dot(fields)));
+    mean(channel, {MeaningKind::call, "call " + operation.name, operation.parameters, operation.origin});
+}
+
+void ChannelDeclarations::variable(const std::string& name, ir::TypeId type, bool written_by_others,
+                                   const ir::Origin& origin) {
+    std::vector<std::string> channels{"set_" + name};
+    mean(channels[0], {MeaningKind::assignment, "write " + name, {type}, origin});
+    if (written_by_others) {
+        channels.push_back("set_EXT_" + name);
+        mean(channels[1], {MeaningKind::external_write, "others write " + name, {type}, origin});
+    }
+    decls_.push_back(b::channel(channels, type_set(project_, type)));
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,84 @@
+// What machines, controllers and modules have in common once emitted: a CSPM module and the parameters of its
+// process variants (semantics 3.12).
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "csp_emit/base/project.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::csp_emit {
+
+/// A constant that a component takes as a parameter (semantics 3.12).
+struct ConstantParameter {
+    std::string parameter;               ///< const_P_C_part_c
+    std::string constant;                ///< name in the model
+    std::string value;                   ///< the global definition that is passed unless an assertion says otherwise
+    const ir::Machine* owner = nullptr;  ///< the machine that declares it; null: the component itself does
+    ir::ConstantId id;                   ///< in the owner
+    ir::TypeId type;
+    std::string inside = {};  ///< machines: its short name in their processes
+    std::string source = {};  ///< where its value counts in this context (ir::constant_source): assertions set it there
+};
+
+/// A parameter of a standalone operation.
+struct ArgumentParameter {
+    std::string name;
+    ir::TypeId type;
+};
+
+struct ComponentEmission {
+    cspm::DeclPtr module;
+    std::vector<ArgumentParameter> arguments;  ///< operations: between id__ and the constants
+    std::vector<ConstantParameter> constants;
+    std::vector<std::string> visible;                  ///< channels of sem__events, relative to the component
+    std::size_t reads_of_watched = 0;                  ///< guards that read MachineContext::watched
+    const ir::Machine* machine = nullptr;              ///< machines and operations
+    std::map<std::string, ir::MachineId> definitions;  ///< machines: operations defined where they run
+    bool large = false;  ///< it may have too many states to be worth compressing on its own
+};
+
+/// The channels of a component (semantics 3.2), declared one by one; what each event means is told to the provenance.
+class ChannelDeclarations {
+public:
+    /// `owner`: qualified CSPM name of the component.
+    ChannelDeclarations(const Project& project, std::string owner, Provenance& provenance,
+                        std::vector<cspm::DeclPtr>& decls)
+        : project_(project), owner_(std::move(owner)), provenance_(provenance), decls_(decls) {}
+
+    /// `e : InOut` or `e : InOut.T`: `in` receives, `out` sends.
+    void event(const ir::Event&);
+    /// `opCall.args`: a call that no definition of the context answers.
+    void call(const ir::OperationSignature&);
+    /// `set_x` and, if others may write it too, `set_EXT_x`.
+    void variable(const std::string& name, ir::TypeId, bool written_by_others, const ir::Origin&);
+
+private:
+    void mean(const std::string& event, EventMeaning meaning);
+
+    const Project& project_;
+    std::string owner_;
+    Provenance& provenance_;
+    std::vector<cspm::DeclPtr>& decls_;
+};
+
+/// A machine as it was emitted in one place, and what its names mean there.
+struct EmittedMachine {
+    std::string path;  ///< qualified CSPM name of that place
+    ComponentEmission emission;
+    Provenance provenance;
+};
+
+/// All that has been emitted so far: every component by its qualified CSPM name, nested ones included.
+struct Emitted {
+    Provenance provenance;
+    std::map<std::string, ComponentEmission> components;
+    /// Machines by their path in the model and the operations defined where they run: what they are in all places.
+    std::map<std::string, EmittedMachine> machines = {};
+    /// What names in the CSP blocks of each file have become, where they had to (name_clashes.hpp).
+    std::map<std::string, std::map<std::string, std::string>> names_of_blocks = {};
+};
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,127 @@
+// What is emitted, and what it means: the script, what is to be checked of it, and what its names stand for in the model.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "checker/cspm/syntax/syntax.hpp"
+#include "diagnostics/diagnostic.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::csp_emit {
+
+enum class Time { untimed, timed };
+
+/// What a name in the script means to the reader of the model.
+enum class MeaningKind {
+    transition,  ///< hidden event of a transition that fires without a trigger
+    trigger,     ///< visible input event
+    output,
+    call,
+    entered,
+    exited,
+    assignment,
+    external_write,
+    terminate,
+    step,
+    tock,
+    refusal,  ///< tick-tock: its argument is the event that is refused
+};
+struct EventMeaning {
+    MeaningKind kind = MeaningKind::step;
+    std::string text;               ///< for people: "S1 -> S2 on seeRobot", "call MoveClockwise"
+    std::vector<ir::TypeId> types;  ///< of the event's arguments, in order; empty if it has none
+    ir::Origin origin;
+    std::string component = {};  ///< whose event it is: "P::C::stm_ref0"; "" if no component's
+};
+/// What a parameter of a definition holds.
+enum class ParameterKind {
+    variable,   ///< of the machine, or of an operation that is being called
+    clock,      ///< time since its reset
+    constant,
+    countdown,  ///< time left of a wait or a deadline
+    temporary,  ///< a value that has been read or received and is not used up yet
+};
+/// An event that a configuration may offer, and the element of the model that it comes from.
+struct OfferMeaning {
+    std::string event;  ///< relative to the component, without arguments: "a.in", "moveCall"
+    std::string text;   ///< "t1: S1 -> S2", "entry action of S1"
+    ir::Origin origin;  ///< of the transition or the statement
+    std::string name = {};    ///< of a transition: "t1"
+    std::string target = {};  ///< of a transition: the element that it leads to
+};
+/// A process definition of the script: where a machine stands when it is in it.
+struct DefinitionMeaning {
+    std::string text;  ///< "in S1", "in the action of t2"
+    std::vector<std::string>
+        parameters;                 ///< variable or clock of each parameter, RoboChart names; clocks as "since(T)"
+    std::vector<ir::TypeId> types;  ///< type of each; invalid for clocks and counters
+    ir::Origin origin;
+    std::vector<ir::Origin> deadlines = {};  ///< of each: the deadline that it counts down; without a place: none
+    std::vector<ParameterKind> kinds = {};   ///< of each parameter
+    std::string component = {};              ///< whose definition it is: "P::C::stm_ref0"
+    bool memory = false;                     ///< it holds a variable beside the process that says where the machine is
+    std::string machine = {};                ///< the machine that runs there, qualified by its package: "P::S"
+    /// The active states, outermost first, those of operations that are being called behind those of their callers.
+    std::vector<ir::Origin> active = {};
+    /// Of its triggers and of the statements that are to be done next; definitions share them.
+    std::vector<std::shared_ptr<const OfferMeaning>> offers = {};
+};
+/// Keys are names as the checker prints them: qualified event name without arguments
+/// ("P::S::internal__.P::S::TID_t2", "P::S::seeRobot.in"), qualified definition name ("P::S::S1__").
+struct Provenance {
+    std::map<std::string, EventMeaning> events;
+    std::map<std::string, DefinitionMeaning> definitions;
+};
+
+/// One check to be made: an assertion of the model in one time, as one or more CSPM assertions.
+struct Obligation {
+    ir::PropertyKind kind = ir::PropertyKind::deadlock_free;
+    bool negated = false;
+    std::uint32_t property = ir::no_id;  ///< index into System::properties; none for generated core assertions
+    std::string title;                   ///< "A1 [timed] AggregationFSM is deadlock-free"
+    Time time = Time::untimed;
+    std::vector<cspm::DeclPtr> preparation;  ///< what the assertions mention and no other does; in the script too
+    std::vector<cspm::DeclPtr> assertions;   ///< members of the script below; empty: no check exists (`reason`)
+    bool one_suffices = false;               ///< the claim holds if one of the assertions does; else all must hold
+    std::string reason;  ///< why there is no check; else what is so if it fails and no single run shows it
+};
+
+/// A component's processes with the values that an assertion without others takes (semantics 3.12).
+struct ComponentProcesses {
+    std::string path;          ///< "P::C::stm_ref0"
+    cspm::ExprPtr process;     ///< its D__
+    cspm::ExprPtr compressed;  ///< its O__
+};
+
+struct Emission {
+    cspm::Script definitions;  ///< library, instantiations, components
+    cspm::Script script;       ///< definitions, the CSP blocks, the assertions: what is checked
+    std::vector<Obligation> obligations;
+    Provenance provenance;
+    std::vector<ComponentProcesses> components;  ///< every one, nested ones too, by path
+    std::set<std::string> bounded;               ///< functions whose value the finite reading may choose (clipping.hpp)
+    std::set<std::string> captured;              ///< always empty, or the script is wrong (name_clashes.hpp)
+};
+
+struct Options {
+    bool core_assertions =
+        false;  ///< add the generated ones (deadlock, divergence, determinism, timelock) for each component
+    /// A machine that may have more states than this, by the sizes of its carriers, keeps its largest variables in
+    /// memory processes of their own.
+    double states_of_a_process = 50'000;
+    bool share_modules = true;  ///< modules of equal text are written once (shared_modules.hpp)
+    bool share_calls = true;  ///< one definition of an operation for its calls; else each stands in its caller's place
+};
+
+/// A file to be written: path relative to the output folder, and its text.
+struct OutputFile {
+    std::string path;
+    std::string text;
+};
+
+}  // namespace robochart::csp_emit

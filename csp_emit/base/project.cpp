@@ -1,0 +1,64 @@
+// Reporting and excerpts.
+#include "csp_emit/base/project.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "csp_emit/base/names.hpp"
+#include "csp_emit/base/rules.hpp"
+#include "diagnostics/one_line.hpp"
+
+namespace robochart::csp_emit {
+
+namespace {
+
+bool in_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
+}
+
+bool has_name(const std::string& text, const std::string& name) {
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+        const bool begins = at == 0 || !in_name(text[at - 1]);
+        const bool ends = at + name.size() == text.size() || !in_name(text[at + name.size()]);
+        if (begins && ends) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool Project::instantiations_replaced() const {
+    return std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(),
+                       [&](const ir::CspBlock& block) { return replaces_instantiations(block); });
+}
+
+bool Project::mentions(const std::string& name) const {
+    return std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(),
+                       [&](const ir::CspBlock& block) { return applies(block) && has_name(block.text, name); });
+}
+
+bool Project::speaks_of(const std::string& path) const {
+    const auto names = [&](const ir::ComponentRef& ref) { return qualified(ref.package, ref.path) == path; };
+    return mentions(path) || std::any_of(system.properties.begin(), system.properties.end(), [&](const auto& property) {
+               return names(property.subject) || names(property.other);
+           });
+}
+
+void Project::refuse(const std::string& construct, diagnostics::Span span) const {
+    const auto known = diagnostics.sorted();  // a statement may be written at several points
+    const bool again = std::any_of(known.begin(), known.end(), [&](const diagnostics::Diagnostic& finding) {
+        return finding.rule == &rules::unsupported && finding.span.source == span.source &&
+               finding.span.begin == span.begin && finding.arguments.at(0) == construct;
+    });
+    if (!again) diagnostics.report(rules::unsupported, span, {construct});
+}
+
+std::string Project::text(diagnostics::Span span) const {
+    if (!span.known()) return "";
+    constexpr std::size_t longest = 80;
+    std::string result = diagnostics::on_one_line(sources.text(span.source).substr(span.begin, span.end - span.begin));
+    if (result.size() > longest) result = result.substr(0, longest - 3) + "...";
+    return result;
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,67 @@
+// Wording of the rules of csp_emit. Codes are ours; they do not change once published.
+#include "csp_emit/base/rules.hpp"
+
+#include <array>
+
+namespace robochart::csp_emit::rules {
+
+using diagnostics::Rule;
+using diagnostics::Severity;
+
+const Rule unsupported{
+    "RC-C01", Severity::error, "{} has no CSP semantics here yet",
+    "The construct is well-formed RoboChart, but no rule of the emitter covers it. It is refused by name rather than "
+    "left out, because a script without it would describe another model. Write the behaviour without it."};
+const Rule recursive_call{
+    "RC-C02", Severity::error, "operation {} calls itself: {}",
+    "The machine of a defined operation is put in the place of its call, so every chain of calls must end."};
+const Rule missing_in_caller{
+    "RC-C03", Severity::error, "operation {} needs the {} {}, which its caller {} does not have",
+    "An operation works on the variables, events and clocks of the machine that calls it; each that it requires must "
+    "be declared or required there under the same name (rules STM8, STM9, STM10)."};
+const Rule reserved_name{
+    "RC-C04", Severity::note, "the name {} means something else in CSPM; in the script it is {}",
+    "Events, states and components keep their names in the CSP script, for csp blocks to use. Keywords of CSPM and "
+    "functions that the script itself uses cannot be names there: a number is put behind the name. A csp block speaks "
+    "of the element by the name that it has in the model; a block Instantiations that defines a function of such a "
+    "name defines the model's."};
+const Rule name_of_another{
+    "RC-C09", Severity::note, "another element is called {} in the script; this one is {} there",
+    "What RoboChart keeps apart shares one name space in CSPM: a state and an event of its machine, a function and an "
+    "event, an event `set_x` and the channel on which variable x is written, an event `opCall` and the calls of op. "
+    "The state, the type or function, or the event that looks like such a channel gets a number behind its name."};
+const Rule one_name_for_two{
+    "RC-C10", Severity::error, "{} and {} are both called {} in the script",
+    "A component is a module of the script under its package's and its own name, `::` of a package's name being `_`; "
+    "a constant is called after everything around it. Two elements of one name there would be taken for each other. "
+    "Rename one of them, or check the files apart if they do not belong together."};
+// RC-C05 is retired: exits that race with the store of a trigger's value run beside it.
+const Rule too_many_points{
+    "RC-C06", Severity::error, "{} has more than {}",
+    "During actions of nested states run concurrently, and each combination of their positions is a point of the "
+    "script. The model multiplies too many of them."};
+const Rule instantiations_replaced{
+    "RC-C07", Severity::note, "the csp block {} replaces the generated instantiations",
+    "A block named Instantiations is used instead of the generated carriers, constants and functions, as RoboTool "
+    "does; it must define all names that the script needs."};
+
+const Rule constant_without_use{
+    "RC-C08", Severity::warning, "assertion {} sets {}, which nothing that it is about takes",
+    "A constant or parameter that an assertion sets counts for the components that have it: where the value is "
+    "declared, or where it is provided to what requires it. Here neither side of the assertion takes it, so the "
+    "assertion is decided as if the clause were not there."};
+const Rule probabilistic_choice{
+    "RC-C21", Severity::note, "probabilistic junction {} counts as a free choice: CSP has no probabilities",
+    "Every transition that leaves the junction may be taken, whatever its probability, as at a junction whose "
+    "conditions all hold. What holds of the free choice holds of every probabilistic one; a claim that something can "
+    "happen may rest on a transition of probability 0."};
+
+std::span<const Rule* const> all() {
+    static constexpr std::array<const Rule*, 10> table{
+        &unsupported,     &recursive_call,          &missing_in_caller,    &reserved_name,
+        &too_many_points, &instantiations_replaced, &constant_without_use, &name_of_another,
+        &one_name_for_two, &probabilistic_choice};
+    return table;
+}
+
+}  // namespace robochart::csp_emit::rules

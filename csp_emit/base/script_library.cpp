@@ -1,0 +1,71 @@
+// See script_library.hpp.
+#include "csp_emit/base/script_library.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "checker/cspm/syntax/reader.hpp"
+#include "csp_emit/base/library.hpp"
+#include "csp_emit/base/toolkits.hpp"
+#include "semantics/evaluate/toolkit.hpp"
+#include "semantics/ir/visit.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+/// Names that occur in an expression.
+void collect(const cspm::Expr& expr, std::set<std::string>& names) {
+    if (expr.kind == cspm::ExprKind::name) names.insert(expr.text);
+    for (const auto& part : expr.args)
+        if (part) collect(*part, names);
+    for (const auto& clause : expr.clauses)
+        if (clause.value) collect(*clause.value, names);
+    for (const auto& decl : expr.decls)
+        if (decl->body) collect(*decl->body, names);
+}
+
+void collect(const ir::Expr& expr, std::set<std::string>& names) {
+    if (expr.kind == ir::ExprKind::toolkit) names.insert(expr.text);
+    for (const auto& part : expr.args)
+        if (part) collect(*part, names);
+}
+
+std::set<std::string> called_by_model(const ir::System& system) {
+    std::set<std::string> names;
+    ir::visit_expressions(system, [&](const ir::Expr& expr, ir::ExprRole) { collect(expr, names); });
+    for (const ir::Function& function : system.functions)
+        for (const auto* conditions : {&function.preconditions, &function.postconditions})
+            for (const auto& condition : *conditions) collect(*condition, names);
+    return names;
+}
+
+/// Definitions of the toolkit functions that the model calls and of those that these call, in a fixed order.
+std::vector<cspm::DeclPtr> toolkit_definitions(const Project& project) {
+    std::set<std::string> used = called_by_model(project.system);
+    if (used.empty()) return {};
+    for (const std::string& name : std::set<std::string>(used)) used.insert("pre_" + name);
+    const auto source = project.sources.add("<toolkits of generated scripts>", toolkit_text());
+    const auto all = cspm::read(project.sources, source, project.diagnostics).decls;
+    for (std::size_t before = 0; before != used.size();) {
+        before = used.size();
+        for (const auto& decl : all)
+            if (used.contains(decl->names.front())) collect(*decl->body, used);
+    }
+    std::vector<cspm::DeclPtr> result;
+    for (const auto& decl : all)
+        if (used.contains(decl->names.front())) result.push_back(decl);
+    return result;
+}
+
+}  // namespace
+
+std::vector<cspm::DeclPtr> library(const Project& project) {
+    const auto source = project.sources.add("<library of generated scripts>", library_text(project.system, project.time));
+    auto decls = cspm::read(project.sources, source, project.diagnostics).decls;
+    const auto toolkits = toolkit_definitions(project);
+    decls.insert(decls.end(), toolkits.begin(), toolkits.end());
+    return decls;
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,11 @@
+// The functions of the toolkit libraries in CSPM.
+#pragma once
+
+#include <string>
+
+namespace robochart::csp_emit {
+
+/// Every function of the toolkits, as CSPM text.
+[[nodiscard]] std::string toolkit_text();
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,25 @@
+// Types of the model as CSPM sets, and values of the model as CSPM values (semantics 3.13).
+#pragma once
+
+#include "csp_emit/base/project.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::csp_emit {
+
+/// The finite set of a type's values: a name (core_nat, P_Colour) or an expression.
+[[nodiscard]] cspm::ExprPtr type_set(const Project&, ir::TypeId);
+/// A value of a type.
+[[nodiscard]] cspm::ExprPtr value_literal(const Project&, ir::TypeId, const ir::Value&);
+/// The value of a variable without an initial one (semantics 3.6).
+[[nodiscard]] cspm::ExprPtr default_literal(const Project&, ir::TypeId);
+/// The CSPM name of a declared type: `P_T`.
+[[nodiscard]] std::string type_name(const ir::Type&);
+/// The CSPM constructor of an enumeration's literal: `P_E_L`.
+[[nodiscard]] std::string literal_name(const ir::Type&, std::size_t literal);
+/// A tuple; of one part, the part (semantics 3.13 has products, records, vectors and rows of matrices so).
+[[nodiscard]] cspm::ExprPtr tuple_or_one(const std::vector<cspm::ExprPtr>& parts);
+/// nat, int or real.
+[[nodiscard]] bool numeric(const ir::Type&);
+
+}  // namespace robochart::csp_emit

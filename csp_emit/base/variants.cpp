@@ -1,0 +1,22 @@
+// Priority and compression as RoboTool applies them.
+#include "csp_emit/base/variants.hpp"
+
+#include "checker/cspm/syntax/build.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::ExprPtr;
+
+ExprPtr maximal_progress(const Project& project, const ExprPtr& process, const ExprPtr& urgent) {
+    if (!project.timed()) return process;
+    const ExprPtr first = urgent ? urgent : b::set({});
+    return b::call("prioritise", {process, b::sequence({first, b::set({b::name("tock")})})});
+}
+
+ExprPtr compressed(const Project& project, const ExprPtr& process, bool large) {
+    if (large) return process;
+    return project.timed() ? b::call("dbisim", {process}) : b::call("sbisim", {b::call("diamond", {process})});
+}
+
+}  // namespace robochart::csp_emit

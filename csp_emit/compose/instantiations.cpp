@@ -1,0 +1,269 @@
+// Defaults follow semantics 3.13; the finite sets themselves are chosen by semantics/instantiation.
+#include "csp_emit/compose/instantiations.hpp"
+
+#include <set>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/expressions/expressions.hpp"
+#include "csp_emit/base/names.hpp"
+#include "csp_emit/base/types.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::DeclPtr;
+using cspm::ExprPtr;
+using Op = cspm::ExprKind;
+
+namespace {
+
+/// `{a..b}` where there are no gaps, `{a,c,...}` otherwise.
+ExprPtr number_set(const std::vector<std::int64_t>& values) {
+    const bool range =
+        !values.empty() && values.back() - values.front() == static_cast<std::int64_t>(values.size()) - 1;
+    if (range) return b::set_range(b::number(values.front()), b::number(values.back()));
+    b::Exprs items;
+    for (const std::int64_t value : values) items.push_back(b::number(value));
+    return b::set(items);
+}
+
+/// `F(e1__,e2__,T__) = if member(v,T__) then v else e1__`: RoboTool's clipping.
+DeclPtr clipped(const std::string& name, const ExprPtr& value, bool unary = false) {
+    const std::vector<std::string> parameters =
+        unary ? std::vector<std::string>{"e1__", "t__"} : std::vector<std::string>{"e1__", "e2__", "t__"};
+    return b::function_decl(name, b::variables(parameters),
+                            b::if_(b::call("member", {value, b::name("t__")}), value, b::name("e1__")));
+}
+
+void add_arithmetic(const Project& project, std::vector<DeclPtr>& decls) {
+    const ExprPtr left = b::name("e1__");
+    const ExprPtr right = b::name("e2__");
+    const ExprPtr scale = b::number(project.instantiation.scale);
+    decls.push_back(clipped("Plus", b::binary(Op::plus, left, right)));
+    decls.push_back(clipped("Minus", b::binary(Op::minus, left, right)));
+    decls.push_back(clipped("Mult", b::binary(Op::times, left, right)));
+    decls.push_back(clipped("Div", b::binary(Op::divide, left, right)));
+    decls.push_back(clipped("Modulus", b::binary(Op::modulus, left, right)));
+    decls.push_back(clipped("Neg", b::negate(left), true));
+    if (project.instantiation.scale == 1) return;
+    decls.push_back(clipped("RealMult", b::binary(Op::divide, b::binary(Op::times, left, right), scale)));
+    decls.push_back(clipped("RealDiv", b::binary(Op::divide, b::binary(Op::times, left, scale), right)));
+}
+
+void add_carriers(const Project& project, std::vector<DeclPtr>& decls) {
+    const ir::Instantiation& finite = project.instantiation;
+    decls.push_back(
+        b::value("real_scale", b::number(finite.scale), "a real r of the model is the whole number r * real_scale"));
+    decls.push_back(b::nametype("core_nat", number_set(finite.nat)));
+    decls.push_back(b::nametype("core_int", number_set(finite.integer)));
+    decls.push_back(b::nametype("core_real", number_set(finite.real)));
+    decls.push_back(b::nametype("core_boolean", b::name("Bool")));
+    b::Exprs strings;
+    for (const diagnostics::ForeignText& text : finite.strings) strings.push_back(b::string(text.unescaped()));
+    decls.push_back(b::nametype("core_string", b::set(strings)));
+    decls.push_back(b::nametype("core_clock_type", b::set_range(b::number(0), b::number(finite.clock_bound))));
+    for (const ir::Type& type : project.system.types)
+        if (type.kind == ir::TypeKind::given)
+            decls.push_back(b::nametype(type_name(type), b::set_range(b::number(0), b::number(finite.given_size - 1))));
+}
+
+/// Every constant once: the instantiation's value, or the model's.
+class Constants {
+public:
+    Constants(const Project& project, std::vector<DeclPtr>& decls) : project_(project), decls_(decls) {}
+
+    void add(const std::string& name, const ir::Constant& constant, const ir::Machine* machine) {
+        if (!seen_.insert(name).second) return;
+        decls_.push_back(b::value(name, value(name, constant, machine)));
+    }
+    /// A machine's constant in a controller: as the machine's own unless the instantiation differs.
+    void add_part(const std::string& name, const std::string& own, const ir::Constant& constant,
+                  const ir::Machine& machine) {
+        if (!seen_.insert(name).second) return;
+        const bool same = default_constant(project_, own, name) == own;
+        decls_.push_back(b::value(name, same ? b::name(own) : value(name, constant, &machine)));
+    }
+
+private:
+    ExprPtr value(const std::string& name, const ir::Constant& constant, const ir::Machine* machine) const {
+        const auto& given = project_.instantiation.constants;
+        if (const auto found = given.find(name); found != given.end())
+            return value_literal(project_, constant.type, found->second);
+        if (!constant.value) return default_literal(project_, constant.type);
+        if (mentions(*constant.value, calls_function)) return computed(constant, machine);
+        const auto known = ir::evaluate_constant(project_.system, project_.instantiation, machine, *constant.value);
+        if (known) return value_literal(project_, constant.type, *known);
+        project_.refuse("the value of constant " + constant.name + ", which is not constant", constant.origin.span);
+        return b::number(0);
+    }
+
+    static bool calls_function(const ir::Expr& part) {
+        return part.kind == ir::ExprKind::call || part.kind == ir::ExprKind::function_value;
+    }
+    /// What functions say is left to the script, where the user may define them.
+    ExprPtr computed(const ir::Constant& constant, const ir::Machine* machine) const {
+        Scope scope;
+        scope.constant = [machine](ir::ConstantId id) {
+            return b::name(ir::constant_name(machine->package, machine->path, machine->constants.at(id.index).name));
+        };
+        const auto names_constant = [](const ir::Expr& part) { return part.kind == ir::ExprKind::constant; };
+        if (machine != nullptr || !mentions(*constant.value, names_constant))
+            return expression_as(project_, scope, *constant.value, constant.type);
+        project_.refuse("the value of constant " + constant.name + ", which is not constant", constant.origin.span);
+        return b::number(0);
+    }
+
+    const Project& project_;
+    std::vector<DeclPtr>& decls_;
+    std::set<std::string> seen_;
+};
+
+void add_parts(const ir::System& system, const ir::Controller& controller, Constants& constants) {
+    const auto part = [&](const std::string& name, const ir::Machine& machine) {
+        for (const ir::Constant& constant : machine.constants)
+            constants.add_part(ir::constant_name(controller.package, controller.path + "::" + name, constant.name),
+                               ir::constant_name(machine.package, machine.path, constant.name), constant, machine);
+    };
+    for (const auto& instance : controller.machines) part(instance.name, system.machine(instance.machine));
+    for (std::size_t i = 0; i < controller.definitions.size(); ++i)
+        part(controller.definition_names.at(i), system.machine(controller.definitions[i]));
+}
+
+void add_constants(const Project& project, std::vector<DeclPtr>& decls) {
+    Constants constants(project, decls);
+    const ir::System& system = project.system;
+    for (const ir::Machine& machine : system.machines)
+        for (const ir::Constant& constant : machine.constants)
+            constants.add(ir::constant_name(machine.package, machine.path, constant.name), constant, &machine);
+    for (const ir::Controller& controller : system.controllers) {
+        for (const ir::Constant& constant : controller.constants)
+            constants.add(ir::constant_name(controller.package, controller.path, constant.name), constant, nullptr);
+        add_parts(system, controller, constants);
+    }
+    for (const ir::Module& module : system.modules)
+        for (const ir::Constant& constant : module.platform.constants)
+            constants.add(ir::constant_name(module.package, module.name, constant.name), constant, nullptr);
+}
+
+/// A condition behind the preconditions of the functions that it calls itself.
+b::Exprs with_preconditions(const Project& project, const ir::Expr& condition) {
+    b::Exprs result = preconditions(project, {}, condition);
+    result.push_back(expression(project, {}, condition));
+    return result;
+}
+
+b::Patterns parameters_of(const ir::Function& function) {
+    b::Patterns result;
+    for (const std::string& name : function.parameter_names) result.push_back(b::variable(bound_name(name)));
+    return result;
+}
+
+/// `f(x) = body`; without parameters `f() = body`, which is how RoboTool's instantiations define such functions.
+DeclPtr function_definition(const std::string& name, const ir::Function& function, const ExprPtr& body,
+                            const std::string& comment = "") {
+    cspm::Decl decl = *b::function_decl(name, {b::wildcard()}, body, comment);
+    decl.patterns = {parameters_of(function)};
+    return std::make_shared<const cspm::Decl>(std::move(decl));
+}
+
+/// The default value where it satisfies the postconditions, else the first value that does.
+ExprPtr searched(const Project& project, const ir::Function& function) {
+    b::Exprs conditions;
+    for (const auto& condition : function.postconditions)
+        for (ExprPtr& part : with_preconditions(project, *condition)) conditions.push_back(part);
+    const ExprPtr constant = default_literal(project, function.result);
+    const ExprPtr candidates =
+        b::set_comprehension({b::name("elem__")}, {b::generator("elem__", type_set(project, function.result)),
+                                                   b::condition(b::call("ok__", {b::name("elem__")}))});
+    const ExprPtr none = b::call("error", {b::string("no value satisfies the postcondition of " + function.name)});
+    const ExprPtr first =
+        b::if_(b::call("empty", {b::name("found__")}), none, b::call("head", {b::call("seq", {b::name("found__")})}));
+    return b::let_({b::function_decl("ok__", {b::variable(bound_name("result"))}, b::all_of(conditions))},
+                   b::if_(b::call("ok__", {constant}), constant, b::let_({b::value("found__", candidates)}, first)));
+}
+
+/// Functions have contracts, not bodies: by postcondition, or 0 or the first literal as RoboTool has it, unless the
+/// user overrides it.
+void add_functions(const Project& project, std::vector<DeclPtr>& decls) {
+    for (const ir::Function& function : project.system.functions) {
+        const bool specified = !function.postconditions.empty();
+        decls.push_back(
+            function_definition(function_name(function), function,
+                                specified ? searched(project, function) : default_literal(project, function.result),
+                                specified ? "function by its postcondition" : "function without body: default value"));
+    }
+}
+
+}  // namespace
+
+std::string default_constant(const Project& project, const std::string& own, const std::string& part) {
+    const auto& given = project.instantiation.constants;
+    const auto of_part = given.find(part);
+    const auto of_own = given.find(own);
+    const bool differs = of_part != given.end() && (of_own == given.end() || of_own->second != of_part->second);
+    return differs ? part : own;
+}
+
+std::vector<DeclPtr> data_definitions(const Project& project) {
+    std::vector<DeclPtr> decls;
+    for (const ir::Type& type : project.system.types) {
+        if (type.kind != ir::TypeKind::enumeration) continue;
+        std::vector<cspm::Constructor> constructors;
+        for (std::size_t i = 0; i < type.labels.size(); ++i) {
+            b::Exprs fields;
+            if (i < type.literal_args.size())
+                for (const ir::TypeId argument : type.literal_args[i]) fields.push_back(type_set(project, argument));
+            constructors.push_back(b::constructor(literal_name(type, i), fields.empty() ? nullptr : b::dot(fields)));
+        }
+        decls.push_back(b::datatype(type_name(type), constructors));
+    }
+    for (const ir::Function& function : project.system.functions) {
+        if (function.preconditions.empty()) continue;
+        b::Exprs conditions;
+        for (const auto& condition : function.preconditions)
+            for (ExprPtr& part : with_preconditions(project, *condition)) conditions.push_back(part);
+        decls.push_back(function_definition("pre_" + function_name(function), function, b::all_of(conditions)));
+    }
+    return decls;
+}
+
+std::vector<DeclPtr> record_functions(const Project& project, const std::set<std::string>& declared) {
+    std::vector<DeclPtr> decls;
+    std::set<std::string> taken = declared;
+    for (const ir::Function& function : project.system.functions) taken.insert(function_name(function));
+    const auto add = [&](const std::string& name, const b::Patterns& parameters, const ExprPtr& body) {
+        if (!project.mentions(name) || !taken.insert(name).second) return;
+        decls.push_back(b::function_decl(name, parameters, body));
+    };
+    for (const ir::Type& type : project.system.types) {
+        if (type.kind != ir::TypeKind::record) continue;
+        b::Patterns variables;
+        b::Exprs values;
+        for (std::size_t i = 0; i < type.labels.size(); ++i) {
+            variables.push_back(b::variable("x" + std::to_string(i + 1) + "__"));
+            values.push_back(b::name("x" + std::to_string(i + 1) + "__"));
+        }
+        const cspm::PatternPtr whole = variables.size() == 1 ? variables.front() : b::tuple_pattern(variables);
+        for (std::size_t i = 0; i < type.labels.size(); ++i) {
+            const std::string name = type_name(type) + "_" + type.labels[i];
+            b::Exprs changed = values;
+            changed[i] = b::name("v__");
+            add(name, {whole}, values[i]);
+            add("update_" + name, {whole, b::variable("v__")}, changed.size() == 1 ? changed.front() : b::tuple(changed));
+        }
+    }
+    return decls;
+}
+
+std::vector<DeclPtr> instantiations(const Project& project) {
+    std::vector<DeclPtr> decls;
+    add_carriers(project, decls);
+    add_arithmetic(project, decls);
+    add_constants(project, decls);
+    add_functions(project, decls);
+    return decls;
+}
+
+}  // namespace robochart::csp_emit

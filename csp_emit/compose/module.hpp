@@ -1,0 +1,17 @@
+// Modules (semantics 3.9): controllers side by side with the robotic platform as their environment.
+#pragma once
+
+#include "csp_emit/compose/composition.hpp"
+
+namespace robochart::csp_emit {
+
+struct ModuleContext {
+    const Project* project = nullptr;
+    const ir::Module* module = nullptr;
+    std::string path;
+    NameManager names;
+};
+
+[[nodiscard]] ComponentEmission emit_module(const ModuleContext&, Emitted&);
+
+}  // namespace robochart::csp_emit

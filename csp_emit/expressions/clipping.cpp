@@ -1,0 +1,72 @@
+// The clipping functions return their first operand where the result is no value of the type.
+#include "csp_emit/expressions/clipping.hpp"
+
+#include <array>
+
+namespace robochart::csp_emit {
+namespace {
+
+struct Operator {
+    const char* function;
+    const char* sign;
+};
+constexpr std::array operators{Operator{"Plus", "+"},     Operator{"Minus", "-"},   Operator{"Mult", "*"},
+                               Operator{"Div", "/"},      Operator{"Modulus", "%"}, Operator{"Neg", "-"},
+                               Operator{"RealMult", "*"}, Operator{"RealDiv", "/"}};
+
+const Operator* find(const std::string& function) {
+    for (const Operator& each : operators)
+        if (function == each.function) return &each;
+    return nullptr;
+}
+
+/// Whether the operation, were it not clipped, gives its first operand.
+bool unchanged(const std::string& function, std::int64_t a, std::int64_t b, std::int64_t scale) {
+    if (function == "Plus" || function == "Minus") return b == 0;
+    if (function == "Mult") return a == 0 || b == 1;
+    if (function == "RealMult") return a == 0 || b == scale;
+    if (function == "Div") return b == 1 || a == 0 || (a == -1 && b > 1);
+    if (function == "RealDiv") return b == scale || a == 0;
+    if (function == "Modulus") return b > 0 ? a >= 0 && a < b : a <= 0 && a > b;
+    return a == 0;
+}
+
+/// A number of the script; with its unit where it counts parts of a real.
+std::string shown(const std::string& function, std::int64_t value, std::int64_t scale) {
+    const bool real = scale != 1 && function.rfind("Real", 0) == 0;
+    return real ? std::to_string(value) + "/" + std::to_string(scale) : std::to_string(value);
+}
+
+}  // namespace
+
+cspm::ExprPtr placed(const cspm::ExprPtr& tree, diagnostics::Span span) {
+    if (!tree || tree->span.known() || !span.known()) return tree;
+    const bool leaf = tree->args.empty() && tree->clauses.empty();
+    if (leaf) return tree;
+    cspm::Expr copy = *tree;
+    if (copy.kind == cspm::ExprKind::apply) copy.span = span;
+    for (auto& part : copy.args) part = placed(part, span);
+    for (auto& clause : copy.clauses) clause.value = placed(clause.value, span);
+    return std::make_shared<const cspm::Expr>(std::move(copy));
+}
+
+std::optional<std::string> reached_bound(const Emission& emission, const ir::Instantiation& instantiation,
+                                         const cspm::ObservedCall& call) {
+    if (!emission.bounded.contains(call.function)) return std::nullopt;
+    const Operator* arithmetic = find(call.function);
+    if (arithmetic == nullptr) {
+        const std::string value = call.result ? " and is taken as " + std::to_string(*call.result) : "";
+        return call.function + " has no body here" + value;
+    }
+    const bool unary = call.function == "Neg";
+    if (call.values.empty() || !call.values[0] || !call.result || *call.result != *call.values[0]) return std::nullopt;
+    const std::int64_t left = *call.values[0];
+    const std::int64_t right = unary || call.values.size() < 2 ? 0 : call.values[1].value_or(0);
+    if (unchanged(call.function, left, right, instantiation.scale)) return std::nullopt;
+    const auto number = [&](std::int64_t value) { return shown(call.function, value, instantiation.scale); };
+    const std::string operation =
+        unary ? "-(" + number(left) + ")" : number(left) + " " + arithmetic->sign + " " + number(right);
+    return operation + " leaves its type and is taken as " + number(left);
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,93 @@
+// The class behind expressions.hpp: one member function per family of ir::ExprKind, over three sources. Private to
+// csp_emit. Names that its templates bind end in `__` and are reserved (names.cpp): what is put into a template never
+// has them free.
+#pragma once
+
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/expressions/expressions.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::csp_emit {
+
+class Translator {
+public:
+    Translator(const Project& project, const Scope& scope) : project_(project), scope_(scope) {}
+
+    cspm::ExprPtr translate(const ir::Expr& expr) const;
+    cspm::ExprPtr as_type(const ir::Expr& expr, ir::TypeId wanted) const;
+    cspm::build::Exprs preconditions(const ir::Expr& expr) const;
+    /// The value with the part at `path[from..]` replaced.
+    cspm::ExprPtr replaced(ir::TypeId type, const cspm::ExprPtr& whole, const cspm::build::Exprs& path,
+                           std::size_t from, const cspm::ExprPtr& value) const;
+
+private:
+    using ExprPtr = cspm::ExprPtr;
+    using Exprs = cspm::build::Exprs;
+
+    const ir::Type* type(ir::TypeId id) const { return id.valid() ? &project_.system.type(id) : nullptr; }
+    bool is_real(ir::TypeId id) const { return id.valid() && project_.system.type(id).kind == ir::TypeKind::real; }
+    bool is_whole(ir::TypeId id) const;
+    std::int64_t scale() const { return project_.instantiation.scale; }
+
+    // expressions.cpp
+    ExprPtr arg(const ir::Expr& expr, std::size_t index) const { return translate(*expr.args.at(index)); }
+    Exprs args(const ir::Expr& expr) const;
+    ExprPtr literal(const ir::Expr& expr) const;
+    ExprPtr real_literal(const ir::Expr& expr) const;
+    ExprPtr name(const ir::Expr& expr) const;
+    ExprPtr logic(const ir::Expr& expr) const;
+    ExprPtr comparison(const ir::Expr& expr) const;
+    ExprPtr clipped(ir::ExprKind kind, Exprs operands, ir::TypeId type) const;
+    ExprPtr arithmetic(const ir::Expr& expr) const;
+    ExprPtr composed(const ir::Expr& expr) const;
+    ExprPtr member(const ir::Expr& expr) const;
+    ExprPtr index(const ir::Expr& expr) const;
+    ExprPtr cast(const ir::Expr& expr) const;
+    ExprPtr type_test(const ir::Expr& expr) const;
+    ExprPtr range(const ir::Expr& expr) const;
+    ExprPtr call(const ir::Expr& expr) const;
+    bool is_open(ir::TypeId id) const;  ///< a part of the type is not known
+    ExprPtr toolkit(const ir::Expr& expr) const;
+    ExprPtr apply(const ir::Expr& expr) const;
+    ExprPtr function_value(const ir::Expr& expr) const;
+    ExprPtr quantified(const ir::Expr& expr) const;
+    ExprPtr let(const ir::Expr& expr) const;
+    ExprPtr bind_let(const ir::Expr& expr, std::size_t count, ExprPtr body) const;
+    Exprs call_arguments(const ir::Expr& expr) const;
+    std::vector<cspm::Clause> generators(const ir::Expr& expr) const;
+    static ExprPtr bound_tuple(const ir::Expr& expr);
+    Exprs bound_preconditions(const ir::Expr& expr) const;  // expression_conditions.cpp
+    ExprPtr refused(const std::string& what, const ir::Expr& expr) const;
+
+    // expression_parts.cpp: components of values, conversions between types
+    struct Block {  ///< a vector is one column
+        std::size_t rows = 0, columns = 0;
+        bool vector = false;
+    };
+    bool is_block(ir::TypeId id) const;
+    Block block(ir::TypeId id) const;
+    cspm::PatternPtr block_pattern(const Block& block, const std::string& prefix) const;
+    ExprPtr block_value(const Block& block, const Exprs& entries) const;
+    static ExprPtr entry(const std::string& prefix, std::size_t row, std::size_t column);
+    ExprPtr block_literal(const ir::Expr& expr) const;
+    ExprPtr block_arithmetic(const ir::Expr& expr) const;
+    ExprPtr block_product(const ir::Expr& expr, const Block& left, const Block& right, ir::TypeId number) const;
+    ExprPtr transposed(const ir::Expr& expr) const;
+    ExprPtr tuple_part(const ExprPtr& whole, std::size_t size, std::size_t place) const;
+    ExprPtr indexed(ir::TypeId type, const ExprPtr& whole, const Exprs& places) const;
+    ExprPtr replaced_field(const ir::Type& type, const ExprPtr& whole, const Exprs& path, std::size_t from,
+                           const ExprPtr& value) const;
+    ExprPtr replaced_entry(ir::TypeId type, const ExprPtr& whole, const Exprs& path, std::size_t from,
+                           const ExprPtr& value) const;
+    bool written_differently(ir::TypeId from, ir::TypeId to) const;
+    ExprPtr converted(const ExprPtr& value, ir::TypeId from, ir::TypeId to) const;
+    ExprPtr converted_elements(const ExprPtr& value, const ir::Type& from, const ir::Type& to) const;
+    ExprPtr converted_tuple(const ExprPtr& value, const std::vector<ir::TypeId>& from,
+                            const std::vector<ir::TypeId>& to) const;
+    std::vector<ir::TypeId> pair_types(const ir::Type& type) const;
+
+    const Project& project_;
+    const Scope& scope_;
+};
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,66 @@
+// A machine that runs in several places, on its own, in a controller, in that controller within a module, is the same
+// module of the script in each, but for its name: it is made once. Where other operations are defined, it is another.
+#include "csp_emit/machine/machine.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+std::string key_of(const MachineContext& context) {
+    std::string result = context.machine->package + "::" + context.machine->path;
+    for (const auto& [operation, machine] : context.definitions)
+        result += " " + operation + "=" + std::to_string(machine.index);
+    return result;
+}
+
+/// The name with the new path for the old one, in front and behind the channel of an event (emit.hpp: Provenance).
+std::string moved(const std::string& name, const std::string& from, const std::string& to) {
+    const std::string before = from + "::";
+    std::string result;
+    for (std::size_t at = 0; at < name.size();) {
+        const bool starts = at == 0 || name[at - 1] == '.';
+        if (starts && name.compare(at, before.size(), before) == 0) {
+            result += to + "::";
+            at += before.size();
+        } else {
+            result += name[at++];
+        }
+    }
+    return result;
+}
+
+template <class Meaning>
+void add_moved(const std::map<std::string, Meaning>& meanings, const std::string& from, const std::string& to,
+               std::map<std::string, Meaning>& result) {
+    for (const auto& [name, meaning] : meanings) (result[moved(name, from, to)] = meaning).component = to;
+}
+
+cspm::DeclPtr renamed(const cspm::DeclPtr& module, const std::string& name) {
+    if (module->names.front() == name) return module;
+    auto result = std::make_shared<cspm::Decl>(*module);
+    result->names.front() = name;
+    return result;
+}
+
+}  // namespace
+
+ComponentEmission emit_machine(MachineContext context, Emitted& emitted) {
+    // The copy that an assertion watches is there once.
+    if (!context.watched.empty()) return MachineEmitter(std::move(context), emitted).emit();
+    const std::string path = context.path;
+    const std::string name = context.name;
+    const auto [found, added] = emitted.machines.try_emplace(key_of(context));
+    EmittedMachine& known = found->second;
+    if (added) {
+        Emitted apart;
+        known.path = path;
+        known.emission = MachineEmitter(std::move(context), apart).emit();
+        known.provenance = std::move(apart.provenance);
+    }
+    add_moved(known.provenance.events, known.path, path, emitted.provenance.events);
+    add_moved(known.provenance.definitions, known.path, path, emitted.provenance.definitions);
+    ComponentEmission result = known.emission;
+    result.module = renamed(result.module, name);
+    return emitted.components[path] = result;
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,103 @@
+// See choice_factoring.hpp.
+#include "csp_emit/passes/choice_factoring.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/syntax/build.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::Expr;
+using cspm::ExprKind;
+using cspm::ExprPtr;
+
+namespace {
+
+bool mentions(const Expr& expr, const std::string& name) {
+    bool found = expr.kind == ExprKind::name && expr.text == name;
+    for_each_part(expr, [&](const Expr& part) { found = found || mentions(part, name); });
+    return found;
+}
+
+/// `c -> P`, or `c?x -> P` where P does not look at x.
+bool only_event_matters(const Expr& branch) {
+    if (branch.kind != ExprKind::prefix || branch.args[0]->kind != ExprKind::name) return false;
+    if (branch.fields.empty()) return true;
+    const cspm::Field& field = branch.fields.front();
+    const bool plain = branch.fields.size() == 1 && field.kind == cspm::FieldKind::input && !field.value &&
+                       field.pattern->kind == cspm::PatternKind::name;
+    return plain && !mentions(*branch.args[1], field.pattern->text);
+}
+
+void operands(const ExprPtr& expr, b::Exprs& out) {
+    if (expr->kind != ExprKind::external_choice) return out.push_back(expr);
+    for (const ExprPtr& operand : expr->args) operands(operand, out);
+}
+
+class Gatherer {
+public:
+    Gatherer(NameManager& names, std::vector<NamedSet>& known)
+        : names_(names), known_(known), event_(names.unique("e__")) {}
+
+    ExprPtr rewritten(const ExprPtr& expr) {
+        if (!expr) return expr;
+        if (expr->kind == ExprKind::external_choice) return choice(expr);
+        if (expr->kind == ExprKind::apply || expr->args.empty()) return expr;
+        return with_parts(expr, [&](const ExprPtr& part) { return rewritten(part); });
+    }
+
+private:
+    ExprPtr choice(const ExprPtr& expr) {
+        b::Exprs branches;
+        operands(expr, branches);
+        b::Exprs result;
+        for (std::size_t i = 0; i < branches.size(); ++i) {
+            if (!branches[i]) continue;  // gathered already
+            b::Exprs events;
+            if (only_event_matters(*branches[i])) events = alike(branches, i);
+            const ExprPtr single = rewritten(branches[i]);
+            result.push_back(events.size() < 2 ? single : offer(events, single->args[1]));
+        }
+        return b::choice(result);
+    }
+
+    /// The events of branch `first` and of those behind it that go on alike, which are taken away.
+    static b::Exprs alike(b::Exprs& branches, std::size_t first) {
+        const ExprPtr& model = branches[first];
+        b::Exprs result{model->args[0]};
+        for (std::size_t i = first + 1; i < branches.size(); ++i) {
+            ExprPtr& other = branches[i];
+            if (!other || !only_event_matters(*other) || !cspm::equal(other->args[1], model->args[1])) continue;
+            result.push_back(other->args[0]);
+            other = nullptr;
+        }
+        return result;
+    }
+
+    ExprPtr offer(const b::Exprs& events, const ExprPtr& next) {
+        return b::replicated(ExprKind::replicated_external, {b::generator(event_, set(b::productions(events)))},
+                             b::prefix(b::name(event_), next));
+    }
+
+    ExprPtr set(const ExprPtr& events) {
+        const auto same = std::find_if(known_.begin(), known_.end(),
+                                       [&](const NamedSet& each) { return cspm::equal(each.events, events); });
+        if (same != known_.end()) return b::name(same->name);
+        known_.push_back({names_.unique("alike__"), events});
+        return b::name(known_.back().name);
+    }
+
+    NameManager& names_;
+    std::vector<NamedSet>& known_;
+    std::string event_;
+};
+
+}  // namespace
+
+void gather_alike_branches(std::vector<Function>& functions, NameManager& names, std::vector<NamedSet>& known) {
+    Gatherer gatherer(names, known);
+    for (Function& function : functions) function.body = gatherer.rewritten(function.body);
+}
+
+}  // namespace robochart::csp_emit

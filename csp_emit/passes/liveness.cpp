@@ -1,0 +1,299 @@
+// A parameter is live if its name occurs in the body outside calls within the family, or in an argument for a live
+// parameter; one that a call does not mention keeps its value. The least such set is found by going backwards along
+// the calls. A function that several calls share has the parameters of all of them: a call passes on only what the
+// function itself reads, or what is read behind this very call; for the others any value will do.
+#include "csp_emit/passes/liveness.hpp"
+
+#include <optional>
+#include <set>
+
+#include "checker/cspm/syntax/build.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::Expr;
+using cspm::ExprKind;
+using cspm::ExprPtr;
+
+namespace {
+
+const char* const sparse = "with";
+const char* const sparse_after_tock = "with, after tock";
+const char* const any_value = "any value";
+
+bool is_sparse(const Expr& expr) {
+    return expr.kind == ExprKind::apply && (expr.text == sparse || expr.text == sparse_after_tock);
+}
+
+using Names = std::vector<std::size_t>;
+
+class Family {
+public:
+    Family(const std::vector<Function>& functions, const ExprPtr& initial, const Candidates& candidates);
+
+    std::vector<std::string> parameters(std::size_t function) const;
+    ExprPtr dense(const ExprPtr& expr) const;
+
+private:
+    struct Call {
+        std::size_t caller, target;
+        std::map<std::size_t, Names> given;
+        bool after_tock;
+        std::vector<std::size_t> behind;  ///< functions that go on behind the calls made here, the innermost first
+    };
+    /// Parameters by function.
+    using Live = std::vector<std::set<std::size_t>>;
+
+    void survey(std::size_t caller, const Expr& expr);
+    void survey_call(std::size_t caller, const Expr& expr);
+    std::vector<std::size_t> behind(const Expr& value) const;
+    void names(const Expr& expr, std::set<std::size_t>& result) const;
+    Names names(const Expr& expr) const;
+    const Expr* ticking(std::size_t parameter) const;
+    const Names& passed(const Call& call, std::size_t parameter, Names& kept) const;
+    void mark(Live& live, std::size_t function, const Names& names);
+    void spread();
+    void spread(const Call& call, std::size_t parameter);
+    bool needed(const Call& call, std::size_t parameter) const;
+    ExprPtr dense_call(const Expr& expr) const;
+    ExprPtr argument(const Expr& expr, const Call& call, std::size_t parameter) const;
+
+    const Candidates& candidates_;
+    std::vector<ExprPtr> read_;  ///< each candidate's name: most arguments of most calls, so they are one tree
+    FamilyIndex index_;
+    std::unordered_map<std::string, std::size_t> number_;  ///< of each candidate; looked up only
+    std::vector<Names> used_;                              ///< by function; last: the initial process
+    std::vector<Call> calls_;
+    std::map<const Expr*, std::size_t> call_of_;
+    std::vector<std::vector<std::size_t>> calls_to_;    ///< by function
+    std::vector<std::vector<std::size_t>> calls_over_;  ///< by function: calls that it goes on behind
+    std::set<std::size_t> returning_;                   ///< functions that go on behind calls
+    Live live_, within_;                                ///< at all; before the operation that runs returns
+    std::vector<std::pair<std::size_t, std::size_t>> work_;
+};
+
+Family::Family(const std::vector<Function>& functions, const ExprPtr& initial, const Candidates& candidates)
+    : candidates_(candidates),
+      index_(index_of(functions)),
+      used_(functions.size() + 1),
+      calls_to_(functions.size()),
+      calls_over_(functions.size()) {
+    for (const std::string& name : candidates.names) {
+        number_.emplace(name, number_.size());
+        read_.push_back(b::name(name));
+    }
+    for (const auto& [value, entry] : candidates.entries) returning_.insert(index_.at(entry.behind));
+    for (std::size_t i = 0; i < functions.size(); ++i) survey(i, *functions[i].body);
+    survey(functions.size(), *initial);
+    live_.resize(used_.size());
+    within_.resize(used_.size());
+    spread();
+}
+
+void Family::names(const Expr& expr, std::set<std::size_t>& result) const {
+    if (expr.kind == ExprKind::name)
+        if (const auto found = number_.find(expr.text); found != number_.end()) result.insert(found->second);
+    for_each_part(expr, [&](const Expr& part) { names(part, result); });
+}
+
+Names Family::names(const Expr& expr) const {
+    std::set<std::size_t> result;
+    names(expr, result);
+    return {result.begin(), result.end()};
+}
+
+void Family::survey(std::size_t caller, const Expr& expr) {
+    if (is_sparse(expr)) return survey_call(caller, expr);
+    if (expr.kind == ExprKind::name)
+        if (const auto found = number_.find(expr.text); found != number_.end()) used_[caller].push_back(found->second);
+    for_each_part(expr, [&](const Expr& part) { survey(caller, part); });
+}
+
+/// The functions behind the calls whose places are pushed in a value of the places to return to.
+std::vector<std::size_t> Family::behind(const Expr& value) const {
+    std::vector<std::size_t> result;
+    for (auto found = candidates_.entries.find(&value); found != candidates_.entries.end();
+         found = candidates_.entries.find(found->second.outer.get()))
+        result.push_back(index_.at(found->second.behind));
+    return result;
+}
+
+void Family::survey_call(std::size_t caller, const Expr& expr) {
+    if (call_of_.count(&expr) != 0) return;  // one tree in several places of the same body
+    Call call{caller, index_.at(expr.args[0]->text), {}, expr.text == sparse_after_tock, {}};
+    for (std::size_t i = 1; i + 1 < expr.args.size(); i += 2) {
+        const auto found = number_.find(expr.args[i]->text);
+        if (found == number_.end()) continue;
+        call.given[found->second] = names(*expr.args[i + 1]);
+        if (found->first == candidates_.returns) call.behind = behind(*expr.args[i + 1]);
+    }
+    call_of_[&expr] = calls_.size();
+    calls_to_[call.target].push_back(calls_.size());
+    for (const std::size_t function : call.behind) calls_over_[function].push_back(calls_.size());
+    calls_.push_back(std::move(call));
+}
+
+const Expr* Family::ticking(std::size_t parameter) const {
+    const auto found = candidates_.ticking.find(candidates_.names[parameter]);
+    return found == candidates_.ticking.end() ? nullptr : found->second.get();
+}
+
+/// What the caller needs to pass the parameter.
+const Names& Family::passed(const Call& call, std::size_t parameter, Names& kept) const {
+    if (const auto found = call.given.find(parameter); found != call.given.end()) return found->second;
+    const Expr* counting = call.after_tock ? ticking(parameter) : nullptr;
+    kept = counting != nullptr ? names(*counting) : Names{parameter};
+    return kept;
+}
+
+void Family::mark(Live& live, std::size_t function, const Names& names) {
+    for (const std::size_t name : names)
+        if (live[function].insert(name).second) work_.emplace_back(function, name);
+}
+
+void Family::spread() {
+    for (std::size_t i = 0; i < used_.size(); ++i) {
+        mark(within_, i, used_[i]);
+        mark(live_, i, used_[i]);
+    }
+    while (!work_.empty()) {
+        const auto [function, parameter] = work_.back();
+        work_.pop_back();
+        if (function == calls_to_.size()) continue;  // nobody calls the initial process
+        for (const std::size_t call : calls_to_[function]) spread(calls_[call], parameter);
+        for (const std::size_t call : calls_over_[function]) spread(calls_[call], parameter);
+    }
+}
+
+/// What is live in the called function, or behind it and not overwritten before, the caller needs.
+void Family::spread(const Call& call, std::size_t parameter) {
+    if (live_[call.target].count(parameter) == 0) return;
+    const bool returns = returning_.count(call.target) != 0;
+    bool within = !returns && within_[call.target].count(parameter) != 0;
+    for (const std::size_t function : call.behind) within = within || within_[function].count(parameter) != 0;
+    if (!within && !needed(call, parameter)) return;
+    Names kept;
+    const Names& names = passed(call, parameter, kept);
+    mark(live_, call.caller, names);
+    // What gives the parameter a value is read here, before the operation returns, wherever the parameter is read.
+    const bool given = call.given.count(parameter) != 0;
+    if (within || given) mark(within_, call.caller, names);
+}
+
+/// Whether the parameter is read in what is called, or behind this call.
+bool Family::needed(const Call& call, std::size_t parameter) const {
+    if (call.behind.empty() || within_[call.target].count(parameter) != 0) return true;
+    for (const std::size_t function : call.behind) {
+        const bool outermost = function == call.behind.back();
+        if ((outermost ? live_ : within_)[function].count(parameter) != 0) return true;
+    }
+    return false;
+}
+
+std::vector<std::string> Family::parameters(std::size_t function) const {
+    std::vector<std::string> result;
+    for (const std::size_t parameter : live_[function]) result.push_back(candidates_.names[parameter]);
+    return result;
+}
+
+ExprPtr Family::argument(const Expr& expr, const Call& call, std::size_t parameter) const {
+    const std::string& name = candidates_.names[parameter];
+    if (name != candidates_.returns && !needed(call, parameter)) return unneeded();
+    for (std::size_t i = 1; i + 1 < expr.args.size(); i += 2)
+        if (expr.args[i]->text == name) return expr.args[i + 1];
+    if (call.after_tock && ticking(parameter) != nullptr) return candidates_.ticking.at(name);
+    return read_[parameter];
+}
+
+ExprPtr Family::dense_call(const Expr& expr) const {
+    const Call& call = calls_[call_of_.at(&expr)];
+    b::Exprs arguments;
+    for (const std::size_t parameter : live_[call.target]) arguments.push_back(argument(expr, call, parameter));
+    return b::call(expr.args[0]->text, arguments);
+}
+
+ExprPtr Family::dense(const ExprPtr& expr) const {
+    if (!expr) return expr;
+    if (is_sparse(*expr)) return dense_call(*expr);
+    return with_parts(expr, [&](const ExprPtr& part) { return dense(part); });
+}
+
+}  // namespace
+
+FamilyIndex index_of(const std::vector<Function>& functions) {
+    FamilyIndex result;
+    for (std::size_t i = 0; i < functions.size(); ++i) result[functions[i].name] = i;
+    return result;
+}
+
+const std::size_t* called(const FamilyIndex& index, const Expr& expr) {
+    const bool applied = expr.kind == ExprKind::apply && expr.args[0]->kind == ExprKind::name;
+    if (!applied && expr.kind != ExprKind::name) return nullptr;
+    const auto found = index.find(applied ? expr.args[0]->text : expr.text);
+    return found == index.end() ? nullptr : &found->second;
+}
+
+ExprPtr call_with(const std::string& function, const Arguments& changed, bool after_tock) {
+    Expr result;
+    result.kind = ExprKind::apply;
+    result.text = after_tock ? sparse_after_tock : sparse;
+    result.args.push_back(b::name(function));
+    for (const auto& [parameter, value] : changed) {
+        result.args.push_back(b::name(parameter));
+        result.args.push_back(value);
+    }
+    return std::make_shared<const Expr>(std::move(result));
+}
+
+const std::string* only_calls(const Expr& expr) {
+    if (!is_sparse(expr) || expr.text == sparse_after_tock) return nullptr;
+    for (std::size_t i = 1; i + 1 < expr.args.size(); i += 2) {
+        const Expr& value = *expr.args[i + 1];
+        if (value.kind != ExprKind::name || value.text != expr.args[i]->text) return nullptr;
+    }
+    return &expr.args[0]->text;
+}
+
+ExprPtr unneeded() {
+    return b::name(any_value);
+}
+
+bool is_unneeded(const Expr& expr) {
+    return expr.kind == ExprKind::name && expr.text == any_value;
+}
+
+std::vector<std::string> find_parameters(std::vector<Function>& functions, ExprPtr& initial,
+                                         const Candidates& candidates) {
+    const Family family(functions, initial, candidates);
+    initial = family.dense(initial);
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        functions[i].body = family.dense(functions[i].body);
+        functions[i].parameters = family.parameters(i);
+    }
+    return family.parameters(functions.size());
+}
+
+namespace {
+
+ExprPtr filled(const ExprPtr& expr, const std::vector<Function>& functions, const FamilyIndex& index,
+               const std::map<std::string, ExprPtr>& values) {
+    if (!expr) return expr;
+    const std::size_t* target = called(index, *expr);
+    std::size_t place = 0;
+    return with_parts(expr, [&](const ExprPtr& part) {
+        const std::size_t i = place++;
+        return part && target != nullptr && i > 0 && is_unneeded(*part)
+                   ? values.at(functions[*target].parameters.at(i - 1))
+                   : filled(part, functions, index, values);
+    });
+}
+
+}  // namespace
+
+void fill_unneeded(std::vector<Function>& functions, const std::map<std::string, ExprPtr>& values) {
+    const FamilyIndex index = index_of(functions);
+    for (Function& function : functions) function.body = filled(function.body, functions, index, values);
+}
+
+}  // namespace robochart::csp_emit

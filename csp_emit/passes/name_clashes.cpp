@@ -1,0 +1,223 @@
+// See name_clashes.hpp. What both declare at the top under one name and nobody can rename, a channel of RoboTool's library or
+// a component, stays as it is: the type checker says where it is declared twice.
+#include "csp_emit/passes/name_clashes.hpp"
+
+#include <map>
+
+#include "checker/cspm/types/builtins.hpp"
+#include "checker/cspm/syntax/lookup.hpp"
+#include "csp_emit/base/library.hpp"
+
+namespace robochart::csp_emit {
+
+using cspm::DeclKind;
+using cspm::DeclPtr;
+
+cspm::NewNames new_names_of_ours(const UserNames& theirs, const std::vector<DeclPtr>& generated, NameManager& names) {
+    cspm::NewNames result;
+    if (theirs.constructors.empty()) return result;
+    for (const std::string& name : cspm::bound_names(generated))
+        if (theirs.constructors.contains(name)) result.try_emplace(name, names.unique(name));
+    return result;
+}
+
+namespace {
+
+/// Channels and types of the library that are RoboTool's: who declares them too declares them twice.
+bool is_shared(const std::string& name) {
+    return name == "InOut" || name == "in" || name == "out" || name == "tock" || name == "tock'";
+}
+
+/// Whether a declaration of a block under this name would be taken for something of CSPM's or of the library's.
+bool means_ours(const std::string& name) {
+    return is_predefined(name) || (library_names().contains(name) && !is_shared(name));
+}
+
+/// Whether instantiations define what the model calls so.
+bool defines(const std::set<std::string>& given, const std::string& name) {
+    return given.contains(name) && !is_shared(name);
+}
+
+/// Chooses the names of one script's blocks.
+class Theirs {
+public:
+    Theirs(const std::vector<FileBlocks>& files, const NamesForBlocks& of_model, const std::vector<DeclPtr>& generated,
+           NameManager& names)
+        : of_model_(of_model), names_(names) {
+        std::set<std::string> constructors;
+        for (const FileBlocks& file : files) {
+            UserNames given = user_names(file.instantiations);
+            UserNames own = user_names(file.others);
+            for (const auto* each : {&given.constructors, &own.constructors})
+                constructors.insert(each->begin(), each->end());
+            for (const std::string& name : own.all) ++files_that_declare_[name];
+            given_.merge(given.all);
+            modules_.merge(given.modules);
+            own_.push_back(std::move(own));
+        }
+        if (!constructors.empty())
+            for (const std::string& name : cspm::value_names(generated))
+                if (constructors.contains(name)) values_.insert(name);
+        choose_common();
+    }
+
+    cspm::QualifiedNames of_file(std::size_t file) {
+        cspm::QualifiedNames result{common_, of_model_.first, of_model_.inside, of_model_.last, modules_};
+        const UserNames& own = own_[file];
+        result.modules.insert(own.modules.begin(), own.modules.end());
+        for (const std::string& name : own.all) {
+            if (given_.contains(name)) continue;
+            result.plain.erase(name);
+            if (means_ours(name) || values_.contains(name) || files_that_declare_[name] > 1)
+                result.plain[name] = names_.unique(name);
+        }
+        return result;
+    }
+
+private:
+    /// What is the same in all files: the model's elements, and what the instantiations declare.
+    void choose_common() {
+        for (const auto& [before, after] : of_model_.data)
+            if (defines(given_, before) || !is_reserved(before)) common_.emplace(before, after);
+        for (const std::string& name : given_)
+            if (!common_.contains(name) && (means_ours(name) || values_.contains(name)))
+                common_[name] = names_.unique(name);
+    }
+
+    const NamesForBlocks& of_model_;
+    NameManager& names_;
+    std::vector<UserNames> own_;                     ///< of each file, but its instantiations
+    std::set<std::string> given_, modules_;          ///< of the instantiations
+    std::set<std::string> values_;                   ///< of the generated modules, and a block's channels too
+    std::map<std::string, int> files_that_declare_;
+    cspm::NewNames common_;
+};
+
+/// Looks for names that what stands around them takes away from CSPM or the library.
+class Capture {
+public:
+    std::set<std::string> found;
+
+    /// The top of the script: our own declarations there are the library's, and those that no library name is.
+    void top(const std::vector<DeclPtr>& decls) {
+        for (const DeclPtr& each : decls) {
+            for (const std::string& name : names_of(*each))
+                if (is_predefined(name)) found.insert(name);
+            decl(*each);
+        }
+    }
+
+private:
+    static std::vector<std::string> names_of(const cspm::Decl& decl) {
+        if (decl.kind == DeclKind::transparent || decl.kind == DeclKind::external || decl.kind == DeclKind::timed ||
+            decl.kind == DeclKind::annotation || decl.kind == DeclKind::include)
+            return {};
+        return cspm::declared_names(decl);
+    }
+    static void names_of(const cspm::PatternPtr& pattern, std::vector<std::string>& names) {
+        if (!pattern) return;
+        if (pattern->kind == cspm::PatternKind::name) names.push_back(pattern->text);
+        for (const auto& part : pattern->args) names_of(part, names);
+    }
+
+    /// A name of CSPM's that stands for a value, so that it is used without being called.
+    static bool is_value(const std::string& name) {
+        const cspm::BuiltinName* builtin = cspm::find_builtin(name);
+        return builtin != nullptr && builtin->arguments < 0;
+    }
+
+    /// Names in force while it lives.
+    class Around {
+    public:
+        explicit Around(std::multiset<std::string>& names) : names_(names) {}
+        ~Around() {
+            for (const std::string& name : added_) names_.erase(names_.find(name));
+        }
+        Around(const Around&) = delete;
+        Around& operator=(const Around&) = delete;
+        void add(const std::string& name) {
+            if (!means_ours(name)) return;
+            names_.insert(name);
+            added_.push_back(name);
+        }
+        void add(const std::vector<std::string>& names) {
+            for (const std::string& name : names) add(name);
+        }
+        void add(const cspm::PatternPtr& pattern) {
+            std::vector<std::string> names;
+            names_of(pattern, names);
+            add(names);
+        }
+
+    private:
+        std::multiset<std::string>& names_;
+        std::vector<std::string> added_;
+    };
+
+    void decl(const cspm::Decl& decl) {
+        Around around(around_);
+        around.add(decl.parameters);
+        for (const auto* parts : {&decl.decls, &decl.exports})
+            for (const DeclPtr& each : *parts)
+                if (decl.kind == DeclKind::module) around.add(names_of(*each));
+        for (const auto& group : decl.patterns)
+            for (const auto& pattern : group) around.add(pattern);
+        for (const auto* parts : {&decl.decls, &decl.exports})
+            for (const DeclPtr& each : *parts) this->decl(*each);
+        expr(decl.body);
+        for (const cspm::Constructor& each : decl.constructors) expr(each.fields);
+        for (const cspm::ExprPtr& each : decl.arguments) expr(each);
+    }
+
+    void expr(const cspm::ExprPtr& expr) {
+        if (!expr) return;
+        Around around(around_);
+        for (const cspm::Field& each : expr->fields) around.add(each.pattern);
+        for (const cspm::Clause& each : expr->clauses) around.add(each.pattern);
+        for (const cspm::PatternPtr& each : expr->patterns) around.add(each);
+        for (const DeclPtr& each : expr->decls) around.add(names_of(*each));
+        if (expr->kind == cspm::ExprKind::apply && expr->args.front()->kind == cspm::ExprKind::name &&
+            around_.contains(expr->args.front()->text))
+            found.insert(expr->args.front()->text);
+        if (expr->kind == cspm::ExprKind::name && around_.contains(expr->text) && is_value(expr->text))
+            found.insert(expr->text);
+        for (const cspm::ExprPtr& each : expr->args) this->expr(each);
+        for (const cspm::Field& each : expr->fields) this->expr(each.value);
+        for (const cspm::Clause& each : expr->clauses) this->expr(each.value);
+        for (const cspm::Link& each : expr->links) {
+            this->expr(each.from);
+            this->expr(each.to);
+        }
+        for (const DeclPtr& each : expr->decls) decl(*each);
+    }
+
+    std::multiset<std::string> around_;  ///< predefined and library names that are declared or bound here
+};
+
+}  // namespace
+
+std::vector<cspm::QualifiedNames> new_names_of_theirs(const std::vector<FileBlocks>& files,
+                                                      const NamesForBlocks& of_model,
+                                                      const std::vector<DeclPtr>& generated, NameManager& names) {
+    Theirs theirs(files, of_model, generated, names);
+    std::vector<cspm::QualifiedNames> result;
+    for (std::size_t i = 0; i < files.size(); ++i) result.push_back(theirs.of_file(i));
+    return result;
+}
+
+std::set<std::string> given_names(const std::vector<FileBlocks>& files, const NamesForBlocks& of_model) {
+    std::set<std::string> given;
+    for (const FileBlocks& file : files) given.merge(user_names(file.instantiations).all);
+    std::set<std::string> result = given;
+    for (const auto& [before, after] : of_model.data)
+        if (defines(given, before)) result.insert(after);
+    return result;
+}
+
+std::set<std::string> captured(const std::vector<DeclPtr>& generated) {
+    Capture capture;
+    capture.top(generated);
+    return std::move(capture.found);
+}
+
+}  // namespace robochart::csp_emit

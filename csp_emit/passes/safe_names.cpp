@@ -1,0 +1,512 @@
+// Elements inside a component's CSPM module may be called like a predefined function that the script does not use
+// there: the module's own name comes first. At the top of the script every predefined name is in use. What is one name
+// space in CSPM is several in RoboChart: where two elements of a model would meet in it, one of them gets a number.
+#include "csp_emit/passes/safe_names.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "csp_emit/expressions/expressions.hpp"
+#include "csp_emit/base/names.hpp"
+#include "csp_emit/base/rules.hpp"
+#include "csp_emit/base/types.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+/// What carries a name of its own in the script.
+enum class Bearer {
+    component,  ///< a module of the script
+    event,
+    operation,  ///< `opCall`
+    part,   ///< a reference: a module inside a module
+    state,  ///< a module inside its machine's
+    package,
+};
+
+/// Calls `visit(bearer, name, top, span)` for every name that an element has in the script under its own name; `top`:
+/// outside all modules.
+template <class Visit>
+class Elements {
+public:
+    explicit Elements(const Visit& visit) : visit_(visit) {}
+
+    void system(const ir::System& system) {
+        for (const ir::Machine& machine : system.machines) this->machine(machine);
+        for (const ir::Controller& controller : system.controllers) {
+            top(controller.package, controller.name, controller.origin.span);
+            members(controller);
+            for (const auto& part : controller.machines) visit_(Bearer::part, part.name, false, part.origin.span);
+        }
+        for (const ir::Module& module : system.modules) {
+            top(module.package, module.name, module.origin.span);
+            members(module.platform);
+            for (const auto& part : module.controllers) visit_(Bearer::part, part.name, false, part.origin.span);
+        }
+    }
+
+private:
+    /// In a package a component is a module inside the package's.
+    void top(const std::string& package, const std::string& name, diagnostics::Span span) {
+        visit_(Bearer::component, name, package.empty(), span);
+        if (!package.empty()) visit_(Bearer::package, flatten(package), true, span);
+    }
+    template <class Component>
+    void members(const Component& component) {
+        for (const ir::Event& event : component.events)
+            visit_(Bearer::event, event.name, false, event.origin.span);
+        for (const ir::OperationSignature& operation : component.operations)
+            visit_(Bearer::operation, operation.name, false, operation.origin.span);
+    }
+    void machine(const ir::Machine& machine) {
+        if (machine.kind == ir::MachineKind::state_machine)
+            top(machine.package, machine.name, machine.origin.span);
+        members(machine);
+        for (const ir::Node& node : machine.nodes)
+            if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final)
+                visit_(Bearer::state, node.name, false, node.origin.span);
+    }
+
+    const Visit& visit_;
+};
+
+template <class Visit>
+void visit_elements(const ir::System& system, const Visit& visit) {
+    Elements<Visit>(visit).system(system);
+}
+
+/// Channels beside the events: `opCall`, `set_x`, `set_EXT_x` (semantics 3.2).
+std::set<std::string> other_channels(const ir::System& system) {
+    std::set<std::string> result;
+    const auto add = [&](const auto& component) {
+        for (const ir::OperationSignature& operation : component.operations) result.insert(operation.name + "Call");
+        for (const ir::Variable& variable : component.variables)
+            for (const char* prefix : {"set_", "set_EXT_", "setL_", "get_"}) result.insert(prefix + variable.name);
+    };
+    for (const ir::Machine& machine : system.machines) add(machine);
+    for (const ir::Controller& controller : system.controllers) add(controller);
+    for (const ir::Module& module : system.modules) add(module.platform);
+    return result;
+}
+
+/// Old names to new ones: those of all elements alike, those of states and parts, those of operations; of types and
+/// functions the new name of each, "" where it keeps its own.
+struct NewNames {
+    std::map<std::string, std::string> all, states, operations;
+    std::vector<std::string> types, functions;
+    std::vector<std::string> machines;             ///< of those that share a full name, of all but the first
+    std::vector<std::vector<std::string>> labels;  ///< of each type, those of its literals; empty: they keep theirs
+    NamesForBlocks for_blocks;
+
+    [[nodiscard]] bool empty() const {
+        const auto kept = [](const std::string& name) { return name.empty(); };
+        const auto all_kept = [](const auto& names) { return names.empty(); };
+        return std::all_of(labels.begin(), labels.end(), all_kept) && all.empty() && states.empty() && operations.empty() && std::all_of(types.begin(), types.end(), kept) &&
+               std::all_of(functions.begin(), functions.end(), kept) &&
+               std::all_of(machines.begin(), machines.end(), kept);
+    }
+};
+
+/// What a type or function is called at the top of the script: its own name first, then what is built from it.
+std::vector<std::string> names_of(const ir::Type& type) {
+    std::vector<std::string> result{type_name(type)};
+    if (type.kind == ir::TypeKind::enumeration)
+        for (std::size_t i = 0; i < type.labels.size(); ++i) result.push_back(literal_name(type, i));
+    return result;
+}
+std::vector<std::string> names_of(const ir::Function& function) {
+    return {function_name(function), "pre_" + function_name(function)};
+}
+
+bool named(const ir::Type& type) {
+    return type.kind == ir::TypeKind::enumeration || type.kind == ir::TypeKind::given;
+}
+bool named(const ir::Function&) {
+    return true;
+}
+
+/// Chooses new names for the elements whose own name would mean something else where it stands.
+class Choice {
+public:
+    Choice(const ir::System& system, diagnostics::Diagnostics& diagnostics)
+        : diagnostics_(diagnostics), channels_(other_channels(system)) {
+        taken_ = channels_;
+        visit_elements(system, [&](Bearer bearer, const std::string& name, bool, diagnostics::Span) {
+            taken_.insert(name);
+            if (bearer == Bearer::operation) return;
+            if (bearer == Bearer::event) events_.insert(name);
+            modules_and_channels_.insert(name);
+        });
+        for (const ir::NamedConstant& constant : ir::named_constants(system)) taken_.insert(constant.name);
+        constants_ = taken_;
+        for (const auto& type : system.types)
+            if (named(type)) take(type);
+        for (const auto& function : system.functions) take(function);
+    }
+
+    NewNames choose(const ir::System& system) {
+        choose_data(with_labels(with_packages(system.types)), names_.types);
+        choose_data(with_packages(system.functions), names_.functions);
+        visit_elements(system, [&](Bearer bearer, const std::string& name, bool top, diagnostics::Span span) {
+            if (bearer == Bearer::operation) {
+                if (!is_identifier(name)) rename(names_.operations, name, span, rules::reserved_name);
+                return;
+            }
+            if ((bearer == Bearer::state || bearer == Bearer::part) &&
+                (events_.contains(name) || channels_.contains(name)))
+                rename(names_.states, name, span, rules::name_of_another);
+            else if (top ? is_reserved(name) : is_reserved_inside(name))
+                rename(names_.all, name, span, rules::reserved_name);
+            else if (bearer == Bearer::event && channels_.contains(name))
+                rename(names_.all, name, span, rules::name_of_another);
+        });
+        choose_machines(system);
+        tell_blocks(system);
+        return names_;
+    }
+
+private:
+    /// Types or functions with the new names of their packages, with which their own begin.
+    template <class Data>
+    std::vector<Data> with_packages(std::vector<Data> all) {
+        for (Data& data : all) {
+            const std::string package = flatten(data.package);
+            if (!named(data) || package.empty()) continue;
+            if (!is_identifier(package)) rename(names_.all, package, data.origin.span, rules::reserved_name);
+            const auto found = names_.all.find(package);
+            if (found != names_.all.end()) data.package = found->second;
+        }
+        return all;
+    }
+
+    /// The types with other labels where a literal would be called like a bound name.
+    std::vector<ir::Type> with_labels(std::vector<ir::Type> types) {
+        for (ir::Type& type : types) {
+            names_.labels.emplace_back();
+            if (type.kind != ir::TypeKind::enumeration) continue;
+            const std::vector<std::string> before = names_of(type);
+            for (std::size_t i = 0; i < type.labels.size(); ++i) {
+                if (!ends_as_ours(literal_name(type, i))) continue;
+                const std::string label = type.labels[i];
+                for (int number = 1; type.labels[i] == label || taken_.contains(literal_name(type, i)); ++number)
+                    type.labels[i] = label + "_" + std::to_string(number);
+                taken_.insert(literal_name(type, i));
+                diagnostics_.report(rules::reserved_name, type.origin.span, {before[i + 1], literal_name(type, i)});
+                names_.for_blocks.data[before[i + 1]] = literal_name(type, i);
+                names_.labels.back() = type.labels;
+            }
+        }
+        return types;
+    }
+
+    template <class Data>
+    void take(const Data& data) {
+        if (!data.package.empty()) taken_.insert(flatten(data.package));
+        for (const std::string& name : names_of(data)) taken_.insert(name);
+    }
+
+    /// Whether a type or function under this name would be taken for something else, and for what.
+    template <class Data>
+    [[nodiscard]] const diagnostics::Rule* clash(const Data& data) const {
+        const auto names = names_of(data);
+        if (is_reserved(names.front())) return &rules::reserved_name;
+        const auto another = [&](const std::string& name) {
+            return data_.contains(name) || modules_and_channels_.contains(name) || constants_.contains(name);
+        };
+        return std::any_of(names.begin(), names.end(), another) ? &rules::name_of_another : nullptr;
+    }
+
+    template <class Data>
+    void choose_data(const std::vector<Data>& all, std::vector<std::string>& chosen) {
+        for (const Data& data : all) {
+            chosen.emplace_back();
+            if (!named(data)) continue;
+            Data renamed = data;
+            if (const diagnostics::Rule* rule = clash(data)) {
+                for (int number = 1; clash(renamed) != nullptr || taken_by_another(renamed, data); ++number)
+                    renamed.name = stem(data.name) + "_" + std::to_string(number);
+                chosen.back() = renamed.name;
+                take(renamed);
+                diagnostics_.report(*rule, data.origin.span, {names_of(data).front(), names_of(renamed).front()});
+                const auto before = names_of(data), after = names_of(renamed);
+                for (std::size_t i = 0; i < before.size(); ++i)
+                    if (!data_.contains(before[i])) names_.for_blocks.data.try_emplace(before[i], after[i]);
+                for (auto& [of_model, here] : names_.for_blocks.data)  // of a literal whose label is another too
+                    for (std::size_t i = 0; i < before.size(); ++i)
+                        if (here == before[i]) here = after[i];
+            }
+            for (const std::string& name : names_of(renamed)) data_.insert(name);
+        }
+    }
+    /// Of machines with one full name a reference means the first (RC-N03); the others get a number.
+    void choose_machines(const ir::System& system) {
+        std::set<std::string> known;
+        for (const ir::Machine& machine : system.machines) {
+            names_.machines.emplace_back();
+            if (machine.kind != ir::MachineKind::state_machine || machine.path != machine.name) continue;
+            if (known.insert(machine.package + "::" + machine.name).second) continue;
+            std::map<std::string, std::string> name;
+            rename(name, machine.name, machine.origin.span, rules::name_of_another);
+            names_.machines.back() = name.at(machine.name);
+        }
+    }
+
+    template <class Data>
+    [[nodiscard]] bool taken_by_another(const Data& renamed, const Data& data) const {
+        const auto names = names_of(renamed), own = names_of(data);
+        return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+            return taken_.contains(name) && std::find(own.begin(), own.end(), name) == own.end();
+        });
+    }
+
+    void tell_blocks(const ir::System& system) {
+        NamesForBlocks& told = names_.for_blocks;
+        visit_elements(system, [&](Bearer bearer, const std::string& name, bool top, diagnostics::Span) {
+            const auto found = names_.all.find(name);
+            if (bearer == Bearer::operation || found == names_.all.end()) return;
+            (top ? told.first : bearer == Bearer::event ? told.last : told.inside).insert(*found);
+        });
+        for (const auto& [before, after] : names_.states) told.inside[before] = after;
+        for (auto* parts : {&told.first, &told.inside})
+            for (const auto& [before, after] : names_.operations) (*parts)["OP_" + before] = "OP_" + after;
+        for (const auto& [before, after] : names_.operations) told.last[before + "Call"] = after + "Call";
+    }
+
+    void rename(std::map<std::string, std::string>& names, const std::string& name, diagnostics::Span span,
+                const diagnostics::Rule& rule) {
+        if (names.contains(name)) return;
+        std::string& chosen = names[name];
+        int number = 0;
+        do chosen = stem(name) + "_" + std::to_string(++number);
+        while (taken_.contains(chosen) || taken_.contains(chosen + "Call") || is_reserved(chosen));
+        taken_.insert(chosen);
+        diagnostics_.report(rule, span, {name, chosen});
+    }
+
+    /// What stands before the number: an identifier of CSPM begins with a letter.
+    static std::string stem(const std::string& name) {
+        const auto letter = std::find_if(name.begin(), name.end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        });
+        return letter == name.end() ? "name" : std::string(letter, name.end());
+    }
+
+    diagnostics::Diagnostics& diagnostics_;
+    std::set<std::string> channels_, events_, modules_and_channels_, constants_, taken_;
+    std::set<std::string> data_;  ///< names of types and functions as they have become so far
+    NewNames names_;
+};
+
+/// Writes the new names into a copy of the system.
+class Renaming {
+public:
+    explicit Renaming(NewNames names) : names_(std::move(names)), states_(names_.all), tops_(names_.all) {
+        for (const auto& [before, after] : names_.states) states_[before] = after;
+        for (auto* paths : {&states_, &tops_})
+            for (const auto& [before, after] : names_.operations) (*paths)["OP_" + before] = "OP_" + after;
+    }
+
+    void system(ir::System& system) const {
+        for (std::size_t i = 0; i < system.types.size(); ++i) {
+            if (!named(system.types[i])) continue;
+            package(system.types[i].package);
+            if (!names_.types[i].empty()) system.types[i].name = names_.types[i];
+            if (!names_.labels[i].empty()) system.types[i].labels = names_.labels[i];
+        }
+        for (std::size_t i = 0; i < system.functions.size(); ++i) {
+            package(system.functions[i].package);
+            if (!names_.functions[i].empty()) system.functions[i].name = names_.functions[i];
+        }
+        for (std::size_t i = 0; i < system.machines.size(); ++i) {
+            machine(system.machines[i]);
+            if (!names_.machines[i].empty()) system.machines[i].name = system.machines[i].path = names_.machines[i];
+        }
+        for (ir::Controller& controller : system.controllers) this->controller(controller);
+        for (ir::Module& module : system.modules) this->module(module);
+        for (ir::Property& property : system.properties) {
+            reference(property.subject);
+            reference(property.other);
+            if (property.kind == ir::PropertyKind::reachable) path(property.state, states_, states_);
+        }
+        for (ir::CspBlock& block : system.csp_blocks)
+            for (ir::ComponentRef& associated : block.associated) reference(associated);
+    }
+
+private:
+    using Names = std::map<std::string, std::string>;
+    void name(std::string& text) const { name(text, names_.all); }
+    static void name(std::string& text, const Names& names) {
+        const auto found = names.find(text);
+        if (found != names.end()) text = found->second;
+    }
+    void package(std::string& text) const {
+        const auto found = names_.all.find(flatten(text));
+        if (!text.empty() && found != names_.all.end()) text = found->second;
+    }
+    /// `A::B::C`, segment by segment.
+    static void path(std::string& text, const Names& first, const Names& behind) {
+        std::string result;
+        for (std::size_t at = 0; at <= text.size();) {
+            const std::size_t end = std::min(text.find("::", at), text.size());
+            std::string segment = text.substr(at, end - at);
+            name(segment, at == 0 ? first : behind);
+            result += (at > 0 ? "::" : "") + segment;
+            at = end + 2;
+        }
+        text = result;
+    }
+    template <class Component>
+    void members(Component& component) const {
+        for (ir::Event& event : component.events) name(event.name);
+        for (ir::OperationSignature& operation : component.operations) name(operation.name, names_.operations);
+    }
+    void connections(std::vector<ir::Connection>& connections) const {
+        for (ir::Connection& connection : connections) {
+            name(connection.from.event);
+            name(connection.to.event);
+        }
+    }
+    void machine(ir::Machine& machine) const {
+        package(machine.package);
+        const bool operation = machine.kind == ir::MachineKind::operation;
+        const std::string above = machine.path.substr(0, machine.path.size() - machine.name.size());
+        name(machine.name, operation ? names_.operations : names_.all);
+        machine.path = above;
+        path(machine.path, names_.all, names_.all);
+        machine.path += machine.name;
+        members(machine);
+        for (ir::Node& node : machine.nodes) {
+            name(node.name, states_);
+            path(node.path, states_, states_);
+        }
+    }
+    void controller(ir::Controller& controller) const {
+        package(controller.package);
+        name(controller.name);
+        path(controller.path, names_.all, names_.all);
+        members(controller);
+        for (auto& part : controller.machines) name(part.name, states_);
+        connections(controller.connections);
+    }
+    void module(ir::Module& module) const {
+        package(module.package);
+        name(module.name);
+        members(module.platform);
+        for (auto& part : module.controllers) name(part.name, states_);
+        connections(module.connections);
+    }
+    void reference(ir::ComponentRef& reference) const {
+        package(reference.package);
+        if (reference.kind != ir::ComponentKind::process) path(reference.path, tops_, states_);
+        const bool machine = reference.kind == ir::ComponentKind::machine &&
+                             reference.definition < names_.machines.size() &&
+                             reference.path.find("::") == std::string::npos;
+        if (machine && !names_.machines[reference.definition].empty())
+            reference.path = names_.machines[reference.definition];
+    }
+
+    NewNames names_;
+    Names states_;  ///< all that states and parts are renamed by
+    Names tops_;    ///< and what stands outside components
+};
+
+/// Components and constants under one name in the script (RC-C10).
+class Doubles {
+public:
+    explicit Doubles(diagnostics::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    void find(const ir::System& system) {
+        for (const ir::Machine& machine : system.machines) {
+            if (machine.path == machine.name)
+                component(machine.package, module_name(machine), machine.origin);
+            constants(machine.package, machine.path, machine.constants);
+        }
+        for (const ir::Controller& controller : system.controllers) {
+            if (controller.path == controller.name)
+                component(controller.package, controller.name, controller.origin);
+            constants(controller.package, controller.path, controller.constants);
+            for (const auto& part : controller.machines)
+                constants(controller.package, controller.path + "::" + part.name,
+                          system.machine(part.machine).constants);
+        }
+        for (const ir::Module& module : system.modules) {
+            component(module.package, module.name, module.origin);
+            constants(module.package, module.name, module.platform.constants);
+        }
+        for (const auto& [package, origin] : packages_) check(package, "package " + package, origin);
+    }
+
+private:
+    void component(const std::string& package, const std::string& name, const ir::Origin& origin) {
+        std::string element = "component " + (package.empty() ? name : package + "::" + name);
+        const auto [known, added] = elements_.try_emplace(element, origin.span);
+        if (!added) element = "another " + element;  // declared twice under one full name
+        check(qualified(package, name), element, origin);
+        if (!package.empty()) packages_.emplace(flatten(package), origin);
+    }
+    void constants(const std::string& package, const std::string& path, const std::vector<ir::Constant>& constants) {
+        for (const ir::Constant& constant : constants)
+            check(ir::constant_name(package, path, constant.name),
+                  "constant " + (package.empty() ? "" : package + "::") + path + "::" + constant.name,
+                  constant.origin);
+    }
+    void check(const std::string& name, const std::string& element, const ir::Origin& origin) {
+        const auto [known, added] = names_.try_emplace(name, Named{element, origin.span});
+        if (added || known->second.element == element) return;
+        diagnostics_.report(rules::one_name_for_two, origin.span, {element, known->second.element, name})
+            .notes.push_back({known->second.span, "this is the other"});
+    }
+
+    struct Named {
+        std::string element;
+        diagnostics::Span span;
+    };
+    diagnostics::Diagnostics& diagnostics_;
+    std::map<std::string, Named> names_;
+    std::map<std::string, diagnostics::Span> elements_;
+    std::map<std::string, ir::Origin> packages_;
+};
+
+/// Constants are called after the components around them: the instantiation follows.
+void rename_constants(const ir::System& before, SafeNames& after) {
+    const auto old_names = ir::named_constants(before);
+    const auto new_names = ir::named_constants(after.system);
+    std::map<std::string, std::string> renamed;
+    for (std::size_t i = 0; i < old_names.size() && i < new_names.size(); ++i)
+        renamed[old_names[i].name] = new_names[i].name;
+    const auto now = [&](const std::string& name) {
+        const auto found = renamed.find(name);
+        return found == renamed.end() ? name : found->second;
+    };
+    std::map<std::string, ir::Value> constants;
+    for (const auto& [name, value] : after.instantiation.constants) constants[now(name)] = value;
+    after.instantiation.constants = std::move(constants);
+    for (ir::Property& property : after.system.properties)
+        for (auto& [name, value] : property.constants) name = now(name);
+    for (const auto& [before_name, after_name] : renamed)
+        if (before_name != after_name) after.for_blocks.data.emplace(before_name, after_name);
+}
+
+}  // namespace
+
+SafeNames safe_names(const ir::System& system, const ir::Instantiation& instantiation,
+                     diagnostics::Diagnostics& diagnostics) {
+    const NewNames names = Choice(system, diagnostics).choose(system);
+    SafeNames result;
+    if (names.empty()) {
+        Doubles(diagnostics).find(system);
+        return result;
+    }
+    result.changed = true;
+    result.system = system;
+    result.instantiation = instantiation;
+    result.for_blocks = names.for_blocks;
+    Renaming(names).system(result.system);
+    rename_constants(system, result);
+    Doubles(diagnostics).find(result.system);
+    return result;
+}
+
+}  // namespace robochart::csp_emit

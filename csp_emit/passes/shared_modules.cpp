@@ -1,0 +1,203 @@
+// See shared_modules.hpp. The largest modules first: what is inside them is then there once.
+#include "csp_emit/passes/shared_modules.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/fingerprint.hpp"
+#include "checker/cspm/syntax/lookup.hpp"
+#include "csp_emit/passes/liveness.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::Decl;
+using cspm::DeclKind;
+using cspm::DeclPtr;
+using cspm::Expr;
+using cspm::ExprKind;
+
+namespace {
+
+/// Below this size (cspm::Fingerprint) an instance saves nothing worth the indirection.
+constexpr std::size_t worth_sharing = 250;
+
+/// Positions in nested lists of exported declarations.
+using Path = std::vector<std::size_t>;
+
+struct Place {
+    Path path;
+    DeclPtr module;
+    std::vector<const Decl*> around;  ///< enclosing modules, outermost first
+};
+
+std::string first_part(const std::string& name) {
+    return name.substr(0, name.find("::"));
+}
+
+void used_names(const Expr& expr, std::set<std::string>& result) {
+    if (expr.kind == ExprKind::name) result.insert(first_part(expr.text));
+    for_each_part(expr, [&](const Expr& part) { used_names(part, result); });
+    for (const cspm::Link& link : expr.links) {
+        used_names(*link.from, result);
+        used_names(*link.to, result);
+    }
+    for (const DeclPtr& decl : expr.decls)
+        if (decl->body) used_names(*decl->body, result);
+}
+
+void used_names(const Decl& decl, std::set<std::string>& result) {
+    if (decl.body) used_names(*decl.body, result);
+    for (const cspm::Constructor& constructor : decl.constructors)
+        if (constructor.fields) used_names(*constructor.fields, result);
+    for (const auto* parts : {&decl.decls, &decl.exports})
+        for (const DeclPtr& part : *parts) used_names(*part, result);
+    if (decl.kind == DeclKind::instance) result.insert(first_part(decl.text));
+}
+
+std::set<std::string> names_inside(const Decl& module) {
+    std::set<std::string> result;
+    for (const auto* parts : {&module.decls, &module.exports})
+        for (const DeclPtr& part : *parts)
+            for (const std::string& name : cspm::declared_names(*part)) result.insert(name);
+    return result;
+}
+
+class Sharer {
+public:
+    Sharer(std::vector<DeclPtr> decls, NameManager names)
+        : decls_(std::move(decls)), names_(std::move(names)), parameter_(names_.unique("u__")) {}
+
+    std::vector<DeclPtr> run() {
+        while (share_largest()) {
+        }
+        return decls_;
+    }
+
+private:
+    /// Places of modules that say the same.
+    struct Group {
+        std::size_t size = 0;
+        std::vector<Place> places;
+    };
+
+    bool share_largest() {
+        std::vector<Group> groups;
+        std::map<std::uint64_t, std::vector<std::size_t>> by_hash;
+        collect(decls_, {}, {}, groups, by_hash);
+        std::erase_if(groups,
+                      [](const Group& group) { return group.places.size() < 2 || group.size <= worth_sharing; });
+        std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.size > b.size; });
+        const auto best =
+            std::find_if(groups.begin(), groups.end(), [](const Group& group) { return movable(group.places); });
+        if (best == groups.end()) return false;
+        share(best->places);
+        return true;
+    }
+
+    void collect(const std::vector<DeclPtr>& decls, const Path& path, const std::vector<const Decl*>& around,
+                 std::vector<Group>& groups, std::map<std::uint64_t, std::vector<std::size_t>>& by_hash) {
+        for (std::size_t i = 0; i < decls.size(); ++i) {
+            const Decl& decl = *decls[i];
+            if (decl.kind != DeclKind::module || !decl.decls.empty()) continue;
+            Path here = path;
+            here.push_back(i);
+            if (decl.parameters.empty()) group_of(decls[i], groups, by_hash).places.push_back({here, decls[i], around});
+            std::vector<const Decl*> inside = around;
+            inside.push_back(&decl);
+            collect(decl.exports, here, inside, groups, by_hash);
+        }
+    }
+
+    Group& group_of(const DeclPtr& module, std::vector<Group>& groups,
+                    std::map<std::uint64_t, std::vector<std::size_t>>& by_hash) {
+        const cspm::Fingerprint fingerprint = fingerprints_.of_exports(module);
+        std::vector<std::size_t>& candidates = by_hash[fingerprint.hash];
+        for (const std::size_t candidate : candidates)
+            if (same_exports(*groups[candidate].places.front().module, *module)) return groups[candidate];
+        candidates.push_back(groups.size());
+        return groups.emplace_back(Group{fingerprint.size, {}});
+    }
+
+    static bool same_exports(const Decl& a, const Decl& b) {
+        return std::ranges::equal(a.exports, b.exports,
+                                  [](const DeclPtr& x, const DeclPtr& y) { return cspm::equal(*x, *y); });
+    }
+
+    static std::size_t common_depth(const std::vector<Place>& places) {
+        std::size_t depth = places.front().around.size();
+        for (const Place& place : places) {
+            std::size_t same = 0;
+            while (same < depth && same < place.around.size() && place.around[same] == places.front().around[same])
+                ++same;
+            depth = same;
+        }
+        return depth;
+    }
+
+    /// Whether all names mean the same where the shared module will stand.
+    static bool movable(const std::vector<Place>& places) {
+        std::set<std::string> outside;
+        used_names(*places.front().module, outside);
+        for (const std::string& own : names_inside(*places.front().module)) outside.erase(own);
+        for (const Place& place : places)
+            for (std::size_t depth = common_depth(places); depth < place.around.size(); ++depth)
+                for (const std::string& name : names_inside(*place.around[depth]))
+                    if (outside.count(name) != 0) return false;
+        return true;
+    }
+
+    void share(const std::vector<Place>& places) {
+        const std::string name = names_.unique(places.front().module->names.front() + "__");
+        const DeclPtr shared =
+            b::module_(name, {parameter_}, {}, places.front().module->exports, places.front().module->comment);
+        const Path scope(places.front().path.begin(),
+                         places.front().path.begin() + static_cast<std::ptrdiff_t>(common_depth(places)));
+        for (const Place& place : places) {
+            Decl instance = *b::instance(place.module->names.front(), name, {b::number(0)});
+            decls_ = replaced(decls_, place.path, 0, std::make_shared<const Decl>(std::move(instance)));
+        }
+        Path before = scope;
+        before.push_back(places.front().path[scope.size()]);
+        for (const Place& place : places) before.back() = std::min(before.back(), place.path[scope.size()]);
+        decls_ = inserted(decls_, before, 0, shared);
+    }
+
+    /// `change` is done to the list that holds the declaration at the path.
+    template <class Change>
+    static std::vector<DeclPtr> changed(std::vector<DeclPtr> decls, const Path& path, std::size_t depth,
+                                        const Change& change) {
+        if (depth + 1 == path.size()) {
+            change(decls, decls.begin() + static_cast<std::ptrdiff_t>(path[depth]));
+            return decls;
+        }
+        Decl outer = *decls[path[depth]];
+        outer.exports = changed(outer.exports, path, depth + 1, change);
+        decls[path[depth]] = std::make_shared<const Decl>(std::move(outer));
+        return decls;
+    }
+    static std::vector<DeclPtr> replaced(const std::vector<DeclPtr>& decls, const Path& path, std::size_t depth,
+                                         const DeclPtr& by) {
+        return changed(decls, path, depth, [&](std::vector<DeclPtr>&, auto at) { *at = by; });
+    }
+    static std::vector<DeclPtr> inserted(const std::vector<DeclPtr>& decls, const Path& path, std::size_t depth,
+                                         const DeclPtr& decl) {
+        return changed(decls, path, depth, [&](std::vector<DeclPtr>& list, auto at) { list.insert(at, decl); });
+    }
+
+    std::vector<DeclPtr> decls_;
+    NameManager names_;
+    std::string parameter_;
+    cspm::Fingerprints fingerprints_;
+};
+
+}  // namespace
+
+std::vector<DeclPtr> share_modules(std::vector<DeclPtr> decls, NameManager names) {
+    return Sharer(std::move(decls), std::move(names)).run();
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,151 @@
+// Directions of connections (language reference 2: Cn5 to Cn9). A trigger and an input statement receive; the
+// statements `e`, `e!v`, `e.v` send. Called operations that the controller defines count as part of the machine,
+// statements in parentheses too (where RoboTool forgets them).
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "frontend/checks/checks.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/names/scopes.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// Events of a machine by name, with " via the operation …" where a call brings them.
+struct Traffic {
+    std::map<std::string_view, std::string> receives, sends;
+};
+
+class TrafficReader {
+public:
+    explicit TrafficReader(const Component& controller) {
+        for (const Machine* defined : defined_operations(controller)) operations_[defined->name].push_back(defined);
+    }
+
+    /// Each machine is read once, however many connections it has.
+    const Traffic& read(const Machine& machine) {
+        const auto [known, fresh] = read_.try_emplace(&machine);
+        if (!fresh) return known->second;
+        seen_.clear();
+        add(machine, "");
+        known->second = std::exchange(traffic_, {});
+        return known->second;
+    }
+
+private:
+    void add(const Machine& machine, const std::string& via) {
+        if (!seen_.insert(&machine).second) return;
+        walk(machine, [&](const NodeContainer& container) {
+            for (const auto& transition : container.transitions)
+                if (transition->trigger && transition->trigger->event_target != nullptr)
+                    traffic_.receives.emplace(transition->trigger->event_target->name, via);
+        });
+        for_actions(machine, [&](const Stmt& action) {
+            walk(action, [&](const Stmt& statement) { this->statement(statement, via); });
+        });
+    }
+
+    void statement(const Stmt& statement, const std::string& via) {
+        if (statement.kind == StmtKind::communication && statement.communication->event_target != nullptr) {
+            const bool input = statement.communication->kind == CommKind::input;
+            (input ? traffic_.receives : traffic_.sends).emplace(statement.communication->event_target->name, via);
+        }
+        if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
+        const auto defined = operations_.find(statement.declaration->name);
+        if (defined == operations_.end()) return;
+        for (const Machine* operation : defined->second)
+            add(*operation, via.empty() ? fmt::format(" via operation `{}`", operation->name) : via);
+    }
+
+    std::map<std::string_view, std::vector<const Machine*>> operations_;
+    std::map<const Machine*, Traffic> read_;  // looked up only, never walked
+    std::set<const Machine*> seen_;
+    Traffic traffic_;
+};
+
+/// Cn9, Cn8: one-way connections of machines run the way the machines communicate.
+void check_machine_end(TrafficReader& reader, const Connection& connection, const Connection::End& end, bool beginning,
+                       Diagnostics& out) {
+    const auto* machine = followed<Machine>(end.node_target);
+    if (machine == nullptr || end.event_target == nullptr || connection.multiple) return;
+    const Traffic& traffic = reader.read(*machine);
+    const auto& wrong = beginning ? traffic.receives : traffic.sends;
+    const auto found = wrong.find(end.event_target->name);
+    if (found == wrong.end()) return;
+    out.report(beginning ? rules::cn9 : rules::cn8, end.event.span,
+               {end.event.text(), end.node.text(), machine->name, found->second});
+}
+
+/// The connections inside a controller that end, begin or run both ways at one of its own events.
+struct Inside {
+    const Connection* from = nullptr;
+    const Connection* to = nullptr;
+    const Connection* both = nullptr;
+};
+
+/// What is inside the controllers of a module, each looked through once.
+class Insides {
+public:
+    Inside of(const Component& controller, const std::string& event) {
+        const auto [known, fresh] = controllers_.try_emplace(&controller);
+        if (fresh)
+            for (const auto& connection : controller.connections) {
+                add(known->second, controller, *connection, connection->from, &Inside::from);
+                add(known->second, controller, *connection, connection->to, &Inside::to);
+            }
+        const auto found = known->second.find(event);
+        return found != known->second.end() ? found->second : Inside{};
+    }
+
+private:
+    using Events = std::map<std::string, Inside>;
+
+    static void add(Events& events, const Component& controller, const Connection& connection,
+                    const Connection::End& end, const Connection* Inside::*way) {
+        if (end.node_target != &controller) return;
+        events[end.event.text()].*(connection.multiple ? &Inside::both : way) = &connection;
+    }
+
+    std::map<const Component*, Events> controllers_;  // looked up only, never walked
+};
+
+/// Cn5 to Cn7: what a module connects to a controller goes on inside in the same way.
+void check_controller_end(Insides& insides, const Connection& connection, const Connection::End& end, bool beginning,
+                          Diagnostics& out) {
+    const auto* controller = followed<Component>(end.node_target);
+    if (controller == nullptr || controller->kind != DeclKind::controller || end.event_target == nullptr) return;
+    const Inside found = insides.of(*controller, end.event.text());
+    const bool connected = found.from != nullptr || found.to != nullptr || found.both != nullptr;
+    const auto report = [&](const Rule& rule, const Connection& other) {
+        out.report(rule, end.event.span, {end.event.text(), end.node.text()})
+            .notes.push_back({other.span, "the connection inside"});
+    };
+    if (connection.multiple) {
+        if (connected && found.both == nullptr) report(rules::cn5, found.from != nullptr ? *found.from : *found.to);
+        return;
+    }
+    if (found.both != nullptr) report(beginning ? rules::cn7 : rules::cn6, *found.both);
+    const Connection* against = beginning ? found.from : found.to;
+    if (against != nullptr) report(beginning ? rules::cn7_direction : rules::cn6_direction, *against);
+}
+
+}  // namespace
+
+void check_directions(const Component& component, Diagnostics& out) {
+    Insides insides;
+    TrafficReader reader(component);
+    for (const auto& connection : component.connections)
+        for (const bool beginning : {true, false}) {
+            const Connection::End& end = beginning ? connection->from : connection->to;
+            if (component.kind == DeclKind::module) check_controller_end(insides, *connection, end, beginning, out);
+            if (component.kind == DeclKind::controller) check_machine_end(reader, *connection, end, beginning, out);
+        }
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,224 @@
+// Rules about nodes, transitions and actions (language reference 2: S2 to PT2).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "frontend/checks/checks.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// The transitions of a container by their ends, read once: containers may be large. Looked up only, never walked.
+struct Ways {
+    explicit Ways(const NodeContainer& container) {
+        for (const auto& transition : container.transitions) {
+            out[transition->source].push_back(transition.get());
+            in.insert(transition->target);
+        }
+    }
+    std::map<const State*, std::vector<const Transition*>> out;
+    std::set<const State*> in;
+};
+
+std::vector<const Transition*> outgoing(const Ways& ways, const State& node) {
+    const auto found = ways.out.find(&node);
+    return found != ways.out.end() ? found->second : std::vector<const Transition*>();
+}
+
+bool has_incoming(const Ways& ways, const State& node) {
+    return ways.in.contains(&node);
+}
+
+std::size_t count(const NodeContainer& container, DeclKind kind) {
+    return static_cast<std::size_t>(
+        std::count_if(container.nodes.begin(), container.nodes.end(), [&](const auto& n) { return n->kind == kind; }));
+}
+
+void check_actions(const State& state, Diagnostics& out) {
+    constexpr std::string_view words[] = {"entry", "during", "exit"};
+    const Action* first[] = {nullptr, nullptr, nullptr};
+    std::size_t seen[] = {0, 0, 0};
+    for (const Action& action : state.actions) {
+        const auto kind = static_cast<std::size_t>(action.kind);
+        if (first[kind] == nullptr) first[kind] = &action;
+        if (++seen[kind] == 2)
+            out.report(rules::s2, action.span, {state.name, std::string(words[kind])})
+                .notes.push_back({first[kind]->span, "the first one"});
+    }
+}
+
+void check_final(const State& state, Diagnostics& out) {
+    if (!state.actions.empty()) out.report(rules::fs2, state.name_span, {state.name});
+    if (!state.nodes.empty()) out.report(rules::fs3, state.name_span, {state.name, "nodes"});
+    if (!state.transitions.empty()) out.report(rules::fs3, state.name_span, {state.name, "transitions"});
+}
+
+// ---------------------------------------------------------------- probabilities
+
+/// The value of an expression over literals and constants with such values. Constants may refer to each other in a
+/// circle, so only so many are followed.
+std::optional<double> constant_value(const Expr& expr, int constants = 20) {
+    const auto arg = [&](std::size_t i) { return constant_value(*expr.args[i], constants); };
+    if (expr.kind == ExprKind::parenthesised) return arg(0);
+    if (expr.kind == ExprKind::name) {
+        const auto* named = dynamic_cast<const Variable*>(expr.target);
+        const bool known = named != nullptr && named->kind == DeclKind::constant && named->initial && constants > 0;
+        return known ? constant_value(*named->initial, constants - 1) : std::nullopt;
+    }
+    if (expr.kind == ExprKind::integer || expr.kind == ExprKind::real) return std::strtod(expr.text.c_str(), nullptr);
+    if (expr.kind == ExprKind::unary && *expr.unary == UnaryOp::negate) {
+        const auto value = arg(0);
+        return value ? std::optional(-*value) : std::nullopt;
+    }
+    if (expr.kind != ExprKind::binary) return std::nullopt;
+    const auto left = arg(0);
+    const auto right = arg(1);
+    if (!left || !right) return std::nullopt;
+    switch (*expr.binary) {
+        case BinaryOp::plus:
+            return *left + *right;
+        case BinaryOp::minus:
+            return *left - *right;
+        case BinaryOp::times:
+            return *left * *right;
+        case BinaryOp::divide:
+            return *right != 0 ? std::optional(*left / *right) : std::nullopt;
+        default:
+            return std::nullopt;
+    }
+}
+
+void check_probability(const Transition& transition, Diagnostics& out) {
+    const bool from_probabilistic = transition.source != nullptr && transition.source->kind == DeclKind::probabilistic;
+    if (from_probabilistic && !transition.probability)
+        out.report(rules::pj1, transition.name_span, {transition.name, transition.source->name});
+    if (from_probabilistic && (transition.condition || transition.otherwise))
+        out.report(rules::pj2, transition.name_span, {transition.name, transition.source->name});
+    if (!transition.probability) return;
+    if (transition.source != nullptr && !from_probabilistic)
+        out.report(rules::pt1, transition.probability->span, {transition.name, transition.source->name});
+    const auto value = constant_value(*transition.probability);
+    if (!value) out.report(rules::pt2_unknown, transition.probability->span);
+    if (value && (*value < 0 || *value > 1))
+        out.report(rules::pt2, transition.probability->span, {to_text(*transition.probability)});
+}
+
+void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out) {
+    double sum = 0;
+    bool known = true;
+    for (const Transition* transition : outgoing(ways, node)) {
+        if (!transition->probability) return;  // PJ1
+        const auto value = constant_value(*transition->probability);
+        known = known && value;
+        sum += value.value_or(0);
+    }
+    if (!known) {
+        out.report(rules::pj3_unknown, node.name_span, {node.name});
+        return;
+    }
+    constexpr double tolerance = 1e-9;
+    if (std::abs(sum - 1) > tolerance) out.report(rules::pj3, node.name_span, {node.name, fmt::format("{:g}", sum)});
+}
+
+// ---------------------------------------------------------------- nodes and transitions
+
+void check_node(const Ways& ways, const State& node, Diagnostics& out) {
+    const std::size_t ways_out = outgoing(ways, node).size();
+    switch (node.kind) {
+        case DeclKind::initial:
+            if (ways_out != 1)
+                out.report(rules::ij2, node.name_span, {node.name, ways_out == 0 ? "no" : std::to_string(ways_out)});
+            break;
+        case DeclKind::junction:
+        case DeclKind::probabilistic:
+            if (ways_out == 0) out.report(rules::j1, node.name_span, {node.name});
+            if (!has_incoming(ways, node)) out.report(rules::j2, node.name_span, {node.name});
+            if (node.kind == DeclKind::probabilistic && ways_out > 0) check_probability_sum(ways, node, out);
+            break;
+        case DeclKind::final:
+            check_final(node, out);
+            break;
+        default:
+            check_actions(node, out);
+    }
+}
+
+void check_trigger(const Transition& transition, Diagnostics& out) {
+    if (!transition.trigger) return;
+    if (transition.source != nullptr && transition.source->kind != DeclKind::state &&
+        transition.source->kind != DeclKind::final)
+        out.report(rules::j3, transition.trigger->span, {transition.name});
+    const bool output = transition.trigger->kind == CommKind::output;
+    if (output || transition.trigger->kind == CommKind::sync)
+        out.report(rules::t2, transition.trigger->span, {transition.name, output ? "outputs" : "synchronises on"});
+}
+
+void check_transition(const Transition& transition, Diagnostics& out) {
+    if (transition.target != nullptr && transition.target->kind == DeclKind::initial)
+        out.report(rules::ij1, transition.to.span, {transition.name, transition.target->name});
+    if (transition.source != nullptr && transition.source->kind == DeclKind::final)
+        out.report(rules::fs1, transition.from.span, {transition.name, transition.source->name});
+    check_trigger(transition, out);
+    check_probability(transition, out);
+}
+
+/// STM3: points at the initial junctions after the first.
+void wrong_initials(const NodeContainer& container, const Rule& rule, const Declaration& owner,
+                    std::vector<std::string> arguments, Diagnostics& out) {
+    auto& finding = out.report(rule, owner.name_span, std::move(arguments));
+    std::size_t seen = 0;
+    for (const auto& node : container.nodes)
+        if (node->kind == DeclKind::initial && ++seen > 1)
+            finding.notes.push_back({node->name_span, "another initial junction"});
+}
+
+void check_stm4(const NodeContainer& container, const Declaration& owner, const std::string& kind, Diagnostics& out) {
+    if (!container.nodes.empty() && count(container, DeclKind::state) + count(container, DeclKind::final) == 0)
+        out.report(rules::stm4, owner.name_span, {kind, owner.name});
+}
+
+void check_inner(const State& state, Diagnostics& out) {
+    if (state.kind != DeclKind::state || (state.nodes.empty() && state.transitions.empty())) return;
+    const std::size_t initials = count(state, DeclKind::initial);
+    const std::string number = initials == 0 ? "no" : std::to_string(initials);
+    if (initials != 1) wrong_initials(state, rules::stm3_inner, state, {"composite state", state.name, number}, out);
+    check_stm4(state, state, "composite state", out);
+}
+
+void check_top(const Machine& machine, Diagnostics& out) {
+    const bool operation = machine.kind == DeclKind::operation;
+    check_stm4(machine, machine, operation ? "operation" : "state machine", out);
+    const std::size_t initials = count(machine, DeclKind::initial);
+    const std::string number = initials == 0 ? "no" : std::to_string(initials);
+    if (initials == 1 || (operation && machine.nodes.empty())) return;
+    if (operation)
+        wrong_initials(machine, rules::stm3_inner, machine, {"operation", machine.name, number}, out);
+    else
+        wrong_initials(machine, rules::stm3, machine, {machine.name, number}, out);
+}
+
+}  // namespace
+
+void check_nodes(const Machine& machine, Diagnostics& out) {
+    check_top(machine, out);
+    walk(machine, [&](const NodeContainer& container) {
+        const Ways ways(container);
+        for (const auto& node : container.nodes) {
+            check_node(ways, *node, out);
+            check_inner(*node, out);
+        }
+        for (const auto& transition : container.transitions) check_transition(*transition, out);
+    });
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,323 @@
+// Rules about what parts require and their surroundings provide (language reference 2: C3, C4, M2, STM8 to STM10).
+// Variables match by name and compatible type.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "frontend/checks/checks.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/names/scopes.hpp"
+#include "frontend/types/types.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// Declarations by name; those of one name in their order. Models have hundreds of operations and of parts that require
+/// them: nothing here looks through a list for a name.
+template <class Item>
+class Named {
+public:
+    Named() = default;
+    explicit Named(const std::vector<const Item*>& items) {
+        for (const Item* item : items) add(*item);
+    }
+    void add(const Item& item) { items_.emplace(item.name, &item); }
+    template <class Fits>
+    [[nodiscard]] bool any(std::string_view name, Fits fits) const {
+        const auto [begin, end] = items_.equal_range(name);
+        return std::any_of(begin, end, [&](const auto& entry) { return fits(*entry.second); });
+    }
+    template <class Use>
+    void each(std::string_view name, Use use) const {
+        const auto [begin, end] = items_.equal_range(name);
+        for (auto at = begin; at != end; ++at) use(*at->second);
+    }
+    /// The first of the name; null if there is none.
+    [[nodiscard]] const Item* first(std::string_view name) const {
+        const auto found = items_.lower_bound(name);
+        return found == items_.end() || found->first != name ? nullptr : found->second;
+    }
+
+private:
+    std::multimap<std::string_view, const Item*> items_;
+};
+
+using Variables = Named<Variable>;
+
+/// Same name, and what is written by the side that requires it fits: compat(required, provided).
+bool provides(const Variables& provided, const Variable& wanted, bool same_kind) {
+    return provided.any(wanted.name, [&](const Variable& v) {
+        return (!same_kind || v.kind == wanted.kind) && compatible(wanted.type, v.type);
+    });
+}
+
+using Missing = std::vector<const Declaration*>;
+
+std::string list(const Missing& missing) {
+    std::string names;
+    for (const Declaration* declaration : missing) names += (names.empty() ? "`" : ", `") + declaration->name + "`";
+    return names;
+}
+std::string s(const Missing& missing) {
+    return missing.size() == 1 ? "" : "s";
+}
+
+/// Points at what is required, and at what has the name but does not fit.
+void add_notes(diagnostics::Diagnostic& finding, const Missing& missing, const Variables& provided = {}) {
+    for (const Declaration* wanted : missing) {
+        finding.notes.push_back({wanted->name_span, fmt::format("`{}` is required here", wanted->name)});
+        provided.each(wanted->name, [&](const Variable& other) {
+            finding.notes.push_back({other.name_span, fmt::format("this {} has the name but does not fit: {}",
+                                                                  to_text(other.kind), to_string(other.type))});
+        });
+    }
+}
+
+Missing missing_variables(const std::vector<const Variable*>& wanted, const Variables& provided,
+                          bool same_kind = false) {
+    Missing missing;
+    for (const Variable* variable : wanted)
+        if (!provides(provided, *variable, same_kind)) missing.push_back(variable);
+    return missing;
+}
+
+/// Parameters that fit each other, one by one. Their names may differ.
+bool same_parameters(const std::vector<VariablePtr>& a, const std::vector<VariablePtr>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const VariablePtr& x, const VariablePtr& y) {
+        return compatible(x->type, y->type) || compatible(y->type, x->type);
+    });
+}
+
+/// Operations on offer: definitions and signatures.
+struct Offer {
+    Named<Machine> definitions;
+    Named<OperationSignature> signatures;
+
+    [[nodiscard]] bool has(const OperationSignature& wanted) const {
+        const auto fits = [&](const auto& offered) { return same_parameters(offered.parameters, wanted.parameters); };
+        return definitions.any(wanted.name, fits) || signatures.any(wanted.name, fits);
+    }
+};
+
+Offer offer_of(const Component& controller) {
+    Offer offer{Named(defined_operations(controller)), Named(required_operations(controller))};
+    for (const auto& signature : controller.signatures) offer.signatures.add(*signature);
+    return offer;
+}
+
+Missing missing_operations(const Context& part, const Offer& offer) {
+    Missing missing;
+    for (const OperationSignature* wanted : required_operations(part))
+        if (!offer.has(*wanted)) missing.push_back(wanted);
+    return missing;
+}
+
+// ---------------------------------------------------------------- calls
+
+/// A controller, and what is known of it for all of its parts.
+struct Surroundings {
+    explicit Surroundings(const Component& component)
+        : controller(component), offer(offer_of(component)), variables(visible_variables(component)) {}
+
+    const Component& controller;
+    const Offer offer;
+    const Variables variables;
+};
+
+/// A machine or operation that calls or requires operations: the part of its controller that runs it.
+struct Caller {
+    Caller(const Surroundings& around, const Declaration& part_of_it, const Machine& runs)
+        : surroundings(around),
+          controller(around.controller),
+          part(part_of_it),
+          machine(runs),
+          variables(visible_variables(runs)),
+          scope(scope_of(runs)) {}
+
+    const Surroundings& surroundings;
+    const Component& controller;
+    const Declaration& part;
+    const Machine& machine;
+    const Variables variables;
+    const Scope scope;
+
+    /// The definition in this controller of an operation called; null if it is the platform's.
+    [[nodiscard]] const Machine* definition(std::string_view name) const {
+        return surroundings.offer.definitions.first(name);
+    }
+
+    /// The machine may be defined elsewhere: says which reference brings it here.
+    void add_context(diagnostics::Diagnostic& finding) const {
+        if (part.kind == DeclKind::reference)
+            finding.notes.push_back(
+                {part.name_span, fmt::format("in controller `{}`, which runs `{}` through this reference",
+                                             controller.name, machine.name)});
+    }
+};
+
+/// The caller's event for an event of the operation: same name, and a type that may widen on the way out.
+bool event_fits(const Event& inner, const Event& outer) {
+    const bool typed = inner.type_expr != nullptr;
+    return (outer.type_expr != nullptr) == typed && (!typed || compatible(inner.type, outer.type));
+}
+
+/// What an operation takes from its caller and does not find there.
+struct Lack {
+    Missing variables;
+    std::vector<const Event*> events;
+    std::vector<const Clock*> clocks;
+};
+
+Lack lack_of(const Caller& caller, const Machine& operation) {
+    Lack lack{missing_variables(required_variables(operation), caller.variables, true), {}, {}};
+    const Scope& scope = caller.scope;
+    for (const Event* event : visible_events(operation)) {
+        const auto found = scope.events.find(event->name);
+        if (found == scope.events.end() || !event_fits(*event, *found->second)) lack.events.push_back(event);
+    }
+    for (const InterfaceClause& clause : operation.interfaces) {
+        const Context* interface = interface_of(clause);
+        if (interface == nullptr || clause.use != InterfaceUse::requires_) continue;
+        for (const auto& clock : interface->clocks)
+            if (!scope.clocks.contains(clock->name)) lack.clocks.push_back(clock.get());
+    }
+    return lack;
+}
+
+/// STM8 to STM10, at the first call.
+void check_call(const Caller& caller, const Stmt& call, const Machine& operation, Diagnostics& out) {
+    const std::string& name = caller.machine.name;
+    const Lack lack = lack_of(caller, operation);
+    if (!lack.variables.empty()) {
+        auto& finding =
+            out.report(rules::stm8, call.span, {name, operation.name, s(lack.variables), list(lack.variables)});
+        add_notes(finding, lack.variables, caller.variables);
+        caller.add_context(finding);
+    }
+    const Scope& scope = caller.scope;
+    for (const Event* event : lack.events) {
+        const auto same = scope.events.find(event->name);
+        const bool typed_otherwise = same != scope.events.end();
+        auto& finding = out.report(rules::stm9, call.span,
+                                   {operation.name, event->name, name, typed_otherwise ? " with this type" : ""});
+        finding.notes.push_back({event->name_span, "the event of the operation"});
+        if (typed_otherwise) finding.notes.push_back({same->second->name_span, fmt::format("the event of `{}`", name)});
+        caller.add_context(finding);
+    }
+    for (const Clock* clock : lack.clocks) {
+        auto& finding = out.report(rules::stm10, call.span, {operation.name, clock->name, name});
+        finding.notes.push_back({clock->name_span, "the clock is declared here"});
+        caller.add_context(finding);
+    }
+}
+
+/// The same for an operation that is required and never called: no harm yet.
+void check_required(const Caller& caller, const OperationSignature& wanted, const Machine& operation,
+                    Diagnostics& out) {
+    const Lack lack = lack_of(caller, operation);
+    Missing all = lack.variables;
+    all.insert(all.end(), lack.events.begin(), lack.events.end());
+    all.insert(all.end(), lack.clocks.begin(), lack.clocks.end());
+    if (all.empty()) return;
+    auto& finding =
+        out.report(rules::stm8_required, caller.part.name_span, {caller.machine.name, operation.name, list(all)});
+    finding.notes.push_back({wanted.name_span, "the operation is required through this signature"});
+}
+
+void check_calls(const Caller& caller, Diagnostics& out) {
+    std::set<std::string_view> seen;
+    for_actions(caller.machine, [&](const Stmt& action) {
+        walk(action, [&](const Stmt& statement) {
+            if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
+            if (!seen.insert(statement.declaration->name).second) return;
+            if (const Machine* defined = caller.definition(statement.declaration->name))
+                check_call(caller, statement, *defined, out);
+        });
+    });
+    for (const OperationSignature* wanted : required_operations(caller.machine))
+        if (const Machine* defined = caller.definition(wanted->name);
+            defined != nullptr && seen.insert(wanted->name).second)
+            check_required(caller, *wanted, *defined, out);
+}
+
+// ---------------------------------------------------------------- controllers and modules
+
+void check_part(const Caller& caller, bool first, Diagnostics& out) {
+    const Machine& machine = caller.machine;
+    const std::string& controller = caller.controller.name;
+    const auto& visible = caller.surroundings.variables;
+    const Missing variables = missing_variables(required_variables(machine), visible);
+    if (!variables.empty())
+        add_notes(
+            out.report(rules::c3, caller.part.name_span, {controller, s(variables), machine.name, list(variables)}),
+            variables, visible);
+    const Missing operations = missing_operations(machine, caller.surroundings.offer);
+    if (!operations.empty())
+        add_notes(
+            out.report(rules::c4, caller.part.name_span, {controller, s(operations), machine.name, list(operations)}),
+            operations);
+    if (first) check_calls(caller, out);
+}
+
+void check_operation(const Caller& caller, bool first, Diagnostics& out) {
+    for (const OperationSignature* wanted : required_operations(caller.machine))
+        if (!caller.surroundings.offer.has(*wanted))
+            out.report(rules::c4_operation, caller.part.name_span,
+                       {caller.machine.name, wanted->name, caller.controller.name})
+                .notes.push_back({wanted->name_span, "it is required through this signature"});
+    if (first) check_calls(caller, out);
+}
+
+void check_controller_provision(const Component& controller, Diagnostics& out) {
+    const Surroundings surroundings(controller);
+    std::set<const Machine*> seen;  // calls are the machine's, however many references lead to it
+    for (const Declaration* part : controller.order) {
+        const auto* machine = followed<Machine>(part);
+        if (machine == nullptr) continue;
+        const bool first = seen.insert(machine).second;
+        out.poll();
+        const Caller caller(surroundings, *part, *machine);
+        machine->kind == DeclKind::operation ? check_operation(caller, first, out) : check_part(caller, first, out);
+    }
+}
+
+void check_module_provision(const Component& module, Diagnostics& out) {
+    const Context* platform = nullptr;
+    std::size_t platforms = 0;
+    for (const Declaration* part : module.order)
+        if (const auto* found = followed<Context>(part); found != nullptr && found->kind == DeclKind::platform) {
+            platform = found;
+            ++platforms;
+        }
+    if (platforms != 1) return;  // M1 says so
+    const Offer offer{{}, Named(provided_operations(*platform))};
+    const Variables visible(offered_variables(*platform));
+    for (const Declaration* part : module.order) {
+        const auto* controller = followed<Component>(part);
+        if (controller == nullptr || controller->kind != DeclKind::controller) continue;
+        const Missing variables = missing_variables(required_variables(*controller), visible);
+        if (!variables.empty())
+            add_notes(out.report(rules::m2_variables, part->name_span,
+                                 {module.name, s(variables), controller->name, list(variables)}),
+                      variables, visible);
+        const Missing operations = missing_operations(*controller, offer);
+        if (!operations.empty())
+            add_notes(out.report(rules::m2_operations, part->name_span,
+                                 {module.name, s(operations), controller->name, list(operations)}),
+                      operations);
+    }
+}
+
+}  // namespace
+
+void check_provision(const Component& component, Diagnostics& out) {
+    component.kind == DeclKind::module ? check_module_provision(component, out)
+                                            : check_controller_provision(component, out);
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,223 @@
+// What stands between two words: a gap, and the comments in it at the places where people put them. A comment behind a
+// word stays on its line; one that begins a line begins a line again, indented as the word that follows.
+#include <algorithm>
+#include <array>
+
+#include "frontend/format/format_layout.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+bool is_line_break(char c) {
+    return c == '\n' || c == '\r';
+}
+
+bool keeps_empty_lines(Gap gap) {
+    return gap == Gap::open || gap == Gap::first || gap == Gap::member || gap == Gap::block || gap == Gap::start;
+}
+
+bool ends_line(Gap gap) {
+    return gap == Gap::first || gap == Gap::member || gap == Gap::block || gap == Gap::start;
+}
+
+template <std::size_t n>
+bool among(std::string_view word, const std::array<std::string_view, n>& words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::string_view without_trailing_blanks(std::string_view line) {
+    while (!line.empty() && (line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
+    return line;
+}
+
+/// Takes the first line, without its end, off a text.
+std::string_view take_line(std::string_view& text) {
+    const std::size_t end = std::min(text.size(), text.find_first_of("\r\n"));
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end);
+    if (!text.empty()) text.remove_prefix(text.substr(0, 2) == "\r\n" ? 2 : 1);
+    return without_trailing_blanks(line);
+}
+
+bool is_word_character(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+}  // namespace
+
+/// Line ends between two offsets, at most 2.
+std::size_t Layout::line_ends(std::size_t begin, std::size_t end) const {
+    std::size_t count = 0;
+    for (std::size_t at = begin; at < end && count < 2; ++at) {
+        if (!is_line_break(text_[at])) continue;
+        if (text_.substr(at, 2) == "\r\n") ++at;
+        ++count;
+    }
+    return count;
+}
+
+/// Would the last word and the next be read the same without a blank between them?
+bool Layout::may_touch() const {
+    constexpr std::array<std::string_view, 17> joined = {
+        "<->", "::", "->", "<{", "=>", "==", "!=", ">=", "<=", "\\/", "/\\", "(|", "|)", "[|", "|]", "//", "/*"};
+    if (at_ == 0 || at_end()) return true;
+    const Token& before = stream_.tokens[at_ - 1];
+    const std::string_view left = source(before.span);
+    const std::string_view right = source(peek().span);
+    if (is_word_character(right.front()) && (is_word_character(left.back()) || left == "^")) return false;
+    if ((left == "Set" || left == "Seq") && right.front() == '(') return false;
+    if (before.kind != TokenKind::symbol || peek().kind != TokenKind::symbol) return true;
+    const std::string both = std::string(left) + std::string(right);
+    return std::none_of(joined.begin(), joined.end(),
+                        [&](std::string_view word) { return word.size() > left.size() && both.starts_with(word); });
+}
+
+/// The comments before the next word, and the word.
+std::vector<Layout::Piece> Layout::pieces() {
+    std::vector<Piece> result;
+    std::size_t end = previous_end_;
+    const auto add = [&](diagnostics::Span span, bool is_token) {
+        const bool to_line_end = !is_token && text_[span.begin + 1] == '/';
+        result.push_back({span, line_ends(end, span.begin), to_line_end, is_token});
+        end = span.end;
+    };
+    const auto& comments = stream_.comments;
+    for (; comment_ < comments.size() && comments[comment_].begin < peek().span.begin; ++comment_)
+        add(comments[comment_], false);
+    add(peek().span, true);
+    return result;
+}
+
+Doc Layout::separator(Gap gap, std::size_t lines) {
+    switch (gap) {
+        case Gap::blank:
+            return doc_.blank();
+        case Gap::soft:
+            return may_touch() ? doc_.soft() : doc_.line();
+        case Gap::line:
+        case Gap::open:
+            return doc_.line();
+        case Gap::first:
+            return doc_.hard();
+        case Gap::member:
+            return lines > 1 ? doc_.empty_line() : doc_.hard();
+        case Gap::block:
+            return doc_.empty_line();
+        case Gap::none:
+            return may_touch() ? 0 : doc_.blank();
+        default:
+            return 0;
+    }
+}
+
+Doc Layout::gap(Gap gap) {
+    if (gap == Gap::done) return 0;
+    const bool commented = comment_ < stream_.comments.size() && stream_.comments[comment_].begin < peek().span.begin;
+    if (!commented) return separator(gap, line_ends(previous_end_, peek().span.begin));
+    const std::vector<Piece> found = pieces();
+    const bool joins = gap == Gap::none || gap == Gap::soft || gap == Gap::blank;
+    const auto on_line = [&](const Piece& p) { return !p.to_line_end && (p.lines == 0 || (p.is_token && joins)); };
+    const bool one_line = gap != Gap::start && std::all_of(found.begin(), found.end(), on_line);
+    if (one_line) return inline_comments(gap, found);
+    const auto stays = [&](const Piece& p) { return p.lines == 0 && !p.is_token && gap != Gap::start; };
+    const auto moved = std::find_if_not(found.begin(), found.end(), stays);
+    const auto count = static_cast<std::size_t>(moved - found.begin());
+    return doc_.cat(trailing(found, count), own_lines(gap, found, count));
+}
+
+/// `a /* c */ b`: comments go with the word they precede.
+Doc Layout::inline_comments(Gap gap, const std::vector<Piece>& pieces) {
+    constexpr std::array<std::string_view, 7> openers = {"(", "[", "{", "(|", "[|", "Set(", "Seq("};
+    constexpr std::array<std::string_view, 9> closers = {")", "]", "}", "|)", "|]", ",", ";", ".", "::"};
+    const bool opened = at_ > 0 && among(stream_.tokens[at_ - 1].text, openers);
+    Doc result = gap == Gap::soft && opened ? doc_.soft() : separator(gap, 0);
+    if (gap == Gap::none && !opened) result = doc_.blank();
+    if (gap == Gap::none && opened) result = 0;
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
+        result = cat({result, i > 0 ? doc_.blank() : 0, comment(pieces[i])});
+    return among(peek().text, closers) ? result : doc_.cat(result, doc_.blank());
+}
+
+/// The comments that stay behind the last word.
+Doc Layout::trailing(const std::vector<Piece>& pieces, std::size_t count) {
+    Doc result = 0;
+    for (std::size_t i = 0; i < count; ++i) result = cat({result, doc_.blank(), comment(pieces[i])});
+    return result;
+}
+
+/// From the first piece on a new line to the word.
+Doc Layout::own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t trailing) {
+    const Piece& head = pieces[trailing];
+    const bool forced = !head.is_token || (trailing > 0 && pieces[trailing - 1].to_line_end);
+    const bool any_empty_line = std::any_of(pieces.begin() + static_cast<std::ptrdiff_t>(trailing), pieces.end(),
+                                            [](const Piece& p) { return p.lines > 1; });
+    Doc result = separator(gap == Gap::block && any_empty_line ? Gap::member : gap, head.lines);
+    if (gap == Gap::start)
+        result = 0;
+    else if (forced && !ends_line(gap))
+        result = doc_.hard();
+    for (std::size_t i = trailing; !pieces[i].is_token; ++i)
+        result = cat({result, comment(pieces[i]), following(gap, pieces[i], pieces[i + 1])});
+    return result;
+}
+
+/// Between a comment on a line of its own and the next piece.
+Doc Layout::following(Gap gap, const Piece& before, const Piece& piece) {
+    if (!before.to_line_end && piece.lines == 0) return doc_.blank();
+    return keeps_empty_lines(gap) && piece.lines > 1 ? doc_.empty_line() : doc_.hard();
+}
+
+/// The comments before a closing brace or the end, inside what is closed.
+Doc Layout::closing_comments() {
+    std::vector<Piece> found = pieces();
+    found.pop_back();
+    Doc result = 0;
+    const bool opened = at_ == 0 || stream_.tokens[at_ - 1].is("{");
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const bool behind = found[i].lines == 0 && (i == 0 || !found[i - 1].to_line_end);
+        const bool empty_line = found[i].lines > 1 && !(i == 0 && opened);
+        const Doc before = behind ? doc_.blank() : empty_line ? doc_.empty_line() : doc_.hard();
+        result = cat({result, i == 0 && at_ == 0 ? 0 : before, comment(found[i])});
+        previous_end_ = found[i].span.end;
+    }
+    return result;
+}
+
+// ---------------------------------------------------------------- the text of a comment
+
+/// The blanks that precede a place on its line; nothing if something else does.
+std::optional<std::string_view> Layout::margin(std::size_t offset) const {
+    std::size_t begin = offset;
+    while (begin > 0 && (text_[begin - 1] == ' ' || text_[begin - 1] == '\t')) --begin;
+    if (begin > 0 && !is_line_break(text_[begin - 1])) return std::nullopt;
+    return text_.substr(begin, offset - begin);
+}
+
+/// A further line of a comment: moved with its first line, or where it is.
+Doc Layout::comment_line(std::string_view line, std::size_t margin, bool moved) {
+    if (!moved) return doc_.cat(doc_.raw(), doc_.comment(line));
+    line.remove_prefix(std::min(line.size(), margin));
+    return doc_.cat(doc_.hard(), doc_.comment(line));
+}
+
+/// The lines of a block comment move with its first line where they are indented at least as far.
+Doc Layout::comment(const Piece& piece) {
+    std::string_view rest = source(piece.span);
+    const std::string_view first = take_line(rest);
+    if (piece.to_line_end) return doc_.line_comment(first);
+    const auto indentation = margin(piece.span.begin);
+    bool moved = indentation.has_value();
+    for (std::string_view lines = rest; moved && !lines.empty();) {
+        const std::string_view line = take_line(lines);
+        moved = line.empty() || line.starts_with(*indentation);
+    }
+    Doc result = doc_.comment(first);
+    while (!rest.empty()) {
+        const std::string_view line = take_line(rest);
+        result = doc_.cat(result, comment_line(line, indentation ? indentation->size() : 0, moved));
+    }
+    return result;
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,177 @@
+// Expressions. One that does not fit breaks before the operators that bind weakest, then inside its operands.
+#include <algorithm>
+#include <array>
+
+#include "frontend/format/format_layout.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+struct Operator {
+    std::string_view word;
+    int level;
+};
+
+// How tightly operators bind, as in parser_expressions.cpp.
+constexpr int compare_level = 5;
+constexpr int let_level = 6;
+constexpr int cast_level = 7;
+constexpr int plus_level = 8;
+constexpr int concat_level = 10;
+constexpr std::array<Operator, 20> operators = {{{"iff", 0},
+                                                 {"=>", 1},
+                                                 {"\\/", 2},
+                                                 {"/\\", 3},
+                                                 {"==", compare_level},
+                                                 {"!=", compare_level},
+                                                 {">", compare_level},
+                                                 {">=", compare_level},
+                                                 {"<", compare_level},
+                                                 {"<=", compare_level},
+                                                 {"in", compare_level},
+                                                 {"as", cast_level},
+                                                 {"is", cast_level},
+                                                 {"+", plus_level},
+                                                 {"-", plus_level},
+                                                 {"*", 9},
+                                                 {"/", 9},
+                                                 {"%", 9},
+                                                 {"cat", concat_level},
+                                                 {"^", concat_level}}};
+
+}  // namespace
+
+Doc Layout::expression(Gap gap) {
+    return operand(gap, 0);
+}
+
+/// Does the escaped name here follow an operand on its line? Then its `^` is the operator.
+int Layout::operator_level() const {
+    const Token& token = peek();
+    if (token.escaped) return token.first_on_line ? -1 : concat_level;
+    const auto* found =
+        std::find_if(operators.begin(), operators.end(), [&](const Operator& o) { return token.is(o.word); });
+    return found == operators.end() ? -1 : found->level;
+}
+
+/// Operators that bind at least as tightly as `level`, with their operands.
+Doc Layout::operand(Gap gap, int level) {
+    const Doc before = this->gap(gap);
+    Doc result = prefix(level);
+    for (int next = operator_level(); next >= level; next = operator_level()) result = chain(result, next);
+    return doc_.cat(before, result);
+}
+
+/// `a + b - c`: all operators of one level make one group.
+Doc Layout::chain(Doc left, int level) {
+    Doc rest = 0;
+    while (operator_level() == level) rest = doc_.cat(rest, infix(level));
+    return doc_.group(doc_.cat(left, doc_.nest(rest)));
+}
+
+Doc Layout::infix(int level) {
+    if (peek().escaped) return operand(Gap::blank, level + 1);
+    const bool typed = at("as") || at("is");
+    const Doc op = token(Gap::line);
+    return doc_.cat(op, typed ? type(Gap::blank) : operand(Gap::blank, level + 1));
+}
+
+Doc Layout::prefix(int level) {
+    if (at("not")) {
+        const Doc word = token(Gap::done);
+        return doc_.cat(word, operand(Gap::blank, compare_level));
+    }
+    if (at("if")) return conditional(Gap::done, &Layout::expression);
+    if (at("forall") || at("exists") || at("exists1") || at("lambda")) return binder(0);
+    if (at("the") || at("let")) return binder(let_level);
+    return level == value_level ? postfix() : negation();
+}
+
+/// `forall v : T | p @ e`, `let x == e @ e`
+Doc Layout::binder(int level) {
+    Doc head = token(Gap::done);
+    head = doc_.cat(head, bindings(Gap::blank));
+    if (!at("@")) return head;
+    const Doc at_sign = token(Gap::blank);
+    return doc_.group(cat({head, at_sign, doc_.nest(operand(Gap::line, level))}));
+}
+
+/// `v : T, w : T | p`, `x == e, y == e`
+Doc Layout::bindings(Gap gap) {
+    Doc result = binding(gap);
+    while (at(",")) result = cat({result, token(Gap::none), binding(Gap::blank)});
+    return at("|") ? cat({result, token(Gap::blank), expression(Gap::blank)}) : result;
+}
+
+Doc Layout::binding(Gap gap) {
+    const Doc result = typed(gap);
+    return at("==") ? cat({result, token(Gap::blank), expression(Gap::blank)}) : result;
+}
+
+Doc Layout::negation() {
+    Doc result = 0;
+    for (; at("-"); result = doc_.cat(result, gap(Gap::none))) result = doc_.cat(result, advance());
+    return doc_.cat(result, postfix());
+}
+
+/// In assertion files a point ends the assertion unless a field follows at once.
+bool Layout::at_step() const {
+    if (at("(")) return !peek().first_on_line;
+    return at("[") || (at(".") && (!is_assertions_ || peek(1).span.begin == peek().span.end));
+}
+
+Doc Layout::postfix() {
+    Doc result = atom();
+    while (at_step()) {
+        if (at("."))
+            result = cat({result, token(Gap::none), token(Gap::none)});
+        else
+            result = doc_.cat(result, list(Gap::none, &Layout::expression));
+    }
+    return result;
+}
+
+Doc Layout::atom() {
+    if (at("[|") || at("(|") || at("(") || at("[")) return list(Gap::done, &Layout::expression);
+    if (at("<{")) return sequence_with_set();
+    if (at("<")) return list(Gap::done, &Layout::sequence_element);
+    if (at("{")) return list(Gap::done, &Layout::set_element);
+    const bool function = at("since") || at("sinceEntry") || at("inverse") || at("transpose");
+    if (!at_name()) return cat({token(Gap::done), function ? list(Gap::none, &Layout::expression) : 0});
+    const Doc name = names(Gap::done);
+    return at("(|") ? doc_.cat(name, list(Gap::none, &Layout::field)) : name;
+}
+
+/// Elements of `< … >` stop at `+`, so that `>` closes.
+Doc Layout::sequence_element(Gap gap) {
+    return operand(gap, plus_level);
+}
+
+/// `<{a}, …>`: the brackets of a sequence that begins with a set make one word.
+Doc Layout::sequence_with_set() {
+    const Doc open = advance();
+    Doc first = doc_.group(doc_.cat(open, elements(Gap::soft, &Layout::set_element)));
+    while (operator_level() >= plus_level) first = chain(first, operator_level());
+    const Doc comma = at(",") ? token(Gap::none) : 0;
+    return doc_.group(cat({first, comma, elements(Gap::line, &Layout::sequence_element)}));
+}
+
+/// An element of a set, or the whole of `{a to b}`, `{v : T | p @ e}`.
+Doc Layout::set_element(Gap gap) {
+    if (!at_name() || !peek(1).is(":")) {
+        const Doc element = expression(gap);
+        return at("to") ? cat({element, token(Gap::blank), expression(Gap::blank)}) : element;
+    }
+    const Doc before = this->gap(gap);
+    const Doc result = doc_.cat(before, bindings(Gap::done));
+    return at("@") ? cat({result, token(Gap::blank), expression(Gap::blank)}) : result;
+}
+
+/// `f = e` of a record.
+Doc Layout::field(Gap gap) {
+    const Doc head = words(gap, 2);
+    return doc_.cat(head, expression(Gap::blank));
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,64 @@
+// States, actions, transitions. A body that is short stands on the line of its head; others have one part a line.
+#include "frontend/format/format_layout.hpp"
+
+namespace robochart::frontend {
+
+/// `state S { entry e }`; a state with several parts has one a line.
+Doc Layout::state(Gap gap) {
+    const Doc before = this->gap(gap);
+    const Doc head = words(Gap::done, 2);
+    if (!at("{")) return doc_.cat(before, head);
+    const Doc body = braces(&Layout::member, Gap::open, Gap::member);
+    return doc_.cat(before, doc_.group(doc_.cat(head, body), body_limit));
+}
+
+Doc Layout::action(Gap gap) {
+    const Doc word = token(gap);
+    return doc_.cat(word, action_body());
+}
+
+/// A statement on the line of its word, or indented below it.
+Doc Layout::action_body() {
+    return doc_.group(doc_.nest(sequence(Gap::line)));
+}
+
+Doc Layout::transition(Gap gap) {
+    const Doc before = this->gap(gap);
+    const Doc head = words(Gap::done, 2);
+    const Doc body = braces(&Layout::clauses, Gap::open, Gap::line);
+    return doc_.cat(before, doc_.group(doc_.cat(head, body), body_limit));
+}
+
+/// All of a transition: `from A to B`, then a clause a line; resets and deadline stay with what they follow.
+Doc Layout::clauses(Gap gap) {
+    Doc result = phrase(gap);
+    if (at("to")) result = doc_.cat(result, phrase(Gap::blank));
+    bool awaits = false;
+    while (!at("}") && !at_end()) {
+        const bool trigger = at("trigger") || at("#");
+        result = doc_.cat(result, clause(Gap::line, awaits));
+        awaits = trigger;
+    }
+    return result;
+}
+
+Doc Layout::clause(Gap gap, bool trigger_before) {
+    const Gap near = trigger_before ? Gap::blank : gap;
+    if (at("#")) return cat({token(near), token(Gap::none)});
+    if (at("<{")) return deadline(near);
+    const bool trigger = at("trigger");
+    const bool action = at("action");
+    const Doc word = token(gap);
+    if (action) return doc_.cat(word, action_body());
+    if (!trigger) return doc_.cat(word, at("else") ? token(Gap::blank) : expression(Gap::blank));
+    return at_name() ? doc_.cat(word, communication(Gap::blank)) : word;
+}
+
+/// `<{ e }`
+Doc Layout::deadline(Gap gap) {
+    const Doc open = token(gap);
+    const Doc limit = expression(Gap::blank);
+    return cat({open, limit, token(Gap::blank)});
+}
+
+}  // namespace robochart::frontend

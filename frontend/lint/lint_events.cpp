@@ -1,0 +1,162 @@
+// Events that get no further than the component they are in (semantics 3.9): what is connected to nothing is hidden, so
+// its triggers fire by themselves and its outputs never wait; what is connected to a part that never takes part in it
+// can never happen.
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "frontend/lint/lints.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/names/scopes.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// The first use of each event of a machine, by name; operations that the controller defines count as part of it.
+class Traffic {
+public:
+    Traffic(const Machine& machine, const std::map<std::string_view, const Machine*>& defined) : defined_(defined) {
+        add(machine);
+    }
+    [[nodiscard]] const Communication* first(std::string_view event) const {
+        const auto found = first_.find(event);
+        return found != first_.end() ? found->second : nullptr;
+    }
+
+private:
+    void add(const Machine& machine) {
+        if (!seen_.insert(&machine).second) return;
+        walk(machine, [&](const NodeContainer& container) {
+            for (const auto& transition : container.transitions)
+                if (transition->trigger) add(*transition->trigger);
+        });
+        for_actions(machine, [&](const Stmt& action) {
+            walk(action, [&](const Stmt& statement) {
+                if (statement.communication) add(*statement.communication);
+                if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
+                const auto called = defined_.find(statement.declaration->name);
+                if (called != defined_.end()) add(*called->second);
+            });
+        });
+    }
+
+    void add(const Communication& communication) {
+        if (communication.event_target != nullptr) first_.emplace(communication.event_target->name, &communication);
+    }
+
+    const std::map<std::string_view, const Machine*>& defined_;
+    std::set<const Machine*> seen_;
+    std::map<std::string_view, const Communication*> first_;
+};
+
+/// Connected events of each part, and of the component itself.
+class Connected {
+public:
+    explicit Connected(const Component& component) {
+        for (const auto& connection : component.connections)
+            for (const Connection::End* end : {&connection->from, &connection->to})
+                if (end->node_target != nullptr) ends_[end->node_target].emplace(end->event.parts.back(), end);
+    }
+    [[nodiscard]] const Connection::End* end(const Declaration& part, const std::string& event) const {
+        const auto of_part = ends_.find(&part);
+        if (of_part == ends_.end()) return nullptr;
+        const auto found = of_part->second.find(event);
+        return found != of_part->second.end() ? found->second : nullptr;
+    }
+
+private:
+    std::unordered_map<const Declaration*, std::map<std::string, const Connection::End*>> ends_;
+};
+
+std::string described(const Declaration& part, const Declaration& behind, std::string_view kind) {
+    if (&part == &behind || part.name == behind.name) return fmt::format("{} `{}`", kind, behind.name);
+    return fmt::format("`{}` ({} `{}`)", part.name, kind, behind.name);
+}
+
+/// A loose end: an event, and where it is used.
+struct Loose {
+    const Event* event = nullptr;
+    Span use;
+    std::string how;
+};
+
+void report_loose(const rules::Rule& rule, Span at, const std::vector<Loose>& loose, const std::string& part,
+                  const std::string& container, Diagnostics& out) {
+    if (loose.empty()) return;
+    std::vector<std::string> names;
+    for (const Loose& each : loose) names.push_back(each.event->name);
+    const bool one = names.size() == 1;
+    const std::string events = (one ? "event " : "events ") + listed(names);
+    auto& finding = out.report(rule, at, {events, part, one ? "is" : "are", container, one ? "s" : ""});
+    constexpr std::size_t shown = 4;
+    for (std::size_t i = 0; i < loose.size() && i < shown; ++i) {
+        finding.notes.push_back({loose[i].use, loose[i].how});
+        if (loose[i].how.empty()) finding.notes.back().message = fmt::format("`{}` is used here", loose[i].event->name);
+    }
+}
+
+void check_machine(const Component& controller, const Declaration& part, const Machine& machine,
+                   const Connected& connected, const std::map<std::string_view, const Machine*>& defined,
+                   Diagnostics& out) {
+    const Traffic traffic(machine, defined);
+    std::vector<Loose> loose;
+    for (const Event* event : visible_events(machine)) {
+        const Connection::End* end = connected.end(part, event->name);
+        const Communication* use = traffic.first(event->name);
+        if (use != nullptr && end == nullptr) loose.push_back({event, use->span, ""});
+        if (use == nullptr && end != nullptr)
+            out.report(rules::w_deaf, end->event.span, {event->name, described(part, machine, "machine")})
+                .notes.push_back({event->name_span, "the event is declared here"});
+    }
+    report_loose(rules::w_loose_machine, part.name_span, loose, described(part, machine, "machine"), controller.name,
+                 out);
+}
+
+void check_controller(const Component& controller, Diagnostics& out) {
+    const Connected connected(controller);
+    std::map<std::string_view, const Machine*> defined;
+    for (const Machine* operation : defined_operations(controller)) defined.emplace(operation->name, operation);
+    for (const Declaration* part : controller.order) {
+        const auto* machine = followed<Machine>(part);
+        if (machine != nullptr && machine->kind == DeclKind::state_machine)
+            check_machine(controller, *part, *machine, connected, defined, out);
+    }
+}
+
+void check_part(const Component& module, const Declaration& part, const Context& behind, const Connected& outside,
+                Diagnostics& out) {
+    const auto* controller = dynamic_cast<const Component*>(&behind);
+    std::vector<Loose> loose;
+    const Connected inside = controller != nullptr ? Connected(*controller) : Connected(module);
+    for (const Event* event : visible_events(behind)) {
+        const Connection::End* out_end = outside.end(part, event->name);
+        const Connection::End* in_end = controller != nullptr ? inside.end(*controller, event->name) : nullptr;
+        if (controller != nullptr && in_end != nullptr && out_end == nullptr)
+            loose.push_back({event, in_end->event.span, fmt::format("`{}` is connected here inside", event->name)});
+        if (controller == nullptr && out_end == nullptr)
+            loose.push_back({event, event->name_span, fmt::format("`{}` is declared here", event->name)});
+        if (controller != nullptr && in_end == nullptr && out_end != nullptr)
+            out.report(rules::w_deaf, out_end->event.span, {event->name, described(part, behind, "controller")})
+                .notes.push_back({event->name_span, "the event is declared here"});
+    }
+    const std::string_view kind = controller != nullptr ? "controller" : "platform";
+    report_loose(controller != nullptr ? rules::w_loose_controller : rules::w_loose_platform, part.name_span, loose,
+                 described(part, behind, kind), module.name, out);
+}
+
+}  // namespace
+
+void lint_events(const Component& component, Diagnostics& out) {
+    if (component.kind == DeclKind::controller) return check_controller(component, out);
+    const Connected outside(component);
+    for (const Declaration* part : component.order) {
+        const auto* behind = followed<Context>(part);
+        if (behind != nullptr && (behind->kind == DeclKind::controller || behind->kind == DeclKind::platform))
+            check_part(component, *part, *behind, outside, out);
+    }
+}
+
+}  // namespace robochart::frontend

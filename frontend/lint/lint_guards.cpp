@@ -1,0 +1,124 @@
+// Guards that leave no way (semantics 3.4: a junction with no true guard is stuck for ever), that never hold or always.
+#include <fmt/format.h>
+
+#include "frontend/lint/lint_logic.hpp"
+#include "frontend/lint/lints.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/types/typer.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+using logic::Answer;
+using logic::Formula;
+using logic::Reasoner;
+
+constexpr std::size_t max_ways = 32;        ///< of a node: beyond, nothing is said
+constexpr unsigned max_junctions_back = 2;  ///< how far facts are gathered before a junction
+
+class GuardReader {
+public:
+    GuardReader(const Graph& graph, bool fold) : reasoner_(fold), graph_(graph) {}
+
+    /// What lets a transition be taken; `else` is the negation of its siblings' conditions.
+    Formula guard(const Transition& transition) {
+        if (transition.condition) return reasoner_.read(*transition.condition);
+        return transition.otherwise ? logic::negation(some_holds(*transition.source)) : logic::constant(true);
+    }
+
+    Formula read(const Expr& expr) { return reasoner_.read(expr); }
+
+    Formula some_holds(const State& node) {
+        std::vector<Formula> ways;
+        for (const Transition* way : graph_.out(node))
+            if (!way->otherwise) ways.push_back(guard(*way));
+        return logic::any_of(std::move(ways));
+    }
+
+    /// What is known when control comes to a junction: the guards on the way, as far as no action after them spoils it.
+    Formula known_at(const State& junction, unsigned depth) {
+        if (junction.kind != DeclKind::junction || graph_.in(junction).size() > max_ways) return logic::constant(true);
+        std::vector<Formula> ways;
+        for (const Transition* way : graph_.in(junction)) ways.push_back(known_after(*way, depth));
+        return logic::any_of(std::move(ways));
+    }
+
+    [[nodiscard]] logic::Finding decide(const Formula& formula) const { return reasoner_.decide(formula); }
+
+private:
+    Formula known_after(const Transition& way, unsigned depth) {
+        Effects effects;
+        add_effects(*way.source, false, effects);
+        if (way.action) add_effects(*way.action, effects);
+        for (const auto& reset : way.resets) effects.writes.insert(reset.clock);
+        const bool spoilt = effects.calls || effects.waits ||
+                            (way.condition && mentions(*way.condition, effects.writes)) || way.otherwise;
+        std::vector<Formula> facts;
+        if (!spoilt) facts.push_back(guard(way));
+        const bool quiet = effects.writes.empty() && !effects.calls && !effects.waits;
+        if (quiet && depth > 0) facts.push_back(known_at(*way.source, depth - 1));
+        return logic::all_of(std::move(facts));
+    }
+
+    Reasoner reasoner_;
+    const Graph& graph_;
+};
+
+bool is_plain_junction(const State& node) {
+    return node.kind == DeclKind::junction || node.kind == DeclKind::initial;
+}
+
+/// RC-W02.
+void check_junction(const Machine& machine, const Graph& graph, const State& node, Diagnostics& out) {
+    const auto& ways = graph.out(node);
+    if (!is_plain_junction(node) || ways.empty() || ways.size() > max_ways) return;
+    for (const Transition* way : ways)
+        if (way->otherwise || !way->condition) return;
+    GuardReader reader(graph, true);
+    std::vector<Formula> facts{logic::negation(reader.some_holds(node)), reader.known_at(node, max_junctions_back)};
+    for (const ExprPtr& condition : machine.preconditions) facts.push_back(reader.read(*condition));
+    const logic::Finding finding = reader.decide(logic::all_of(std::move(facts)));
+    if (finding.answer != Answer::possible || !finding.trusted) return;
+    const std::string when = finding.example.empty() ? "" : "when " + finding.example + ", ";
+    const std::string kind = node.kind == DeclKind::initial ? "initial junction" : "junction";
+    const std::string none_of = ways.size() == 1 ? "its only guard does not hold" : "none of its guards holds";
+    auto& report = out.report(rules::w_stuck, node.name_span, {kind, node.name, when, none_of});
+    constexpr std::size_t shown = 4;
+    for (std::size_t i = 0; i < ways.size() && i < shown; ++i)
+        report.notes.push_back({ways[i]->condition->span, fmt::format("`{}` needs this", ways[i]->name)});
+}
+
+/// RC-W04, RC-W05.
+void check_condition(const Graph& graph, const Transition& transition, Never& never, Diagnostics& out) {
+    const bool many = graph.out(*transition.source).size() > max_ways;
+    if ((!transition.condition && !transition.otherwise) || (transition.otherwise && many)) return;
+    GuardReader reader(graph, false);
+    const Formula guard = reader.guard(transition);
+    if (reader.decide(guard).answer == Answer::impossible) {
+        never.insert(&transition);
+        if (transition.condition)
+            out.report(rules::w_never, transition.condition->span, {transition.name, to_text(*transition.condition)});
+        else
+            out.report(rules::w_else_never, transition.name_span, {transition.name, transition.source->name});
+        return;
+    }
+    if (!transition.condition || strip(*transition.condition).kind == ExprKind::boolean) return;
+    if (reader.decide(logic::negation(guard)).answer == Answer::impossible)
+        out.report(rules::w_always, transition.condition->span, {transition.name, to_text(*transition.condition)});
+}
+
+}  // namespace
+
+void lint_guards(const Machine& machine, Never& never, Diagnostics& out) {
+    walk(machine, [&](const NodeContainer& container) {
+        const Graph graph(container);
+        for (const auto& transition : container.transitions)
+            if (transition->source != nullptr) check_condition(graph, *transition, never, out);
+        for (const auto& node : container.nodes) check_junction(machine, graph, *node, out);
+    });
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,349 @@
+// Reading expressions into formulas over atoms. The search over them is lint_logic_search.cpp.
+// Numbers are doubles here: exact for integers below 2^53, and decimals written alike are equal.
+#include "frontend/lint/lint_logic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "frontend/syntax/print.hpp"
+#include "frontend/types/typer.hpp"
+#include "frontend/types/types.hpp"
+
+namespace robochart::frontend::logic {
+
+Formula constant(bool value) {
+    Formula result;
+    result.value = value;
+    return result;
+}
+
+Formula negation(Formula part) {
+    if (part.form == Formula::Form::constant) return constant(!part.value);
+    Formula result;
+    result.form = Formula::Form::negation;
+    result.parts.push_back(std::move(part));
+    return result;
+}
+
+namespace {
+
+Formula combined(Formula::Form form, std::vector<Formula> parts) {
+    Formula result;
+    result.form = form;
+    result.parts = std::move(parts);
+    return result;
+}
+
+bool is_form(const TypePtr& type, TypeForm form) {
+    return type != nullptr && type->form == form;
+}
+bool is_number(const Expr& expr) {
+    return is_form(expr.type, TypeForm::nat) || is_form(expr.type, TypeForm::integer) ||
+           is_form(expr.type, TypeForm::real);
+}
+
+Linear scaled(Linear form, double factor) {
+    for (auto& entry : form.terms) entry.second *= factor;
+    form.constant *= factor;
+    return form;
+}
+
+Linear sum(Linear a, const Linear& b) {
+    for (const auto& [text, factor] : b.terms) {
+        double& total = a.terms[text];
+        total += factor;
+        if (total == 0) a.terms.erase(text);
+    }
+    a.constant += b.constant;
+    return a;
+}
+
+/// Names, their parts and elements are values of their own; about calls and binders nothing is known.
+bool is_plain(const Expr& expr) {
+    switch (expr.kind) {
+        case ExprKind::name:
+        case ExprKind::result:
+        case ExprKind::since:
+        case ExprKind::since_entry:
+            return true;
+        case ExprKind::parenthesised:
+        case ExprKind::member:
+            return is_plain(*expr.args[0]);
+        default:
+            return false;
+    }
+}
+
+std::string text_of(const Expr& expr) {
+    return to_text(strip(expr));
+}
+
+/// The literal of an enumeration that an expression names.
+const EnumLiteral* literal_of(const Expr& expr) {
+    const Expr& bare = strip(expr);
+    return bare.kind == ExprKind::name ? dynamic_cast<const EnumLiteral*>(bare.target) : nullptr;
+}
+
+bool is_integral(double value) {
+    return std::floor(value) == value;
+}
+
+constexpr unsigned max_depth = 64;  ///< of constants defined by constants
+
+}  // namespace
+
+Formula all_of(std::vector<Formula> parts) {
+    return combined(Formula::Form::conjunction, std::move(parts));
+}
+Formula any_of(std::vector<Formula> parts) {
+    return combined(Formula::Form::disjunction, std::move(parts));
+}
+
+// ---------------------------------------------------------------- numbers
+
+/// The value of a constant that has one, if constants are to be folded.
+const Expr* Reasoner::folded(const Expr& expr) const {
+    const auto* variable = dynamic_cast<const Variable*>(expr.target);
+    const bool known = fold_ && depth_ < max_depth && variable != nullptr && variable->kind == DeclKind::constant;
+    return known ? variable->initial.get() : nullptr;
+}
+
+Linear Reasoner::term(const Expr& expr) {
+    const std::string text = text_of(expr);
+    Term& known = terms_[text];
+    const bool clock = expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
+    known.integer = is_form(expr.type, TypeForm::nat) || is_form(expr.type, TypeForm::integer);
+    if (is_form(expr.type, TypeForm::nat) || clock) known.least = 0;
+    return {{{text, 1.0}}, 0};
+}
+
+std::optional<Linear> Reasoner::linear_binary(const Expr& expr) {
+    const bool known =
+        expr.binary == BinaryOp::plus || expr.binary == BinaryOp::minus || expr.binary == BinaryOp::times;
+    if (!known) return term(expr);
+    const auto left = linear(*expr.args[0]);
+    const auto right = linear(*expr.args[1]);
+    if (!left || !right) return std::nullopt;
+    if (expr.binary == BinaryOp::plus) return sum(*left, *right);
+    if (expr.binary == BinaryOp::minus) return sum(*left, scaled(*right, -1));
+    if (left->terms.empty()) return scaled(*right, left->constant);
+    if (right->terms.empty()) return scaled(*left, right->constant);
+    return term(expr);
+}
+
+std::optional<Linear> Reasoner::linear(const Expr& written) {
+    const Expr& expr = strip(written);
+    if (expr.kind == ExprKind::integer || expr.kind == ExprKind::real)
+        return Linear{{}, std::strtod(expr.text.c_str(), nullptr)};
+    if (!is_number(expr)) return std::nullopt;
+    if (expr.kind == ExprKind::unary && expr.unary == UnaryOp::negate) {
+        auto inner = linear(*expr.args[0]);
+        return inner ? std::optional(scaled(std::move(*inner), -1)) : std::nullopt;
+    }
+    if (expr.kind == ExprKind::binary) return linear_binary(expr);
+    if (const Expr* value = folded(expr)) {
+        ++depth_;
+        auto result = linear(*value);
+        --depth_;
+        return result;
+    }
+    return term(expr);
+}
+
+/// difference RELATION 0, over the key with leading coefficient 1.
+Formula Reasoner::compare(Linear difference, Relation relation, const std::string& text) {
+    if (difference.terms.empty()) {
+        const double left = difference.constant;
+        return constant(relation == Relation::less ? left < 0 : relation == Relation::equal ? left == 0 : left <= 0);
+    }
+    const double leading = difference.terms.begin()->second;
+    const Linear form = scaled(std::move(difference), 1 / leading);
+    std::string name;
+    for (const auto& [part, factor] : form.terms) name += std::to_string(factor) + "*" + part + " ";
+    const std::size_t index = key(KeyKind::number, name);
+    Key& found = keys_[index];
+    found.form = form.terms;
+    found.integer = std::all_of(form.terms.begin(), form.terms.end(), [&](const auto& part) {
+        return is_integral(part.second) && terms_.at(part.first).integer;
+    });
+    Atom atom;
+    atom.key = index;
+    atom.relation = relation;
+    atom.reversed = leading < 0;
+    atom.bound = form.constant == 0 ? 0 : -form.constant;
+    atom.text = text;
+    found.bounds.push_back(atom.bound);
+    Formula result;
+    result.form = Formula::Form::atom;
+    result.atom = add(std::move(atom));
+    return result;
+}
+
+std::optional<Formula> Reasoner::linear_atom(const Expr& left, const Expr& right, Relation relation,
+                                             const std::string& text) {
+    const auto a = linear(left);
+    const auto b = linear(right);
+    if (!a || !b) return std::nullopt;
+    return compare(sum(*a, scaled(*b, -1)), relation, text);
+}
+
+Formula Reasoner::compare_to_zero(const Expr& expr, Relation relation) {
+    const auto form = linear(expr);
+    constexpr const char* signs[] = {" < 0", " <= 0", " == 0"};
+    const std::string text = text_of(expr) + signs[static_cast<int>(relation)];
+    return form ? compare(*form, relation, text) : opaque(text, false);
+}
+
+// ---------------------------------------------------------------- atoms
+
+std::size_t Reasoner::key(KeyKind kind, const std::string& text) {
+    const auto [at, fresh] = key_index_.emplace(std::pair(kind, text), keys_.size());
+    if (fresh) {
+        Key made;
+        made.kind = kind;
+        made.text = text;
+        keys_.push_back(std::move(made));
+    }
+    return at->second;
+}
+
+std::size_t Reasoner::add(Atom atom) {
+    atoms_.push_back(std::move(atom));
+    return atoms_.size() - 1;
+}
+
+Formula Reasoner::opaque(const std::string& text, bool trusted) {
+    Atom atom;
+    atom.key = key(KeyKind::boolean, text);
+    atom.text = text;
+    keys_[atom.key].opaque = !trusted;
+    Formula result;
+    result.form = Formula::Form::atom;
+    result.atom = add(std::move(atom));
+    return result;
+}
+
+Formula Reasoner::named(const Expr& expr) {
+    if (const Expr* value = folded(expr)) {
+        ++depth_;
+        Formula result = read(*value);
+        --depth_;
+        return result;
+    }
+    return opaque(text_of(expr), true);
+}
+
+std::optional<Formula> Reasoner::enumeration_equality(const Expr& left, const Expr& right) {
+    const EnumLiteral* literal = literal_of(right);
+    if (literal == nullptr || !literal->arguments.empty()) return std::nullopt;
+    if (const EnumLiteral* other = literal_of(left)) return constant(other == literal);
+    const auto& type = static_cast<const TypeDeclaration&>(*literal->parent);
+    Atom atom;
+    atom.key = key(KeyKind::enumeration, text_of(left));
+    Key& found = keys_[atom.key];
+    found.literals.clear();
+    for (const auto& each : type.literals) {
+        if (each.get() == literal) atom.literal = found.literals.size();
+        found.literals.push_back(each->name);
+    }
+    found.opaque = !is_plain(left);
+    atom.text = text_of(left) + " == " + literal->name;
+    Formula result;
+    result.form = Formula::Form::atom;
+    result.atom = add(std::move(atom));
+    return result;
+}
+
+Formula Reasoner::read_equality(const Expr& left, const Expr& right) {
+    if (is_form(left.type, TypeForm::boolean) && is_form(right.type, TypeForm::boolean))
+        return combined(Formula::Form::equivalence, {read(left), read(right)});
+    if (auto found = linear_atom(left, right, Relation::equal, text_of(left) + " == " + text_of(right)))
+        return std::move(*found);
+    if (auto found = enumeration_equality(left, right)) return std::move(*found);
+    if (auto found = enumeration_equality(right, left)) return std::move(*found);
+    const std::string a = text_of(left);
+    const std::string b = text_of(right);
+    if (a == b) return constant(true);
+    return opaque(std::min(a, b) + " == " + std::max(a, b), is_plain(strip(left)) && is_plain(strip(right)));
+}
+
+Formula Reasoner::read_comparison(const Expr& expr) {
+    const Expr& left = *expr.args[0];
+    const Expr& right = *expr.args[1];
+    const BinaryOp op = *expr.binary;
+    const bool strict = op == BinaryOp::less || op == BinaryOp::greater;
+    const bool swapped = op == BinaryOp::greater || op == BinaryOp::greater_equal;
+    auto found = linear_atom(swapped ? right : left, swapped ? left : right,
+                             strict ? Relation::less : Relation::less_equal, to_text(expr));
+    return found ? std::move(*found) : opaque(to_text(expr), false);
+}
+
+/// a <= value <= b, or < where the range is open.
+Formula Reasoner::range_membership(const Expr& value, const Expr& range, const Expr& whole) {
+    const auto relation = [](bool closed) { return closed ? Relation::less_equal : Relation::less; };
+    auto above = linear_atom(*range.args[0], value, relation(range.lower_closed), to_text(whole));
+    auto below = linear_atom(value, *range.args[1], relation(range.upper_closed), to_text(whole));
+    if (!above || !below) return opaque(to_text(whole), false);
+    return all_of({std::move(*above), std::move(*below)});
+}
+
+Formula Reasoner::read_membership(const Expr& expr) {
+    const Expr& set = strip(*expr.args[1]);
+    if (set.kind == ExprKind::range || set.kind == ExprKind::set_range)
+        return range_membership(*expr.args[0], set, expr);
+    if (set.kind != ExprKind::set) return opaque(to_text(expr), false);
+    std::vector<Formula> cases;
+    for (const ExprPtr& element : set.args) cases.push_back(read_equality(*expr.args[0], *element));
+    return any_of(std::move(cases));
+}
+
+// ---------------------------------------------------------------- formulas
+
+Formula Reasoner::read_binary(const Expr& expr) {
+    const auto left = [&] { return read(*expr.args[0]); };
+    const auto right = [&] { return read(*expr.args[1]); };
+    switch (*expr.binary) {
+        case BinaryOp::conjunction:
+            return all_of({left(), right()});
+        case BinaryOp::disjunction:
+            return any_of({left(), right()});
+        case BinaryOp::implies:
+            return any_of({negation(left()), right()});
+        case BinaryOp::iff:
+        case BinaryOp::equal:
+            return read_equality(*expr.args[0], *expr.args[1]);
+        case BinaryOp::not_equal:
+            return negation(read_equality(*expr.args[0], *expr.args[1]));
+        case BinaryOp::less:
+        case BinaryOp::less_equal:
+        case BinaryOp::greater:
+        case BinaryOp::greater_equal:
+            return read_comparison(expr);
+        case BinaryOp::in:
+            return read_membership(expr);
+        default:
+            return opaque(to_text(expr), false);
+    }
+}
+
+Formula Reasoner::read(const Expr& expr) {
+    switch (expr.kind) {
+        case ExprKind::boolean:
+            return constant(expr.text == "true");
+        case ExprKind::parenthesised:
+            return read(*expr.args[0]);
+        case ExprKind::unary:
+            return expr.unary == UnaryOp::logical_not ? negation(read(*expr.args[0])) : opaque(to_text(expr), false);
+        case ExprKind::binary:
+            return read_binary(expr);
+        case ExprKind::if_then_else:
+            return combined(Formula::Form::choice, {read(*expr.args[0]), read(*expr.args[1]), read(*expr.args[2])});
+        case ExprKind::name:
+            return named(expr);
+        default:
+            return opaque(to_text(expr), is_plain(expr));
+    }
+}
+
+}  // namespace robochart::frontend::logic

@@ -1,0 +1,116 @@
+// A small decision procedure for guards (private to the front end): boolean structure over linear comparisons of
+// numbers, literals of enumerations and boolean terms; everything else is an unknown boolean. It says "impossible" only
+// with a proof and "possible" only with a consistent example; between them lies "unknown", of which lints say nothing.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontend/syntax/ast.hpp"
+
+namespace robochart::frontend::logic {
+
+/// A boolean combination of atoms; atoms and their terms belong to the Reasoner that read it.
+struct Formula {
+    enum class Form { constant, atom, negation, conjunction, disjunction, equivalence, choice };
+    Form form = Form::constant;
+    bool value = true;           ///< constant
+    std::size_t atom = 0;        ///< atom
+    std::vector<Formula> parts;  ///< choice: condition, then, else
+};
+
+[[nodiscard]] Formula constant(bool value);
+[[nodiscard]] Formula negation(Formula part);
+[[nodiscard]] Formula all_of(std::vector<Formula> parts);
+[[nodiscard]] Formula any_of(std::vector<Formula> parts);
+
+enum class Answer { possible, impossible, unknown };
+
+/// Whether some values make a formula true, and such values in words: "`x` is 3 and `b` is false".
+struct Finding {
+    Answer answer = Answer::unknown;
+    std::string example;
+    /// False: the example leans on terms that nothing is known about (calls, quantifiers, …), or on several relations
+    /// between terms (`t >= m`, `t < n`), where who wrote it may know how m and n relate.
+    bool trusted = true;
+};
+
+/// coefficient * term + … + constant; terms by their text.
+struct Linear {
+    std::map<std::string, double> terms;
+    double constant = 0;
+};
+
+enum class Relation { less, less_equal, equal };
+
+class Reasoner {
+public:
+    /// `fold`: constants with a value stand for it. Without, they could have any value.
+    explicit Reasoner(bool fold) : fold_(fold) {}
+
+    /// A boolean expression.
+    [[nodiscard]] Formula read(const Expr& expr);
+    /// expr RELATION 0; an unknown boolean if `expr` is no number.
+    [[nodiscard]] Formula compare_to_zero(const Expr& expr, Relation relation);
+    /// Decides within a bound of steps.
+    [[nodiscard]] Finding decide(const Formula& formula) const;
+
+private:
+    friend class Search;
+
+    /// What is known of a term: a number's range, an enumeration's literals.
+    struct Term {
+        bool integer = false;
+        std::optional<double> least;
+    };
+    enum class KeyKind { boolean, enumeration, number };
+    /// What one value is chosen for: a boolean, an enumeration value, or a linear form without its constant.
+    struct Key {
+        KeyKind kind = KeyKind::boolean;
+        std::string text;
+        bool opaque = false;                ///< boolean: a call or the like
+        std::vector<std::string> literals;  ///< enumeration
+        std::map<std::string, double> form;
+        bool integer = false;
+        std::vector<double> bounds;  ///< the numbers it is compared with
+    };
+    /// A statement about one key.
+    struct Atom {
+        std::size_t key = 0;
+        Relation relation = Relation::equal;
+        bool reversed = false;  ///< key > bound, key >= bound
+        double bound = 0;
+        std::size_t literal = 0;
+        std::string text;  ///< as people see it
+    };
+
+    Formula read_binary(const Expr& expr);
+    Formula read_equality(const Expr& left, const Expr& right);
+    Formula read_comparison(const Expr& expr);
+    Formula read_membership(const Expr& expr);
+    Formula range_membership(const Expr& value, const Expr& range, const Expr& whole);
+    std::optional<Formula> enumeration_equality(const Expr& left, const Expr& right);
+    std::optional<Formula> linear_atom(const Expr& left, const Expr& right, Relation relation, const std::string& text);
+    Formula compare(Linear difference, Relation relation, const std::string& text);
+    Formula opaque(const std::string& text, bool trusted);
+    Formula named(const Expr& expr);
+
+    std::optional<Linear> linear(const Expr& expr);
+    std::optional<Linear> linear_binary(const Expr& expr);
+    Linear term(const Expr& expr);
+    const Expr* folded(const Expr& expr) const;
+
+    std::size_t key(KeyKind kind, const std::string& text);
+    std::size_t add(Atom atom);
+
+    bool fold_;
+    unsigned depth_ = 0;
+    std::map<std::string, Term> terms_;
+    std::map<std::pair<KeyKind, std::string>, std::size_t> key_index_;
+    std::vector<Key> keys_;
+    std::vector<Atom> atoms_;
+};
+
+}  // namespace robochart::frontend::logic

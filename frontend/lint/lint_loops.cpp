@@ -1,0 +1,149 @@
+// Cycles of transitions that need no event and no time (semantics 3.4, 3.10: such transitions are urgent, so a machine
+// that can go round for ever does, and time stands still). Certain enough means: nothing on the cycle waits, calls or
+// communicates; its guards can hold together; and nothing on the cycle, nor any during action beside it, changes what
+// the guards mention.
+#include <algorithm>
+#include <deque>
+#include <set>
+
+#include "frontend/lint/lint_logic.hpp"
+#include "frontend/lint/lints.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/names/scopes.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+bool is_instant(const Effects& effects) {
+    return !effects.calls && !effects.communicates && !effects.waits;
+}
+
+class Loops {
+public:
+    Loops(const NodeContainer& container, const Never& never, const std::unordered_set<const Declaration*>& shared)
+        : shared_(shared) {
+        for (const auto& node : container.nodes) add_effects(*node, false, of_node_[node.get()]);
+        for (const auto& transition : container.transitions)
+            if (transition->source != nullptr && transition->target != nullptr && !never.contains(transition.get()) &&
+                is_instant(*transition))
+                out_[transition->source].push_back(transition.get());
+        for (const auto& node : container.nodes) nodes_.push_back(node.get());
+    }
+
+    void check(Diagnostics& out) {
+        for (const State* node : nodes_) {
+            if (told_.contains(node)) continue;
+            const std::vector<const Transition*> cycle = shortest_cycle(*node);
+            if (!cycle.empty() && goes_on(cycle)) report(cycle, out);
+        }
+    }
+
+private:
+    [[nodiscard]] bool is_instant(const Transition& transition) const {
+        if (transition.trigger || transition.probability || transition.otherwise) return false;
+        Effects effects;
+        if (transition.action) add_effects(*transition.action, effects);
+        return frontend::is_instant(effects) && frontend::is_instant(of_node_.at(transition.source)) &&
+               frontend::is_instant(of_node_.at(transition.target));
+    }
+
+    /// Breadth first from the node back to it, within a bound of transitions looked at.
+    [[nodiscard]] std::vector<const Transition*> shortest_cycle(const State& start) const {
+        constexpr std::size_t max_looked_at = 64;
+        std::unordered_map<const State*, const Transition*> reached_by;
+        std::deque<const State*> open{&start};
+        std::size_t looked_at = 0;
+        while (!open.empty()) {
+            const State* node = open.front();
+            open.pop_front();
+            const auto ways = out_.find(node);
+            if (ways == out_.end()) continue;
+            for (const Transition* way : ways->second) {
+                if (++looked_at > max_looked_at) return {};
+                if (way->target == &start) return path(start, *way, reached_by);
+                if (reached_by.emplace(way->target, way).second) open.push_back(way->target);
+            }
+        }
+        return {};
+    }
+
+    static std::vector<const Transition*> path(const State& start, const Transition& last,
+                                               const std::unordered_map<const State*, const Transition*>& reached_by) {
+        std::vector<const Transition*> cycle{&last};
+        while (cycle.back()->source != &start) cycle.push_back(reached_by.at(cycle.back()->source));
+        std::reverse(cycle.begin(), cycle.end());
+        return cycle;
+    }
+
+    /// Everything that may change while the cycle runs; entering a state restarts its `sinceEntry`.
+    [[nodiscard]] std::unordered_set<const Declaration*> changed_by(const std::vector<const Transition*>& cycle) const {
+        Effects effects;
+        for (const Transition* way : cycle) {
+            add_effects(*way->target, true, effects);
+            effects.writes.insert(way->target);
+            if (way->action) add_effects(*way->action, effects);
+            for (const auto& reset : way->resets) effects.writes.insert(reset.clock);
+        }
+        effects.writes.insert(shared_.begin(), shared_.end());
+        return std::move(effects.writes);
+    }
+
+    [[nodiscard]] bool goes_on(const std::vector<const Transition*>& cycle) const {
+        const auto changed = changed_by(cycle);
+        logic::Reasoner reasoner(true);
+        std::vector<logic::Formula> guards;
+        for (const Transition* way : cycle) {
+            if (!way->condition) continue;
+            if (mentions(*way->condition, changed)) return false;
+            guards.push_back(reasoner.read(*way->condition));
+        }
+        const logic::Finding together = reasoner.decide(logic::all_of(std::move(guards)));
+        return together.answer == logic::Answer::possible && together.trusted;
+    }
+
+    void report(const std::vector<const Transition*>& cycle, Diagnostics& out) {
+        std::vector<std::string> names;
+        for (const Transition* way : cycle) {
+            names.push_back(way->name);
+            told_.insert(way->source);
+        }
+        const std::string text = (names.size() == 1 ? "transition " : "transitions ") + listed(names);
+        auto& finding = out.report(rules::w_loop, cycle.front()->name_span, {text, names.size() == 1 ? "s" : ""});
+        for (std::size_t i = 1; i < cycle.size(); ++i)
+            finding.notes.push_back({cycle[i]->name_span, i + 1 == cycle.size() ? "and back by this" : "on by this"});
+    }
+
+    const std::unordered_set<const Declaration*>& shared_;
+    std::unordered_map<const State*, Effects> of_node_;
+    std::unordered_map<const State*, std::vector<const Transition*>> out_;
+    std::vector<const State*> nodes_;
+    std::unordered_set<const State*> told_;
+};
+
+/// Writes of during actions of a state hold for everything inside it as well.
+void check(const NodeContainer& container, const Never& never, std::unordered_set<const Declaration*>& shared,
+           Diagnostics& out) {
+    Loops(container, never, shared).check(out);
+    for (const auto& node : container.nodes) {
+        if (node->nodes.empty()) continue;
+        Effects beside;
+        for (const Action& action : node->actions)
+            if (action.kind == ActionKind::during && action.statement) add_effects(*action.statement, beside);
+        std::unordered_set<const Declaration*> inner = shared;
+        inner.insert(beside.writes.begin(), beside.writes.end());
+        check(*node, never, inner, out);
+    }
+}
+
+}  // namespace
+
+void lint_loops(const Machine& machine, const Never& never, Diagnostics& out) {
+    std::unordered_set<const Declaration*> shared;
+    for (const Variable* variable : required_variables(machine))
+        if (variable->kind == DeclKind::variable) shared.insert(variable);
+    check(machine, never, shared, out);
+}
+
+}  // namespace robochart::frontend

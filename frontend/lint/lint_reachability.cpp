@@ -1,0 +1,98 @@
+// Nodes that no path from the initial junction of their container leads to. The choice among enabled transitions is
+// free (semantics 3.4), so only transitions that can never be taken break a path.
+#include <algorithm>
+#include <unordered_set>
+
+#include "frontend/lint/lints.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+using Nodes = std::unordered_set<const State*>;
+
+class Reachability {
+public:
+    Reachability(const NodeContainer& container, const Never& never)
+        : container_(container), never_(never), graph_(container) {}
+
+    void check(Diagnostics& out) {
+        bool begins = false;
+        for (const auto& node : container_.nodes)
+            if (node->kind == DeclKind::initial) {
+                begins = true;
+                add_from(*node, reached_);
+            }
+        if (!begins) return;
+        for (const auto& node : container_.nodes)
+            if (!covered(*node) && cut_off(*node)) add_from(*node, told_);
+        // First those that nothing at all leads to, then islands that are only reached from themselves.
+        for (const auto& node : container_.nodes)
+            if (!covered(*node) && is_root(*node)) report(*node, out);
+        for (const auto& node : container_.nodes)
+            if (!covered(*node)) report(*node, out);
+    }
+
+    [[nodiscard]] const Nodes& reached() const { return reached_; }
+
+private:
+    void add_from(const State& start, Nodes& nodes) const {
+        std::vector<const State*> open{&start};
+        nodes.insert(&start);
+        while (!open.empty()) {
+            const State* node = open.back();
+            open.pop_back();
+            for (const Transition* way : graph_.out(*node))
+                if (!never_.contains(way) && nodes.insert(way->target).second) open.push_back(way->target);
+        }
+    }
+
+    [[nodiscard]] bool covered(const State& node) const { return reached_.contains(&node) || told_.contains(&node); }
+
+    [[nodiscard]] bool is_root(const State& node) const {
+        for (const Transition* way : graph_.in(node))
+            if (!never_.contains(way) && way->source != &node) return false;
+        return true;
+    }
+
+    /// A transition that is never taken is told itself (RC-W04); that is enough.
+    [[nodiscard]] bool cut_off(const State& node) const {
+        const auto& ways = graph_.in(node);
+        return std::any_of(ways.begin(), ways.end(), [&](const Transition* way) {
+            return never_.contains(way) && reached_.contains(way->source);
+        });
+    }
+
+    void report(const State& node, Diagnostics& out) {
+        add_from(node, told_);
+        auto& finding = out.report(rules::w_unreachable, node.name_span, {std::string(to_text(node.kind)), node.name});
+        for (const Transition* way : graph_.in(node)) {
+            if (way->source == &node) continue;
+            finding.notes.push_back({way->name_span, "this transition leads to it, but its source is not reached"});
+            return;
+        }
+    }
+
+    const NodeContainer& container_;
+    const Never& never_;
+    const Graph graph_;
+    Nodes reached_, told_;
+};
+
+void check(const NodeContainer& container, const Never& never, Diagnostics& out) {
+    Reachability reachability(container, never);
+    reachability.check(out);
+    for (const auto& node : container.nodes)
+        if (reachability.reached().contains(node.get())) check(*node, never, out);
+}
+
+}  // namespace
+
+void lint_reachability(const Machine& machine, const Never& never, Diagnostics& out) {
+    check(machine, never, out);
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,86 @@
+// Slips in single statements and transitions: twice the same transition, a value assigned to itself, a wait that its
+// own deadline cuts off.
+#include <cstdlib>
+#include <map>
+#include <optional>
+
+#include "frontend/lint/lints.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/types/typer.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+std::string as_text(const Transition& transition) {
+    std::string text = transition.source->name + "\n" + transition.target->name + "\n";
+    if (transition.trigger) text += to_text(*transition.trigger);
+    for (const auto& reset : transition.resets) text += "\n#" + reset.name.text();
+    if (transition.deadline) text += "\n<{" + to_text(*transition.deadline);
+    if (transition.condition) text += "\ncondition " + to_text(strip(*transition.condition));
+    if (transition.action) text += "\naction " + to_text(*transition.action);
+    return text;
+}
+
+/// RC-W14. Transitions that are enabled together but do different things are a way to leave a choice open.
+void check_copies(const NodeContainer& container, Diagnostics& out) {
+    std::map<std::string, const Transition*> seen;
+    for (const auto& transition : container.transitions) {
+        if (transition->source == nullptr || transition->target == nullptr || transition->probability) continue;
+        const auto [first, fresh] = seen.emplace(as_text(*transition), transition.get());
+        if (fresh) continue;
+        out.report(rules::w_copy, transition->name_span, {transition->name, first->second->name})
+            .notes.push_back({first->second->name_span, "the other one"});
+    }
+}
+
+std::optional<double> number(const Expr& written) {
+    const Expr& expr = strip(written);
+    if (expr.kind != ExprKind::integer && expr.kind != ExprKind::real) return std::nullopt;
+    return std::strtod(expr.text.c_str(), nullptr);
+}
+
+/// The least time that a statement surely takes, as far as its literals tell.
+double least_time(const Stmt& statement) {
+    if (statement.kind == StmtKind::wait || statement.kind == StmtKind::wait_interval)
+        return statement.value ? number(*statement.value).value_or(0) : 0;
+    if (statement.kind == StmtKind::if_then_else) {
+        if (statement.body.size() < 2) return 0;
+        return std::min(least_time(*statement.body[0]), least_time(*statement.body[1]));
+    }
+    double sum = 0;
+    for (const StmtPtr& inner : statement.body) sum += least_time(*inner);
+    return sum;
+}
+
+/// RC-W16.
+void check_deadline(const Stmt& statement, Diagnostics& out) {
+    if (statement.kind != StmtKind::deadline || !statement.value || statement.body.empty()) return;
+    const auto bound = number(*statement.value);
+    if (!bound || least_time(*statement.body.front()) <= *bound) return;
+    out.report(rules::w_deadline, statement.span, {to_text(*statement.body.front()), to_text(*statement.value)});
+}
+
+/// RC-W15.
+void check_assignment(const Stmt& statement, Diagnostics& out) {
+    if (statement.kind != StmtKind::assignment || !statement.target || !statement.value) return;
+    const std::string target = to_text(strip(*statement.target));
+    if (assigned_root(*statement.target) != nullptr && target == to_text(strip(*statement.value)))
+        out.report(rules::w_self, statement.span, {target});
+}
+
+}  // namespace
+
+void lint_statements(const Machine& machine, Diagnostics& out) {
+    walk(machine, [&](const NodeContainer& container) { check_copies(container, out); });
+    for_actions(machine, [&](const Stmt& action) {
+        walk(action, [&](const Stmt& statement) {
+            check_deadline(statement, out);
+            check_assignment(statement, out);
+        });
+    });
+}
+
+}  // namespace robochart::frontend

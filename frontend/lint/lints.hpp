@@ -1,0 +1,92 @@
+// Warnings beyond the rules of the language: models that are well formed but hardly meant (private to the front end).
+// A warning is given where a reader who knows the semantics (docs of rules RC-W…) would agree; doubt is silence.
+// Everything is linear in the size of the project, apart from bounded searches over the guards of one node.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+#include "frontend/names/names.hpp"
+
+namespace robochart::frontend {
+
+using diagnostics::Diagnostics;
+
+/// All warnings of a resolved model. Files with errors are left out; warnings that look at several files need a project
+/// without errors.
+void lint(const Model& model, const Names& names, Diagnostics& out);
+
+// The same in parts: each file that may be linted, then the project if it may.
+/// `written_by` tells the variables that operations of a name write.
+using WrittenBy = std::unordered_map<std::string, std::unordered_set<std::string>>;
+[[nodiscard]] WrittenBy variables_written_by_operations(const Model& model);
+[[nodiscard]] bool may_lint(const File& file, const Diagnostics& out);
+[[nodiscard]] bool may_lint_project(const Model& model, const Diagnostics& out);
+/// Components and functions of a file, each looked at by itself.
+void lint_file(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out);
+/// What takes several files to tell.
+void lint_project(const Model& model, Diagnostics& out);
+
+/// The transitions of one container by their ends.
+class Graph {
+public:
+    explicit Graph(const NodeContainer& container);
+    [[nodiscard]] const std::vector<const Transition*>& out(const State& node) const { return at(out_, node); }
+    [[nodiscard]] const std::vector<const Transition*>& in(const State& node) const { return at(in_, node); }
+
+private:
+    using Table = std::unordered_map<const State*, std::vector<const Transition*>>;
+    static const std::vector<const Transition*>& at(const Table& table, const State& node);
+    Table out_, in_;
+};
+
+/// What running an action may do.
+struct Effects {
+    std::unordered_set<const Declaration*> writes;  ///< variables assigned or received, clocks reset
+    bool calls = false;
+    bool communicates = false;
+    bool waits = false;
+};
+void add_effects(const Stmt& action, Effects& effects);
+/// Of every action in a state and below it; `kinds` selects: all but during actions, or all.
+void add_effects(const State& state, bool during, Effects& effects);
+
+/// The variable at the root of `v`, `v.f`, `v[i]`; null if there is none.
+[[nodiscard]] const Declaration* assigned_root(const Expr& target);
+/// Does the expression mention one of these variables or clocks (or the entry of one of these states)?
+[[nodiscard]] bool mentions(const Expr& expr, const std::unordered_set<const Declaration*>& declarations);
+/// "`a`, `b` and `c`".
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+
+/// Transitions that can never be taken.
+using Never = std::unordered_set<const Transition*>;
+
+/// RC-W02, RC-W04, RC-W05; fills `never`.
+void lint_guards(const Machine& machine, Never& never, Diagnostics& out);
+/// RC-W03.
+void lint_reachability(const Machine& machine, const Never& never, Diagnostics& out);
+/// RC-W06.
+void lint_flow(const Machine& machine, const WrittenBy& written_by, Diagnostics& out);
+/// RC-W09.
+void lint_loops(const Machine& machine, const Never& never, Diagnostics& out);
+/// RC-W10, RC-W11.
+void lint_arithmetic(const Machine& machine, Diagnostics& out);
+/// RC-W12.
+void lint_shadowing(const File& file, const Context& context, const Names& names, Diagnostics& out);
+/// RC-W14, RC-W15, RC-W16.
+void lint_statements(const Machine& machine, Diagnostics& out);
+/// RC-W07, RC-W08, RC-W18: over the whole project.
+void lint_unused(const Model& model, Diagnostics& out);
+/// RC-W01, RC-W17: events that get no further than a part of a controller or module.
+void lint_events(const Component& component, Diagnostics& out);
+/// RC-W19.
+void lint_termination(const Machine& operation, Diagnostics& out);
+/// RC-W13. Machines that several controllers refer to are looked at in each; `told` are the calls reported so far.
+using Told = std::unordered_set<const Stmt*>;
+void lint_operations(const Component& controller, Told& told, Diagnostics& out);
+
+}  // namespace robochart::frontend

@@ -1,0 +1,96 @@
+// See name_lookup.hpp.
+#include "frontend/names/name_lookup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "diagnostics/spelling.hpp"
+#include "frontend/syntax/lexer.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/rules/rules.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+constexpr DeclKind all_kinds[] = {DeclKind::primitive_type, DeclKind::record_type, DeclKind::enumeration,
+                                  DeclKind::enum_literal,   DeclKind::function,    DeclKind::interface,
+                                  DeclKind::platform,       DeclKind::operation,   DeclKind::state_machine,
+                                  DeclKind::controller,     DeclKind::module,      DeclKind::reference};
+
+/// Names of other languages for the types of core; "" if it is none of them.
+std::string core_meant(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> others = {{{"bool", "boolean"},
+                                                                                      {"Boolean", "boolean"},
+                                                                                      {"integer", "int"},
+                                                                                      {"Integer", "int"},
+                                                                                      {"natural", "nat"},
+                                                                                      {"float", "real"},
+                                                                                      {"double", "real"},
+                                                                                      {"Real", "real"},
+                                                                                      {"String", "string"}}};
+    for (const auto& [other, own] : others)
+        if (other == name) return std::string(own);
+    return {};
+}
+
+const Declaration* find_other_kind(const Names& names, const Place& place, const QualifiedName& name) {
+    for (const DeclKind kind : all_kinds)
+        if (const Declaration* found = names.find(place, name, {kind})) return found;
+    return nullptr;
+}
+
+}  // namespace
+
+const Declaration* Finder::find(const Place& place, const QualifiedName& name, const Kinds& kinds,
+                                std::string_view what) {
+    if (const Declaration* found = names_.find(place, name, kinds)) return found;
+    if (names_.is_lost(name)) return nullptr;
+    if (const Declaration* other = find_other_kind(names_, place, name)) {
+        diagnostics::Diagnostic& finding =
+            out_->report(rules::ambiguous_kind, name.span,
+                        {shorten(name.text()), std::string(to_text(other->kind)), std::string(what)});
+        finding.notes.push_back({other->name_span, "it is declared here"});
+        return nullptr;
+    }
+    diagnostics::Diagnostic& finding = unknown(name, what, "in the project as seen from here", candidates(kinds));
+    if (const Declaration* hidden = names_.anywhere(name.parts.back(), kinds)) {
+        const std::string full = names_.full_name(hidden);
+        const std::size_t cut = full.rfind("::");
+        const std::string advice =
+            cut == std::string::npos || name.parts.size() > 1
+                ? fmt::format("there is `{}`", full)
+                : fmt::format("there is `{}`; `import {}::*` makes it visible", full, full.substr(0, cut));
+        finding.notes.push_back({hidden->name_span, advice});
+    }
+    return nullptr;
+}
+
+std::vector<std::string> Finder::candidates(const Kinds& kinds) const {
+    return out_->errors() < diagnostics::Diagnostics::max_kept ? names_.candidates(kinds) : std::vector<std::string>();
+}
+
+diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_view what, std::string_view where,
+                                         const std::vector<std::string>& candidates) {
+    const std::string key = std::string(what) + "\n" + name.text() + "\n" + std::string(where);
+    const bool told = !told_.emplace(name.span.source, key).second;
+    if (told || names_.is_lost(name)) {
+        untold_ = {};
+        return untold_;
+    }
+    diagnostics::Diagnostic& finding =
+        out_->report(rules::unknown_name, name.span, {std::string(what), shorten(name.text()), std::string(where)});
+    if (out_->errors() > diagnostics::Diagnostics::max_kept) return finding;
+    const std::string& written = name.parts.back();
+    std::string meant = what == "type" && name.parts.size() == 1 ? core_meant(written) : std::string();
+    const bool is_core = !meant.empty();
+    if (!is_core) meant = diagnostics::nearest(written, candidates);
+    if (!meant.empty())
+        finding.fixes.push_back(
+            {name.spans.back(), meant, diagnostics::suggested(is_core || diagnostics::is_certain(written, meant, candidates))});
+    return finding;
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,226 @@
+// See names.hpp.
+#include "frontend/names/names.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "diagnostics/fixes.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+std::string qualified(const std::string& prefix, std::string_view name) {
+    return prefix.empty() ? std::string(name) : prefix + "::" + std::string(name);
+}
+
+std::size_t parts_of(std::string_view full_name) {
+    std::size_t parts = 1;
+    for (std::size_t at = full_name.find("::"); at != std::string_view::npos; at = full_name.find("::", at + 2))
+        ++parts;
+    return parts;
+}
+
+void adopt_context(Context& context) {
+    for (auto& variable : context.variables) variable->parent = &context;
+    for (auto& event : context.events) event->parent = &context;
+    for (auto& clock : context.clocks) clock->parent = &context;
+    for (auto& signature : context.signatures) {
+        signature->parent = &context;
+        for (auto& parameter : signature->parameters) parameter->parent = signature.get();
+    }
+}
+
+/// Depth of composite states is bounded by the parser.
+void adopt_nodes(NodeContainer& container, const Declaration& parent) {
+    for (auto& node : container.nodes) {
+        node->parent = &parent;
+        adopt_nodes(*node, *node);
+    }
+    for (auto& transition : container.transitions) transition->parent = &parent;
+}
+
+}  // namespace
+
+std::size_t nearness(const File& a, const File& b) {
+    if (&a == &b) return std::numeric_limits<std::size_t>::max();
+    if (a.is_library || b.is_library) return 0;
+    const auto apart = std::mismatch(a.folder.begin(), a.folder.end(), b.folder.begin(), b.folder.end());
+    return 1 + static_cast<std::size_t>(std::count(a.folder.begin(), apart.first, '/'));
+}
+
+Names::Names(const Model& model) {
+    for (const auto& file : model.files) enter_file(*file);
+    for (const auto& [full, declarations] : by_name_)
+        for (const Declaration* declaration : declarations) by_simple_name_[declaration->name].push_back(declaration);
+    std::sort(packages_.begin(), packages_.end());
+    for (const auto& [full, declarations] : by_name_) most_parts_ = std::max(most_parts_, parts_of(full));
+    for (const std::string& package : packages_) most_parts_ = std::max(most_parts_, parts_of(package));
+    // A clause that was not understood may have named an interface: what it declares is lost with it.
+    const auto lost = lost_;
+    for (const std::string& name : lost)
+        if (const auto* interface = dynamic_cast<const Context*>(anywhere(name, {DeclKind::interface})))
+            lose(*interface);
+}
+
+void Names::lose(const Context& interface) {
+    for (const auto& variable : interface.variables) lost_.insert(variable->name);
+    for (const auto& event : interface.events) lost_.insert(event->name);
+    for (const auto& clock : interface.clocks) lost_.insert(clock->name);
+    for (const auto& signature : interface.signatures) lost_.insert(signature->name);
+}
+
+void Names::enter_file(File& file) {
+    const std::string package = file.package.text();
+    entering_ = &file;
+    lost_.insert(file.lost_names.begin(), file.lost_names.end());
+    lost_declarations_ = lost_declarations_ || file.lost_declarations;
+    packages_.push_back(package);
+    for (auto& declaration : file.declarations) enter(*declaration, nullptr, package);
+}
+
+void Names::enter(Declaration& declaration, const Declaration* parent, const std::string& prefix) {
+    declaration.parent = parent;
+    const std::string full = qualified(prefix, declaration.name);
+    by_name_[full].push_back(&declaration);
+    full_names_[&declaration] = full;
+    files_[&declaration] = entering_;
+    if (auto* type = dynamic_cast<TypeDeclaration*>(&declaration)) enter_type(*type, prefix);
+    if (auto* function = dynamic_cast<Function*>(&declaration))
+        for (auto& parameter : function->parameters) parameter->parent = function;
+    if (auto* context = dynamic_cast<Context*>(&declaration)) adopt_context(*context);
+    if (auto* machine = dynamic_cast<Machine*>(&declaration)) {
+        for (auto& parameter : machine->parameters) parameter->parent = machine;
+        adopt_nodes(*machine, *machine);
+    }
+    if (auto* component = dynamic_cast<Component*>(&declaration)) enter_component(*component, full);
+}
+
+/// Literals are known by `E::L` and by `L` alone.
+void Names::enter_type(TypeDeclaration& type, const std::string& prefix) {
+    for (auto& field : type.fields) field->parent = &type;
+    for (auto& literal : type.literals) {
+        literal->parent = &type;
+        by_name_[qualified(full_names_[&type], literal->name)].push_back(literal.get());
+        by_name_[qualified(prefix, literal->name)].push_back(literal.get());
+        full_names_[literal.get()] = qualified(full_names_[&type], literal->name);
+    }
+}
+
+void Names::enter_component(Component& component, const std::string& full) {
+    for (auto& part : component.platforms) enter(*part, &component, full);
+    for (auto& part : component.controllers) enter(*part, &component, full);
+    for (auto& part : component.machines) enter(*part, &component, full);
+    for (auto& part : component.operations) enter(*part, &component, full);
+    for (auto& part : component.references) enter(*part, &component, full);
+    for (auto& connection : component.connections) connection->parent = &component;
+}
+
+const File* Names::file_of(const Declaration& declaration) const {
+    const auto owner = files_.find(declaration.kind == DeclKind::enum_literal ? declaration.parent : &declaration);
+    return owner != files_.end() ? owner->second : nullptr;
+}
+
+/// Does it stand in that declaration, at any depth? Any does where none is named.
+bool stands_inside(const Declaration* declaration, const Declaration* around) {
+    while (declaration != nullptr && declaration != around) declaration = declaration->parent;
+    return declaration == around;
+}
+
+/// Of several with one name that of the nearest file; of equally near ones the first. `inside`: only what is inside it,
+/// and not in another declaration of its name.
+const Declaration* Names::at(const std::string& full, const Kinds& kinds, const File* file,
+                             const Declaration* inside) const {
+    const Declaration* best = nullptr;
+    std::size_t near = 0;
+    const std::vector<const Declaration*>& declared = all(full);
+    for (const Declaration* declaration : declared) {
+        if (!kinds.has(declaration->kind) || !stands_inside(declaration, inside)) continue;
+        const File* const owner = declared.size() > 1 && file != nullptr ? file_of(*declaration) : nullptr;
+        const std::size_t how_near = owner != nullptr ? nearness(*file, *owner) : 0;
+        if (best == nullptr || how_near > near) {
+            best = declaration;
+            near = how_near;
+        }
+    }
+    return best;
+}
+
+const std::vector<const Declaration*>& Names::all(const std::string& full_name) const {
+    static const std::vector<const Declaration*> none;
+    const auto found = by_name_.find(full_name);
+    return found != by_name_.end() ? found->second : none;
+}
+
+const Declaration* Names::find(const Place& place, const QualifiedName& name, const Kinds& kinds) const {
+    if (name.empty()) return nullptr;
+    const std::string text = name.text();
+    for (const Declaration* around = place.inside; around != nullptr; around = around->parent)
+        if (const Declaration* found = at(qualified(full_name(around), text), kinds, place.file, around)) return found;
+    if (place.file != nullptr) {
+        const Declaration* const own = at(qualified(place.file->package.text(), text), kinds, place.file);
+        // Files of no package that lie elsewhere may be another project's: what is imported from nearby goes first.
+        if (own != nullptr && !place.file->package.empty()) return own;
+        const std::size_t near = own == nullptr ? 0 : nearness(*place.file, *file_of(*own));
+        for (const Import& import : place.file->imports) {
+            const bool names_it = !import.wildcard && import.name.parts.back() == name.parts.front();
+            const std::string prefix = import.name.text();
+            const std::string full = import.wildcard ? qualified(prefix, text)
+                                     : names_it      ? prefix + text.substr(name.parts.front().size())
+                                                     : std::string();
+            if (full.empty()) continue;
+            const Declaration* const found = at(full, kinds, place.file);
+            if (found != nullptr && (own == nullptr || nearness(*place.file, *file_of(*found)) > near)) return found;
+        }
+        if (own != nullptr) return own;
+    }
+    return at(text, kinds, place.file);
+}
+
+std::vector<std::string> Names::candidates(const Kinds& kinds) const {
+    std::vector<std::string> result;
+    for (const auto& [simple, declarations] : by_simple_name_)
+        if (std::any_of(declarations.begin(), declarations.end(),
+                        [&](const Declaration* d) { return kinds.has(d->kind); }))
+            result.push_back(simple);
+    return result;
+}
+
+const Declaration* Names::anywhere(std::string_view simple_name, const Kinds& kinds) const {
+    const auto found = by_simple_name_.find(simple_name);
+    if (found == by_simple_name_.end()) return nullptr;
+    for (const Declaration* declaration : found->second)
+        if (kinds.has(declaration->kind)) return declaration;
+    return nullptr;
+}
+
+std::string Names::full_name(const Declaration* declaration) const {
+    const auto found = full_names_.find(declaration);
+    return found != full_names_.end() ? found->second : declaration->name;
+}
+
+bool Names::qualifies(const QualifiedName& name, const Declaration& member) const {
+    if (name.parts.size() < 2) return true;
+    const std::string full = "::" + qualified(full_name(member.parent), member.name);
+    return full.ends_with("::" + name.text());
+}
+
+bool Names::is_lost(const QualifiedName& name) const {
+    asked_lost_ = true;
+    if (lost_declarations_) return true;
+    return std::any_of(name.parts.begin(), name.parts.end(),
+                       [&](const std::string& part) { return part.starts_with('?') || lost_.contains(part); });
+}
+
+bool Names::has_package(const std::string& name) const {
+    return std::binary_search(packages_.begin(), packages_.end(), name);
+}
+
+bool Names::leads_to_package(const std::string& name) const {
+    if (has_package(name)) return true;
+    const auto inner = std::lower_bound(packages_.begin(), packages_.end(), name + "::");
+    return inner != packages_.end() && inner->starts_with(name + "::");
+}
+
+}  // namespace robochart::frontend

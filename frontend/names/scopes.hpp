@@ -1,0 +1,52 @@
+// What a component sees: its own declarations and those of its interfaces (language reference 1.3).
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frontend/syntax/ast.hpp"
+
+namespace robochart::frontend {
+
+/// The members visible in a context. The first declaration of a name wins; own ones come first.
+struct Scope {
+    std::map<std::string_view, const Variable*> variables;  ///< constants and parameters too
+    std::map<std::string_view, const Event*> events;
+    std::map<std::string_view, const Clock*> clocks;
+    std::map<std::string_view, const OperationSignature*> operations;
+};
+
+/// Members of a context whose interface clauses are resolved.
+[[nodiscard]] Scope scope_of(const Context& context);
+
+/// The interface of a clause; null if it was not found.
+[[nodiscard]] const Context* interface_of(const InterfaceClause& clause);
+/// The definition behind a reference; other declarations as they are. Null if it was not found.
+[[nodiscard]] const Declaration* follow(const Declaration* declaration);
+/// The same as the kind asked for, or null.
+template <class Kind>
+[[nodiscard]] const Kind* followed(const Declaration* declaration) {
+    return dynamic_cast<const Kind*>(follow(declaration));
+}
+/// The machine, operation, function or interface around a declaration; itself if it is one.
+[[nodiscard]] const Declaration* component_around(const Declaration* declaration);
+
+/// Own variables and those of used and required interfaces, in textual order.
+[[nodiscard]] std::vector<const Variable*> visible_variables(const Context& context);
+/// All variables of a platform: own ones and those of used and provided interfaces.
+[[nodiscard]] std::vector<const Variable*> offered_variables(const Context& platform);
+/// Variables and constants of required interfaces.
+[[nodiscard]] std::vector<const Variable*> required_variables(const Context& context);
+/// Operations of required interfaces.
+[[nodiscard]] std::vector<const OperationSignature*> required_operations(const Context& context);
+/// Operations of provided interfaces and own signatures.
+[[nodiscard]] std::vector<const OperationSignature*> provided_operations(const Context& context);
+/// Own events and those of its interfaces.
+[[nodiscard]] std::vector<const Event*> visible_events(const Context& context);
+
+/// Definitions of operations in a controller: inline ones and those of `opref`.
+[[nodiscard]] std::vector<const Machine*> defined_operations(const Component& controller);
+
+}  // namespace robochart::frontend

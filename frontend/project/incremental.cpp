@@ -1,0 +1,273 @@
+// See incremental.hpp. What is kept for a file is what resolving it would give again: it depends on its own text, on
+// what others let it see (`outside_of`), and on a few facts about the project, each of which is compared.
+#include "frontend/project/incremental.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "frontend/checks/checks.hpp"
+#include "frontend/project/tree_patch.hpp"
+#include "frontend/lint/lints.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/project/clear_resolution.hpp"
+#include "frontend/resolve/resolver.hpp"
+#include "frontend/syntax/file_visitor.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+using diagnostics::Diagnostic;
+using diagnostics::SourceId;
+using Findings = std::vector<Diagnostic>;
+
+/// What is known about a file.
+struct Known {
+    std::string outside;               ///< once it was asked for
+    Findings names;                    ///< of names and types
+    bool asked_lost = false;           ///< a name that was not found might have been in text that was not understood
+    std::optional<Findings> warnings;  ///< about its machines, each by itself; none if they were not looked for
+    bool changed = false;              ///< the tree is new
+};
+
+/// Names in text that was not understood: what refers to them is not reported.
+struct Lost {
+    std::set<std::string> names;
+    bool declarations = false;
+    bool operator==(const Lost&) const = default;
+};
+
+Lost lost_in(const Model& model) {
+    Lost lost;
+    for (const auto& file : model.files) {
+        lost.names.insert(file->lost_names.begin(), file->lost_names.end());
+        lost.declarations = lost.declarations || file->lost_declarations;
+    }
+    return lost;
+}
+
+/// Which declarations that others see have a mistake of syntax inside.
+void add_broken(const Declaration& declaration, std::string& out) {
+    out += declaration.broken ? '!' : '.';
+    const auto* component = dynamic_cast<const Component*>(&declaration);
+    if (component == nullptr) return;
+    for (const auto& part : component->platforms) add_broken(*part, out);
+    for (const auto& part : component->controllers) add_broken(*part, out);
+    for (const auto& part : component->machines) add_broken(*part, out);
+    for (const auto& part : component->operations) add_broken(*part, out);
+}
+
+std::string broken_in(const File& file) {
+    std::string out;
+    for (const auto& declaration : file.declarations) add_broken(*declaration, out);
+    return out;
+}
+
+bool has_components(const File& file) {
+    return std::any_of(file.declarations.begin(), file.declarations.end(), [](const auto& declaration) {
+        return dynamic_cast<const Component*>(declaration.get()) != nullptr;
+    });
+}
+
+/// Sizes of vectors name constants whose own types may not be known yet, depending on the order of files.
+struct SizeFinder {
+    bool found = false;
+    void visit(const TypeExpr& type) { found = found || !type.sizes.empty(); }
+    template <class Other>
+    void visit(const Other&) {}
+};
+
+bool has_sizes(File& file) {
+    SizeFinder finder;
+    Traversal(finder).file(file);
+    return finder.found;
+}
+
+bool points_into(const Findings& findings, const std::set<SourceId>& sources) {
+    return std::any_of(findings.begin(), findings.end(), [&](const Diagnostic& finding) {
+        const auto in = [&](const auto& each) { return sources.contains(each.span.source); };
+        return std::any_of(finding.notes.begin(), finding.notes.end(), in) ||
+               std::any_of(finding.fixes.begin(), finding.fixes.end(), in);
+    });
+}
+
+void report_again(const Findings& findings, Diagnostics& out) {
+    for (const Diagnostic& finding : findings) {
+        Diagnostic& again = out.report(*finding.rule, finding.span, finding.arguments);
+        again.notes = finding.notes;
+        again.fixes = finding.fixes;
+    }
+}
+
+/// Few enough that none was left out, nor any search for a mend.
+bool are_few(const Diagnostics& findings) {
+    return findings.errors() < Diagnostics::max_kept && findings.warnings() < Diagnostics::max_kept;
+}
+
+}  // namespace
+
+class Resolution::State {
+public:
+    void replace(std::unique_ptr<File>& place, std::unique_ptr<File> fresh);
+    void forget() {
+        known_.clear();
+        valid_ = false;
+    }
+    void resolve(Model& model, Diagnostics& out);
+    [[nodiscard]] std::size_t files_resolved() const { return files_resolved_; }
+
+private:
+    [[nodiscard]] bool must_begin_anew(const Model& model) const;
+    bool run(Model& model, Diagnostics& out);
+    [[nodiscard]] bool resolve_names(Model& model, const Names& names, const std::vector<File*>& files,
+                                     Diagnostics& out);
+    void warn(const Model& model, const Names& names, Diagnostics& out);
+
+    std::map<SourceId, Known> known_;
+    Lost lost_;
+    WrittenBy written_by_;
+    bool valid_ = false;           ///< everything is known of every file, as of the last `resolve`
+    bool many_ = false;            ///< the last time there were too many findings to keep
+    bool broken_changed_ = false;  ///< since then a declaration became broken, or whole
+    std::size_t files_resolved_ = 0;
+};
+
+void Resolution::State::replace(std::unique_ptr<File>& place, std::unique_ptr<File> fresh) {
+    const auto known = known_.find(fresh->source);
+    const auto looks_the_same = [&] {
+        std::string& outside = known->second.outside;
+        if (outside.empty()) outside = outside_of(*place);
+        return outside_of(*fresh) == outside && same_declarations(*place, *fresh);
+    };
+    const bool may_live_on = valid_ && known != known_.end() && looks_the_same();
+    if (!may_live_on) {
+        forget();
+        place = std::move(fresh);
+        return;
+    }
+    known->second.changed = true;
+    broken_changed_ = broken_changed_ || broken_in(*place) != broken_in(*fresh);
+    graft(*place, std::move(*fresh));
+}
+
+/// Is there a file that nothing is known of, or none that something is known of?
+bool Resolution::State::must_begin_anew(const Model& model) const {
+    return !valid_ || known_.size() != model.files.size() ||
+           std::any_of(model.files.begin(), model.files.end(),
+                       [&](const auto& file) { return !known_.contains(file->source); });
+}
+
+void Resolution::State::resolve(Model& model, Diagnostics& out) {
+    if (must_begin_anew(model)) forget();
+    Diagnostics found;
+    found.within(out.budget());
+    if (!many_ && run(model, found) && are_few(found)) {
+        valid_ = true;
+        report_again(found.sorted(), out);
+        return;
+    }
+    forget();
+    frontend::resolve(model, out);
+    files_resolved_ = model.files.size();
+    many_ = !are_few(out);
+}
+
+/// False if what is kept is not enough.
+bool Resolution::State::run(Model& model, Diagnostics& out) {
+    const bool anew = !valid_;
+    Lost lost = lost_in(model);
+    std::set<SourceId> changed;
+    for (const auto& [source, known] : known_)
+        if (known.changed) changed.insert(source);
+    std::vector<File*> files;
+    for (const auto& file : model.files) {
+        Known& known = known_[file->source];
+        known.changed = anew || known.changed || file->is_assertions || (known.asked_lost && lost != lost_) ||
+                        (broken_changed_ && has_components(*file)) || points_into(known.names, changed);
+        if (!anew && known.changed && !file->is_assertions && has_sizes(*file)) return false;
+        if (known.changed) files.push_back(file.get());
+        if (known.warnings && points_into(*known.warnings, changed)) known.warnings.reset();
+    }
+    lost_ = std::move(lost);
+    broken_changed_ = false;
+    files_resolved_ = files.size();
+    for (File* file : files) reset(*file);
+    const Names names(model);
+    if (!resolve_names(model, names, files, out)) return false;
+    check(model, names, out);
+    warn(model, names, out);
+    for (auto& [source, known] : known_) known.changed = false;
+    return true;
+}
+
+bool Resolution::State::resolve_names(Model& model, const Names& names, const std::vector<File*>& files,
+                                      Diagnostics& out) {
+    Diagnostics found;
+    found.within(out.budget());
+    Finder finder(names, found);
+    Resolver resolver(model, finder);
+    for (File* file : files) {
+        Known& known = known_[file->source];
+        resolver.headers(*file);
+        known.asked_lost = names.take_asked_lost();
+        known.names.clear();
+        known.warnings.reset();
+    }
+    for (File* file : files) {
+        resolver.bodies(*file);
+        known_[file->source].asked_lost |= names.take_asked_lost();
+    }
+    resolver.assertions();
+    for (Diagnostic& finding : found.sorted()) {
+        const auto known = known_.find(finding.span.source);
+        if (known == known_.end() || !known->second.changed) return false;
+        known->second.names.push_back(std::move(finding));
+    }
+    for (const auto& file : model.files) report_again(known_[file->source].names, out);
+    return true;
+}
+
+void Resolution::State::warn(const Model& model, const Names& names, Diagnostics& out) {
+    WrittenBy written_by = variables_written_by_operations(model);
+    const bool same_writers = written_by == written_by_;
+    written_by_ = std::move(written_by);
+    const bool whole = may_lint_project(model, out);
+    for (const auto& file : model.files) {
+        Known& known = known_[file->source];
+        if (!same_writers) known.warnings.reset();
+        if (!may_lint(*file, out)) continue;
+        if (!known.warnings) {
+            Diagnostics found;
+            found.within(out.budget());
+            lint_file(*file, names, written_by_, found);
+            known.warnings = found.sorted();
+        }
+        report_again(*known.warnings, out);
+    }
+    if (whole) lint_project(model, out);
+}
+
+Resolution::Resolution() : state_(std::make_unique<State>()) {}
+Resolution::~Resolution() = default;
+
+void Resolution::replace(std::unique_ptr<File>& place, std::unique_ptr<File> fresh) {
+    state_->replace(place, std::move(fresh));
+}
+
+void Resolution::forget() {
+    state_->forget();
+}
+
+void Resolution::resolve(Model& model, Diagnostics& out) {
+    state_->resolve(model, out);
+}
+
+std::size_t Resolution::files_resolved() const {
+    return state_->files_resolved();
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,310 @@
+// See occurrences.hpp. Resolution left the target of each name's last part in the tree; the parts before it are found
+// from there outwards, or along the path where references lie between (language reference 1.3).
+#include "frontend/project/occurrences.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "frontend/names/names.hpp"
+#include "frontend/names/scopes.hpp"
+#include "frontend/syntax/file_visitor.hpp"
+#include "frontend/types/types.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+const Kinds anything = {DeclKind::primitive_type, DeclKind::record_type, DeclKind::enumeration, DeclKind::enum_literal,
+                        DeclKind::function,       DeclKind::interface,   DeclKind::platform,    DeclKind::operation,
+                        DeclKind::state_machine,  DeclKind::controller,  DeclKind::module,      DeclKind::reference};
+
+template <class Items>
+void add_all(std::vector<const Declaration*>& list, const Items& items) {
+    for (const auto& item : items) list.push_back(&*item);
+}
+
+void add_context(std::vector<const Declaration*>& list, const Context& context) {
+    add_all(list, context.variables);
+    add_all(list, context.events);
+    add_all(list, context.clocks);
+    add_all(list, context.signatures);
+}
+
+/// What a part of a path stands for.
+struct Part {
+    const Declaration* target = nullptr;
+    std::string package;
+};
+
+/// Finds what each part of a qualified name stands for.
+class Paths {
+public:
+    explicit Paths(const Names& names) : names_(names) {}
+
+    [[nodiscard]] std::vector<Part> parts(const Place& place, const QualifiedName& name) const {
+        std::vector<Part> best;
+        for (const std::size_t packages : package_lengths(name)) {
+            std::vector<Part> found = along(place, name, packages);
+            if (known(found) > known(best) || best.empty()) best = std::move(found);
+        }
+        return best;
+    }
+
+    /// The same where the last part's target is known.
+    [[nodiscard]] std::vector<Part> parts(const Place& place, const QualifiedName& name,
+                                          const Declaration& target) const {
+        std::vector<Part> result(name.parts.size());
+        const Declaration* at = &target;
+        std::size_t left = name.parts.size();
+        while (left > 0 && at != nullptr && at->name == name.parts[left - 1]) {
+            result[--left].target = at;
+            at = at->parent;
+        }
+        if (left > 0 && (at != nullptr || !is_package(prefix(name, left)))) {
+            result = parts(place, name);
+            result.back() = {&target, {}};
+            return result;
+        }
+        for (std::size_t i = 0; i < left; ++i) result[i].package = prefix(name, i + 1);
+        return result;
+    }
+
+    [[nodiscard]] bool is_package(const std::string& text) const { return text == "core" || names_.has_package(text); }
+
+    [[nodiscard]] static std::string prefix(const QualifiedName& name, std::size_t length) {
+        std::string text;
+        for (std::size_t i = 0; i < length; ++i) text += (i > 0 ? "::" : "") + name.parts[i];
+        return text;
+    }
+
+private:
+    static std::size_t known(const std::vector<Part>& parts) {
+        return static_cast<std::size_t>(
+            std::count_if(parts.begin(), parts.end(), [](const Part& p) { return p.target || !p.package.empty(); }));
+    }
+
+    /// How many of the first parts may be a package: none first.
+    [[nodiscard]] std::vector<std::size_t> package_lengths(const QualifiedName& name) const {
+        std::vector<std::size_t> result{0};
+        for (std::size_t i = 1; i <= name.parts.size(); ++i)
+            if (is_package(prefix(name, i))) result.push_back(i);
+        return result;
+    }
+
+    [[nodiscard]] std::vector<Part> along(const Place& place, const QualifiedName& name, std::size_t packages) const {
+        std::vector<Part> result(name.parts.size());
+        for (std::size_t i = 0; i < packages; ++i) result[i].package = prefix(name, i + 1);
+        if (packages == name.parts.size()) return result;
+        QualifiedName first;
+        first.parts.assign(name.parts.begin(), name.parts.begin() + static_cast<std::ptrdiff_t>(packages) + 1);
+        const Declaration* at = names_.find(place, first, anything);
+        for (std::size_t i = packages; i < name.parts.size() && at != nullptr; ++i) {
+            if (i > packages) at = member_of(*at, name.parts[i]);
+            result[i].target = at;
+        }
+        return result;
+    }
+
+    const Names& names_;
+};
+
+class Collector {
+public:
+    Collector(const Names& names, std::vector<Occurrence>& out) : paths_(names), out_(out) {}
+
+    void file(const File& file) {
+        place_ = {&file, nullptr};
+        package(file.package, true);
+        Traversal traversal(*this);
+        traversal.file(file);
+    }
+
+    // Declarations
+
+    void visit(const Context& context) {
+        place_.inside = &context;
+        declared(context);
+    }
+    void visit(const TypeDeclaration& type) {
+        place_.inside = &type;
+        declared(type);
+    }
+    void visit(const Function& function) {
+        place_.inside = &function;
+        declared(function);
+    }
+    void visit(const EnumLiteral& literal) { declared(literal); }
+    void visit(const OperationSignature& signature) { declared(signature); }
+    void visit(const Clock& clock) { declared(clock); }
+    void visit(const Event& event) { declared(event); }
+    void visit(const State& state) { declared(state); }
+    void visit(const Variable& variable) { declared(variable, variable.initial ? Access::write : Access::none); }
+    void visit(const Reference& reference) {
+        declared(reference);
+        path(reference.target_name, reference.target);
+    }
+    void visit(const Transition& transition) {
+        declared(transition);
+        path(transition.from, transition.source);
+        path(transition.to, transition.target);
+        trigger_ = transition.trigger.get();
+        for (const Transition::Reset& reset : transition.resets) path(reset.name, reset.clock, Access::write);
+    }
+    void visit(const Connection& connection) {
+        for (const Connection::End* end : {&connection.from, &connection.to}) {
+            path(end->node, end->node_target);
+            path(end->event, end->event_target);
+        }
+    }
+
+    // Uses
+
+    void visit(const Import& import) {
+        place_.inside = nullptr;
+        const std::vector<Part> parts = paths_.parts(place_, import.name);
+        const bool declared = !parts.empty() && parts.back().target != nullptr;
+        declared ? path(import.name, parts.back().target) : package(import.name, false);  // it may name what is absent
+    }
+    void visit(const InterfaceClause& clause) { path(clause.name, clause.target); }
+    void visit(const TypeExpr& type) {
+        if (type.kind == TypeKind::variable) return add({type.name.span, NameKind::type_variable});
+        if (type.kind != TypeKind::name || type.name.empty()) return;
+        const bool is_core = type.type && type.type->declaration == nullptr;
+        if (!is_core) return path(type.name, type.target);
+        if (type.name.parts.size() > 1) add({type.name.spans.front(), NameKind::package, nullptr, "core"});
+        add({type.name.spans.back(), NameKind::core_type, type.target});
+    }
+    void visit(const Expr& expr) {
+        if (expr.name.empty()) return;
+        path(expr.name, expr.target, &expr == written_ ? Access::write : Access::read);
+        if (expr.kind == ExprKind::record) fields(expr);
+    }
+    void visit(const Communication& communication) {
+        const bool receives = communication.kind == CommKind::input || &communication == trigger_;
+        path(communication.event, communication.event_target, receives ? Access::read : Access::write);
+        path(communication.variable, communication.variable_target, Access::write);
+        path(communication.from_variable, communication.from_target, Access::write);
+    }
+    void visit(const Stmt& statement) {
+        if (statement.kind == StmtKind::assignment) written_ = root(statement.target.get());
+        path(statement.name, statement.declaration,
+             statement.kind == StmtKind::clock_reset ? Access::write : Access::none);
+    }
+
+    // Assertions
+
+    void visit(const Assertion& assertion) {
+        place_.inside = nullptr;
+        add({assertion.name_span, NameKind::assertion, nullptr, assertion.name, true});
+        path(assertion.subject, nullptr);
+        path(assertion.other, nullptr);
+    }
+    void visit(const AssertionParameter& parameter) {
+        path(parameter.context, nullptr);
+        const std::vector<Part> around = paths_.parts(place_, parameter.context);
+        const Declaration* owner = around.empty() ? nullptr : around.back().target;
+        const Declaration* target = parameter.target;
+        if (target == nullptr && owner != nullptr && !parameter.name.empty())
+            target = member_of(*owner, parameter.name.parts.back());
+        path(parameter.name, target);
+    }
+    void visit(const CspBlock& block) {
+        add({block.name_span, NameKind::process, nullptr, block.name, true});
+        for (const QualifiedName& name : block.associated) path(name, nullptr);
+    }
+
+private:
+    void add(Occurrence occurrence) {
+        if (occurrence.span.known()) out_.push_back(std::move(occurrence));
+    }
+
+    void declared(const Declaration& declaration, Access access = Access::none) {
+        add({declaration.name_span, NameKind::declaration, &declaration, {}, true, access});
+    }
+
+    void package(const QualifiedName& name, bool declares) {
+        for (std::size_t i = 0; i < name.spans.size(); ++i)
+            add({name.spans[i], NameKind::package, nullptr, Paths::prefix(name, i + 1), declares});
+    }
+
+    void path(const QualifiedName& name, const Declaration* target, Access access = Access::none) {
+        if (name.empty()) return;
+        const std::vector<Part> parts =
+            target != nullptr ? paths_.parts(place_, name, *target) : paths_.parts(place_, name);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const bool last = i + 1 == parts.size();
+            const Part& part = parts[i];
+            if (part.target != nullptr)
+                add({name.spans[i], NameKind::declaration, part.target, {}, false, last ? access : Access::none});
+            else if (!part.package.empty())
+                add({name.spans[i], NameKind::package, nullptr, part.package});
+            else
+                add({name.spans[i], place_.file->is_assertions ? NameKind::process : NameKind::unknown, nullptr,
+                     name.parts[i]});
+        }
+    }
+
+    void fields(const Expr& literal) {
+        for (const Binding& binding : literal.bindings) {
+            const Declaration* field =
+                literal.target != nullptr ? member_of(*literal.target, binding.variable->name) : nullptr;
+            add({binding.variable->name_span, field != nullptr ? NameKind::declaration : NameKind::unknown, field});
+        }
+    }
+
+    static const Expr* root(const Expr* expr) {
+        while (expr != nullptr && (expr->kind == ExprKind::member || expr->kind == ExprKind::index))
+            expr = expr->args[0].get();
+        return expr;
+    }
+
+    Paths paths_;
+    std::vector<Occurrence>& out_;
+    Place place_;
+    const Communication* trigger_ = nullptr;
+    const Expr* written_ = nullptr;
+};
+
+}  // namespace
+
+std::vector<const Declaration*> members_of(const Declaration& declaration) {
+    std::vector<const Declaration*> list;
+    const Declaration* behind = follow(&declaration);
+    if (const auto* type = dynamic_cast<const TypeDeclaration*>(behind)) {
+        add_all(list, type->fields);
+        add_all(list, type->literals);
+    }
+    if (const auto* component = dynamic_cast<const Component*>(behind))
+        list.insert(list.end(), component->order.begin(), component->order.end());
+    if (const auto* machine = dynamic_cast<const Machine*>(behind)) add_all(list, machine->parameters);
+    if (const auto* container = dynamic_cast<const NodeContainer*>(behind)) {
+        add_all(list, container->nodes);
+        add_all(list, container->transitions);
+    }
+    if (const auto* context = dynamic_cast<const Context*>(behind)) {
+        add_context(list, *context);
+        for (const InterfaceClause& clause : context->interfaces)
+            if (const Context* interface = interface_of(clause)) add_context(list, *interface);
+    }
+    return list;
+}
+
+const Declaration* member_of(const Declaration& declaration, std::string_view name) {
+    for (const Declaration* member : members_of(declaration))
+        if (member->name == name) return member;
+    return nullptr;
+}
+
+std::vector<Occurrence> occurrences(const Model& model) {
+    const Names names(model);
+    std::vector<Occurrence> result;
+    Collector collector(names, result);
+    for (const auto& file : model.files)
+        if (!file->is_library) collector.file(*file);
+    const auto place = [](const Occurrence& o) { return std::make_tuple(o.span.source, o.span.begin, o.span.end); };
+    std::stable_sort(result.begin(), result.end(),
+                     [&](const Occurrence& a, const Occurrence& b) { return place(a) < place(b); });
+    return result;
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,217 @@
+// From a path to a resolved model. A folder is a project. A single file brings the files beside it that it needs.
+#include "frontend/project/project.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "frontend/syntax/lexer.hpp"
+#include "frontend/syntax/parse.hpp"
+#include "frontend/toolkits/toolkits.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+#include "diagnostics/files.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+namespace fs = std::filesystem;
+using diagnostics::Diagnostics;
+using diagnostics::SourceManager;
+
+bool is_model(const fs::path& path) {
+    return path.extension() == ".rct";
+}
+bool is_assertions(const fs::path& path) {
+    return path.extension() == ".assertions";
+}
+bool is_ours(const fs::path& path) {
+    return is_model(path) || is_assertions(path);
+}
+
+/// Model and assertion files of a folder, sorted. Where a folder cannot be read, nobody knows what is missing.
+std::vector<fs::path> files_of(const fs::path& folder, bool deep, Diagnostics& out) {
+    const diagnostics::FilesBelow found = diagnostics::files_below(folder.string(), deep);
+    for (const auto& [path, cause] : found.unreadable) out.report(syntax::unreadable, {}, {path, cause});
+    std::vector<fs::path> result;
+    for (const std::string& file : found.files)
+        if (is_ours(file)) result.emplace_back(file);
+    return result;
+}
+
+std::unique_ptr<File> read(SourceManager& sources, const fs::path& path, Diagnostics& out) {
+    std::string error;
+    const auto source = sources.load(path.string(), error);
+    if (!source) {
+        out.report(syntax::unreadable, {}, {path.string(), error});
+        return nullptr;
+    }
+    return parse(sources, *source, is_assertions(path), out);
+}
+
+bool is_empty(const File& file) {
+    return !file.has_syntax_errors && file.declarations.empty() && file.assertions.empty() && file.csp_blocks.empty() &&
+           file.verbatim.empty() && file.imports.empty() && file.package.empty();
+}
+
+/// A file beside the named one, and what decides whether it is needed.
+struct Neighbour {
+    fs::path path;
+    bool readable = false;
+    std::string package;
+    std::set<std::string> declares;
+    std::set<std::string> mentions;
+    std::set<std::string> imports;
+};
+
+Neighbour survey(const fs::path& path) {
+    SourceManager sources;
+    Diagnostics ignored;  // a file that is needed is read again, and reported then
+    Neighbour result;
+    result.path = path;
+    const auto file = read(sources, path, ignored);
+    if (!file) return result;
+    result.readable = true;
+    result.package = file->package.text();
+    for (const auto& declaration : file->declarations) {
+        result.declares.insert(declaration->name);
+        if (const auto* type = dynamic_cast<const TypeDeclaration*>(declaration.get()))
+            for (const auto& literal : type->literals) result.declares.insert(literal->name);
+    }
+    for (const Import& import : file->imports) {
+        result.imports.insert(import.name.text());
+        QualifiedName owner = import.name;
+        owner.parts.pop_back();
+        if (!import.wildcard && !owner.empty()) result.imports.insert(owner.text());
+    }
+    for (const Token& token : tokenize(sources, file->source, is_assertions(path), ignored).tokens)
+        if (token.kind == TokenKind::identifier) result.mentions.emplace(token.text);
+    return result;
+}
+
+bool overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
+    return std::any_of(a.begin(), a.end(), [&](const std::string& x) { return b.contains(x); });
+}
+
+/// Does a chosen file need the candidate? By import, by package, or because it mentions what only the candidate has.
+bool needs(const Neighbour& chosen, const Neighbour& candidate, const std::set<std::string>& declared) {
+    if (is_assertions(candidate.path)) return false;
+    if (!candidate.package.empty() && chosen.package == candidate.package) return true;
+    if (chosen.imports.contains(candidate.package)) return true;
+    const std::string first_part = candidate.package.substr(0, candidate.package.find("::"));
+    if (!first_part.empty() && !chosen.mentions.contains(first_part)) return false;
+    std::set<std::string> only_there;
+    std::set_difference(candidate.declares.begin(), candidate.declares.end(), declared.begin(), declared.end(),
+                        std::inserter(only_there, only_there.end()));
+    return overlap(only_there, chosen.mentions);
+}
+
+/// The named file and, transitively, what it needs of its folder. Assertion files of the folder are about the project
+/// of a named model; a named assertion file stands alone.
+std::vector<fs::path> closure(const fs::path& named, Diagnostics& out) {
+    std::vector<Neighbour> open;
+    const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");
+    for (const fs::path& path : files_of(folder, false, out))
+        if (path.filename() != named.filename()) open.push_back(survey(path));
+    std::vector<Neighbour> chosen{survey(named)};
+    std::set<std::string> declared = chosen.front().declares;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        for (std::size_t k = 0; k < open.size();) {
+            if (!needs(chosen[i], open[k], declared)) {
+                ++k;
+                continue;
+            }
+            declared.insert(open[k].declares.begin(), open[k].declares.end());
+            chosen.push_back(std::move(open[k]));
+            open.erase(open.begin() + static_cast<std::ptrdiff_t>(k));
+            k = 0;
+        }
+    std::vector<fs::path> result;
+    for (const Neighbour& file : chosen) result.push_back(file.path);
+    if (!is_assertions(named))
+        for (const Neighbour& other : open)
+            if (is_assertions(other.path) && (!other.readable || overlap(other.mentions, chosen.front().declares)))
+                result.push_back(other.path);
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+/// The files that one input stands for; what is missing is reported.
+std::vector<fs::path> files_of_input(const std::string& path, Diagnostics& out) {
+    std::error_code code;
+    const bool is_folder = fs::is_directory(path, code);
+    if (!is_folder && !fs::exists(path, code)) {
+        out.report(syntax::unreadable, {}, {path, "no such file or folder"});
+        return {};
+    }
+    const std::size_t errors = out.errors();
+    std::vector<fs::path> result = is_folder ? files_of(path, true, out) : closure(path, out);
+    if (result.empty() && out.errors() == errors) out.report(syntax::no_files, {}, {path});
+    return result;
+}
+
+/// The files of all inputs, each once however it is named.
+std::vector<fs::path> files_of_inputs(const std::vector<std::string>& inputs, Diagnostics& out) {
+    std::vector<fs::path> result;
+    std::set<fs::path> seen;
+    for (const std::string& input : inputs)
+        for (fs::path& path : files_of_input(input, out)) {
+            std::error_code code;
+            const fs::path canonical = fs::weakly_canonical(path, code);
+            if (seen.insert(code ? path : canonical).second) result.push_back(std::move(path));
+        }
+    return result;
+}
+
+void report_empty(const File& file, const SourceManager& sources, Diagnostics& out) {
+    if (is_empty(file)) out.report(syntax::empty_file, {file.source, 0, 0}, {sources.path(file.source)});
+}
+
+}  // namespace
+
+std::vector<std::string> project_files(const std::string& folder, bool deep) {
+    std::vector<std::string> result;
+    Diagnostics ignored;  // an editor goes on with what there is
+    for (const fs::path& path : files_of(folder, deep, ignored)) result.push_back(path.string());
+    return result;
+}
+
+void update_toolkits(SourceManager& sources, Model& model, Diagnostics& out) {
+    add_toolkits(sources, model, out);
+}
+
+std::unique_ptr<Model> load_texts(SourceManager& sources, const std::vector<diagnostics::SourceId>& texts,
+                                  Diagnostics& out) {
+    auto model = std::make_unique<Model>();
+    for (const diagnostics::SourceId text : texts) {
+        model->files.push_back(parse(sources, text, is_assertions(sources.path(text)), out));
+        report_empty(*model->files.back(), sources, out);
+    }
+    add_toolkits(sources, *model, out);
+    resolve(*model, out);
+    return model;
+}
+
+std::unique_ptr<Model> load_project(SourceManager& sources, const std::vector<std::string>& inputs, Diagnostics& out) {
+    auto model = std::make_unique<Model>();
+    const std::vector<fs::path> paths = files_of_inputs(inputs, out);
+    if (paths.empty()) return model;
+    for (const fs::path& each : paths)
+        if (auto file = read(sources, each, out)) model->files.push_back(std::move(file));
+    const bool nothing = std::all_of(model->files.begin(), model->files.end(), [](const auto& file) {
+        return file->declarations.empty() && !file->has_syntax_errors;
+    });
+    if (nothing && !model->files.empty())
+        out.report(syntax::empty_input, {model->files.front()->source, 0, 0}, {inputs.front()});
+    if (!nothing)
+        for (const auto& file : model->files) report_empty(*file, sources, out);
+    add_toolkits(sources, *model, out);
+    resolve(*model, out);
+    return model;
+}
+
+std::unique_ptr<Model> load_project(SourceManager& sources, const std::string& path, Diagnostics& out) {
+    return load_project(sources, std::vector<std::string>{path}, out);
+}
+
+}  // namespace robochart::frontend

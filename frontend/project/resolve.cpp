@@ -1,0 +1,75 @@
+// Resolution as a whole: names, then types, then rules. A declaration with a mistake of syntax in it is not held to the
+// rules, since what seems absent may just not have been understood; nor is anything held to rules about others while
+// some file could not be read completely.
+#include <algorithm>
+
+#include "frontend/checks/checks.hpp"
+#include "frontend/lint/lints.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/project/clear_resolution.hpp"
+#include "frontend/resolve/resolver.hpp"
+#include "frontend/rules/rules.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// Rules that look into the declaration alone.
+void check_inside(const Declaration& declaration, Diagnostics& out) {
+    if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declaration)) check_type(*type, out);
+    if (const auto* machine = dynamic_cast<const Machine*>(&declaration)) {
+        check_nodes(*machine, out);
+        check_time(*machine, out);
+    }
+}
+
+/// `whole`: every file was understood.
+void check(const Declaration& declaration, bool whole, Diagnostics& out) {
+    out.poll();
+    if (!declaration.broken) check_inside(declaration, out);
+    const auto* context = dynamic_cast<const Context*>(&declaration);
+    if (context != nullptr && whole) check_component(*context, out);
+    const auto* component = dynamic_cast<const Component*>(&declaration);
+    if (component == nullptr) return;
+    for (const auto& part : component->platforms) check(*part, whole, out);
+    for (const auto& part : component->controllers) check(*part, whole, out);
+    for (const auto& part : component->machines) check(*part, whole, out);
+    for (const auto& part : component->operations) check(*part, whole, out);
+    if (!whole) return;
+    check_provision(*component, out);
+    check_connections(*component, out);
+    check_directions(*component, out);
+}
+
+}  // namespace
+
+void check_kept(const File& file, Diagnostics& out) {
+    for (const KeptPart& part : file.kept) {
+        if (!part.probabilistic) continue;
+        if (part.claims) out.report(rules::probabilistic_claim, part.span, {part.name, part.form});
+        else out.report(rules::probabilistic_part, part.span, {part.form + (part.name.empty() ? "" : " " + part.name)});
+    }
+}
+
+void check(const Model& model, const Names& names, Diagnostics& out) {
+    check_unique(model, names, out);
+    check_imports(model, names, out);
+    const bool whole =
+        std::none_of(model.files.begin(), model.files.end(), [](const auto& file) { return file->has_syntax_errors; });
+    for (const auto& file : model.files) {
+        check_unique(*file, out);
+        check_kept(*file, out);
+        for (const auto& declaration : file->declarations) check(*declaration, whole, out);
+    }
+}
+
+void resolve(Model& model, diagnostics::Diagnostics& out) {
+    reset(model);
+    const Names names(model);
+    Finder finder(names, out);
+    Resolver(model, finder).run();
+    check(model, names, out);
+    lint(model, names, out);
+}
+
+}  // namespace robochart::frontend

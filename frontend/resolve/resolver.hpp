@@ -1,0 +1,62 @@
+// Filling the tree: what every name stands for and every type (private to the front end).
+#pragma once
+
+#include "frontend/types/typer.hpp"
+
+namespace robochart::frontend {
+
+class Resolver {
+public:
+    Resolver(Model& model, Finder& finder) : model_(model), finder_(finder), typer_(finder) {}
+    void run();
+
+    // The same in parts: headers of all files come before any bodies, assertions last.
+    void headers(File& file) { each(file, &Resolver::header); }
+    void bodies(File& file) { each(file, &Resolver::body); }
+    void assertions();
+
+private:
+    // Declarations (resolver.cpp)
+    void each(File& file, void (Resolver::*visit)(File&, Declaration&));
+    void each_part(File& file, Declaration& declaration, void (Resolver::*visit)(File&, Declaration&));
+    void header(File& file, Declaration& declaration);
+    void body(File& file, Declaration& declaration);
+    void type_header(File& file, TypeDeclaration& type);
+    void function_header(File& file, Function& function);
+    void context_header(File& file, Context& context);
+    void variable_type(Variable& variable, Surroundings& around);
+    void parameter_types(std::vector<VariablePtr>& parameters, Surroundings& around);
+    void references(File& file, Component& component);
+    void sizes(Context& context, Surroundings& around);
+
+    // Bodies (resolver_bodies.cpp)
+    void function_body(File& file, Function& function);
+    void context_body(File& file, Context& context);
+    void machine_body(Machine& machine, Surroundings& around);
+    void container(NodeContainer& container, const Machine& machine, Surroundings& around);
+    /// The nodes of a container; of several with one name the first.
+    using NodeNames = std::map<std::string_view, const State*>;
+    void transition(Transition& transition, const NodeNames& names, const Machine& machine, Surroundings& around);
+    const State* node(const QualifiedName& name, const Transition& transition, std::string_view role,
+                      const NodeNames& names, const Machine& machine);
+    void connections(Component& component);
+    /// The parts of a component by name, and the scopes of those looked into so far (never in order of pointers).
+    struct Ends {
+        const Component& component;
+        std::map<std::string_view, const Declaration*> parts;
+        std::map<const Context*, Scope> scopes;
+    };
+    void connection_end(Connection::End& end, Ends& ends);
+    void connection_event(Connection::End& end, Ends& ends);
+    void wrong_node(Connection::End& end, const Ends& ends);
+
+    Model& model_;
+    Finder& finder_;
+    Typer typer_;
+};
+
+/// Assertions and csp blocks: components along paths, states, clocks, constants (resolver_assertions.cpp). Comes after
+/// the declarations of all files.
+void resolve_assertions(Model& model, Finder& finder, Typer& typer);
+
+}  // namespace robochart::frontend

@@ -1,0 +1,454 @@
+// Assertions and csp blocks (assertion language 4): names of components are paths through references,
+// `Module::controller_ref::machine_ref::State`; a csp block's name goes before.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "diagnostics/spelling.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/resolve/resolver.hpp"
+#include "frontend/rules/rules.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+const Kinds component_kinds = {DeclKind::module, DeclKind::controller, DeclKind::state_machine, DeclKind::operation};
+const Kinds other_kinds = {DeclKind::interface,   DeclKind::platform, DeclKind::primitive_type,
+                           DeclKind::record_type, DeclKind::function, DeclKind::enumeration};
+
+/// A path with the number of parts of the name that it took.
+struct Way {
+    ComponentPath path;
+    std::size_t used = 0;
+
+    [[nodiscard]] const Declaration* end() const { return path.steps.empty() ? nullptr : path.steps.back(); }
+};
+
+QualifiedName first_parts(const QualifiedName& name, std::size_t count) {
+    QualifiedName result;
+    const auto n = static_cast<std::ptrdiff_t>(count);
+    result.parts.assign(name.parts.begin(), name.parts.begin() + n);
+    result.spans.assign(name.spans.begin(), name.spans.begin() + n);
+    result.span = name.span;
+    return result;
+}
+
+bool is_component(const Declaration* part) {
+    const Declaration* behind = follow(part);
+    return behind != nullptr && component_kinds.has(behind->kind);
+}
+
+/// A part of a module or controller: by its own name, else by the name of what is behind a reference if that is plain.
+const Declaration* part_of(const Declaration* whole, const std::string& name) {
+    const auto* component = followed<Component>(whole);
+    if (component == nullptr) return nullptr;
+    const Declaration* by_definition = nullptr;
+    for (const Declaration* part : component->order) {
+        if (!is_component(part)) continue;
+        if (part->name == name) return part;
+        const Declaration* behind = follow(part);
+        const bool process = behind->kind == DeclKind::operation && name == "OP_" + behind->name;
+        if (behind->name != name && !process) continue;
+        if (by_definition != nullptr) return nullptr;
+        by_definition = part;
+    }
+    return by_definition;
+}
+
+bool is_platform_of(const Declaration* whole, const std::string& name) {
+    const auto* module = followed<Component>(whole);
+    return module != nullptr && std::any_of(module->order.begin(), module->order.end(), [&](const Declaration* part) {
+               const Declaration* behind = follow(part);
+               return part->name == name && behind != nullptr && behind->kind == DeclKind::platform;
+           });
+}
+
+/// The state or final state that the parts of a name from `at` on lead to; null if there is none.
+const State* state_at(const NodeContainer& top, const QualifiedName& name, std::size_t at) {
+    const NodeContainer* container = &top;
+    const State* state = nullptr;
+    for (std::size_t i = at; i < name.parts.size(); ++i) {
+        const auto& nodes = container->nodes;
+        const auto found =
+            std::find_if(nodes.begin(), nodes.end(), [&](const auto& node) { return node->name == name.parts[i]; });
+        if (found == nodes.end()) return nullptr;
+        state = found->get();
+        container = state;
+    }
+    const bool fits = state != nullptr && (state->kind == DeclKind::state || state->kind == DeclKind::final);
+    return fits ? state : nullptr;
+}
+
+/// Every path from a component down to a machine.
+void add_instances(const ComponentPath& above, const Machine& machine, std::vector<ComponentPath>& found) {
+    if (follow(above.steps.back()) == &machine) return found.push_back(above);
+    const auto* component = followed<Component>(above.steps.back());
+    if (component == nullptr) return;
+    for (const Declaration* part : component->order) {
+        if (!is_component(part)) continue;
+        ComponentPath below = above;
+        below.steps.push_back(part);
+        add_instances(below, machine, found);
+    }
+}
+
+void collect_states(const NodeContainer& container, std::vector<std::string>& names) {
+    for (const auto& node : container.nodes) {
+        if (node->kind == DeclKind::state || node->kind == DeclKind::final) names.push_back(node->name);
+        collect_states(*node, names);
+    }
+}
+
+class AssertionResolver {
+public:
+    AssertionResolver(Model& model, Finder& finder, Typer& typer) : model_(model), finder_(finder), typer_(typer) {}
+
+    void run(File& file);
+
+private:
+    void assertion(Assertion& assertion);
+    void reachable(Assertion& assertion);
+    bool find_state(Assertion& assertion);
+    void clock(Assertion& assertion);
+    void parameter(AssertionParameter& parameter);
+    [[nodiscard]] const Variable* constant(const AssertionParameter& parameter, const Declaration& context);
+    void value(AssertionParameter& parameter);
+    void report_repeated(const Assertion& assertion);
+    void report_open(const Assertion& assertion, const ComponentPath& path, const QualifiedName& name);
+
+    [[nodiscard]] Way walk(Way from, const QualifiedName& name, std::size_t at) const;
+    [[nodiscard]] Way way(const QualifiedName& name) const;
+    [[nodiscard]] const Declaration* in_some_package(const std::string& name) const;
+    [[nodiscard]] const CspBlock* process(const std::string& name) const;
+    ComponentPath component(const QualifiedName& name, bool processes);
+    ComponentPath context(const QualifiedName& name);
+    void unknown(const QualifiedName& name, const Way& way);
+    void unknown_part(const QualifiedName& name, const Way& way);
+    [[nodiscard]] std::vector<std::string> known_names() const;
+
+    Model& model_;
+    Finder& finder_;
+    Typer& typer_;
+    const File* file_ = nullptr;
+    std::set<const Declaration*> told_open_;  ///< RC-Q08 once for each component of a file
+};
+
+// ---------------------------------------------------------------- paths
+
+Way AssertionResolver::walk(Way from, const QualifiedName& name, std::size_t at) const {
+    from.used = at;
+    while (from.used < name.parts.size()) {
+        const Declaration* part = part_of(from.end(), name.parts[from.used]);
+        if (part == nullptr) break;
+        from.path.steps.push_back(part);
+        ++from.used;
+    }
+    return from;
+}
+
+/// The way that the longest beginning of a name leads, from the file's package, its imports, unnamed packages or a
+/// package that is written in front; else from any package, if there is one component of the name.
+Way AssertionResolver::way(const QualifiedName& name) const {
+    Way best;
+    const auto try_top = [&](const Declaration* top, std::size_t parts) {
+        if (top == nullptr) return;
+        Way found = walk({{{top}, nullptr}, 0}, name, parts);
+        if (found.used > best.used) best = std::move(found);
+    };
+    const std::size_t most = std::min(name.parts.size(), finder_.names().most_parts());
+    for (std::size_t parts = 1; parts <= most; ++parts)
+        try_top(finder_.names().find({file_, nullptr}, first_parts(name, parts), component_kinds), parts);
+    if (best.used == 0 && !name.empty()) try_top(in_some_package(name.parts.front()), 1);
+    return best;
+}
+
+const Declaration* AssertionResolver::in_some_package(const std::string& name) const {
+    const Declaration* found = nullptr;
+    for (const auto& file : model_.files)
+        for (const auto& declaration : file->declarations) {
+            if (declaration->name != name || !component_kinds.has(declaration->kind)) continue;
+            if (found != nullptr) return nullptr;
+            found = declaration.get();
+        }
+    return found;
+}
+
+/// The block of the file itself, else of another. Files are scopes of their own: several may have one of the name.
+const CspBlock* AssertionResolver::process(const std::string& name) const {
+    const auto in = [&](const File& file) {
+        const auto found = std::find_if(file.csp_blocks.begin(), file.csp_blocks.end(),
+                                        [&](const CspBlock& block) { return block.name == name; });
+        return found == file.csp_blocks.end() ? nullptr : &*found;
+    };
+    if (const CspBlock* block = in(*file_)) return block;
+    for (const auto& file : model_.files)
+        if (const CspBlock* block = in(*file)) return block;
+    return nullptr;
+}
+
+ComponentPath AssertionResolver::component(const QualifiedName& name, bool processes) {
+    if (processes)
+        if (const CspBlock* block = process(name.text())) return {{}, block};
+    Way found = way(name);
+    if (found.used == name.parts.size()) return std::move(found.path);
+    unknown(name, found);
+    return {};
+}
+
+/// What constants belong to: the platform of a module stands for the module.
+ComponentPath AssertionResolver::context(const QualifiedName& name) {
+    Way found = way(name);
+    const bool all_but_one = found.used + 1 == name.parts.size() && found.used > 0;
+    if (all_but_one && is_platform_of(found.end(), name.parts.back())) return std::move(found.path);
+    return component(name, false);
+}
+
+// ---------------------------------------------------------------- what is not there
+
+std::vector<std::string> AssertionResolver::known_names() const {
+    std::vector<std::string> names = finder_.candidates(component_kinds);
+    for (const auto& file : model_.files)
+        for (const CspBlock& block : file->csp_blocks) names.push_back(block.name);
+    return names;
+}
+
+void AssertionResolver::unknown(const QualifiedName& name, const Way& way) {
+    if (way.used > 0) return unknown_part(name, way);
+    if (const Declaration* other = finder_.names().find({file_, nullptr}, name, other_kinds)) {
+        finder_.out()
+            .report(rules::not_a_component, name.span, {name.text(), std::string(to_text(other->kind))})
+            .notes.push_back({other->name_span, "it is declared here"});
+        return;
+    }
+    // The first part after a package is the one that is wrong.
+    std::size_t wrong = 0;
+    for (std::size_t parts = 1; parts < std::min(name.parts.size(), finder_.names().most_parts() + 1); ++parts)
+        if (finder_.names().has_package(first_parts(name, parts).text())) wrong = parts;
+    auto& finding =
+        finder_.out().report(rules::unknown_component, name.span, {"component or csp process", name.text(), ""});
+    const std::string meant = diagnostics::nearest(name.parts[wrong], known_names());
+    if (!meant.empty()) finding.fixes.push_back({name.spans[wrong], meant, diagnostics::suggested(false)});
+}
+
+void AssertionResolver::unknown_part(const QualifiedName& name, const Way& way) {
+    const Declaration* behind = follow(way.end());
+    if (const auto* machine = dynamic_cast<const Machine*>(behind))
+        if (const State* state = state_at(*machine, name, way.used)) {
+            finder_.out()
+                .report(rules::not_a_component, name.span, {name.text(), std::string(to_text(state->kind))})
+                .notes.push_back({state->name_span, "it is declared here"});
+            return;
+        }
+    const std::string where = fmt::format(" in {} `{}`", to_text(behind->kind), behind->name);
+    auto& finding = finder_.out().report(rules::unknown_component, name.span, {"part", name.parts[way.used], where});
+    std::vector<std::string> candidates;
+    if (const auto* component = dynamic_cast<const Component*>(behind))
+        for (const Declaration* part : component->order)
+            if (is_component(part)) candidates.push_back(part->name);
+    const std::string meant = diagnostics::nearest(name.parts[way.used], candidates);
+    if (!meant.empty()) finding.fixes.push_back({name.spans[way.used], meant, diagnostics::suggested(false)});
+    finding.notes.push_back({behind->name_span, fmt::format("`{}` is declared here", behind->name)});
+}
+
+// ---------------------------------------------------------------- states and clocks
+
+/// The name may be relative to the subject, a full path through it, or a path through the definition of one of its
+/// parts.
+bool AssertionResolver::find_state(Assertion& assertion) {
+    const QualifiedName& name = assertion.other;
+    const auto take = [&](const ComponentPath& path, std::size_t used) {
+        const auto* machine = followed<Machine>(path.steps.back());
+        if (machine == nullptr) return false;
+        assertion.state = state_at(*machine, name, used);
+        if (assertion.state != nullptr) assertion.other_path = path;
+        return assertion.state != nullptr;
+    };
+    const ComponentPath& subject = assertion.subject_path;
+    const Way relative = walk({subject, 0}, name, 0);
+    if (take(relative.path, relative.used)) return true;
+    const Way absolute = way(name);
+    if (absolute.end() == nullptr) return false;
+    const auto& steps = absolute.path.steps;
+    const bool through_subject =
+        steps.size() >= subject.steps.size() && std::equal(subject.steps.begin(), subject.steps.end(), steps.begin());
+    if (through_subject) return take(absolute.path, absolute.used);
+    const auto* machine = followed<Machine>(absolute.end());
+    std::vector<ComponentPath> instances;
+    if (machine != nullptr) add_instances(subject, *machine, instances);
+    return instances.size() == 1 && take(instances.front(), absolute.used);
+}
+
+void AssertionResolver::reachable(Assertion& assertion) {
+    if (assertion.subject_path.process != nullptr) {
+        finder_.out().report(rules::no_state, assertion.other.span,
+                             {assertion.other.text(), assertion.subject.text(), ", which is a csp process"});
+        return;
+    }
+    if (assertion.subject_path.steps.empty() || find_state(assertion)) return;
+    auto& finding = finder_.out().report(rules::no_state, assertion.other.span,
+                                         {assertion.other.text(), assertion.subject.text(), ""});
+    std::vector<std::string> candidates;
+    if (const auto* machine = followed<Machine>(assertion.subject_path.steps.back()))
+        collect_states(*machine, candidates);
+    const std::string meant = diagnostics::nearest(assertion.other.parts.back(), candidates);
+    if (!meant.empty()) finding.fixes.push_back({assertion.other.spans.back(), meant, diagnostics::suggested(false)});
+}
+
+/// `clock X::S::C is initialised`
+void AssertionResolver::clock(Assertion& assertion) {
+    const QualifiedName& name = assertion.other;
+    const Way found = way(name);
+    const auto* machine = followed<Machine>(found.end());
+    std::vector<std::string> candidates;
+    if (machine != nullptr && found.used + 1 == name.parts.size()) {
+        const Scope scope = scope_of(*machine);
+        const auto clock = scope.clocks.find(name.parts.back());
+        if (clock != scope.clocks.end()) {
+            assertion.other_path = found.path;
+            assertion.clock = clock->second;
+            return;
+        }
+        candidates = finder_.keys(scope.clocks);
+    }
+    auto& finding = finder_.out().report(rules::no_clock, name.span, {name.text()});
+    const std::string meant = diagnostics::nearest(name.parts.back(), candidates);
+    if (!meant.empty()) finding.fixes.push_back({name.spans.back(), meant, diagnostics::suggested(false)});
+}
+
+// ---------------------------------------------------------------- constants
+
+std::vector<const Variable*> constants_of(const Declaration& context) {
+    std::vector<const Variable*> all;
+    if (const auto* component = dynamic_cast<const Component*>(&context);
+        component != nullptr && component->kind == DeclKind::module) {
+        for (const Declaration* part : component->order)
+            if (const auto* platform = followed<Context>(part);
+                platform != nullptr && platform->kind == DeclKind::platform)
+                for (const Variable* variable : offered_variables(*platform)) all.push_back(variable);
+    } else if (const auto* owner = dynamic_cast<const Context*>(&context)) {
+        all = visible_variables(*owner);
+    }
+    all.erase(std::remove_if(all.begin(), all.end(), [](const Variable* v) { return v->kind != DeclKind::constant; }),
+              all.end());
+    return all;
+}
+
+std::vector<const Variable*> parameters_of(const Declaration& context) {
+    std::vector<const Variable*> all;
+    if (const auto* operation = dynamic_cast<const Machine*>(&context))
+        for (const auto& parameter : operation->parameters) all.push_back(parameter.get());
+    return all;
+}
+
+const Variable* AssertionResolver::constant(const AssertionParameter& parameter, const Declaration& context) {
+    std::vector<std::string> candidates;
+    for (const Variable* variable : parameter.constant ? constants_of(context) : parameters_of(context)) {
+        if (variable->name == parameter.name.parts.back()) return variable;
+        candidates.push_back(variable->name);
+    }
+    auto& finding = finder_.out().report(rules::no_constant, parameter.name.span,
+                                         {std::string(to_text(context.kind)), context.name,
+                                          parameter.constant ? "constant" : "parameter", parameter.name.text()});
+    const std::string meant = diagnostics::nearest(parameter.name.parts.back(), candidates);
+    if (!meant.empty()) finding.fixes.push_back({parameter.name.spans.back(), meant, diagnostics::suggested(false)});
+    finding.notes.push_back({context.name_span, fmt::format("`{}` is declared here", context.name)});
+    return nullptr;
+}
+
+void AssertionResolver::value(AssertionParameter& parameter) {
+    Surroundings around{{file_, nullptr}, nullptr, nullptr, nullptr, {}};
+    const TypePtr given = typer_.type(parameter.value, around);
+    const auto* variable = static_cast<const Variable*>(parameter.target);
+    if (variable == nullptr || !given || !variable->type || compatible(given, variable->type)) return;
+    finder_.out()
+        .report(rules::constant_type, parameter.value->span,
+                {variable->name, to_string(variable->type), to_string(given)})
+        .notes.push_back({variable->name_span, "it is declared here"});
+}
+
+void AssertionResolver::parameter(AssertionParameter& parameter) {
+    parameter.target = nullptr;
+    parameter.context_path = context(parameter.context);
+    if (!parameter.context_path.steps.empty())
+        if (const Declaration* behind = follow(parameter.context_path.steps.back()))
+            parameter.target = constant(parameter, *behind);
+    value(parameter);
+}
+
+void AssertionResolver::report_repeated(const Assertion& assertion) {
+    for (std::size_t i = 0; i < assertion.parameters.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const AssertionParameter& first = assertion.parameters[j];
+            const AssertionParameter& second = assertion.parameters[i];
+            const bool same = second.target != nullptr && first.target == second.target &&
+                              first.context_path.steps == second.context_path.steps;
+            if (!same) continue;
+            finder_.out()
+                .report(rules::constant_twice, second.name.span, {second.name.text(), second.context.text()})
+                .notes.push_back({first.name.span, "the first value is given here"});
+            break;
+        }
+}
+
+/// Constants that a controller or machine requires and that nobody gives a value.
+void AssertionResolver::report_open(const Assertion& assertion, const ComponentPath& path, const QualifiedName& name) {
+    const auto* definition = path.steps.size() == 1 ? dynamic_cast<const Context*>(path.steps.front()) : nullptr;
+    const bool asks = definition != nullptr &&
+                      (definition->kind == DeclKind::controller || definition->kind == DeclKind::state_machine);
+    if (!asks) return;
+    std::vector<const Variable*> open;
+    for (const Variable* variable : required_variables(*definition)) {
+        const bool given = std::any_of(assertion.parameters.begin(), assertion.parameters.end(),
+                                       [&](const auto& p) { return p.name.parts.back() == variable->name; });
+        if (variable->kind == DeclKind::constant && !variable->initial && !given) open.push_back(variable);
+    }
+    if (open.empty() || !told_open_.insert(definition).second) return;
+    std::string names;
+    for (const Variable* variable : open) names += (names.empty() ? "`" : ", `") + variable->name + "`";
+    auto& finding =
+        finder_.out().report(rules::constants_open, name.span, {definition->name, open.size() == 1 ? "" : "s", names});
+    for (const Variable* variable : open)
+        finding.notes.push_back({variable->name_span, fmt::format("`{}` is declared here", variable->name)});
+}
+
+// ---------------------------------------------------------------- assertions
+
+void AssertionResolver::assertion(Assertion& assertion) {
+    assertion.subject_path = {};
+    assertion.other_path = {};
+    assertion.state = nullptr;
+    assertion.clock = nullptr;
+    const bool binary = assertion.kind == AssertionKind::refines || assertion.kind == AssertionKind::equals;
+    if (assertion.kind == AssertionKind::clock_initialised) {
+        clock(assertion);
+    } else {
+        assertion.subject_path = component(assertion.subject, true);
+        if (assertion.kind == AssertionKind::reachable) reachable(assertion);
+        if (binary) assertion.other_path = component(assertion.other, true);
+    }
+    for (AssertionParameter& item : assertion.parameters) parameter(item);
+    report_repeated(assertion);
+    report_open(assertion, assertion.subject_path, assertion.subject);
+    if (binary) report_open(assertion, assertion.other_path, assertion.other);
+}
+
+void AssertionResolver::run(File& file) {
+    file_ = &file;
+    told_open_.clear();
+    for (CspBlock& block : file.csp_blocks) {
+        block.associated_paths.clear();
+        for (const QualifiedName& name : block.associated) block.associated_paths.push_back(component(name, true));
+    }
+    for (Assertion& assertion : file.assertions) this->assertion(assertion);
+}
+
+}  // namespace
+
+void resolve_assertions(Model& model, Finder& finder, Typer& typer) {
+    AssertionResolver resolver(model, finder, typer);
+    for (auto& file : model.files) resolver.run(*file);
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,174 @@
+// Bodies: initial values, contracts, nodes, transitions, connections, parameters of assertions.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnostics/spelling.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/resolve/resolver.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
+
+namespace robochart::frontend {
+
+void Resolver::function_body(File& file, Function& function) {
+    Surroundings around{{&file, &function}, nullptr, &function, nullptr, {}};
+    for (const VariablePtr& parameter : function.parameters) around.bound.push_back(parameter.get());
+    // RoboTool does not look at contracts: a wrong one is left out, whole, and the function counts as undefined.
+    diagnostics::Diagnostics found;
+    diagnostics::Diagnostics& out = finder_.redirect(found);
+    for (const ExprPtr& condition : function.preconditions) typer_.boolean(condition, around, "a precondition");
+    for (const ExprPtr& condition : function.postconditions) typer_.boolean(condition, around, "a postcondition");
+    finder_.redirect(out);
+    for (const diagnostics::Diagnostic& finding : found.sorted()) {
+        if (finding.rule->severity == diagnostics::Severity::error) {
+            out.report(rules::wrong_contract, finding.span, {function.name, finding.message()}).notes = finding.notes;
+        } else {
+            diagnostics::Diagnostic& again = out.report(*finding.rule, finding.span, finding.arguments);
+            again.notes = finding.notes;
+            again.fixes = finding.fixes;
+        }
+    }
+    if (found.ok()) return;
+    for (const auto* conditions : {&function.preconditions, &function.postconditions})
+        for (const ExprPtr& condition : *conditions) condition->type = nullptr;
+}
+
+void Resolver::context_body(File& file, Context& context) {
+    const Scope scope = scope_of(context);
+    auto* machine = dynamic_cast<Machine*>(&context);
+    Surroundings around{{&file, &context}, &scope, nullptr, machine, {}};
+    for (auto& variable : context.variables) {
+        if (!variable->initial) continue;
+        const TypePtr value = typer_.type(variable->initial, around);
+        if (value && variable->type && !compatible(value, variable->type))
+            finder_.out().report(rules::initial_type, variable->initial->span,
+                                 {variable->name, to_string(variable->type), to_string(value)});
+    }
+    if (machine != nullptr) machine_body(*machine, around);
+}
+
+void Resolver::machine_body(Machine& machine, Surroundings& around) {
+    for (const ExprPtr& condition : machine.preconditions) typer_.boolean(condition, around, "a precondition");
+    for (const ExprPtr& condition : machine.postconditions) typer_.boolean(condition, around, "a postcondition");
+    container(machine, machine, around);
+}
+
+void Resolver::container(NodeContainer& container, const Machine& machine, Surroundings& around) {
+    for (auto& state : container.nodes) {
+        for (Action& action : state->actions)
+            if (action.statement) typer_.statement(*action.statement, around);
+        this->container(*state, machine, around);
+    }
+    NodeNames names;
+    for (const auto& node : container.nodes) names.emplace(node->name, node.get());
+    for (auto& transition : container.transitions) this->transition(*transition, names, machine, around);
+}
+
+void Resolver::transition(Transition& transition, const NodeNames& names, const Machine& machine,
+                          Surroundings& around) {
+    transition.source = node(transition.from, transition, "source", names, machine);
+    transition.target = node(transition.to, transition, "target", names, machine);
+    if (transition.trigger) typer_.communication(*transition.trigger, around, true);
+    if (transition.probability) typer_.type(transition.probability, around);
+    for (Transition::Reset& reset : transition.resets) reset.clock = typer_.clock(reset.name, around, rules::ts1);
+    if (transition.deadline) {
+        const TypePtr bound = simplify(typer_.type(transition.deadline, around));
+        if (bound && !compatible(bound, make_type(TypeForm::real)))
+            finder_.out().report(rules::deadline_type, transition.deadline->span, {to_string(bound)});
+    }
+    if (transition.condition) {
+        const TypePtr condition = typer_.type(transition.condition, around);
+        if (condition && !compatible(condition, make_type(TypeForm::boolean)))
+            finder_.out().report(rules::condition_type, transition.condition->span, {to_string(condition)});
+    }
+    if (transition.action) typer_.statement(*transition.action, around);
+}
+
+/// A node of the transition's own container (T1); elsewhere it is told where.
+const State* Resolver::node(const QualifiedName& name, const Transition& transition, std::string_view role,
+                            const NodeNames& names, const Machine& machine) {
+    if (name.empty()) return nullptr;
+    if (const auto found = names.find(name.parts.front()); found != names.end()) return found->second;
+    const State* elsewhere = nullptr;
+    walk(machine, [&](const NodeContainer& other) {
+        const auto found = std::find_if(other.nodes.begin(), other.nodes.end(),
+                                        [&](const auto& n) { return n->name == name.parts.front(); });
+        if (elsewhere == nullptr && found != other.nodes.end()) elsewhere = found->get();
+    });
+    if (machine.broken && elsewhere != nullptr) return nullptr;  // its braces may not be where they belong
+    if (elsewhere != nullptr) {
+        finder_.out()
+            .report(rules::t1, name.span, {std::string(role), name.text(), transition.name})
+            .notes.push_back({elsewhere->name_span,
+                              fmt::format("`{}` is declared here, in `{}`", elsewhere->name, elsewhere->parent->name)});
+        return nullptr;
+    }
+    finder_.unknown(name, "node", fmt::format("beside transition `{}`", transition.name), finder_.keys(names));
+    return nullptr;
+}
+
+// ---------------------------------------------------------------- connections
+
+void Resolver::connections(Component& component) {
+    Ends ends{component, {}, {}};
+    for (const Declaration* part : component.order) ends.parts.emplace(part->name, part);
+    for (auto& connection : component.connections) {
+        connection_end(connection->from, ends);
+        connection_end(connection->to, ends);
+    }
+}
+
+void Resolver::connection_end(Connection::End& end, Ends& ends) {
+    const Component& component = ends.component;
+    const bool is_module = component.kind == DeclKind::module;
+    const auto part = ends.parts.find(end.node.text());
+    if (part != ends.parts.end()) end.node_target = part->second;
+    if (!is_module && end.node_target == nullptr && end.node.text() == component.name) end.node_target = &component;
+    const Declaration* behind = follow(end.node_target);
+    const bool known = end.node_target != nullptr && behind == nullptr;  // a broken reference, reported there
+    const bool fits =
+        behind != nullptr && (is_module ? behind->kind == DeclKind::platform || behind->kind == DeclKind::controller
+                                        : behind->kind == DeclKind::state_machine || behind == &component);
+    if (fits) return connection_event(end, ends);
+    if (!known) wrong_node(end, ends);
+}
+
+/// Cn1, Cn3: what is connected is no part of the component.
+void Resolver::wrong_node(Connection::End& end, const Ends& ends) {
+    const Component& component = ends.component;
+    const bool is_module = component.kind == DeclKind::module;
+    const bool exists = end.node_target != nullptr || end.node.text() == component.name ||
+                        finder_.names().anywhere(end.node.parts.back(),
+                                                 {DeclKind::state_machine, DeclKind::controller, DeclKind::platform,
+                                                  DeclKind::reference, DeclKind::module}) != nullptr;
+    end.node_target = nullptr;
+    if (exists) {
+        finder_.out().report(is_module ? rules::cn1 : rules::cn3, end.node.span, {end.node.text(), component.name});
+        return;
+    }
+    finder_.unknown(end.node, "component", fmt::format("in {} `{}`", to_text(component.kind), component.name),
+                    finder_.keys(ends.parts));
+}
+
+/// Cn10: an end's event is one of the component at that end.
+void Resolver::connection_event(Connection::End& end, Ends& ends) {
+    const auto* behind = followed<Context>(end.node_target);
+    if (behind == nullptr) return;
+    auto known = ends.scopes.find(behind);
+    if (known == ends.scopes.end()) known = ends.scopes.emplace(behind, scope_of(*behind)).first;
+    const Scope& scope = known->second;
+    const auto found = scope.events.find(end.event.text());
+    if (found != scope.events.end()) {
+        end.event_target = found->second;
+        return;
+    }
+    if (behind->broken || finder_.names().is_lost(end.event)) return;
+    auto& finding = finder_.out().report(rules::cn10, end.event.span, {end.node.text(), end.event.text()});
+    const std::vector<std::string> events = finder_.keys(scope.events);
+    const std::string meant = diagnostics::nearest(end.event.text(), events);
+    if (!meant.empty())
+        finding.fixes.push_back({end.event.span, meant, diagnostics::suggested(diagnostics::is_certain(end.event.text(), meant, events))});
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,58 @@
+// Rules about connections.
+#include "frontend/rules/rules.hpp"
+
+namespace robochart::frontend::rules {
+
+using enum diagnostics::Severity;
+
+const Rule cn1{"Cn1", error, "`{}` is neither the platform nor a controller of module `{}`",
+               "A connection of a module joins its platform and its controllers."};
+const Rule cn2{"Cn2", error, "the connection of `{}` and `{}` involves the platform and must be asynchronous",
+               "Platforms and controllers do not wait for each other. Write `( _async )` after the connection."};
+const Rule cn3{"Cn3", error, "`{}` is neither the controller `{}` nor one of its state machines",
+               "A connection of a controller joins its machines with each other and with the controller itself."};
+const Rule cn4{"Cn4", error, "`{}` is a broadcast event and `{}` is not",
+               "Both ends of a connection are broadcast events, or neither is."};
+const Rule cn4_relay{
+    "Cn4", error, "a broadcast connection joins two {}s; it must pass on between different levels",
+    "A broadcast event is relayed: from a machine to its controller, from a controller to the platform, or "
+    "back. Parts of one level hear each other through what is around them."};
+const Rule cn_types{"RC-T32", error, "event `{}` carries {} but event `{}` carries {}",
+                    "The events at the two ends of a connection carry values of compatible types, or both carry none."};
+const Rule cn10{"Cn10", error, "`{}` has no event `{}`",
+                "Each end of a connection names an event of the component at that end."};
+const Rule cn11{
+    "Cn11", warning, "the asynchronous connection of two machines is read as a synchronous one",
+    "RoboTool generates the same semantics for both; nothing is buffered between machines of one controller."};
+const Rule c6{"C6", error, "event `{}` of `{}` already has a connection{}",
+              "In a controller an event is the beginning of at most one connection and the end of at most one."};
+const Rule m3{"M3", error, "event `{}` of `{}` already has a connection{}",
+              "In a module an event is the beginning of at most one connection and the end of at most one."};
+const Rule cn5{"Cn5", error,
+               "a bidirectional connection ends at `{}` of `{}`, but inside there is no bidirectional connection to it",
+               "What a module connects to an event of a controller must go on inside the controller in the same way."};
+const Rule cn6{"Cn6", error, "a connection ends at `{}` of `{}`, but inside there is a bidirectional connection",
+               "What a module connects to an event of a controller must go on inside the controller in the same way."};
+const Rule cn6_direction{
+    "Cn6", error, "a connection ends at `{}` of `{}`, but inside a connection leads to it too",
+    "What comes into a controller is led on from its event to a machine, not from a machine to the same event."};
+const Rule cn7{
+    "Cn7", error, "a connection starts at `{}` of `{}`, but inside there is a bidirectional connection",
+    "What a module connects to an event of a controller must come from inside the controller in the same way."};
+const Rule cn7_direction{
+    "Cn7", error, "a connection starts at `{}` of `{}`, but inside a connection starts from it too",
+    "What leaves a controller is led to its event from a machine, not from the same event to a machine."};
+const Rule cn8{
+    "Cn8", error, "a connection ends at `{}` of `{}`, but `{}` sends on it{}",
+    "The machine at the end of a connection receives. Turn the connection round, or let the machine receive."};
+const Rule cn9{"Cn9", error, "a connection starts at `{}` of `{}`, but `{}` receives on it{}",
+               "The machine at the start of a connection sends. Turn the connection round, or let the machine send."};
+
+const std::vector<const Rule*>& of_connections() {
+    static const std::vector<const Rule*> rules = {&cn1,           &cn2, &cn3, &cn4, &cn4_relay, &cn_types,      &cn10,
+                                                   &cn11,          &c6,  &m3,  &cn5, &cn6,       &cn6_direction, &cn7,
+                                                   &cn7_direction, &cn8, &cn9};
+    return rules;
+}
+
+}  // namespace robochart::frontend::rules

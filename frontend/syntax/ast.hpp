@@ -1,0 +1,507 @@
+// The syntax tree of RoboChart text (`.rct`) and assertion text (`.assertions`), whole grammar,
+// after the public RoboChart.xtext and Assertions.xtext grammars. The parser fills the syntactic
+// fields; name resolution fills `target`s, typing fills `type`s ("filled by resolve/typing" below).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnostics/source.hpp"
+
+namespace robochart::frontend {
+
+using diagnostics::Span;
+
+struct Type;
+using TypePtr = std::shared_ptr<const Type>;  ///< semantic type, frontend/types/types.hpp
+struct Declaration;
+
+/// `A::B::C` with the place of each part.
+struct QualifiedName {
+    std::vector<std::string> parts;
+    std::vector<Span> spans;
+    Span span;
+
+    [[nodiscard]] bool empty() const { return parts.empty(); }
+    [[nodiscard]] std::string text() const;  ///< joined by "::"
+};
+
+// ---------------------------------------------------------------- types as written
+
+enum class TypeKind {
+    name,      ///< qualified name; `target` is a TypeDeclaration or a built-in
+    variable,  ///< ?X
+    sequence,  ///< Seq(T)
+    set,       ///< Set(T)
+    product,   ///< A * B * C
+    function,  ///< A -> B
+    relation,  ///< A <-> B
+    vector,    ///< vector(T, n)
+    matrix,    ///< matrix(T, r, c)
+};
+
+struct Expr;
+using ExprPtr = std::unique_ptr<Expr>;
+
+struct TypeExpr {
+    TypeKind kind = TypeKind::name;
+    Span span;
+    QualifiedName name;                           ///< name, variable
+    std::vector<std::unique_ptr<TypeExpr>> args;  ///< operand types in order
+    std::vector<ExprPtr> sizes;                   ///< vector: 1, matrix: 2
+    const Declaration* target = nullptr;          ///< filled by resolve
+    TypePtr type;                                 ///< filled by typing
+};
+using TypeExprPtr = std::unique_ptr<TypeExpr>;
+
+// ---------------------------------------------------------------- expressions
+
+enum class ExprKind {
+    integer,
+    real,
+    string,
+    boolean,  ///< literal: `text` as written
+    name,     ///< `name`; target: Variable, EnumLiteral, Parameter, Constant, bound variable
+    result,
+    to,
+    from,          ///< `result`; `to` / `from` (broadcast ids)
+    unary,         ///< op neg, not; args[0]
+    binary,        ///< args[0] op args[1]
+    if_then_else,  ///< args[0..2]
+    let,           ///< bindings, args[0] body
+    forall,
+    exists,
+    exists_unique,
+    lambda,
+    the,  ///< bindings (typed), args[0] optional predicate, args[1] body (may be null for `the` without @)
+    cast,
+    is_type,  ///< args[0], type_expr
+    member,   ///< args[0] . text
+    index,    ///< args[0] [ args[1..] ]
+    call,     ///< name ( args )     target: Function, EnumLiteral; or args via callee expr in `callee`
+    tuple,    ///< (| args |)
+    record,   ///< R (| field = e ... |): name, bindings (name/value)
+    sequence,
+    set,                ///< < args >, { args }
+    set_range,          ///< { args[0] to args[1] }
+    set_comprehension,  ///< { bindings | args[0] @ args[1] } ; args[1] may be null
+    range,              ///< [a,b] (a,b] ...: args[0], args[1], lower_closed, upper_closed
+    matrix,             ///< [| a, b ; c, d |]: args row by row, columns
+    inverse,
+    transpose,
+    since,          ///< since(name): Clock
+    since_entry,    ///< sinceEntry(name): State
+    parenthesised,  ///< ( args[0] ) kept for the printer
+    error,          ///< left by recovery; carries no more errors
+};
+
+enum class BinaryOp {
+    iff,
+    implies,
+    disjunction,
+    conjunction,
+    equal,
+    not_equal,
+    greater,
+    greater_equal,
+    less,
+    less_equal,
+    in,
+    plus,
+    minus,
+    times,
+    divide,
+    modulus,
+    concat,
+};
+enum class UnaryOp { negate, logical_not };
+
+/// `v:T`, `v == e`, or `f = e` inside quantifiers, let, comprehensions and record literals.
+struct Binding;
+
+struct Expr {
+    ExprKind kind = ExprKind::error;
+    Span span;
+    std::string text;  ///< literal as written; member name
+    QualifiedName name;  ///< member: the field's name and its place
+    std::optional<BinaryOp> binary;
+    std::optional<UnaryOp> unary;
+    std::vector<ExprPtr> args;  ///< may hold nulls where the grammar has an optional part
+    ExprPtr callee;             ///< call of an expression that is not a plain name
+    std::vector<Binding> bindings;
+    TypeExprPtr type_expr;     ///< cast, is_type
+    bool lower_closed = true;  ///< range
+    bool upper_closed = true;
+    std::size_t columns = 0;   ///< matrix
+    std::uint32_t height = 1;  ///< of this tree; the parser bounds it, so walking may recurse
+
+    const Declaration* target = nullptr;  ///< filled by resolve
+    TypePtr type;                         ///< filled by typing; null if it could not be computed
+};
+
+// ---------------------------------------------------------------- statements and communications
+
+enum class CommKind { simple, input, output, sync };  ///< e, e?x, e!v, e.v
+
+struct Communication {
+    CommKind kind = CommKind::simple;
+    Span span;
+    QualifiedName event;
+    QualifiedName variable;                        ///< input: the variable stored into
+    ExprPtr value;                                 ///< output, sync
+    QualifiedName from_variable;                   ///< [| x = from ... |]
+    ExprPtr predicate;                             ///< [| pred |]
+    const Declaration* event_target = nullptr;     ///< filled by resolve: Event
+    const Declaration* variable_target = nullptr;  ///< filled by resolve: Variable
+    const Declaration* from_target = nullptr;      ///< filled by resolve: Variable of `from_variable`
+};
+
+enum class StmtKind {
+    skip,
+    sequence,
+    if_then_else,
+    assignment,
+    communication,
+    call,
+    wait,
+    wait_interval,
+    clock_reset,
+    deadline,
+    parenthesised,
+    error
+};
+
+struct Stmt;
+using StmtPtr = std::unique_ptr<Stmt>;
+
+struct Stmt {
+    StmtKind kind = StmtKind::error;
+    Span span;
+    std::vector<StmtPtr> body;  ///< sequence: all; if: then [, else]; deadline, parenthesised: one
+    ExprPtr condition;          ///< if
+    ExprPtr target;             ///< assignment left side: name, member or index expression
+    ExprPtr value;              ///< assignment right side; wait duration; deadline bound
+    ExprPtr upper;              ///< wait([value, upper])
+    std::unique_ptr<Communication> communication;
+    bool send_keyword = false;
+    QualifiedName name;                        ///< call: operation; clock_reset: clock
+    std::vector<ExprPtr> args;                 ///< call
+    const Declaration* declaration = nullptr;  ///< filled by resolve: OperationSignature or Clock
+};
+
+// ---------------------------------------------------------------- declarations
+
+enum class DeclKind {
+    package,
+    primitive_type,  ///< `type X` and the built-ins of core
+    record_type,
+    field,
+    enumeration,
+    enum_literal,
+    function,
+    operation_signature,
+    parameter,
+    variable,
+    constant,
+    event,
+    clock,
+    interface,
+    platform,
+    operation,
+    state_machine,
+    controller,
+    module,
+    reference,  ///< rref, cref, sref, opref
+    connection,
+    state,
+    initial,
+    final,
+    junction,
+    probabilistic,
+    transition,
+    bound_variable,  ///< of a quantifier, let, lambda, comprehension
+};
+
+/// Common part of everything that has a name and can be pointed at.
+struct Declaration {
+    explicit Declaration(DeclKind k) : kind(k) {}
+    virtual ~Declaration() = default;
+    Declaration(const Declaration&) = delete;
+    Declaration& operator=(const Declaration&) = delete;
+
+    DeclKind kind;
+    std::string name;
+    Span name_span;
+    Span span;
+    const Declaration* parent = nullptr;  ///< filled by resolve: enclosing declaration; null at package level
+    bool broken = false;                  ///< a mistake of syntax inside: parts may be missing
+};
+
+/// A value with a type: field, parameter, variable, constant, bound variable.
+struct Variable final : Declaration {
+    explicit Variable(DeclKind k) : Declaration(k) {}
+    TypeExprPtr type_expr;  ///< null: inferred (let)
+    ExprPtr initial;        ///< null if none
+    TypePtr type;           ///< filled by typing
+};
+using VariablePtr = std::unique_ptr<Variable>;
+
+struct Binding {
+    VariablePtr variable;  ///< name and, where written, type
+    ExprPtr value;         ///< let, record literal
+};
+
+struct Event final : Declaration {
+    Event() : Declaration(DeclKind::event) {}
+    bool broadcast = false;
+    TypeExprPtr type_expr;  ///< null: untyped
+    TypePtr type;           ///< filled by typing; null if untyped
+};
+
+struct Clock final : Declaration {
+    Clock() : Declaration(DeclKind::clock) {}
+};
+
+struct OperationSignature final : Declaration {
+    OperationSignature() : Declaration(DeclKind::operation_signature) {}
+    std::vector<VariablePtr> parameters;
+    bool terminates = false;
+};
+
+struct EnumLiteral final : Declaration {
+    EnumLiteral() : Declaration(DeclKind::enum_literal) {}
+    std::vector<TypeExprPtr> arguments;
+};
+
+/// `type X`, `datatype`/`record`, `enumeration`.
+struct TypeDeclaration final : Declaration {
+    explicit TypeDeclaration(DeclKind k) : Declaration(k) {}
+    std::vector<VariablePtr> fields;                     ///< record_type
+    std::vector<std::unique_ptr<EnumLiteral>> literals;  ///< enumeration
+    bool record_keyword = false;                         ///< written `record`, not `datatype`
+};
+
+struct Function final : Declaration {
+    Function() : Declaration(DeclKind::function) {}
+    std::vector<VariablePtr> parameters;
+    TypeExprPtr result_expr;
+    std::vector<ExprPtr> preconditions;
+    std::vector<ExprPtr> postconditions;
+    TypePtr result;  ///< filled by typing
+};
+
+/// `uses I`, `requires I, J`, `provides I`.
+enum class InterfaceUse { uses, requires_, provides };
+struct InterfaceClause {
+    InterfaceUse use = InterfaceUse::uses;
+    QualifiedName name;
+    const Declaration* target = nullptr;  ///< filled by resolve: Context of kind interface
+};
+
+struct State;
+struct Transition;
+
+/// Anything that declares variables, constants, events, clocks, operations or uses interfaces:
+/// interface, platform, operation, state machine, controller, (and its parts of) module.
+struct Context : Declaration {
+    explicit Context(DeclKind k) : Declaration(k) {}
+    std::vector<InterfaceClause> interfaces;
+    std::vector<VariablePtr> variables;  ///< `var` and `const` in textual order (kind tells)
+    std::vector<std::unique_ptr<Event>> events;
+    std::vector<std::unique_ptr<Clock>> clocks;
+    std::vector<std::unique_ptr<OperationSignature>> signatures;
+};
+
+/// Nodes and transitions: machine, operation, composite state.
+struct NodeContainer {
+    std::vector<std::unique_ptr<State>> nodes;
+    std::vector<std::unique_ptr<Transition>> transitions;
+};
+
+enum class ActionKind { entry, during, exit };
+struct Action {
+    ActionKind kind = ActionKind::entry;
+    Span span;
+    StmtPtr statement;
+};
+
+/// state, initial, final, junction or probabilistic junction (kind tells).
+struct State final : Declaration, NodeContainer {
+    explicit State(DeclKind k) : Declaration(k) {}
+    std::vector<Action> actions;  ///< states only
+};
+
+struct Transition final : Declaration {
+    Transition() : Declaration(DeclKind::transition) {}
+    QualifiedName from, to;
+    const State* source = nullptr;  ///< filled by resolve
+    const State* target = nullptr;  ///< filled by resolve
+    std::unique_ptr<Communication> trigger;
+    bool legacy_trigger = false;  ///< `trigger` without event, or clock reset inside it
+    ExprPtr probability;
+    struct Reset {
+        QualifiedName name;
+        const Declaration* clock = nullptr;  ///< filled by resolve
+    };
+    std::vector<Reset> resets;
+    ExprPtr deadline;  ///< <{ e }
+    ExprPtr condition;
+    bool otherwise = false;  ///< condition else
+    StmtPtr action;
+};
+
+/// stm, or operation with a body. Interfaces and platforms are plain Contexts.
+struct Machine final : Context, NodeContainer {
+    explicit Machine(DeclKind k) : Context(k) {}
+    std::vector<VariablePtr> parameters;  ///< operation
+    bool has_body = true;                 ///< operation without nodes: false
+    bool terminates = false;
+    std::vector<ExprPtr> preconditions;
+    std::vector<ExprPtr> postconditions;
+};
+
+/// `sref n = S`, `cref`, `rref`, `opref`.
+struct Reference final : Declaration {
+    Reference() : Declaration(DeclKind::reference) {}
+    DeclKind refers_to = DeclKind::state_machine;  ///< platform, controller, state_machine, operation
+    QualifiedName target_name;
+    const Declaration* target = nullptr;  ///< filled by resolve
+};
+
+struct Connection final : Declaration {
+    Connection() : Declaration(DeclKind::connection) {}
+    struct End {
+        QualifiedName node;  ///< name of a component inside the container, or of the container itself
+        QualifiedName event;
+        const Declaration* node_target = nullptr;   ///< filled by resolve
+        const Declaration* event_target = nullptr;  ///< filled by resolve
+    };
+    End from, to;
+    bool async = false;
+    bool multiple = false;  ///< [mult]
+};
+
+/// controller or module.
+struct Component final : Context {
+    explicit Component(DeclKind k) : Context(k) {}
+    std::vector<std::unique_ptr<Context>> platforms;      ///< module
+    std::vector<std::unique_ptr<Component>> controllers;  ///< module
+    std::vector<std::unique_ptr<Machine>> machines;       ///< controller (or, wrongly, module)
+    std::vector<std::unique_ptr<Machine>> operations;     ///< controller
+    std::vector<std::unique_ptr<Reference>> references;
+    std::vector<std::unique_ptr<Connection>> connections;
+    /// The parts in textual order: members of the vectors above (not connections).
+    std::vector<const Declaration*> order;
+};
+
+struct Import {
+    QualifiedName name;
+    bool wildcard = false;
+    Span span;
+};
+
+// ---------------------------------------------------------------- assertions
+
+enum class AssertionKind {
+    deadlock_free,
+    divergence_free,
+    deterministic,
+    timelock_free,
+    terminates,
+    refines,
+    equals,
+    reachable,
+    clock_initialised,
+};
+enum class AssertionTime { both, timed, untimed };
+enum class AssertionModel { failures_divergences, traces, failures, tick_tock };
+
+struct CspBlock;
+
+/// Where the name of a component leads: the declarations on the way. References stand for themselves, so that the
+/// names of the steps make the path `M::ctrl_ref::stm_ref`; what is behind them is the step's `Reference::target`.
+struct ComponentPath {
+    std::vector<const Declaration*> steps;  ///< outermost first; empty: not found, or a csp process
+    const CspBlock* process = nullptr;      ///< the name is that of a csp block
+};
+
+struct AssertionParameter {
+    bool constant = true;  ///< `constant v of ctx`; false: `parameter p of op`
+    QualifiedName name;
+    QualifiedName context;
+    ExprPtr value;
+    ComponentPath context_path;           ///< filled by resolve; a platform stands for its module
+    const Declaration* target = nullptr;  ///< filled by resolve: Variable
+};
+
+struct Assertion final {
+    std::string name;
+    Span name_span, span;
+    AssertionTime time = AssertionTime::both;
+    AssertionKind kind = AssertionKind::deadlock_free;
+    bool negated = false;
+    QualifiedName subject;  ///< X; for reachable: the component; for clock_initialised: empty
+    QualifiedName other;    ///< Y of refines/equals; state of reachable; clock
+    std::optional<AssertionModel> model;
+    std::vector<AssertionParameter> parameters;
+    ComponentPath subject_path;  ///< filled by resolve; of the component X
+    /// Filled by resolve. refines, equals: Y; reachable: the machine with the state, through the subject;
+    /// clock_initialised: the machine with the clock.
+    ComponentPath other_path;
+    const State* state = nullptr;  ///< filled by resolve: reachable
+    const Clock* clock = nullptr;  ///< filled by resolve: clock_initialised
+};
+
+/// `csp NAME associated to X csp-begin … csp-end`.
+struct CspBlock final {
+    std::string name;
+    Span name_span, span;
+    AssertionTime time = AssertionTime::both;
+    std::vector<QualifiedName> associated;
+    std::vector<ComponentPath> associated_paths;  ///< filled by resolve: one for each name
+    std::string text;  ///< verbatim, between csp-begin and csp-end
+    Span text_span;
+};
+
+// ---------------------------------------------------------------- files
+
+/// A parsed `.rct` or `.assertions` file.
+/// The head of a part of an assertion file that is kept as text: nothing here evaluates it.
+struct KeptPart {
+    std::string form;     ///< the words that it begins with: `prob property`, `sleec assertion`, `defs`
+    std::string name;
+    Span span;            ///< of both
+    bool claims = false;  ///< it asks something of the model; else it defines something for those that do
+    bool probabilistic = true;  ///< else of another tool
+};
+
+struct File {
+    diagnostics::SourceId source = diagnostics::SourceId::none;
+    std::string folder;     ///< that it lies in, from the root, with "/" at its end
+    QualifiedName package;  ///< empty: unnamed package
+    std::vector<Import> imports;
+    std::vector<std::string> diagrams;
+    std::vector<Span> comments;
+    /// Types, functions, interfaces, platforms, operations, machines, controllers, modules in textual order.
+    std::vector<std::unique_ptr<Declaration>> declarations;
+
+    bool is_assertions = false;
+    std::vector<Assertion> assertions;
+    std::vector<CspBlock> csp_blocks;
+    std::vector<std::string> verbatim;  ///< PRISM parts and others kept as text
+    std::vector<KeptPart> kept;         ///< what they are
+    bool is_library = false;            ///< a toolkit that comes with the tool
+    bool has_syntax_errors = false;     ///< parts may be missing; rules about absent things stay silent
+    std::vector<std::string> lost_names;  ///< names in parts that were not understood
+    bool lost_declarations = false;       ///< a declaration whose name is not known was not understood
+};
+
+/// A project: all its files, libraries included, resolved together.
+struct Model {
+    std::vector<std::unique_ptr<File>> files;
+};
+
+}  // namespace robochart::frontend

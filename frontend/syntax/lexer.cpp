@@ -1,0 +1,363 @@
+// See lexer.hpp. One pass over the bytes; the longest symbol wins, as in Xtext.
+#include "frontend/syntax/lexer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "diagnostics/utf8.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+
+namespace robochart::frontend {
+
+using diagnostics::Diagnostics;
+using diagnostics::SourceId;
+using diagnostics::Span;
+
+const std::vector<std::string_view>& reserved_words() {
+    static const std::vector<std::string_view> words = {"_async",       "_broadcast",    "action",      "as",
+                                                        "cat",          "clock",         "condition",   "connection",
+                                                        "const",        "controller",    "cref",        "datatype",
+                                                        "diagram",      "during",        "else",        "end",
+                                                        "entry",        "enumeration",   "event",       "exists",
+                                                        "exists1",      "exit",          "false",       "final",
+                                                        "forall",       "from",          "function",    "if",
+                                                        "iff",          "import",        "in",          "initial",
+                                                        "interface",    "inverse",       "is",          "junction",
+                                                        "lambda",       "let",           "matrix",      "module",
+                                                        "mult",         "not",           "on",          "operation",
+                                                        "opref",        "package",       "platform",    "postcondition",
+                                                        "precondition", "probabilistic", "probability", "provides",
+                                                        "record",       "requires",      "result",      "robotic",
+                                                        "rref",         "send",          "since",       "sinceEntry",
+                                                        "skip",         "sref",          "state",       "stm",
+                                                        "terminates",   "the",           "then",        "to",
+                                                        "transition",   "transpose",     "trigger",     "true",
+                                                        "type",         "uses",          "var",         "vector",
+                                                        "wait"};
+    return words;
+}
+
+bool is_reserved(std::string_view word) {
+    const auto& words = reserved_words();
+    return std::binary_search(words.begin(), words.end(), word);
+}
+
+std::string shorten(std::string_view text) {
+    constexpr std::size_t limit = 40;
+    std::string out;
+    std::size_t shown = 0;
+    while (!text.empty() && shown < limit) {
+        const std::size_t length = std::max<std::size_t>(1, diagnostics::utf8_length(text));
+        const bool plain = length > 1 || (static_cast<unsigned char>(text[0]) >= 0x20U && text[0] != 0x7F &&
+                                          static_cast<unsigned char>(text[0]) < 0x80U);
+        out += plain ? text.substr(0, length) : std::string_view("?");
+        text.remove_prefix(length);
+        ++shown;
+    }
+    return text.empty() ? out : out + "...";
+}
+
+namespace {
+
+// Longest first.
+constexpr std::array<std::string_view, 46> symbols = {
+    "<->", "::", "->", "<{", "=>", "==", "!=", ">=", "<=", "\\/", "/\\", "(|", "|)", "[|", "|]", "&&",
+    "||",  "{",  "}",  "(",  ")",  "[",  "]",  "<",  ">",  "=",   ":",   ";",  ",",  ".",  "?",  "!",
+    "#",   "|",  "@",  "+",  "-",  "*",  "/",  "%",  "^",  "$",   "&",   "~",  "`",  "\\"};
+/// The last of `symbols` are words of the PRISM parts of assertion files alone.
+constexpr std::size_t model_symbols = 41;
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+/// The word of a mended token.
+std::string_view word_at(std::size_t index) {
+    const auto& reserved = reserved_words();
+    return index < reserved.size() ? reserved[index] : symbols.at(index - reserved.size());
+}
+
+std::size_t index_of(std::string_view word) {
+    const auto& reserved = reserved_words();
+    const auto found = std::lower_bound(reserved.begin(), reserved.end(), word);
+    if (found != reserved.end() && *found == word) return static_cast<std::size_t>(found - reserved.begin());
+    const auto* symbol = std::find(symbols.begin(), symbols.end(), word);
+    return reserved.size() + static_cast<std::size_t>(symbol - symbols.begin());
+}
+
+class Lexer {
+public:
+    Lexer(std::string_view text, SourceId source, bool is_assertions, Diagnostics& out)
+        : text_(text), source_(source), is_assertions_(is_assertions), out_(out) {}
+
+    TokenStream run();
+
+private:
+    [[nodiscard]] char peek(std::size_t ahead = 0) const {
+        return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+    }
+    [[nodiscard]] bool starts(std::string_view word) const { return text_.substr(at_, word.size()) == word; }
+    [[nodiscard]] Span span_from(std::size_t begin) const {
+        return {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
+    }
+    void add(TokenKind kind, std::size_t begin, bool escaped = false);
+    bool refuse_binary();
+    void skip_space();
+    bool comment();
+    void block_comment(std::size_t begin);
+    void word();
+    void csp_code(std::size_t begin);
+    void number();
+    void check_integer(std::size_t begin);
+    void check_real(std::size_t begin);
+    void string();
+    bool symbol();
+    void unexpected();
+    void token();
+    bool too_long();
+
+    std::string_view text_;
+    SourceId source_;
+    bool is_assertions_;
+    Diagnostics& out_;
+    std::size_t at_ = 0;
+    std::size_t line_begin_ = 0;  ///< offset just after the last line end passed
+    std::size_t last_end_ = 0;    ///< end of the last token
+    TokenStream stream_{TokenList(text_, source_), {}};
+};
+
+void Lexer::add(TokenKind kind, std::size_t begin, bool escaped) {
+    const bool first_on_line = stream_.tokens.empty() || last_end_ <= line_begin_;
+    stream_.tokens.add(kind, span_from(begin), escaped, first_on_line);
+    last_end_ = std::max(at_, begin + 1);
+}
+
+/// A NUL byte never occurs in text: one message for the whole file.
+bool Lexer::refuse_binary() {
+    const std::size_t nul = text_.find('\0');
+    if (nul == std::string_view::npos) return false;
+    at_ = nul + 1;
+    out_.report(syntax::not_text, span_from(nul));
+    at_ = text_.size();
+    return true;
+}
+
+void Lexer::skip_space() {
+    for (; at_ < text_.size() && is_space(text_[at_]); ++at_)
+        if (text_[at_] == '\n' || text_[at_] == '\r') line_begin_ = at_ + 1;
+}
+
+void Lexer::block_comment(std::size_t begin) {
+    const std::size_t end = text_.find("*/", at_ + 2);
+    const bool closed = end != std::string_view::npos;
+    const std::size_t stop = closed ? end + 2 : text_.size();
+    if (!closed) {
+        at_ += 2;
+        out_.report(syntax::open_comment, span_from(begin));
+    }
+    const std::size_t line_end = text_.substr(begin, stop - begin).find_last_of("\r\n");
+    if (line_end != std::string_view::npos) line_begin_ = begin + line_end + 1;
+    at_ = stop;
+    stream_.comments.push_back(span_from(begin));
+}
+
+bool Lexer::comment() {
+    const std::size_t begin = at_;
+    if (starts("/*")) {
+        block_comment(begin);
+        return true;
+    }
+    if (!starts("//")) return false;
+    at_ = std::min(text_.size(), text_.find_first_of("\r\n", at_));
+    stream_.comments.push_back(span_from(begin));
+    return true;
+}
+
+void Lexer::csp_code(std::size_t begin) {
+    const std::size_t end = text_.find("csp-end", at_);
+    if (end == std::string_view::npos) {
+        out_.report(syntax::open_csp_block, span_from(begin));
+        at_ = text_.size();
+    } else {
+        at_ = end + std::string_view("csp-end").size();
+    }
+    add(TokenKind::csp_code, begin);
+}
+
+void Lexer::word() {
+    const std::size_t begin = at_;
+    const bool escaped = peek() == '^';
+    if (escaped) ++at_;
+    const std::size_t name = at_;
+    while (is_letter(peek()) || is_digit(peek())) ++at_;
+    const std::string_view text = text_.substr(name, at_ - name);
+    if (is_assertions_ && text == "csp" && starts("-begin")) {
+        at_ += std::string_view("-begin").size();
+        return csp_code(begin);
+    }
+    if (!escaped && (text == "Set" || text == "Seq") && peek() == '(') {
+        ++at_;
+        return add(TokenKind::symbol, begin);
+    }
+    add(!escaped && is_reserved(text) ? TokenKind::keyword : TokenKind::identifier, begin, escaped);
+}
+
+void Lexer::check_integer(std::size_t begin) {
+    const std::string_view digits = text_.substr(begin, at_ - begin);
+    std::int64_t value = 0;
+    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (result.ec != std::errc()) out_.report(syntax::huge_integer, span_from(begin), {shorten(digits)});
+}
+
+/// Reals are kept as exact decimals of at most 18 digits.
+void Lexer::check_real(std::size_t begin) {
+    std::string_view digits = text_.substr(begin, at_ - begin);
+    const std::size_t leading = std::min(digits.find_first_not_of('0'), digits.find('.'));
+    digits.remove_prefix(leading);
+    if (digits.size() - 1 > 18) out_.report(syntax::long_real, span_from(begin), {shorten(digits)});
+}
+
+void Lexer::number() {
+    const std::size_t begin = at_;
+    while (is_digit(peek())) ++at_;
+    const bool real = peek() == '.' && is_digit(peek(1));
+    if (real) {
+        ++at_;
+        while (is_digit(peek())) ++at_;
+        check_real(begin);
+    } else {
+        check_integer(begin);
+    }
+    add(real ? TokenKind::real : TokenKind::integer, begin);
+}
+
+void Lexer::string() {
+    const std::size_t begin = at_;
+    const char quote = text_[at_++];
+    while (at_ < text_.size() && text_[at_] != quote) at_ += text_[at_] == '\\' ? 2U : 1U;
+    if (at_ >= text_.size()) {
+        at_ = begin + 1;
+        out_.report(syntax::open_string, span_from(begin));
+        at_ = std::min(text_.size(), text_.find_first_of("\r\n", begin));
+    } else {
+        ++at_;
+    }
+    add(TokenKind::string, begin);
+}
+
+bool Lexer::symbol() {
+    const std::size_t known = is_assertions_ ? symbols.size() : model_symbols;
+    for (std::size_t i = 0; i < known; ++i) {
+        if (symbols[i].front() != text_[at_] || !starts(symbols[i])) continue;
+        const std::size_t begin = at_;
+        at_ += symbols[i].size();
+        add(TokenKind::symbol, begin);
+        return true;
+    }
+    return false;
+}
+
+/// A run of bytes that begin no word is one mistake, with the rest of the name that it stands in.
+void Lexer::unexpected() {
+    const std::size_t begin = at_;
+    const auto strange = [](char c) {
+        return static_cast<unsigned char>(c) >= 0x80U || static_cast<unsigned char>(c) < 0x20U || c == 0x7F;
+    };
+    const bool inside_name =
+        last_end_ == begin && !stream_.tokens.empty() && stream_.tokens.back().kind == TokenKind::identifier;
+    const auto goes_on = [&](char c) {
+        return (strange(c) && !is_space(c)) || (inside_name && (is_letter(c) || is_digit(c)));
+    };
+    do ++at_;
+    while (at_ < text_.size() && goes_on(text_[at_]));
+    out_.report(syntax::strange_character, span_from(begin), {shorten(text_.substr(begin, at_ - begin))});
+}
+
+void Lexer::token() {
+    const char c = peek();
+    if (comment()) return;
+    if (is_letter(c) || (c == '^' && is_letter(peek(1)))) return word();
+    if (is_digit(c)) return number();
+    if (c == '"' || c == '\'') return string();
+    if (!symbol()) unexpected();
+}
+
+bool Lexer::too_long() {
+    if (stream_.tokens.size() < max_tokens) return false;
+    out_.report(syntax::too_long, {source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_)},
+                {std::to_string(max_tokens)});
+    at_ = text_.size();
+    return true;
+}
+
+TokenStream Lexer::run() {
+    if (!refuse_binary()) {
+        if (starts("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
+        for (skip_space(); at_ < text_.size() && !too_long(); skip_space()) {
+            out_.poll();
+            token();
+        }
+    }
+    add(TokenKind::end, at_);
+    return std::move(stream_);
+}
+
+}  // namespace
+
+std::span<const std::string_view> assertion_words() {
+    static constexpr std::array<std::string_view, 45> words = {
+        "and",      "assertion", "assigned",      "associated", "begin",       "constant",    "constants",   "csp",
+        "deadlock", "defs",      "deterministic", "divergence", "divergences", "does",        "endrewards",  "equal",
+        "equals",   "failures",  "formula",       "free",       "generate",    "initialised", "instantiate", "label",
+        "model",    "of",        "parameter",     "path",  "pmodules",   "prob",        "property",    "reachable",   "refine",
+        "refines",  "rewards",   "set",           "terminate",  "tick",        "timed",       "timelock",    "tock",
+        "traces",   "untimed",   "value",         "with"};
+    return words;
+}
+
+std::span<const std::string_view> symbol_words() {
+    return symbols;
+}
+
+Token TokenList::operator[](std::size_t index) const {
+    const Packed& item = items_[index];
+    Token token;
+    token.kind = item.kind;
+    token.escaped = item.escaped;
+    token.first_on_line = item.first_on_line;
+    token.span = {source_, item.begin, item.end};
+    const std::uint32_t begin = item.begin + (item.escaped ? 1U : 0U);
+    token.text = item.word != 0 ? word_at(item.word - 1U) : text_.substr(begin, item.end - begin);
+    return token;
+}
+
+void TokenList::add(TokenKind kind, Span span, bool escaped, bool first_on_line) {
+    items_.push_back({span.begin, span.end, kind, escaped, first_on_line, 0});
+}
+
+void TokenList::mend(std::size_t index, TokenKind kind, std::string_view word) {
+    items_[index].kind = kind;
+    items_[index].escaped = false;
+    items_[index].word = static_cast<std::uint16_t>(index_of(word) + 1);
+}
+
+void TokenList::drop_first_character(std::size_t index) {
+    ++items_[index].begin;
+    items_[index].escaped = false;
+    items_[index].first_on_line = false;
+}
+
+TokenStream tokenize(const diagnostics::SourceManager& sources, SourceId source, bool is_assertions, Diagnostics& out) {
+    return Lexer(sources.text(source), source, is_assertions, out).run();
+}
+
+}  // namespace robochart::frontend

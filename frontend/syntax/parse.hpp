@@ -1,0 +1,16 @@
+// From text to a syntax tree.
+#pragma once
+
+#include <memory>
+
+#include "diagnostics/diagnostic.hpp"
+#include "frontend/syntax/ast.hpp"
+
+namespace robochart::frontend {
+
+/// Reads one text. Never fails: what cannot be understood becomes diagnostics and error nodes.
+/// `is_assertions` selects the grammar of `.assertions`.
+[[nodiscard]] std::unique_ptr<File> parse(const diagnostics::SourceManager&, diagnostics::SourceId, bool is_assertions,
+                                          diagnostics::Diagnostics&);
+
+}  // namespace robochart::frontend

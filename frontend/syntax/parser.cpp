@@ -1,0 +1,444 @@
+// The parser's foundation: words, mistakes, recovery, and the file as a whole.
+#include "frontend/syntax/parser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "diagnostics/spelling.hpp"
+#include "frontend/syntax/parse.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// Words that begin a declaration of a file and nothing inside one.
+constexpr std::array<std::string_view, 10> top_level_words = {
+    "package", "import", "diagram", "interface", "type", "enumeration", "datatype", "record", "function", "module"};
+/// Words that begin a member of some body.
+constexpr std::array<std::string_view, 29> member_words = {
+    "uses",       "requires", "provides",   "var",          "const",        "event",         "_broadcast", "clock",
+    "operation",  "opref",    "stm",        "sref",         "cref",         "rref",          "robotic",    "controller",
+    "connection", "state",    "initial",    "final",        "junction",     "probabilistic", "transition", "entry",
+    "during",     "exit",     "terminates", "precondition", "postcondition"};
+
+/// Components of the grammars with neural networks, by the words that begin them.
+bool among_neural(std::string_view word) {
+    constexpr std::array<std::string_view, 6> words = {"anncontroller", "ANNController", "annoperation",
+                                                       "ANNOperation",  "ann",           "ANN"};
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+template <class Words>
+bool among(const Token& token, const Words& words) {
+    return token.kind == TokenKind::keyword && std::find(words.begin(), words.end(), token.text) != words.end();
+}
+
+}  // namespace
+
+Parser::Parser(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions,
+               diagnostics::Diagnostics& out)
+    : sources_(sources), source_(source), is_assertions_(is_assertions), out_(out) {
+    const std::size_t errors = out.errors();
+    TokenStream stream = tokenize(sources, source, is_assertions, out);
+    tokens_ = std::move(stream.tokens);
+    comments_ = std::move(stream.comments);
+    lexical_errors_ = out.errors() > errors;
+    if (lexical_errors_)
+        for (const diagnostics::Diagnostic& finding : out.sorted())
+            if (finding.span.source == source && finding.rule == &syntax::strange_character)
+                strange_.push_back(finding.span.begin);
+    for (const Token& token : tokens_) {
+        if (token.kind != TokenKind::symbol) continue;
+        if (token.text == "{" || token.text == "<{") ++surplus_;
+        if (token.text == "}") --surplus_;
+    }
+}
+
+Parser::Nesting::Nesting(Parser& parser) : parser_(parser) {
+    if (parser_.depth_ >= max_depth) parser_.too_deep(max_depth);
+    ++parser_.depth_;
+}
+
+// ---------------------------------------------------------------- words
+
+bool Parser::at_word(std::string_view word, std::size_t ahead) const {
+    const Token& token = peek(ahead);
+    const bool word_like = token.kind == TokenKind::identifier || token.kind == TokenKind::keyword;
+    return word_like && !token.escaped && token.text == word;
+}
+
+Token Parser::advance() {
+    out_.poll();
+    const Token token = peek();
+    if (at_ + 1 < tokens_.size()) ++at_;
+    return token;
+}
+
+bool Parser::accept(std::string_view word) {
+    if (!at(word)) return false;
+    advance();
+    return true;
+}
+
+bool Parser::accept_word(std::string_view word) {
+    if (!at_word(word)) return false;
+    advance();
+    return true;
+}
+
+Span Parser::expect(std::string_view word) {
+    if (at(word)) return advance().span;
+    const Span place = missing_place();
+    diagnostics::Diagnostic* finding = missing(fmt::format("`{}`", word));
+    const bool stray = peek(1).is(word) && !at("{") && !at("}") && !peek(1).first_on_line;
+    if (stray) {
+        advance();
+        return advance().span;
+    }
+    const bool closes = word == ")" || word == "]" || word == "|)" || word == "|]";
+    if (finding != nullptr && closes) {
+        finding->fixes.push_back({{source_, place.begin, place.begin}, std::string(word), "insert"});
+        inserted_ = finding;
+    }
+    return {source_, place.begin, place.begin};
+}
+
+void Parser::expect_word(std::string_view word) {
+    if (accept_word(word)) return;
+    missing(fmt::format("`{}`", word));
+    if (!at_word(word, 1)) return;
+    advance();
+    advance();
+}
+
+void Parser::name(Declaration& declaration) {
+    const QualifiedName read = simple_name("a name");
+    declaration.name = read.parts.front();
+    declaration.name_span = read.span;
+    if (declaration.name.starts_with('?')) lost_declarations_ = true;
+}
+
+QualifiedName Parser::simple_name(std::string_view what) {
+    QualifiedName result;
+    add_part(result, what);
+    return result;
+}
+
+QualifiedName Parser::plain_name(std::string_view what) {
+    QualifiedName result = simple_name(what);
+    if (!at("::")) return result;
+    const std::size_t start = at_ - 1;
+    at_ = start;
+    const QualifiedName written = qualified_name(what);
+    QualifiedName last;
+    last.parts.push_back(written.parts.back());
+    last.spans.push_back(written.spans.back());
+    last.span = written.spans.back();
+    if (diagnostics::Diagnostic* finding = report(syntax::plain_name, written.span, {shorten(written.text())}))
+        finding->fixes.push_back({written.span, last.parts.front(), "leave out what it is in"});
+    return last;
+}
+
+QualifiedName Parser::qualified_name(std::string_view what) {
+    QualifiedName result = simple_name(what);
+    while (at("::") && !peek(1).is("*")) {
+        advance();
+        add_part(result, "a name after `::`");
+    }
+    return result;
+}
+
+/// A reserved word on the same line is taken for the name that was meant. A missing name gets one that nobody can
+/// write.
+void Parser::add_part(QualifiedName& result, std::string_view what) {
+    const Token token = peek();
+    const bool reserved = token.kind == TokenKind::keyword && !token.first_on_line && at_ >= quiet_until_;
+    const bool followed =
+        peek(1).is("{") || peek(1).is(":") || peek(1).is("(") || peek(1).is("=") || result.parts.empty();
+    std::string part(token.text);
+    Span span = token.span;
+    bool written = true;
+    if (reserved && followed && !at_follower()) {
+        if (diagnostics::Diagnostic* finding = report(syntax::reserved_name, span, {part}))
+            finding->fixes.push_back({span, "^" + part, "escape it"});
+        lost_names_.push_back(part);  // that there is nothing of this name is no second mistake
+    } else if (token.kind != TokenKind::identifier) {
+        span = missing_place();
+        span.end = span.begin;
+        part = fmt::format("?{}", span.begin);
+        missing(what);
+        written = token.kind == TokenKind::integer || token.kind == TokenKind::real || token.kind == TokenKind::string;
+    }
+    result.parts.push_back(std::move(part));
+    result.spans.push_back(span);
+    result.span = diagnostics::join(result.span, span);
+    if (written) advance();
+}
+
+/// Words that come after a name where one is missing, not for it.
+bool Parser::at_follower() const {
+    constexpr std::array<std::string_view, 8> followers = {"to",        "on",     "from", "trigger",
+                                                           "condition", "action", "is",   "in"};
+    constexpr std::array<std::string_view, 8> members = {"var",  "const",    "event",    "clock",
+                                                         "uses", "requires", "provides", "transition"};
+    if (among(peek(), members) && peek(1).kind == TokenKind::identifier && !peek(1).first_on_line) return true;
+    return among(peek(), followers) && (peek(1).kind == TokenKind::identifier || peek(1).kind == TokenKind::keyword);
+}
+
+std::string Parser::found() const {
+    const Token& token = peek();
+    switch (token.kind) {
+        case TokenKind::end:
+            return "the end of the file";
+        case TokenKind::keyword:
+            return fmt::format("the reserved word `{}`", token.text);
+        case TokenKind::string:
+            return "a string";
+        case TokenKind::csp_code:
+            return "a CSP block";
+        default:
+            return fmt::format("`{}`", shorten(token.text));
+    }
+}
+
+// ---------------------------------------------------------------- mistakes and recovery
+
+diagnostics::Diagnostic* Parser::report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
+    ++failures_;
+    if (at_ < quiet_until_ || behind_strange_characters()) {
+        // What was put in did not help: the mend was none.
+        if (inserted_ != nullptr) inserted_->fixes.clear();
+        inserted_ = nullptr;
+        return nullptr;
+    }
+    inserted_ = nullptr;
+    quiet_until_ = at_ + 3;
+    if (++mistakes_ > max_mistakes) {
+        out_.report(syntax::too_many, span);
+        throw GiveUp{};
+    }
+    return &out_.report(rule, span, std::move(arguments));
+}
+
+/// Where characters were left out that belong to no word, the message about them is enough.
+bool Parser::behind_strange_characters() const {
+    const std::uint32_t from = at_ > 0 ? previous().span.end : 0;
+    const auto first = std::lower_bound(strange_.begin(), strange_.end(), from);
+    return first != strange_.end() && *first < std::max(from + 1, peek().span.begin);
+}
+
+void Parser::fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
+    report(rule, span, std::move(arguments));
+    throw SyntaxError{};
+}
+
+/// What is nested like this was not written by people; the rest of the file is not read.
+void Parser::too_deep(std::size_t limit) {
+    report(syntax::too_deep, peek().span, {std::to_string(limit)});
+    throw GiveUp{};
+}
+
+/// Something missing at a line's end is shown there, not at the next line's beginning.
+Span Parser::missing_place() const {
+    const Span span = peek().span;
+    if (at_ == 0 || !(peek().first_on_line || at_end())) return span;
+    return {source_, previous().span.end, previous().span.end};
+}
+
+void Parser::expected(std::string_view what) {
+    fail(syntax::unexpected, missing_place(), {std::string(what), found()});
+}
+
+diagnostics::Diagnostic* Parser::missing(std::string_view what) {
+    if (at_ < quiet_until_) expected(what);
+    return report(syntax::unexpected, missing_place(), {std::string(what), found()});
+}
+
+/// What the tree can only mean with parentheses around this part.
+void Parser::needs_parentheses(std::string_view what, Span span) {
+    diagnostics::Diagnostic* finding = report(syntax::needs_parentheses, span, {std::string(what)});
+    if (finding == nullptr) return;
+    const std::string text(sources_.text(source_).substr(span.begin, span.end - span.begin));
+    finding->fixes.push_back({span, "(" + text + ")", "write"});
+}
+
+/// Names of a part that was not understood may be declared there for all we know.
+void Parser::forget(std::size_t begin, std::size_t end) {
+    if (failures_ == forgotten_) return;
+    forgotten_ = failures_;
+    for (std::size_t i = begin; i < end && i < tokens_.size(); ++i)
+        if (tokens_.kind(i) == TokenKind::identifier) lost_names_.emplace_back(tokens_[i].text);
+}
+
+/// Newer grammars have components that are neural networks: refused by name, with their body.
+bool Parser::neural_construct() {
+    const Token token = peek();
+    const bool begins = token.kind == TokenKind::identifier && peek(1).kind == TokenKind::identifier &&
+                        (peek(2).is("{") || peek(2).is("(") || peek(2).is("="));
+    if (!begins || !among_neural(token.text)) return false;
+    report(syntax::neural, diagnostics::join(token.span, peek(1).span), {std::string(token.text)});
+    const bool has_body = peek(2).is("{") || peek(2).is("(");
+    while (has_body && !at_end() && !at("{")) advance();
+    if (has_body)
+        skip_balanced();
+    else
+        for (int i = 0; i < 4; ++i) advance();
+    quiet_until_ = 0;
+    return true;
+}
+
+std::size_t Parser::indentation(std::size_t token) const {
+    const std::string_view before = sources_.text(source_).substr(0, tokens_.at(token).span.begin);
+    const std::size_t newline = before.find_last_of("\r\n");
+    const std::string_view line = before.substr(newline == std::string_view::npos ? 0 : newline + 1);
+    return std::min(line.size(), line.find_first_not_of(" \t"));
+}
+
+/// With more closing braces than opening ones: is this one in the middle of a body that goes on behind it?
+bool Parser::stray_brace(std::size_t open) const {
+    if (surplus_ >= 0) return false;
+    const std::string_view body =
+        sources_.text(source_).substr(0, peek().span.begin).substr(tokens_.at(open).span.begin);
+    if (body.find('\n') == std::string_view::npos) return false;
+    const Token next = peek(1);
+    if (next.is("}") || next.kind == TokenKind::end) return false;
+    if (!next.first_on_line) return true;
+    return !peek().first_on_line && indentation(at_ + 1) > indentation(open);
+}
+
+void Parser::pass_stray_brace() {
+    if (diagnostics::Diagnostic* finding = report(syntax::stray_bracket, peek().span))
+        finding->fixes.push_back({peek().span, "", "remove it"});
+    ++surplus_;
+    advance();
+    quiet_until_ = at_ + 3;
+}
+
+/// The word of the grammar that a misspelt name is near to; "" if there is none.
+std::string_view Parser::meant_word() {
+    constexpr std::size_t most_checks = 1000;  // garbage of many lines is not worth more
+    if (peek().kind != TokenKind::identifier || peek().escaped || ++spelling_checks_ > most_checks) return {};
+    std::vector<std::string> words(member_words.begin(), member_words.end());
+    words.insert(words.end(), top_level_words.begin(), top_level_words.end());
+    const std::string meant = diagnostics::nearest(peek().text, words);
+    const auto& reserved = reserved_words();
+    const auto word = std::lower_bound(reserved.begin(), reserved.end(), meant);
+    return meant.empty() || word == reserved.end() || *word != meant ? std::string_view() : *word;
+}
+
+void Parser::wrong_word(std::string_view what) {
+    const Span span = peek().span;
+    const std::string_view meant = meant_word();
+    const std::vector<std::string> words(member_words.begin(), member_words.end());
+    const bool certain = diagnostics::is_certain(peek().text, meant, words);
+    diagnostics::Diagnostic* finding = report(syntax::unexpected, span, {std::string(what), found()});
+    if (finding == nullptr || meant.empty()) throw SyntaxError{};
+    finding->fixes.push_back({span, std::string(meant), diagnostics::suggested(certain)});
+    tokens_.mend(at_, TokenKind::keyword, meant);
+    quiet_until_ = 0;
+    mended_ = true;
+    throw SyntaxError{};
+}
+
+bool Parser::mended() {
+    const bool result = mended_;
+    mended_ = false;
+    return result;
+}
+
+bool Parser::at_top_level_word() const {
+    return among(peek(), top_level_words);
+}
+
+bool Parser::at_member_word() const {
+    return among(peek(), member_words);
+}
+
+/// From an opening brace to behind its closing one. A word that only begins declarations ends the search: a brace is
+/// missing.
+void Parser::skip_balanced() {
+    std::size_t open = 0;
+    while (!at_end()) {
+        if (open > 0 && at_top_level_word() && peek().first_on_line) return;
+        if (at("{") || at("<{")) ++open;
+        if (at("}") && --open == 0) {
+            advance();
+            return;
+        }
+        advance();
+    }
+}
+
+void Parser::skip_to_member() {
+    while (!at_end() && !at_member_word() && !at_top_level_word()) {
+        if (at("}")) {
+            if (surplus_ >= 0) return;
+            ++surplus_;  // its opening brace was closed too early
+            advance();
+            continue;
+        }
+        if (peek().first_on_line && !meant_word().empty()) {
+            quiet_until_ = 0;  // a mistake of its own
+            return;
+        }
+        if (at("{") || at("<{"))
+            skip_balanced();
+        else
+            advance();
+    }
+}
+
+/// In this body, is the next word a sign that the closing brace was forgotten?
+bool Parser::closes_missing_brace(unsigned members) const {
+    if (at_end() || at_top_level_word()) return true;
+    constexpr std::array<std::string_view, 9> part_words = {"stm",  "operation", "controller", "robotic",   "opref",
+                                                            "sref", "cref",      "rref",       "connection"};
+    constexpr std::array<std::string_view, 8> context_words = {"uses",  "requires", "provides",   "var",
+                                                               "const", "event",    "_broadcast", "clock"};
+    const bool holds_parts = (members & (controller_members | module_members)) != 0;
+    const bool holds_context = (members & context_members) != 0;
+    return (!holds_parts && among(peek(), part_words)) ||
+           (!holds_parts && !holds_context && among(peek(), context_words));
+}
+
+std::unique_ptr<File> Parser::file() {
+    auto result = std::make_unique<File>();
+    result->source = source_;
+    result->is_assertions = is_assertions_;
+    try {
+        guarded([&] { package_clause(*result); });
+        while (!at_end()) is_assertions_ ? assertion_member(*result) : top_level(*result);
+    } catch (const GiveUp&) {
+        // Reported already; what was read is kept.
+    }
+    result->comments = std::move(comments_);
+    result->lost_names = std::move(lost_names_);
+    result->lost_declarations = lost_declarations_;
+    result->has_syntax_errors = lexical_errors_ || mistakes_ > 0;
+    return result;
+}
+
+namespace {
+
+/// Of a display path, which may be relative.
+std::string folder_of(const std::string& path) {
+    std::error_code code;
+    const std::filesystem::path absolute = std::filesystem::absolute(path, code);
+    const std::string folder = (code ? std::filesystem::path(path) : absolute).lexically_normal().parent_path().string();
+    return folder.ends_with("/") ? folder : folder + "/";
+}
+
+}  // namespace
+
+std::unique_ptr<File> parse(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions,
+                            diagnostics::Diagnostics& out) {
+    std::unique_ptr<File> file = Parser(sources, source, is_assertions, out).file();
+    file->folder = folder_of(sources.path(source));
+    return file;
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,312 @@
+// Assertion files (Assertions.xtext). CSP blocks and the PRISM parts are kept as text.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "frontend/syntax/parser.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// The words that begin such a part, and what follows the name behind them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> property_forms = {{{"instantiate", "as"},
+                                                                                          {"const", ":"},
+                                                                                          {"constants", ":"},
+                                                                                          {"label", "="},
+                                                                                          {"formula", "="},
+                                                                                          {"rewards", "="},
+                                                                                          {"defs", ":"},
+                                                                                          {"pmodules", ":"}}};
+
+}  // namespace
+
+/// A part that is kept as text begins here: one of its words in its own form, not `with constants` or `#label`.
+bool Parser::at_property_word() const {
+    if (at_word("prob")) return at_word("property", 1) || at_word("generate", 1);
+    const auto* form =
+        std::find_if(property_forms.begin(), property_forms.end(), [&](const auto& f) { return at_word(f.first); });
+    if (form == property_forms.end()) return false;
+    // Other ways of PRISM and its users: the word on a new line.
+    const bool loose = peek().first_on_line && !at_word("const") && !at_word("constants");
+    if (loose && (peek(1).kind == TokenKind::string || peek(1).kind == TokenKind::identifier)) return true;
+    if (peek(1).kind != TokenKind::identifier) return false;
+    std::size_t ahead = 2;
+    while (form->second == "as" && peek(ahead).is("::")) ahead += 2;
+    return peek(ahead).is(form->second);
+}
+
+/// `sleec assertion …`: of another tool, where it begins a line.
+bool Parser::at_foreign_assertion() const {
+    if (!peek().first_on_line || peek(1).first_on_line) return false;
+    return peek().kind == TokenKind::identifier && !at_word("timed") && !at_word("untimed") && !at_word("assertion") &&
+           !at_word("csp") && at_word("assertion", 1) && peek(2).kind == TokenKind::identifier;
+}
+
+/// Kept as text, up to the next member, and said to be of no kind that is checked here.
+void Parser::foreign_assertion(File& file) {
+    const Span begin = peek().span;
+    const std::string word(peek().text);
+    advance();
+    advance();
+    const std::string name(peek().text);
+    file.kept.push_back({word + " assertion", name, diagnostics::join(begin, peek().span), true, false});
+    while (!at_end() && !at_assertion_member()) advance();
+    const Span span = since(begin);
+    report(syntax::foreign_assertion, {begin.source, begin.begin, span.end}, {name, word});
+    quiet_until_ = 0;
+    file.verbatim.emplace_back(sources_.text(source_).substr(span.begin, span.end - span.begin));
+}
+
+bool Parser::at_assertion_member() const {
+    if (at_foreign_assertion()) return true;
+    if (at("import") || at("package") || at_property_word()) return true;
+    if (at_word("timed") || at_word("untimed")) return at_word("assertion", 1) || at_word("csp", 1);
+    return (at_word("assertion") || at_word("csp")) && peek(1).kind == TokenKind::identifier;
+}
+
+void Parser::assertion_member(File& file) {
+    const std::size_t start = at_;
+    const bool read = guarded([&] {
+        if (at("import")) return import(file);
+        if (at("package")) {
+            report(syntax::late_package, peek().span);
+            advance();
+            qualified_name("the package's name");
+            return;
+        }
+        const AssertionTime time = accept_word("timed")     ? AssertionTime::timed
+                                   : accept_word("untimed") ? AssertionTime::untimed
+                                                            : AssertionTime::both;
+        if (time == AssertionTime::both && at_foreign_assertion()) return foreign_assertion(file);
+        if (neural_construct()) return;
+        if (at_word("assertion")) return assertion(file, time);
+        if (at_word("csp")) return csp_block(file, time);
+        if (at_property_word() && time == AssertionTime::both) return verbatim(file);
+        expected("`assertion`, `csp` or `import`");
+    });
+    if (read) return;
+    if (at_ == start) advance();
+    while (!at_end() && !at_assertion_member()) advance();
+}
+
+/// `prob property P`, `prob generate path P`, `defs D`: how a part that is kept as text begins. Of a name in parts, as
+/// `instantiate P::T`, the whole.
+KeptPart Parser::kept_part() const {
+    KeptPart part{std::string(peek().text), {}, peek().span, at_word("prob"), true};
+    std::size_t at = 1;
+    const auto take = [&](std::string& to) {
+        to += peek(at).text;
+        part.span = diagnostics::join(part.span, peek(at).span);
+        ++at;
+    };
+    const bool generates = at_word("generate", 1);
+    if (part.claims) take(part.form += " ");
+    if (generates && at_word("path", at)) take(part.form += " ");
+    if (peek(at).kind == TokenKind::identifier || peek(at).kind == TokenKind::string) take(part.name);
+    while (peek(at).is("::") && peek(at + 1).kind == TokenKind::identifier) {
+        take(part.name);
+        take(part.name);
+    }
+    return part;
+}
+
+/// A PRISM part: up to the next member.
+void Parser::verbatim(File& file) {
+    const Span begin = peek().span;
+    const bool rewards = at_word("rewards");
+    file.kept.push_back(kept_part());
+    advance();
+    while (!at_end() && (rewards ? !at_word("endrewards") : !at_assertion_member())) advance();
+    if (rewards) accept_word("endrewards");
+    const Span span = since(begin);
+    file.verbatim.emplace_back(sources_.text(source_).substr(span.begin, span.end - span.begin));
+}
+
+/// `csp NAME associated to X, Y csp-begin … csp-end`
+void Parser::csp_block(File& file, AssertionTime time) {
+    constexpr std::string_view open = "csp-begin";
+    constexpr std::string_view close = "csp-end";
+    CspBlock block;
+    block.time = time;
+    block.span = peek().span;
+    expect_word("csp");
+    const QualifiedName name = simple_name("the block's name");
+    block.name = name.text();
+    block.name_span = name.span;
+    if (accept_word("associated")) {
+        expect_word("to");
+        do block.associated.push_back(qualified_name("the name of a component"));
+        while (accept(","));
+    }
+    if (peek().kind != TokenKind::csp_code) expected("`csp-begin`");
+    const Token code = advance();
+    std::string_view text = code.text;
+    text.remove_prefix(open.size());
+    if (text.size() >= close.size() && text.substr(text.size() - close.size()) == close)
+        text.remove_suffix(close.size());
+    const auto begin = code.span.begin + static_cast<std::uint32_t>(open.size());
+    block.text_span = {source_, begin, begin + static_cast<std::uint32_t>(text.size())};
+    block.text = std::string(text);
+    block.span = since(block.span);
+    file.csp_blocks.push_back(std::move(block));
+}
+
+void Parser::assertion(File& file, AssertionTime time) {
+    Assertion assertion;
+    assertion.time = time;
+    const Span time_word = previous().span;
+    assertion.span = peek().span;
+    expect_word("assertion");
+    const QualifiedName name = simple_name("the assertion's name");
+    assertion.name = name.text();
+    assertion.name_span = name.span;
+    expect(":");
+    assertion_body(assertion, time_word);
+    assertion_model(assertion);
+    assertion_parameters(assertion);
+    accept(".");
+    assertion.span = since(assertion.span);
+    file.assertions.push_back(std::move(assertion));
+}
+
+/// The grammar asks about clocks without `timed` or `untimed`.
+void Parser::refuse_time(AssertionTime time, Span word) {
+    const std::string text = time == AssertionTime::timed ? "timed" : "untimed";
+    if (diagnostics::Diagnostic* finding = report(syntax::clock_time, word, {text}))
+        finding->fixes.push_back({word, "", "leave it out"});
+    quiet_until_ = 0;
+}
+
+void Parser::assertion_body(Assertion& assertion, Span time_word) {
+    if (at("clock")) {
+        if (assertion.time != AssertionTime::both) refuse_time(assertion.time, time_word);
+        advance();
+        assertion.kind = AssertionKind::clock_initialised;
+        assertion.other = qualified_name("the name of a clock");
+        expect("is");
+        assertion.negated = accept("not");
+        return expect_word("initialised");
+    }
+    assertion.subject = qualified_name("the name of a component");
+    if (accept("is")) return assertion_is(assertion);
+    if (accept_word("does")) return assertion_does(assertion);
+    if (accept_word("terminates")) {
+        assertion.kind = AssertionKind::terminates;
+        return;
+    }
+    const bool refines = at_word("refines");
+    if (!refines && !at_word("equals")) expected("`is`, `does`, `terminates`, `refines` or `equals`");
+    advance();
+    assertion.kind = refines ? AssertionKind::refines : AssertionKind::equals;
+    assertion.other = qualified_name("the name of a component or CSP process");
+}
+
+/// After `X is`: a property, `not equal to Y`, or `reachable in Y`.
+void Parser::assertion_is(Assertion& assertion) {
+    constexpr std::array<std::pair<std::string_view, AssertionKind>, 3> hyphenated = {
+        {{"deadlock", AssertionKind::deadlock_free},
+         {"divergence", AssertionKind::divergence_free},
+         {"timelock", AssertionKind::timelock_free}}};
+    assertion.negated = accept("not");
+    for (const auto& [word, kind] : hyphenated) {
+        if (!at_word(word)) continue;
+        assertion.kind = kind;
+        return hyphenated_word(word, "free");
+    }
+    if (accept_word("deterministic")) {
+        assertion.kind = AssertionKind::deterministic;
+    } else if (accept_word("reachable")) {
+        assertion.kind = AssertionKind::reachable;
+        expect("in");
+        assertion.other = std::move(assertion.subject);
+        assertion.subject = qualified_name("the name of a component");
+    } else if (assertion.negated && accept_word("equal")) {
+        expect("to");
+        assertion.kind = AssertionKind::equals;
+        assertion.other = qualified_name("the name of a component or CSP process");
+    } else {
+        expected("a property such as `deadlock-free`");
+    }
+}
+
+/// After `X does`: `not terminate`, `not refine Y`.
+void Parser::assertion_does(Assertion& assertion) {
+    expect("not");
+    assertion.negated = true;
+    if (accept_word("terminate")) {
+        assertion.kind = AssertionKind::terminates;
+        return;
+    }
+    if (!accept_word("refine")) expected("`terminate` or `refine`");
+    assertion.kind = AssertionKind::refines;
+    assertion.other = qualified_name("the name of a component or CSP process");
+}
+
+/// `deadlock-free`, `tick-tock`: one word.
+void Parser::hyphenated_word(std::string_view first, std::string_view second) {
+    const Span begin = peek().span;
+    advance();
+    const bool hyphen = accept("-");
+    if (!at_word(second)) return expect_word(fmt::format("{}-{}", first, second));
+    advance();
+    const Span span = since(begin);
+    const std::string word = fmt::format("{}-{}", first, second);
+    if (hyphen && span.end - span.begin == word.size()) return;
+    if (diagnostics::Diagnostic* finding = report(syntax::hyphenated, span, {word}))
+        finding->fixes.push_back({span, word, "write"});
+    quiet_until_ = 0;
+}
+
+/// `in the traces model`
+void Parser::assertion_model(Assertion& assertion) {
+    if (!accept("in")) return;
+    expect_word("the");
+    if (at_word("tick")) {
+        hyphenated_word("tick", "tock");
+        assertion.model = AssertionModel::tick_tock;
+    } else if (accept_word("traces")) {
+        assertion.model = AssertionModel::traces;
+    } else if (accept_word("failures")) {
+        assertion.model = accept_word("divergences") ? AssertionModel::failures_divergences : AssertionModel::failures;
+    } else {
+        expected("`traces`, `failures`, `failures divergences` or `tick-tock`");
+    }
+    expect_word("model");
+}
+
+/// `with P`, `with P, P and P`
+void Parser::assertion_parameters(Assertion& assertion) {
+    if (!accept_word("with")) return;
+    assertion.parameters.push_back(assertion_parameter());
+    bool closed = true;
+    while (at(",") || at_word("and")) {
+        accept(",");
+        closed = accept_word("and");
+        assertion.parameters.push_back(assertion_parameter());
+        if (closed) return;
+    }
+    if (!closed) report(syntax::parameter_list, assertion.parameters.back().name.span);
+}
+
+AssertionParameter Parser::assertion_parameter() {
+    AssertionParameter parameter;
+    parameter.constant = at_word("constant");
+    if (!accept_word("constant") && !accept_word("parameter")) expected("`constant` or `parameter`");
+    parameter.name = plain_name("the name of a constant or parameter");
+    expect_word("of");
+    parameter.context = qualified_name("the name of a component");
+    if (accept_word("set")) {
+        expect("to");
+    } else if (accept_word("with")) {
+        expect_word("value");
+    } else if (!accept_word("assigned")) {
+        expected("`set to`, `assigned` or `with value`");
+    }
+    parameter.value = expression();
+    return parameter;
+}
+
+}  // namespace robochart::frontend

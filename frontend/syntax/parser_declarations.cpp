@@ -1,0 +1,189 @@
+// Files, packages, imports, types, functions, interfaces, platforms (RoboChart.xtext: RCPackage to RoboticPlatform).
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "frontend/syntax/parser.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+
+namespace robochart::frontend {
+
+void Parser::package_clause(File& file) {
+    if (accept("package")) file.package = qualified_name("the package's name");
+}
+
+void Parser::import(File& file) {
+    Import import;
+    import.span = expect("import");
+    import.name = qualified_name("the name of a package");
+    if (at("::")) {
+        advance();
+        expect("*");
+        import.wildcard = true;
+    }
+    import.span = since(import.span);
+    file.imports.push_back(std::move(import));
+}
+
+void Parser::diagram(File& file) {
+    expect("diagram");
+    file.diagrams.push_back(simple_name("the diagram's name").text());
+}
+
+/// One member of a file; skips to the next declaration after a mistake.
+void Parser::top_level(File& file) {
+    const std::size_t start = at_;
+    const bool orphan =
+        at("}") || (at_member_word() && !at("stm") && !at("operation") && !at("controller") && !at("robotic"));
+    // The members of one body that was closed too early are one mistake.
+    if (orphan && orphans_) quiet_until_ = std::max(quiet_until_, at_ + 1);
+    orphans_ = orphan;
+    const bool read = guarded([&] {
+        if (at("import")) return import(file);
+        if (at("diagram")) return diagram(file);
+        if (at("package")) {
+            report(syntax::late_package, peek().span);
+            advance();
+            qualified_name("the package's name");
+            return;
+        }
+        if (neural_construct()) return;
+        if (auto declared = watched([&] { return declaration(); })) file.declarations.push_back(std::move(declared));
+    });
+    if (read || mended()) return forget(start, at_);
+    if (at_ == start && !at("{")) advance();
+    while (!at_end() && !at_member_word() && !at_top_level_word()) {
+        if (at("{"))
+            skip_balanced();
+        else
+            advance();
+    }
+    forget(start, at_);
+}
+
+std::unique_ptr<Declaration> Parser::declaration() {
+    if (at("interface")) return interface();
+    if (at("robotic")) return platform();
+    if (at("controller")) return controller();
+    if (at("stm")) return machine();
+    if (at("operation")) return operation();
+    if (at("function")) return function();
+    if (at("module")) return module();
+    if (at("}")) fail(syntax::stray_bracket, peek().span);
+    return type_declaration();
+}
+
+std::unique_ptr<Declaration> Parser::type_declaration() {
+    if (at("datatype") || at("record")) return record_type();
+    if (at("enumeration")) return enumeration();
+    if (!at("type")) wrong_word("a declaration");
+    auto type = std::make_unique<TypeDeclaration>(DeclKind::primitive_type);
+    type->span = expect("type");
+    name(*type);
+    type->span = since(type->span);
+    return type;
+}
+
+std::unique_ptr<Declaration> Parser::record_type() {
+    auto type = std::make_unique<TypeDeclaration>(DeclKind::record_type);
+    type->record_keyword = at("record");
+    type->span = advance().span;
+    name(*type);
+    guarded([&] { braces([&] { variable(type->fields, DeclKind::field); }, 0); });
+    type->span = since(type->span);
+    return type;
+}
+
+std::unique_ptr<Declaration> Parser::enumeration() {
+    auto type = std::make_unique<TypeDeclaration>(DeclKind::enumeration);
+    type->span = expect("enumeration");
+    name(*type);
+    const auto literal = [&] {
+        auto entry = std::make_unique<EnumLiteral>();
+        entry->span = peek().span;
+        name(*entry);
+        if (accept("(")) {
+            do entry->arguments.push_back(this->type());
+            while (accept(","));
+            expect(")");
+        }
+        entry->span = since(entry->span);
+        type->literals.push_back(std::move(entry));
+    };
+    guarded([&] { braces(literal, 0); });
+    type->span = since(type->span);
+    return type;
+}
+
+/// `( p:T, … )`
+std::vector<VariablePtr> Parser::parameters() {
+    std::vector<VariablePtr> list;
+    expect("(");
+    if (!at(")")) {
+        do variable(list, DeclKind::parameter);
+        while (accept(",") || missing_comma());
+    }
+    expect(")");
+    return list;
+}
+
+/// `v:T`, and `= e` where variables and constants allow it. It is known by its name even if its type is not readable.
+void Parser::variable(std::vector<VariablePtr>& list, DeclKind kind) {
+    auto owned = std::make_unique<Variable>(kind);
+    Variable& variable = *owned;
+    variable.span = peek().span;
+    name(variable);
+    list.push_back(std::move(owned));
+    expect(":");
+    variable.type_expr = type();
+    const bool may_have_value = kind == DeclKind::variable || kind == DeclKind::constant;
+    if (may_have_value && accept("=")) variable.initial = expression();
+    variable.span = since(variable.span);
+}
+
+std::unique_ptr<Declaration> Parser::function() {
+    auto function = std::make_unique<Function>();
+    function->span = expect("function");
+    name(*function);
+    const auto member = [&] {
+        if (accept("precondition")) return function->preconditions.push_back(expression());
+        if (accept("postcondition")) return function->postconditions.push_back(expression());
+        expected("`precondition`, `postcondition` or `}`");
+    };
+    guarded([&] {
+        function->parameters = parameters();
+        expect(":");
+        function->result_expr = type();
+        braces(member, contract_members);
+    });
+    function->span = since(function->span);
+    return function;
+}
+
+std::unique_ptr<Declaration> Parser::interface() {
+    auto interface = std::make_unique<Context>(DeclKind::interface);
+    interface->span = expect("interface");
+    name(*interface);
+    const auto member = [&] {
+        const bool clause = at("uses") || at("requires") || at("provides");
+        if (clause || !context_member(*interface)) wrong_word("an operation, event, variable, constant or clock");
+    };
+    guarded([&] { braces(member, context_members); });
+    interface->span = since(interface->span);
+    return interface;
+}
+
+std::unique_ptr<Context> Parser::platform() {
+    auto platform = std::make_unique<Context>(DeclKind::platform);
+    platform->span = expect("robotic");
+    expect("platform");
+    name(*platform);
+    const auto member = [&] {
+        if (!context_member(*platform)) wrong_word("a member of a robotic platform");
+    };
+    guarded([&] { braces(member, context_members); });
+    platform->span = since(platform->span);
+    return platform;
+}
+
+}  // namespace robochart::frontend

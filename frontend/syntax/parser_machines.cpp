@@ -1,0 +1,179 @@
+// State machines, operations, nodes, actions, transitions (RoboChart.xtext: StateMachineDef to Action).
+#include <fmt/format.h>
+
+#include <array>
+
+#include "frontend/syntax/parser.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+
+namespace robochart::frontend {
+
+std::unique_ptr<Machine> Parser::machine() {
+    auto machine = std::make_unique<Machine>(DeclKind::state_machine);
+    machine->span = expect("stm");
+    name(*machine);
+    const auto member = [&] {
+        if (!context_member(*machine) && !node_member(*machine)) wrong_word("a member of a state machine");
+    };
+    guarded([&] { braces(member, context_members | node_members); });
+    machine->span = since(machine->span);
+    return machine;
+}
+
+std::unique_ptr<Machine> Parser::operation() {
+    auto operation = std::make_unique<Machine>(DeclKind::operation);
+    operation->span = expect("operation");
+    name(*operation);
+    const auto member = [&] {
+        if (!context_member(*operation) && !node_member(*operation) && !contract_member(*operation))
+            wrong_word("a member of an operation");
+    };
+    guarded([&] {
+        operation->parameters = parameters();
+        braces(member, context_members | node_members | contract_members);
+    });
+    operation->has_body = !operation->nodes.empty();
+    operation->span = since(operation->span);
+    return operation;
+}
+
+bool Parser::contract_member(Machine& machine) {
+    if (accept("terminates")) {
+        machine.terminates = true;
+        return true;
+    }
+    const bool before = at("precondition");
+    if (!before && !at("postcondition")) return false;
+    advance();
+    (before ? machine.preconditions : machine.postconditions).push_back(expression());
+    return true;
+}
+
+bool Parser::node_member(NodeContainer& container) {
+    if (at("transition")) return transition(container), true;
+    constexpr std::array<std::pair<std::string_view, DeclKind>, 5> kinds = {
+        {{"state", DeclKind::state},
+         {"initial", DeclKind::initial},
+         {"final", DeclKind::final},
+         {"junction", DeclKind::junction},
+         {"probabilistic", DeclKind::probabilistic}}};
+    for (const auto& [word, kind] : kinds)
+        if (at(word)) return node(container, kind), true;
+    return false;
+}
+
+/// A final node with a body is read too, so that FS2 and FS3 can speak of it.
+void Parser::node(NodeContainer& container, DeclKind kind) {
+    auto owned = std::make_unique<State>(kind);
+    State& state = *owned;
+    state.span = advance().span;
+    name(state);
+    container.nodes.push_back(std::move(owned));
+    if (kind == DeclKind::state || (kind == DeclKind::final && at("{"))) guarded([&] { state_body(state); });
+    state.span = since(state.span);
+}
+
+void Parser::state_body(State& state) {
+    const auto member = [&] {
+        if (at("entry") || at("during") || at("exit")) return action(state);
+        if (!node_member(state)) wrong_word("a node, transition or action of the state");
+    };
+    braces(member, node_members | action_members);
+}
+
+void Parser::action(State& state) {
+    Action action;
+    action.kind = at("entry") ? ActionKind::entry : at("during") ? ActionKind::during : ActionKind::exit;
+    action.span = advance().span;
+    action.statement = statement();
+    action.span = since(action.span);
+    state.actions.push_back(std::move(action));
+}
+
+// ---------------------------------------------------------------- transitions
+
+void Parser::transition(NodeContainer& container) {
+    auto owned = std::make_unique<Transition>();
+    Transition& transition = *owned;
+    transition.span = expect("transition");
+    name(transition);
+    container.transitions.push_back(std::move(owned));
+    guarded([&] {
+        expect("{");
+        if (!guarded([&] { transition_body(transition); })) {
+            while (!at_end() && !at("}") && !at_member_word() && !at_top_level_word())
+                at("{") || at("<{") ? skip_balanced() : static_cast<void>(advance());
+            if (at("}")) advance();
+            return;
+        }
+        expect("}");
+    });
+    transition.span = since(transition.span);
+}
+
+void Parser::transition_body(Transition& transition) {
+    expect("from");
+    transition.from = plain_name("the transition's source");
+    expect("to");
+    transition.to = plain_name("the transition's target");
+    constexpr std::array<std::string_view, 6> names = {"", "trigger", "#", "<{", "condition", "action"};
+    int last = 0;
+    while (!at("}") && !at_end()) {
+        const std::size_t begin = at_;
+        const int clause = transition_clause(transition);
+        if (clause < last || (clause == last && clause != 2)) {
+            const Token token = tokens_[begin];
+            if (clause == last)
+                report(syntax::clause_twice, token.span, {std::string(token.text)});
+            else
+                report(syntax::clause_order, token.span,
+                       {std::string(token.text), std::string(names.at(static_cast<std::size_t>(last)))});
+        }
+        last = std::max(last, clause);
+    }
+}
+
+/// Reads a clause and says which place in the order it has.
+int Parser::transition_clause(Transition& transition) {
+    if (at("trigger")) return trigger(transition), 1;
+    if (accept("probability")) {
+        transition.probability = expression();
+        return 1;
+    }
+    if (at("#")) return reset(transition), 2;
+    if (accept("<{")) {
+        transition.deadline = expression();
+        expect("}");
+        return 3;
+    }
+    if (accept("condition")) {
+        transition.otherwise = accept("else");
+        if (!transition.otherwise) transition.condition = expression();
+        return 4;
+    }
+    if (accept("action")) {
+        transition.action = statement();
+        return 5;
+    }
+    expected("a clause of the transition or `}`");
+}
+
+/// `trigger e…`; the old forms `trigger` and `trigger #C` await nothing.
+void Parser::trigger(Transition& transition) {
+    const Span word = expect("trigger");
+    if (peek().kind == TokenKind::identifier) {
+        transition.trigger = communication();
+        return;
+    }
+    if (!at("#") && !at("condition") && !at("action") && !at("<{") && !at("}")) expected("the name of an event");
+    transition.legacy_trigger = true;
+    inserted_ = nullptr;
+    out_.report(syntax::legacy_trigger, word).fixes.push_back({word, "", "leave out `trigger`"});
+}
+
+void Parser::reset(Transition& transition) {
+    expect("#");
+    transition.resets.push_back({plain_name("the name of a clock"), nullptr});
+}
+
+}  // namespace robochart::frontend

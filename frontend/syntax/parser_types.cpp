@@ -1,0 +1,112 @@
+// Types as written (RoboChart.xtext: Type to TypeRef). Lowest `<->` (right), then `->` (right), then `*`
+// (n-ary; behind the first `*` only a name, a set, a sequence or parentheses).
+#include <fmt/format.h>
+
+#include "frontend/syntax/parser.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+
+namespace robochart::frontend {
+
+TypeExprPtr Parser::wrap(TypeKind kind, TypeExprPtr first, Span begin) {
+    auto type = std::make_unique<TypeExpr>();
+    type->kind = kind;
+    type->span = begin;
+    if (first) type->args.push_back(std::move(first));
+    return type;
+}
+
+TypeExprPtr Parser::type() {
+    const Nesting nesting(*this);
+    const Span begin = peek().span;
+    TypeExprPtr left = function_type();
+    if (!accept("<->")) return left;
+    TypeExprPtr relation = wrap(TypeKind::relation, std::move(left), begin);
+    relation->args.push_back(type());
+    relation->span = since(begin);
+    return relation;
+}
+
+TypeExprPtr Parser::function_type() {
+    const Nesting nesting(*this);
+    const Span begin = peek().span;
+    TypeExprPtr left = product_type();
+    if (!accept("->")) return left;
+    TypeExprPtr function = wrap(TypeKind::function, std::move(left), begin);
+    function->args.push_back(function_type());
+    function->span = since(begin);
+    return function;
+}
+
+TypeExprPtr Parser::product_type() {
+    const Span begin = peek().span;
+    TypeExprPtr left = vector_type();
+    if (!at("*")) return left;
+    TypeExprPtr product = wrap(TypeKind::product, std::move(left), begin);
+    while (accept("*")) {
+        const bool loose = at("vector") || at("matrix");
+        product->args.push_back(vector_type());
+        if (loose) needs_parentheses("a vector or matrix behind `*`", product->args.back()->span);
+    }
+    product->span = since(begin);
+    return product;
+}
+
+/// `vector(T, n)`, `matrix(T, r, c)`
+TypeExprPtr Parser::vector_type() {
+    if (!at("vector") && !at("matrix")) return atomic_type();
+    const bool is_vector = at("vector");
+    const Span begin = advance().span;
+    TypeExprPtr result = wrap(is_vector ? TypeKind::vector : TypeKind::matrix, nullptr, begin);
+    expect("(");
+    result->args.push_back(type());
+    for (int i = 0; i < (is_vector ? 1 : 2); ++i) {
+        expect(",");
+        result->sizes.push_back(atom());
+    }
+    expect(")");
+    result->span = since(begin);
+    return result;
+}
+
+/// `Set (T)`: read as `Set(T)`.
+TypeExprPtr Parser::spaced_set() {
+    const Token word = peek();
+    const Span both = diagnostics::join(word.span, peek(1).span);
+    const std::string text(word.text);
+    if (diagnostics::Diagnostic* finding = report(syntax::blank_in_set, word.span, {text}))
+        finding->fixes.push_back({both, text + "(", "write"});
+    quiet_until_ = 0;
+    advance();
+    advance();
+    TypeExprPtr result = wrap(text == "Set" ? TypeKind::set : TypeKind::sequence, nullptr, word.span);
+    result->args.push_back(type());
+    expect(")");
+    result->span = since(word.span);
+    return result;
+}
+
+TypeExprPtr Parser::atomic_type() {
+    const Span begin = peek().span;
+    if (accept("(")) {
+        TypeExprPtr inner = type();
+        expect(")");
+        return inner;
+    }
+    if (at("Set(") || at("Seq(")) {
+        TypeExprPtr result = wrap(at("Set(") ? TypeKind::set : TypeKind::sequence, nullptr, begin);
+        advance();
+        result->args.push_back(type());
+        expect(")");
+        result->span = since(begin);
+        return result;
+    }
+    const TypeKind kind = accept("?") ? TypeKind::variable : TypeKind::name;
+    TypeExprPtr result = wrap(kind, nullptr, begin);
+    const bool plain_set = peek(1).is("(") && (at_word("Set") || at_word("Seq")) && !peek(1).first_on_line;
+    if (plain_set && result->kind == TypeKind::name) return spaced_set();
+    result->name = result->kind == TypeKind::name ? qualified_name("a type") : simple_name("a type variable's name");
+    result->span = since(begin);
+    return result;
+}
+
+}  // namespace robochart::frontend

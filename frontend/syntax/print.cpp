@@ -1,0 +1,380 @@
+// Expressions, types and statements. Parentheses of the source are nodes of the tree, so printing adds none.
+#include "frontend/syntax/print.hpp"
+
+#include <fmt/format.h>
+
+#include "frontend/syntax/lexer.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+template <class Items, class Write>
+std::string joined(const Items& items, std::string_view separator, Write write) {
+    std::string out;
+    bool first = true;
+    for (const auto& item : items) {
+        if (!first) out += separator;
+        first = false;
+        out += write(item);
+    }
+    return out;
+}
+
+std::string text(const ExprPtr& expr) {
+    return expr ? to_text(*expr) : std::string();
+}
+std::string list(const std::vector<ExprPtr>& items) {
+    return joined(items, ", ", text);
+}
+
+std::string typed_bindings(const Expr& expr) {
+    return joined(expr.bindings, ", ", [](const Binding& b) {
+        return written_name(b.variable->name) + ":" + (b.variable->type_expr ? to_text(*b.variable->type_expr) : "?");
+    });
+}
+
+std::string valued_bindings(const Expr& expr, std::string_view sign) {
+    return joined(expr.bindings, ", ", [&](const Binding& b) {
+        return fmt::format("{} {} {}", written_name(b.variable->name), sign, text(b.value));
+    });
+}
+
+std::string quantified(const Expr& expr, std::string_view word) {
+    const std::string condition = expr.args[0] ? " | " + text(expr.args[0]) : "";
+    return fmt::format("{} {}{} @ {}", word, typed_bindings(expr), condition, text(expr.args[1]));
+}
+
+std::string comprehension(const Expr& expr) {
+    std::string out = "{" + typed_bindings(expr);
+    if (expr.args[0]) out += " | " + text(expr.args[0]);
+    if (expr.args[1]) out += " @ " + text(expr.args[1]);
+    return out + "}";
+}
+
+std::string matrix(const Expr& expr) {
+    std::string out = "[|";
+    for (std::size_t i = 0; i < expr.args.size(); ++i) {
+        if (i > 0) out += expr.columns > 0 && i % expr.columns == 0 ? "; " : ", ";
+        out += text(expr.args[i]);
+    }
+    return out + "|]";
+}
+
+std::string index(const Expr& expr) {
+    std::string out = text(expr.args[0]) + "[";
+    for (std::size_t i = 1; i < expr.args.size(); ++i) out += (i > 1 ? ", " : "") + text(expr.args[i]);
+    return out + "]";
+}
+
+std::string range(const Expr& expr) {
+    return fmt::format("{}{}, {}{}", expr.lower_closed ? "[" : "(", text(expr.args[0]), text(expr.args[1]),
+                       expr.upper_closed ? "]" : ")");
+}
+
+std::string unary(const Expr& expr) {
+    return (expr.unary == UnaryOp::negate ? "-" : "not ") + text(expr.args[0]);
+}
+
+std::string binary(const Expr& expr) {
+    return fmt::format("{} {} {}", text(expr.args[0]), to_text(*expr.binary), text(expr.args[1]));
+}
+
+/// A sequence that begins with a set is kept apart from the word `<{` of deadlines.
+std::string sequence(const Expr& expr) {
+    const std::string elements = list(expr.args);
+    return (elements.starts_with("{") ? "< " : "<") + elements + ">";
+}
+
+std::string call(const Expr& expr) {
+    return fmt::format("{}({})", expr.callee ? text(expr.callee) : written_name(expr.name), list(expr.args));
+}
+
+/// Forms that bind names.
+std::string binder(const Expr& expr) {
+    switch (expr.kind) {
+        case ExprKind::let:
+            return fmt::format("let {} @ {}", valued_bindings(expr, "=="), text(expr.args[0]));
+        case ExprKind::forall:
+            return quantified(expr, "forall");
+        case ExprKind::exists:
+            return quantified(expr, "exists");
+        case ExprKind::exists_unique:
+            return quantified(expr, "exists1");
+        case ExprKind::lambda:
+            return quantified(expr, "lambda");
+        case ExprKind::the:
+            return quantified(expr, "the");
+        case ExprKind::set_comprehension:
+            return comprehension(expr);
+        default:
+            return "<error>";
+    }
+}
+
+}  // namespace
+
+/// `Set` and `Seq` are reserved only before a bracket; escaping them always is legal and simple.
+std::string written_name(std::string_view name) {
+    const bool escaped = is_reserved(name) || name == "Set" || name == "Seq";
+    return (escaped ? "^" : "") + std::string(name);
+}
+
+std::string written_name(const QualifiedName& name) {
+    return joined(name.parts, "::", [](const std::string& part) { return written_name(part); });
+}
+
+std::string to_text(const Expr& expr) {
+    switch (expr.kind) {
+        case ExprKind::integer:
+        case ExprKind::real:
+        case ExprKind::string:
+        case ExprKind::boolean:
+            return expr.text;
+        case ExprKind::name:
+            return written_name(expr.name);
+        case ExprKind::result:
+            return "result";
+        case ExprKind::to:
+            return "to";
+        case ExprKind::from:
+            return "from";
+        case ExprKind::unary:
+            return unary(expr);
+        case ExprKind::binary:
+            return binary(expr);
+        case ExprKind::if_then_else:
+            return fmt::format("if {} then {} else {} end", text(expr.args[0]), text(expr.args[1]), text(expr.args[2]));
+        case ExprKind::cast:
+            return fmt::format("{} as {}", text(expr.args[0]), to_text(*expr.type_expr));
+        case ExprKind::is_type:
+            return fmt::format("{} is {}", text(expr.args[0]), to_text(*expr.type_expr));
+        case ExprKind::member:
+            return text(expr.args[0]) + "." + written_name(expr.text);
+        case ExprKind::index:
+            return index(expr);
+        case ExprKind::call:
+            return call(expr);
+        case ExprKind::tuple:
+            return "(|" + list(expr.args) + "|)";
+        case ExprKind::record:
+            return fmt::format("{}(|{}|)", written_name(expr.name), valued_bindings(expr, "="));
+        case ExprKind::sequence:
+            return sequence(expr);
+        case ExprKind::set:
+            return "{" + list(expr.args) + "}";
+        case ExprKind::set_range:
+            return fmt::format("{{{} to {}}}", text(expr.args[0]), text(expr.args[1]));
+        case ExprKind::range:
+            return range(expr);
+        case ExprKind::matrix:
+            return matrix(expr);
+        case ExprKind::inverse:
+            return "inverse(" + list(expr.args) + ")";
+        case ExprKind::transpose:
+            return "transpose(" + list(expr.args) + ")";
+        case ExprKind::since:
+            return "since(" + written_name(expr.name) + ")";
+        case ExprKind::since_entry:
+            return "sinceEntry(" + written_name(expr.name) + ")";
+        case ExprKind::parenthesised:
+            return "(" + text(expr.args[0]) + ")";
+        default:
+            return binder(expr);
+    }
+}
+
+std::string to_text(const TypeExpr& type) {
+    const auto arg = [&](std::size_t i) { return to_text(*type.args[i]); };
+    // Operands that bind no tighter than the operator around them need parentheses.
+    const auto operand = [&](std::size_t i) {
+        const TypeKind kind = type.args[i]->kind;
+        const bool open = kind == TypeKind::product || kind == TypeKind::relation || kind == TypeKind::function;
+        const bool right_of_arrow = type.kind == TypeKind::function && i == 1 && kind != TypeKind::relation;
+        const bool product_of_arrow = type.kind != TypeKind::product && kind == TypeKind::product;
+        const bool behind_star = type.kind == TypeKind::product && i > 0;
+        const bool loose = behind_star && (kind == TypeKind::vector || kind == TypeKind::matrix);
+        return loose || (open && !right_of_arrow && !product_of_arrow) ? "(" + arg(i) + ")" : arg(i);
+    };
+    switch (type.kind) {
+        case TypeKind::name:
+            return written_name(type.name);
+        case TypeKind::variable:
+            return "?" + written_name(type.name);
+        case TypeKind::sequence:
+            return "Seq(" + arg(0) + ")";
+        case TypeKind::set:
+            return "Set(" + arg(0) + ")";
+        case TypeKind::function:
+            return operand(0) + " -> " + operand(1);
+        case TypeKind::relation:
+            return operand(0) + " <-> " + operand(1);
+        case TypeKind::vector:
+            return fmt::format("vector({}, {})", arg(0), text(type.sizes[0]));
+        case TypeKind::matrix:
+            return fmt::format("matrix({}, {}, {})", arg(0), text(type.sizes[0]), text(type.sizes[1]));
+        case TypeKind::product:
+            break;
+    }
+    std::string out = operand(0);
+    for (std::size_t i = 1; i < type.args.size(); ++i) out += " * " + operand(i);
+    return out;
+}
+
+std::string to_text(const Communication& communication) {
+    std::string out = written_name(communication.event);
+    if (!communication.from_variable.empty() || communication.predicate) {
+        out += "[|";
+        if (!communication.from_variable.empty()) out += written_name(communication.from_variable) + " = from";
+        if (!communication.from_variable.empty() && communication.predicate) out += " | ";
+        out += text(communication.predicate) + "|]";
+    }
+    switch (communication.kind) {
+        case CommKind::simple:
+            return out;
+        case CommKind::input:
+            return out + "?" + written_name(communication.variable);
+        case CommKind::output:
+            return out + "!" + text(communication.value);
+        case CommKind::sync:
+            return out + "." + text(communication.value);
+    }
+    return out;
+}
+
+std::string to_text(const Stmt& statement) {
+    const auto body = [](const StmtPtr& s) { return s ? to_text(*s) : std::string(); };
+    switch (statement.kind) {
+        case StmtKind::skip:
+            return "skip";
+        case StmtKind::sequence:
+            return joined(statement.body, "; ", body);
+        case StmtKind::if_then_else: {
+            const std::string otherwise = statement.body.size() > 1 ? " else " + body(statement.body[1]) : "";
+            return fmt::format("if {} then {}{} end", text(statement.condition), body(statement.body[0]), otherwise);
+        }
+        case StmtKind::assignment:
+            return text(statement.target) + " = " + text(statement.value);
+        case StmtKind::communication:
+            return (statement.send_keyword ? "send " : "") + to_text(*statement.communication);
+        case StmtKind::call:
+            return fmt::format("{}({})", written_name(statement.name), list(statement.args));
+        case StmtKind::wait:
+            return "wait(" + text(statement.value) + ")";
+        case StmtKind::wait_interval:
+            return fmt::format("wait([{}, {}])", text(statement.value), text(statement.upper));
+        case StmtKind::clock_reset:
+            return "#" + written_name(statement.name);
+        case StmtKind::deadline:
+            return fmt::format("{} <{{{}}}", body(statement.body[0]), text(statement.value));
+        case StmtKind::parenthesised:
+            return "(" + body(statement.body[0]) + ")";
+        case StmtKind::error:
+            break;
+    }
+    return "<error>";
+}
+
+std::string_view to_text(BinaryOp op) {
+    switch (op) {
+        case BinaryOp::iff:
+            return "iff";
+        case BinaryOp::implies:
+            return "=>";
+        case BinaryOp::disjunction:
+            return "\\/";
+        case BinaryOp::conjunction:
+            return "/\\";
+        case BinaryOp::equal:
+            return "==";
+        case BinaryOp::not_equal:
+            return "!=";
+        case BinaryOp::greater:
+            return ">";
+        case BinaryOp::greater_equal:
+            return ">=";
+        case BinaryOp::less:
+            return "<";
+        case BinaryOp::less_equal:
+            return "<=";
+        case BinaryOp::in:
+            return "in";
+        case BinaryOp::plus:
+            return "+";
+        case BinaryOp::minus:
+            return "-";
+        case BinaryOp::times:
+            return "*";
+        case BinaryOp::divide:
+            return "/";
+        case BinaryOp::modulus:
+            return "%";
+        case BinaryOp::concat:
+            return "cat";
+    }
+    return "?";
+}
+
+std::string_view to_text(DeclKind kind) {
+    switch (kind) {
+        case DeclKind::package:
+            return "package";
+        case DeclKind::primitive_type:
+            return "type";
+        case DeclKind::record_type:
+            return "datatype";
+        case DeclKind::field:
+            return "field";
+        case DeclKind::enumeration:
+            return "enumeration";
+        case DeclKind::enum_literal:
+            return "literal";
+        case DeclKind::function:
+            return "function";
+        case DeclKind::operation_signature:
+            return "operation signature";
+        case DeclKind::parameter:
+            return "parameter";
+        case DeclKind::variable:
+            return "variable";
+        case DeclKind::constant:
+            return "constant";
+        case DeclKind::event:
+            return "event";
+        case DeclKind::clock:
+            return "clock";
+        case DeclKind::interface:
+            return "interface";
+        case DeclKind::platform:
+            return "robotic platform";
+        case DeclKind::operation:
+            return "operation";
+        case DeclKind::state_machine:
+            return "state machine";
+        case DeclKind::controller:
+            return "controller";
+        case DeclKind::module:
+            return "module";
+        case DeclKind::reference:
+            return "reference";
+        case DeclKind::connection:
+            return "connection";
+        case DeclKind::state:
+            return "state";
+        case DeclKind::initial:
+            return "initial junction";
+        case DeclKind::final:
+            return "final state";
+        case DeclKind::junction:
+            return "junction";
+        case DeclKind::probabilistic:
+            return "probabilistic junction";
+        case DeclKind::transition:
+            return "transition";
+        case DeclKind::bound_variable:
+            return "bound variable";
+    }
+    return "?";
+}
+
+}  // namespace robochart::frontend

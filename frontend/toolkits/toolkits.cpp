@@ -1,0 +1,57 @@
+// See toolkits.hpp. The texts are compiled in by frontend/CMakeLists.txt.
+#include "frontend/toolkits/toolkits.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "frontend/syntax/parse.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+/// Core is known everywhere, the toolkits where they are imported.
+bool imports(const File& file, std::string_view package) {
+    if (package == core_package) return true;
+    return std::any_of(file.imports.begin(), file.imports.end(),
+                       [&](const Import& import) { return import.name.parts.front() == package; });
+}
+
+/// The source of a toolkit, added once.
+diagnostics::SourceId text_of(const Toolkit& toolkit, diagnostics::SourceManager& sources) {
+    const std::string path = "<library>/" + std::string(toolkit.package) + ".rct";
+    for (std::uint32_t i = 0; i < sources.size(); ++i)
+        if (sources.path(diagnostics::SourceId{i}) == path) return diagnostics::SourceId{i};
+    return sources.add(path, std::string(toolkit.text));
+}
+
+std::vector<std::unique_ptr<File>> take_libraries(Model& model) {
+    const auto first = std::stable_partition(model.files.begin(), model.files.end(),
+                                             [](const auto& file) { return !file->is_library; });
+    std::vector<std::unique_ptr<File>> taken(std::make_move_iterator(first),
+                                             std::make_move_iterator(model.files.end()));
+    model.files.erase(first, model.files.end());
+    return taken;
+}
+
+}  // namespace
+
+void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics::Diagnostics& out) {
+    std::vector<std::unique_ptr<File>> had = take_libraries(model);
+    std::set<std::string_view> added;
+    for (const auto& file : model.files)
+        for (const Toolkit& toolkit : toolkits())
+            if (file->package.text() == toolkit.package) added.insert(toolkit.package);  // the project brings its own
+    // The list grows while it is walked: toolkits import each other.
+    for (std::size_t i = 0; i < model.files.size(); ++i)
+        for (const Toolkit& toolkit : toolkits()) {
+            if (!imports(*model.files[i], toolkit.package) || !added.insert(toolkit.package).second) continue;
+            const auto kept = std::find_if(had.begin(), had.end(),
+                                           [&](const auto& f) { return f && f->package.text() == toolkit.package; });
+            model.files.push_back(kept != had.end() ? std::move(*kept)
+                                                    : parse(sources, text_of(toolkit, sources), false, out));
+            model.files.back()->is_library = true;
+        }
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,28 @@
+// The libraries of the language (core, set_toolkit and others), shipped inside the tool (private to the front end).
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+#include "frontend/syntax/ast.hpp"
+
+
+namespace robochart::frontend {
+
+/// A toolkit: its package and its text (frontend/toolkits/library/PACKAGE.rct).
+struct Toolkit {
+    std::string_view package;
+    std::string_view text;
+};
+
+/// The package of `nat`, `int`, `real`, `boolean` and `string`, which needs no import.
+inline constexpr std::string_view core_package = "core";
+
+[[nodiscard]] const std::vector<Toolkit>& toolkits();
+
+/// Makes the model's toolkits core, those that its files import, and those that they import in turn. Trees of toolkits
+/// that the model has already are kept, so that it may be called again after a change.
+void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics::Diagnostics& out);
+
+}  // namespace robochart::frontend

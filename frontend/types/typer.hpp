@@ -1,0 +1,104 @@
+// Names and types inside types, expressions, statements and communications (private to the front end).
+// Every method fills the `target` and `type` fields it comes by and reports what is wrong; a part that is wrong gets
+// no type, and rules about unknown types stay silent.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frontend/names/name_lookup.hpp"
+#include "frontend/names/scopes.hpp"
+#include "frontend/types/type_algebra.hpp"
+
+namespace robochart::frontend {
+
+/// What surrounds an expression.
+struct Surroundings {
+    Place place;
+    const Scope* scope = nullptr;        ///< machine, operation, interface …; null at file level
+    const Function* function = nullptr;  ///< for `result` and its parameters
+    const Machine* machine = nullptr;    ///< for sinceEntry
+    std::vector<const Variable*> bound;  ///< variables of binders around, innermost last
+};
+
+class Typer {
+public:
+    explicit Typer(Finder& finder) : finder_(finder) {}
+
+    // Types (type_reader.cpp)
+    TypePtr type(TypeExpr& written, Surroundings& around);
+    /// The type of a type declaration.
+    [[nodiscard]] static TypePtr declared(const TypeDeclaration& declaration);
+
+    // Expressions (typer.cpp, typer_names.cpp, typer_operators.cpp, typer_binders.cpp, typer_calls.cpp)
+    TypePtr type(Expr& expr, Surroundings& around);
+    TypePtr type(const ExprPtr& expr, Surroundings& around) { return expr ? type(*expr, around) : nullptr; }
+    /// Types an expression that must be boolean; `what` begins the message.
+    void boolean(const ExprPtr& expr, Surroundings& around, const std::string& what);
+
+    // Statements (typer_statements.cpp)
+    void statement(Stmt& statement, Surroundings& around);
+    void communication(Communication& communication, Surroundings& around, bool is_trigger);
+    const Clock* clock(const QualifiedName& name, Surroundings& around, const diagnostics::Rule& rule);
+
+private:
+    TypePtr compute(Expr& expr, Surroundings& around);
+    TypePtr type_all(Expr& expr, Surroundings& around, TypeForm collection);
+    void size(Expr& expr, Surroundings& around, long& value);
+    TypePtr named_type(TypeExpr& written, Surroundings& around);
+
+    TypePtr name(Expr& expr, Surroundings& around);
+    TypePtr bare_function(const Expr& expr, const Function& function);
+    TypePtr since(Expr& expr, Surroundings& around);
+    TypePtr since_entry(Expr& expr, Surroundings& around);
+    const Declaration* value_named(const QualifiedName& name, Surroundings& around);
+    void unknown_value(const QualifiedName& name, Surroundings& around);
+
+    TypePtr unary(Expr& expr, Surroundings& around);
+    TypePtr binary(Expr& expr, Surroundings& around);
+    diagnostics::Diagnostic& report_mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr logical(Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr comparison(Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr membership(Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr arithmetic(Expr& expr, const TypePtr& left, const TypePtr& right);
+    TypePtr concatenation(Expr& expr, const TypePtr& left, const TypePtr& right);
+
+    TypePtr conditional(Expr& expr, Surroundings& around);
+    TypePtr binder(Expr& expr, Surroundings& around);
+    TypePtr bound_body(Expr& expr, Surroundings& around, const TypePtr& variables);
+    TypePtr let(Expr& expr, Surroundings& around);
+    TypePtr cast(Expr& expr, Surroundings& around);
+    TypePtr elements(Expr& expr, Surroundings& around);
+    TypePtr range(Expr& expr, Surroundings& around);
+    void indices(const Expr& expr);
+    TypePtr matrix(Expr& expr, Surroundings& around);
+
+    TypePtr call(Expr& expr, Surroundings& around);
+    TypePtr call_function(Expr& expr, const Function& function, const std::vector<TypePtr>& args);
+    TypePtr call_literal(Expr& expr, const EnumLiteral& literal, const std::vector<TypePtr>& args);
+    TypePtr apply(Expr& expr, const TypePtr& function, const std::vector<TypePtr>& args, const std::string& name);
+    TypePtr member(Expr& expr, Surroundings& around);
+    TypePtr index(Expr& expr, Surroundings& around);
+    TypePtr tuple_part(Expr& expr, const TypePtr& tuple);
+    TypePtr record(Expr& expr, Surroundings& around);
+
+    void assignment(Stmt& statement, Surroundings& around);
+    void call(Stmt& statement, Surroundings& around);
+    void unknown_operation(const Stmt& statement, Surroundings& around);
+    void wait(const ExprPtr& duration, Surroundings& around);
+    const Event* event(Communication& communication, Surroundings& around);
+    void unknown_event(const Communication& communication, Surroundings& around);
+    void communicated(Communication& communication, const Event& event, Surroundings& around);
+    void received(const Communication& communication, const Event& event);
+    const Variable* stored_into(const QualifiedName& name, Surroundings& around);
+
+    Finder& finder_;
+};
+
+/// The innermost expression inside parentheses.
+[[nodiscard]] const Expr& strip(const Expr& expr);
+/// "1 argument", "2 arguments" and the like: the ending.
+[[nodiscard]] std::string plural(std::size_t n);
+
+}  // namespace robochart::frontend

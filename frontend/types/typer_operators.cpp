@@ -1,0 +1,164 @@
+// Types of operators: `nat - nat` is an int, `/` always real, `%` keeps the type of its operands, comparisons are on
+// reals, `*` of vectors is the dot product.
+#include "diagnostics/spelling.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/types/typer.hpp"
+
+namespace robochart::frontend {
+
+namespace {
+
+bool is_form(const TypePtr& type, TypeForm form) {
+    return type->form == form;
+}
+bool is_free(const TypePtr& type) {
+    return is_form(type, TypeForm::any) || is_form(type, TypeForm::variable);
+}
+bool fits_boolean(const TypePtr& type) {
+    return compatible(type, make_type(TypeForm::boolean));
+}
+bool fits_real(const TypePtr& type) {
+    return compatible(type, make_type(TypeForm::real));
+}
+
+bool sizes_match(long a, long b) {
+    return a < 0 || b < 0 || a == b;
+}
+
+/// Products of numbers, vectors and matrices; null if undefined.
+TypePtr product(const TypePtr& left, const TypePtr& right) {
+    if (is_number(left) && is_number(right)) return joined(left, right);
+    const bool left_block = is_form(left, TypeForm::vector) || is_form(left, TypeForm::matrix);
+    const bool right_block = is_form(right, TypeForm::vector) || is_form(right, TypeForm::matrix);
+    const TypePtr element = joined(left_block ? left->args[0] : left, right_block ? right->args[0] : right);
+    if (!element || !is_number(element)) return nullptr;
+    if (left_block != right_block) {
+        auto scaled = std::make_shared<Type>(left_block ? *left : *right);
+        scaled->args = {element};
+        return scaled;
+    }
+    if (!left_block) return nullptr;
+    const bool left_vector = is_form(left, TypeForm::vector);
+    const bool right_vector = is_form(right, TypeForm::vector);
+    // A vector is a column, n rows of one entry; the product of two is the dot product.
+    const bool column_first = left_vector && !right_vector;
+    if (!sizes_match(column_first ? 1 : left->sizes.back(), right->sizes.front())) return nullptr;
+    if (left_vector && right_vector) return element;
+    if (left_vector) return make_matrix(element, left->sizes[0], right->sizes[1]);
+    if (right_vector) return make_vector(element, left->sizes[0]);
+    return make_matrix(element, left->sizes[0], right->sizes[1]);
+}
+
+/// Sums and differences of numbers and of vectors or matrices of one size.
+TypePtr sum(const TypePtr& left, const TypePtr& right, bool minus) {
+    const TypePtr both = joined(left, right);
+    if (!both) return nullptr;
+    if (is_number(both)) return minus && is_form(both, TypeForm::nat) ? make_type(TypeForm::integer) : both;
+    const bool block = is_form(both, TypeForm::vector) || is_form(both, TypeForm::matrix);
+    return block && is_number(both->args[0]) ? both : nullptr;
+}
+
+}  // namespace
+
+TypePtr Typer::unary(Expr& expr, Surroundings& around) {
+    const TypePtr operand = simplify(type(expr.args[0], around));
+    const bool negates = *expr.unary == UnaryOp::negate;
+    if (!operand || is_free(operand)) return negates ? operand : make_type(TypeForm::boolean);
+    const bool block = is_form(operand, TypeForm::vector) || is_form(operand, TypeForm::matrix);
+    const bool fits = negates ? is_number(operand) || (block && is_number(operand->args[0])) : fits_boolean(operand);
+    if (!fits) finder_.out().report(rules::unary_type, expr.span, {negates ? "-" : "not", to_string(operand)});
+    if (!negates) return make_type(TypeForm::boolean);
+    if (!fits) return nullptr;
+    return is_form(operand, TypeForm::nat) ? make_type(TypeForm::integer) : operand;
+}
+
+diagnostics::Diagnostic& Typer::report_mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right) {
+    return finder_.out().report(rules::operand_type, expr.span,
+                                {std::string(to_text(*expr.binary)), to_string(left), to_string(right)});
+}
+
+TypePtr Typer::mismatch(const Expr& expr, const TypePtr& left, const TypePtr& right) {
+    report_mismatch(expr, left, right);
+    return nullptr;
+}
+
+TypePtr Typer::binary(Expr& expr, Surroundings& around) {
+    const TypePtr left = simplify(type(expr.args[0], around));
+    const TypePtr right = simplify(type(expr.args[1], around));
+    switch (*expr.binary) {
+        case BinaryOp::iff:
+        case BinaryOp::implies:
+        case BinaryOp::disjunction:
+        case BinaryOp::conjunction:
+            return logical(expr, left, right);
+        case BinaryOp::equal:
+        case BinaryOp::not_equal:
+        case BinaryOp::greater:
+        case BinaryOp::greater_equal:
+        case BinaryOp::less:
+        case BinaryOp::less_equal:
+            return comparison(expr, left, right);
+        case BinaryOp::in:
+            return membership(expr, left, right);
+        case BinaryOp::concat:
+            return left && right ? concatenation(expr, left, right) : nullptr;
+        default:
+            return left && right ? arithmetic(expr, left, right) : nullptr;
+    }
+}
+
+TypePtr Typer::logical(Expr& expr, const TypePtr& left, const TypePtr& right) {
+    if (left && right && !(fits_boolean(left) && fits_boolean(right))) mismatch(expr, left, right);
+    return make_type(TypeForm::boolean);
+}
+
+TypePtr Typer::comparison(Expr& expr, const TypePtr& left, const TypePtr& right) {
+    const TypePtr boolean = make_type(TypeForm::boolean);
+    if (!left || !right) return boolean;
+    // Comparisons of time have rules of their own (CE2, TE4).
+    for (const ExprPtr& arg : expr.args)
+        if (strip(*arg).kind == ExprKind::since || strip(*arg).kind == ExprKind::since_entry) return boolean;
+    const bool equality = *expr.binary == BinaryOp::equal || *expr.binary == BinaryOp::not_equal;
+    if (equality && !compatible(left, right) && !compatible(right, left))
+        finder_.out().report(rules::compare_type, expr.span, {to_string(left), to_string(right)});
+    if (!equality && !(fits_real(left) && fits_real(right))) mismatch(expr, left, right);
+    return boolean;
+}
+
+TypePtr Typer::membership(Expr& expr, const TypePtr& left, const TypePtr& right) {
+    const TypePtr boolean = make_type(TypeForm::boolean);
+    if (!left || !right || is_free(right)) return boolean;
+    const TypePtr set = as_set(right);
+    if (set && (compatible(left, set->args[0]) || compatible(set->args[0], left))) return boolean;
+    auto& finding = report_mismatch(expr, left, right);
+    if (!is_form(right, TypeForm::sequence) || !compatible(left, right->args[0])) return boolean;
+    // A sequence is the set of its pairs of place and element; the element alone was meant to be looked for.
+    finding.notes.push_back({{},
+                             "a sequence is a set of pairs `(| place, element |)`; `ran` of relation_toolkit is the "
+                             "set of its elements"});
+    finding.fixes.push_back({expr.args[1]->span, "ran(" + to_text(strip(*expr.args[1])) + ")", diagnostics::suggested(false)});
+    return boolean;
+}
+
+TypePtr Typer::arithmetic(Expr& expr, const TypePtr& left, const TypePtr& right) {
+    if (is_free(left) || is_free(right)) return is_free(left) ? right : left;
+    const bool numbers = is_number(left) && is_number(right);
+    TypePtr result;
+    if (*expr.binary == BinaryOp::plus) result = sum(left, right, false);
+    if (*expr.binary == BinaryOp::minus) result = sum(left, right, true);
+    if (*expr.binary == BinaryOp::times) result = product(left, right);
+    if (*expr.binary == BinaryOp::divide && numbers) result = make_type(TypeForm::real);
+    if (*expr.binary == BinaryOp::modulus && numbers) result = joined(left, right);
+    return result ? result : mismatch(expr, left, right);
+}
+
+TypePtr Typer::concatenation(Expr& expr, const TypePtr& left, const TypePtr& right) {
+    if (is_free(left)) return right;
+    const TypePtr both = joined(left, right);
+    const bool text = both && is_form(both, TypeForm::string);
+    if (both && (text || is_form(both, TypeForm::sequence) || is_free(both))) return both;
+    return mismatch(expr, left, right);
+}
+
+}  // namespace robochart::frontend

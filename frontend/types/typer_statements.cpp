@@ -1,0 +1,216 @@
+// Names and types in statements and communications.
+#include <fmt/format.h>
+
+#include "frontend/syntax/print.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/types/typer.hpp"
+
+namespace robochart::frontend {
+
+void Typer::statement(Stmt& statement, Surroundings& around) {
+    switch (statement.kind) {
+        case StmtKind::if_then_else: {
+            const TypePtr condition = type(statement.condition, around);
+            if (condition && !compatible(condition, make_type(TypeForm::boolean)))
+                finder_.out().report(rules::if_type, statement.condition->span, {to_string(condition)});
+            break;
+        }
+        case StmtKind::assignment:
+            return assignment(statement, around);
+        case StmtKind::communication:
+            return communication(*statement.communication, around, false);
+        case StmtKind::call:
+            return call(statement, around);
+        case StmtKind::wait:
+            return wait(statement.value, around);
+        case StmtKind::wait_interval:
+            wait(statement.value, around);
+            return wait(statement.upper, around);
+        case StmtKind::clock_reset:
+            statement.declaration = clock(statement.name, around, rules::ts1);
+            return;
+        case StmtKind::deadline: {
+            const TypePtr bound = simplify(type(statement.value, around));
+            if (bound && !compatible(bound, make_type(TypeForm::real)))
+                finder_.out().report(rules::deadline_type, statement.value->span, {to_string(bound)});
+            break;
+        }
+        default:
+            break;
+    }
+    for (const StmtPtr& inner : statement.body) this->statement(*inner, around);
+}
+
+void Typer::wait(const ExprPtr& duration, Surroundings& around) {
+    const TypePtr type = simplify(this->type(duration, around));
+    const TypePtr whole = make_type(TypeForm::integer);
+    if (type && !compatible(type, whole) && !compatible(type, make_type(TypeForm::set, {whole})))
+        finder_.out().report(rules::wait_type, duration->span, {to_string(type)});
+}
+
+void Typer::assignment(Stmt& statement, Surroundings& around) {
+    const TypePtr target = type(statement.target, around);
+    const TypePtr value = type(statement.value, around);
+    const Expr* root = statement.target.get();
+    while ((root->kind == ExprKind::member || root->kind == ExprKind::index) && root->args[0])
+        root = root->args[0].get();
+    const Declaration* assigned = root->target;
+    if (assigned != nullptr && assigned->kind == DeclKind::parameter) {
+        finder_.out()
+            .report(rules::parameter_assigned, statement.span, {assigned->name})
+            .notes.push_back({assigned->name_span, "the parameter is declared here"});
+    } else if (assigned != nullptr && assigned->kind != DeclKind::variable) {
+        finder_.out()
+            .report(rules::not_assignable, statement.span, {assigned->name, std::string(to_text(assigned->kind))})
+            .notes.push_back({assigned->name_span, "it is declared here"});
+    }
+    if (!target || !value || compatible(value, target)) return;
+    auto& finding = finder_.out().report(rules::assignment_type, statement.value->span,
+                                         {to_text(*statement.target), to_string(target), to_string(value)});
+    if (assigned != nullptr)
+        finding.notes.push_back({assigned->name_span, fmt::format("`{}` is declared here", assigned->name)});
+}
+
+void Typer::call(Stmt& statement, Surroundings& around) {
+    for (const ExprPtr& arg : statement.args) type(arg, around);
+    if (around.scope == nullptr) return;
+    const auto found = around.scope->operations.find(statement.name.parts.back());
+    if (found == around.scope->operations.end() || !finder_.names().qualifies(statement.name, *found->second))
+        return unknown_operation(statement, around);
+    const OperationSignature& signature = *found->second;
+    statement.declaration = &signature;
+    const std::size_t wanted = signature.parameters.size();
+    if (statement.args.size() != wanted) {
+        finder_.out()
+            .report(rules::call_count, statement.span,
+                    {signature.name, std::to_string(wanted), plural(wanted), std::to_string(statement.args.size())})
+            .notes.push_back({signature.name_span, "the operation is declared here"});
+        return;
+    }
+    for (std::size_t i = 0; i < wanted; ++i) {
+        const TypePtr& formal = signature.parameters[i]->type;
+        const TypePtr& actual = statement.args[i]->type;
+        if (actual && formal && !compatible(actual, formal))
+            finder_.out()
+                .report(rules::call_type, statement.args[i]->span,
+                        {std::to_string(i + 1), signature.name, to_string(formal), to_string(actual)})
+                .notes.push_back({signature.parameters[i]->name_span, "the parameter is declared here"});
+    }
+}
+
+/// A call sees required signatures only, so say where one could be required from.
+void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
+    const Declaration* component = component_around(around.place.inside);
+    const std::string where = component != nullptr ? fmt::format("required by `{}`", component->name) : "here";
+    auto& finding = finder_.unknown(statement.name, "operation", where, finder_.keys(around.scope->operations));
+    if (finder_.out().errors() > diagnostics::Diagnostics::max_kept) return;
+    const std::string& name = statement.name.parts.back();
+    for (const auto& [full, declarations] : finder_.names().entries())
+        for (const Declaration* declaration : declarations) {
+            const auto* interface = dynamic_cast<const Context*>(declaration);
+            if (interface == nullptr || interface->kind != DeclKind::interface) continue;
+            for (const auto& signature : interface->signatures)
+                if (signature->name == name) {
+                    finding.notes.push_back({signature->name_span,
+                                             fmt::format("interface `{}` declares it; `requires {}` makes it callable",
+                                                         interface->name, full)});
+                    return;
+                }
+        }
+    if (const Declaration* defined = finder_.names().anywhere(name, {DeclKind::operation}))
+        finding.notes.push_back(
+            {defined->name_span, "it is defined here, but only operations of a required interface can be called"});
+}
+
+// ---------------------------------------------------------------- communications
+
+const Event* Typer::event(Communication& communication, Surroundings& around) {
+    if (around.scope == nullptr) return nullptr;
+    const auto found = around.scope->events.find(communication.event.parts.back());
+    if (found != around.scope->events.end()) return found->second;
+    unknown_event(communication, around);
+    return nullptr;
+}
+
+void Typer::unknown_event(const Communication& communication, Surroundings& around) {
+    const Declaration* component = component_around(around.place.inside);
+    const std::string where = component != nullptr ? fmt::format("of `{}`", component->name) : "here";
+    auto& finding = finder_.unknown(communication.event, "event", where, finder_.keys(around.scope->events));
+    const auto* outer = component != nullptr ? dynamic_cast<const Context*>(component->parent) : nullptr;
+    if (outer == nullptr) return;
+    for (const Event* event : visible_events(*outer))
+        if (event->name == communication.event.parts.back()) {
+            finding.notes.push_back(
+                {event->name_span,
+                 fmt::format("`{}` has one; its parts declare their own and are connected to it", outer->name)});
+            return;
+        }
+}
+
+const Variable* Typer::stored_into(const QualifiedName& name, Surroundings& around) {
+    if (around.scope == nullptr) return nullptr;
+    const auto found = around.scope->variables.find(name.parts.back());
+    if (found != around.scope->variables.end() && finder_.names().qualifies(name, *found->second)) {
+        const Variable& variable = *found->second;
+        if (variable.kind == DeclKind::parameter)
+            finder_.out().report(rules::parameter_assigned, name.span, {variable.name});
+        else if (variable.kind != DeclKind::variable)
+            finder_.out().report(rules::not_assignable, name.span,
+                                 {variable.name, std::string(to_text(variable.kind))});
+        return &variable;
+    }
+    const Declaration* component = component_around(around.place.inside);
+    finder_.unknown(name, "variable", component != nullptr ? "in `" + component->name + "`" : "here",
+                    finder_.keys(around.scope->variables));
+    return nullptr;
+}
+
+void Typer::communication(Communication& communication, Surroundings& around, bool) {
+    const Event* event = this->event(communication, around);
+    communication.event_target = event;
+    if (!communication.from_variable.empty())
+        communication.from_target = stored_into(communication.from_variable, around);
+    if (communication.predicate) boolean(communication.predicate, around, "what stands in `[| |]`");
+    if (communication.kind == CommKind::input)
+        communication.variable_target = stored_into(communication.variable, around);
+    if (communication.value) type(communication.value, around);
+    if (event != nullptr) communicated(communication, *event, around);
+}
+
+/// RoboTool asks for compat(variable, event), which narrows; a wider variable is just as good, and safer.
+void Typer::received(const Communication& communication, const Event& event) {
+    const auto* variable = static_cast<const Variable*>(communication.variable_target);
+    if (variable == nullptr || !variable->type || compatible(event.type, variable->type)) return;
+    const bool narrows = compatible(variable->type, event.type);
+    finder_.out()
+        .report(narrows ? rules::comm_narrow : rules::comm_input, communication.span,
+                {event.name, to_string(event.type), variable->name, to_string(variable->type)})
+        .notes.push_back({event.name_span, "the event is declared here"});
+}
+
+/// Rules Tg2, Tg5 and the types of what is communicated.
+void Typer::communicated(Communication& communication, const Event& event, Surroundings&) {
+    const bool simple = communication.kind == CommKind::simple;
+    const bool input = communication.kind == CommKind::input;
+    const bool typed = event.type_expr != nullptr;
+    if (simple && typed && event.type)
+        finder_.out()
+            .report(rules::tg2, communication.span, {event.name, to_string(event.type)})
+            .notes.push_back({event.name_span, "the event is declared here"});
+    if (!simple && !typed)
+        finder_.out()
+            .report(rules::tg5, communication.span, {event.name, input ? "received" : "sent"})
+            .notes.push_back({event.name_span, "the event is declared here"});
+    if (simple || !typed || !event.type) return;
+    if (input) {
+        received(communication, event);
+        return;
+    }
+    if (communication.value->type && !compatible(communication.value->type, event.type))
+        finder_.out()
+            .report(rules::comm_value, communication.value->span,
+                    {event.name, to_string(event.type), to_string(communication.value->type)})
+            .notes.push_back({event.name_span, "the event is declared here"});
+}
+
+}  // namespace robochart::frontend

@@ -1,0 +1,48 @@
+// Semantic types of RoboChart expressions and the compatibility relation of RoboChartTypeProvider
+// (reference: RoboChart manual, type system; rules in docs/language.md).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "frontend/syntax/ast.hpp"
+
+namespace robochart::frontend {
+
+/// What a type is built from. `any` is the element type of `<>` and `{}`.
+enum class TypeForm {
+    any,
+    boolean,
+    nat,
+    integer,
+    real,
+    string,
+    given,
+    enumeration,
+    record,
+    variable,
+    sequence,
+    set,
+    product,
+    function,
+    relation,
+    vector,
+    matrix
+};
+
+struct Type {
+    TypeForm form = TypeForm::any;
+    std::string name;                              ///< variable ?X; declared types: name
+    const TypeDeclaration* declaration = nullptr;  ///< given, enumeration, record
+    std::vector<TypePtr> args;                     ///< operands; function: {argument, result}
+    std::vector<long> sizes;                       ///< vector: {n}, matrix: {rows, columns}; -1 unknown
+    bool numeric = false;                          ///< variable: ?Number of a toolkit, which is nat, int or real
+};
+
+/// `T` as RoboChart writes it, e.g. "Seq(nat)", "nat * boolean".
+[[nodiscard]] std::string to_string(const TypePtr&);
+/// compat(a, b): a value of type `from` may stand where `to` is expected.
+[[nodiscard]] bool compatible(const TypePtr& from, const TypePtr& to);
+
+}  // namespace robochart::frontend

@@ -1,0 +1,79 @@
+// See capabilities.hpp.
+#include "lsp/features/capabilities.hpp"
+
+#include <algorithm>
+
+#include "lsp/features/features.hpp"
+#include "lsp/protocol/uri.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+bool lists(const Json& items, std::string_view word) {
+    return std::any_of(items.items().begin(), items.items().end(),
+                       [&](const Json& item) { return item.text() == word; });
+}
+
+std::string_view name_of(Encoding encoding) {
+    return encoding == Encoding::utf8 ? "utf-8" : encoding == Encoding::utf32 ? "utf-32" : "utf-16";
+}
+
+}  // namespace
+
+Client client_of(const Json& capabilities) {
+    const Json& document = capabilities["textDocument"];
+    const Json& offered = capabilities["general"]["positionEncodings"];
+    Client client;
+    // Our own texts are UTF-8, so that is the cheapest to agree upon.
+    if (lists(offered, "utf-8"))
+        client.encoding = Encoding::utf8;
+    else if (!lists(offered, "utf-16") && lists(offered, "utf-32"))
+        client.encoding = Encoding::utf32;
+    client.hierarchical_symbols = document["documentSymbol"]["hierarchicalDocumentSymbolSupport"].truth();
+    client.snippets = document["completion"]["completionItem"]["snippetSupport"].truth();
+    client.markdown = lists(document["hover"]["contentFormat"], "markdown");
+    client.watches_files = capabilities["workspace"]["didChangeWatchedFiles"]["dynamicRegistration"].truth();
+    client.versioned_edits = capabilities["workspace"]["workspaceEdit"]["documentChanges"].truth();
+    return client;
+}
+
+std::vector<std::string> folders_of(const Json& params) {
+    std::vector<std::string> result;
+    for (const Json& folder : params["workspaceFolders"].items())
+        if (folder["uri"].is_text()) result.push_back(path_of_uri(folder["uri"].text()));
+    if (!result.empty()) return result;
+    if (params["rootUri"].is_text()) return {path_of_uri(params["rootUri"].text())};
+    if (params["rootPath"].is_text()) return {params["rootPath"].text()};
+    return {};
+}
+
+Json server_capabilities(const Client& client) {
+    constexpr int incremental = 2;
+    const Json folders = Json::object({{"supported", true}, {"changeNotifications", true}});
+    const Json legend = semantic_legend();
+    Json capabilities = Json::object({
+        {"positionEncoding", name_of(client.encoding)},
+        {"textDocumentSync", Json::object({{"openClose", true}, {"change", incremental}, {"save", false}})},
+        {"completionProvider",
+         Json::object({{"triggerCharacters", Json::array({":", ".", "#", "!", "?"})}, {"resolveProvider", false}})},
+        {"hoverProvider", true},
+        {"signatureHelpProvider", Json::object({{"triggerCharacters", Json::array({"(", ","})}})},
+        {"declarationProvider", true},
+        {"definitionProvider", true},
+        {"referencesProvider", true},
+        {"documentHighlightProvider", true},
+        {"documentSymbolProvider", true},
+        {"workspaceSymbolProvider", true},
+        {"codeActionProvider", Json::object({{"codeActionKinds", Json::array({"quickfix"})}})},
+        {"documentFormattingProvider", true},
+        {"renameProvider", Json::object({{"prepareProvider", true}})},
+        {"foldingRangeProvider", true},
+        {"semanticTokensProvider", Json::object({{"legend", legend}, {"full", true}})},
+        {"workspace", Json::object({{"workspaceFolders", folders}})},
+    });
+    return Json::object({{"capabilities", std::move(capabilities)},
+                         {"serverInfo", Json::object({{"name", "robochart-verify"}, {"version", "0.1.0"}})}});
+}
+
+}  // namespace robochart::lsp

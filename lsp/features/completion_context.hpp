@@ -1,0 +1,76 @@
+// What could stand at a place of a text that is being written. Words before the place decide, not the tree: the text is
+// broken most of the time.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frontend/syntax/lexer.hpp"
+#include "lsp/protocol/positions.hpp"
+
+namespace robochart::lsp {
+
+/// A body that encloses the place.
+enum class Block {
+    file,
+    interface,
+    platform,
+    controller,
+    module,
+    machine,
+    operation,
+    function,
+    state,
+    transition,
+    type,     ///< of a datatype or enumeration
+    bracket,  ///< a set, or a deadline
+};
+
+struct Enclosing {
+    Block block = Block::file;
+    Span name;              ///< of what the body belongs to; unknown for brackets and the file
+    std::size_t begin = 0;  ///< the first word inside
+};
+
+/// What the grammar wants at the place.
+enum class Wanted {
+    nothing,       ///< a new name, or the inside of a comment or string
+    member,        ///< the beginning of a member of the body
+    continuation,  ///< something after a complete operand: an infix word, or the next member
+    source,        ///< a node that a transition may leave
+    target,        ///< a node that it may enter
+    event,
+    interface,
+    type,
+    reference,  ///< what `sref n =` and the like refer to: `word` is the keyword
+    clock,
+    state,     ///< of sinceEntry
+    variable,  ///< something to store into
+    expression,
+    statement,
+    branch,  ///< after `then` or `else`: a statement or an expression
+    connection_node,
+    connection_event,  ///< an event of the node `path`
+    import,
+    component,  ///< in an assertion
+    property,   ///< after `is` in an assertion
+};
+
+/// One step from a value to a part of it: a field's name, or "" for an index.
+struct CompletionContext {
+    Wanted wanted = Wanted::nothing;
+    std::vector<Enclosing> enclosing;    ///< outermost first; the file is always there
+    Span prefix;                         ///< the letters already written
+    std::vector<std::string> qualifier;  ///< `A`, `B` of `A::B::`
+    std::vector<std::string> value;      ///< `a`, "", `f` of `a[1].f.`: a field is wanted
+    std::vector<std::string> path;       ///< connection_event: the node's name
+    std::string word;                    ///< reference: the keyword; transition members: the last clause written
+    std::vector<std::string> bound;      ///< variables of binders before the place
+};
+
+/// Looks at the words before an offset.
+[[nodiscard]] CompletionContext context_at(const SourceManager&, SourceId, bool is_assertions, std::uint32_t offset);
+
+}  // namespace robochart::lsp

@@ -1,0 +1,99 @@
+// Findings of the rules as an editor shows them.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "diagnostics/fixes.hpp"
+#include "lsp/features/features.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using diagnostics::Diagnostic;
+using diagnostics::Severity;
+
+int severity_number(Severity severity) {
+    return severity == Severity::error ? 1 : severity == Severity::warning ? 2 : 3;
+}
+
+/// LSP wants a place with every related message; notes without one become part of the message.
+std::string message_of(const Diagnostic& finding) {
+    std::string text = finding.message();
+    for (const diagnostics::Note& note : finding.notes)
+        if (!note.span.known()) text += "\n" + note.message;
+    for (const diagnostics::FixIt& fix : finding.fixes)
+        if (!fix.replacement.empty())
+            text += "\n" + fix.title + " `" + fix.replacement + (diagnostics::is_certain(fix) ? "`" : "`?");
+    return text;
+}
+
+constexpr int unnecessary_tag = 1;  // DiagnosticTag.Unnecessary
+
+/// Warnings about what could as well be left out: never reached, taken, used or read, a copy (rules RC-W…).
+bool is_unneeded(std::string_view code) {
+    constexpr std::array<std::string_view, 5> codes = {"RC-W03", "RC-W04", "RC-W07", "RC-W08", "RC-W14"};
+    return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
+Json related(const Session& session, Project& project, const Diagnostic& finding) {
+    Json list = Json::array();
+    for (const diagnostics::Note& note : finding.notes) {
+        Json place = location(session, project, note.span);
+        if (!place.is_null()) list.push(Json::object({{"location", std::move(place)}, {"message", note.message}}));
+    }
+    return list;
+}
+
+Json diagnostic(const Session& session, Project& project, const Diagnostic& finding) {
+    Json result = Json::object({{"range", range(project.sources(), finding.span, session.client.encoding)},
+                                {"severity", severity_number(finding.rule->severity)},
+                                {"code", finding.rule->code},
+                                {"source", "robochart"},
+                                {"message", message_of(finding)}});
+    Json notes = related(session, project, finding);
+    if (!notes.items().empty()) result.set("relatedInformation", std::move(notes));
+    if (is_unneeded(finding.rule->code)) result.set("tags", Json::array({unnecessary_tag}));
+    return result;
+}
+
+/// The findings of a project, by the text that they are about.
+std::map<SourceId, Json> by_source(const Session& session, Project& project) {
+    std::map<SourceId, Json> result;
+    const auto add = [&](const diagnostics::Diagnostics& findings) {
+        for (const Diagnostic& finding : findings.sorted())
+            if (finding.span.known()) result[finding.span.source].push(diagnostic(session, project, finding));
+    };
+    for (const auto& [path, document] : project.documents()) add(document->findings);
+    add(project.findings());
+    return result;
+}
+
+void send(Session& session, const std::string& uri, std::optional<std::int64_t> version, Json list) {
+    Json params = Json::object({{"uri", uri}, {"diagnostics", std::move(list)}});
+    if (version) params.set("version", *version);
+    session.send(Json::object(
+        {{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}}));
+}
+
+}  // namespace
+
+void publish(Session& session) {
+    for (const auto& project : session.workspace.projects()) {
+        if (!project->take_news()) continue;
+        std::map<SourceId, Json> found = by_source(session, *project);
+        for (const auto& [path, document] : project->documents()) {
+            Json list = found.contains(document->source) ? std::move(found[document->source]) : Json::array();
+            std::string text = list.items().empty() ? std::string() : list.write();
+            if (text == document->published) continue;
+            document->published = std::move(text);
+            send(session, document->uri, document->version, std::move(list));
+        }
+    }
+    for (const std::string& uri : session.workspace.take_orphans())
+        if (const auto place = session.workspace.find(uri); !place || place.document->published.empty())
+            send(session, uri, {}, Json::array());
+}
+
+}  // namespace robochart::lsp

@@ -1,0 +1,89 @@
+// What stands under the pointer: the declaration with its comment, and why a rule objects.
+#include <fmt/format.h>
+
+#include <set>
+
+#include "lsp/workspace/describe.hpp"
+#include "lsp/features/features.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using frontend::NameKind;
+using frontend::Occurrence;
+
+/// The file that a declaration stands in, toolkits included.
+const frontend::File* file_of(Project& project, SourceId source) {
+    for (const auto& file : project.model().files)
+        if (file->source == source) return file.get();
+    return nullptr;
+}
+
+std::string code_block(const std::string& text, bool markdown) {
+    return markdown ? fmt::format("```robochart\n{}\n```", text) : text;
+}
+
+std::string about_declaration(Project& project, const frontend::Declaration& declaration, bool markdown) {
+    std::string out = code_block(signature(declaration), markdown);
+    const std::string where = whereabouts(declaration);
+    if (!where.empty()) out += "\n" + where;
+    const frontend::File* file = file_of(project, declaration.name_span.source);
+    if (file == nullptr) return out;
+    if (where.empty() && !file->package.empty()) out += fmt::format("\nin package `{}`", file->package.text());
+    const std::string comment = comment_about(project.sources(), *file, declaration.name_span);
+    return comment.empty() ? out : out + "\n\n" + comment;
+}
+
+std::string about(Project& project, const Occurrence& name, bool markdown) {
+    switch (name.kind) {
+        case NameKind::declaration:
+        case NameKind::core_type:
+            return name.target != nullptr ? about_declaration(project, *name.target, markdown) : std::string();
+        case NameKind::package:
+            return code_block("package " + name.text, markdown);
+        case NameKind::process:
+            return code_block("csp " + name.text, markdown);
+        case NameKind::assertion: {
+            const frontend::File* file = file_of(project, name.span.source);
+            return code_block("assertion " + name.text, markdown) + "\n\n" +
+                   comment_about(project.sources(), *file, name.span);
+        }
+        case NameKind::type_variable:
+        case NameKind::unknown:
+            break;
+    }
+    return {};
+}
+
+std::string explanations(const Target& target, bool markdown) {
+    std::string out;
+    std::set<std::string_view> told;
+    for (const diagnostics::Diagnostic& finding : findings_about(target)) {
+        const bool here = finding.span.begin <= target.offset && target.offset <= finding.span.end;
+        if (!here || !told.insert(finding.rule->explanation).second) continue;
+        const auto* pattern = markdown ? "{}**{}** {}" : "{}{}: {}";
+        out += fmt::format(fmt::runtime(pattern), out.empty() ? "" : "\n\n", finding.rule->code,
+                           finding.rule->explanation);
+    }
+    return out;
+}
+
+}  // namespace
+
+Json hover(Session& session, const Json& params) {
+    const Target target = target_of(session, params);
+    const bool markdown = session.client.markdown;
+    const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
+    std::string text = name != nullptr ? about(target.project, *name, markdown) : std::string();
+    const std::string rules = explanations(target, markdown);
+    if (!text.empty() && !rules.empty()) text += markdown ? "\n\n---\n" : "\n\n";
+    text += rules;
+    if (text.empty()) return {};
+    Json result = Json::object(
+        {{"contents", Json::object({{"kind", markdown ? "markdown" : "plaintext"}, {"value", std::move(text)}})}});
+    if (name != nullptr) result.set("range", range(target.project.sources(), name->span, session.client.encoding));
+    return result;
+}
+
+}  // namespace robochart::lsp

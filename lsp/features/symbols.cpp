@@ -1,0 +1,140 @@
+// Outlines of documents, and the search for names over all projects.
+#include <algorithm>
+#include <cctype>
+
+#include "lsp/workspace/describe.hpp"
+#include "lsp/features/features.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using namespace frontend;
+
+template <class Items>
+void add_all(std::vector<const Declaration*>& list, const Items& items) {
+    for (const auto& item : items) list.push_back(&*item);
+}
+
+/// The declarations inside one, in textual order; what interfaces bring is not inside.
+std::vector<const Declaration*> inner(const Declaration& declaration) {
+    std::vector<const Declaration*> list;
+    if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declaration)) {
+        add_all(list, type->fields);
+        add_all(list, type->literals);
+    }
+    if (const auto* context = dynamic_cast<const Context*>(&declaration)) {
+        add_all(list, context->variables);
+        add_all(list, context->events);
+        add_all(list, context->clocks);
+        add_all(list, context->signatures);
+    }
+    if (const auto* component = dynamic_cast<const Component*>(&declaration)) add_all(list, component->order);
+    if (const auto* container = dynamic_cast<const NodeContainer*>(&declaration)) {
+        add_all(list, container->nodes);
+        add_all(list, container->transitions);
+    }
+    std::sort(list.begin(), list.end(),
+              [](const Declaration* a, const Declaration* b) { return a->name_span.begin < b->name_span.begin; });
+    std::erase_if(list, [](const Declaration* each) { return each->name.empty() || !each->name_span.known(); });
+    return list;
+}
+
+/// The declaration with all that is inside it: in broken text a part may reach behind the end of the whole.
+Span extent(const Declaration& declaration) {
+    Span result = join(declaration.span, declaration.name_span);
+    for (const Declaration* each : inner(declaration)) result = join(result, extent(*each));
+    return result;
+}
+
+/// Depth is bounded by the parser.
+Json symbol(const SourceManager& sources, const Declaration& declaration, Encoding encoding) {
+    Json result = Json::object({{"name", declaration.name},
+                                {"detail", detail(declaration)},
+                                {"kind", symbol_kind(declaration)},
+                                {"range", range(sources, extent(declaration), encoding)},
+                                {"selectionRange", range(sources, declaration.name_span, encoding)}});
+    Json children = Json::array();
+    for (const Declaration* each : inner(declaration)) children.push(symbol(sources, *each, encoding));
+    if (!children.items().empty()) result.set("children", std::move(children));
+    return result;
+}
+
+Json claim(const SourceManager& sources, const std::string& name, int kind, Span span, Span name_span,
+           Encoding encoding) {
+    return Json::object({{"name", name},
+                         {"detail", kind == 17 ? "assertion" : "csp"},
+                         {"kind", kind},
+                         {"range", range(sources, join(span, name_span), encoding)},
+                         {"selectionRange", range(sources, name_span, encoding)}});
+}
+
+/// Case-insensitively, the letters of `query` in this order.
+bool matches(std::string_view name, std::string_view query) {
+    std::size_t at = 0;
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    for (const char c : name)
+        if (at < query.size() && lower(c) == lower(query[at])) ++at;
+    return at == query.size();
+}
+
+/// Calls `use` for a declaration and all inside it.
+template <class Use>
+void all(const Declaration& declaration, const Use& use) {
+    use(declaration);
+    for (const Declaration* each : inner(declaration)) all(*each, use);
+}
+
+Json information(const Session& session, Project& project, const Declaration& declaration) {
+    Json place = location(session, project, declaration.name_span);
+    if (place.is_null()) return {};
+    return Json::object({{"name", declaration.name},
+                         {"kind", symbol_kind(declaration)},
+                         {"location", std::move(place)},
+                         {"containerName", declaration.parent != nullptr ? declaration.parent->name : ""}});
+}
+
+}  // namespace
+
+Json document_symbols(Session& session, const Json& params) {
+    const Target target = target_of(session, params);
+    const File& file = target.project.tree(target.document);
+    const SourceManager& sources = target.project.sources();
+    const Encoding encoding = session.client.encoding;
+    Json result = Json::array();
+    for (const auto& declaration : file.declarations) {
+        if (declaration->name.empty()) continue;
+        if (session.client.hierarchical_symbols) {
+            result.push(symbol(sources, *declaration, encoding));
+        } else {
+            all(*declaration,
+                [&](const Declaration& each) { result.push(information(session, target.project, each)); });
+        }
+    }
+    constexpr int boolean_kind = 17;
+    constexpr int function_kind = 12;
+    for (const Assertion& each : file.assertions)
+        if (!each.name.empty())
+            result.push(claim(sources, each.name, boolean_kind, each.span, each.name_span, encoding));
+    for (const CspBlock& each : file.csp_blocks)
+        if (!each.name.empty())
+            result.push(claim(sources, each.name, function_kind, each.span, each.name_span, encoding));
+    return result;
+}
+
+Json workspace_symbols(Session& session, const Json& params) {
+    constexpr std::size_t limit = 500;
+    const std::string& query = params["query"].text();
+    Json result = Json::array();
+    for (const auto& project : session.workspace.projects())
+        for (const auto& file : project->model().files)
+            for (const auto& declaration : file->declarations)
+                all(*declaration, [&](const Declaration& each) {
+                    if (file->is_library || result.items().size() >= limit || !matches(each.name, query)) return;
+                    Json found = information(session, *project, each);
+                    if (!found.is_null()) result.push(std::move(found));
+                });
+    return result;
+}
+
+}  // namespace robochart::lsp

@@ -1,0 +1,81 @@
+// See interruption.hpp.
+#include "lsp/protocol/interruption.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace robochart::lsp {
+
+namespace {
+
+/// Notifications after which earlier findings are about other texts.
+bool changes_texts(const std::string& method) {
+    constexpr std::array<std::string_view, 5> methods = {"textDocument/didOpen", "textDocument/didChange", "textDocument/didClose",
+                                                         "workspace/didChangeWatchedFiles", "workspace/didChangeWorkspaceFolders"};
+    return std::find(methods.begin(), methods.end(), method) != methods.end();
+}
+
+}  // namespace
+
+void Interruption::arrived(const Json& message) {
+    const std::lock_guard lock(mutex_);
+    const std::string& method = message["method"].text();
+    if (method == "$/cancelRequest") cancelled_.push_back(message["params"]["id"]);
+    if (changes_texts(method)) ++changes_;
+    if (method == "exit" || method == "shutdown") leave();
+}
+
+void Interruption::input_ended() {
+    const std::lock_guard lock(mutex_);
+    leave();
+}
+
+void Interruption::leave() {
+    if (!leaving_) leaving_ = std::chrono::steady_clock::now() + grace;
+}
+
+void Interruption::handled(const Json& message) {
+    const std::lock_guard lock(mutex_);
+    const std::string& method = message["method"].text();
+    if (method == "$/cancelRequest") {
+        const auto found = std::find(cancelled_.begin(), cancelled_.end(), message["params"]["id"]);
+        if (found != cancelled_.end()) cancelled_.erase(found);
+    }
+    if (changes_texts(method)) ++handled_;
+    changes_ = std::max(changes_, handled_);  // where nobody reads ahead
+}
+
+/// What was asked is answered from the texts of then, even if a change was already waiting; findings that nobody has
+/// asked for are of no use then.
+Interruption::Work::Work(Interruption& interruption, const Json& id) : interruption_(interruption) {
+    const std::lock_guard lock(interruption_.mutex_);
+    interruption_.working_ = true;
+    interruption_.id_ = id;
+    interruption_.known_ = id.is_null() ? interruption_.handled_ : interruption_.changes_;
+}
+
+Interruption::Work::~Work() {
+    const std::lock_guard lock(interruption_.mutex_);
+    interruption_.working_ = false;
+    interruption_.id_ = nullptr;
+}
+
+Interruption::Reason Interruption::reason() const {
+    const std::lock_guard lock(mutex_);
+    if (!working_) return Reason::none;
+    if (!id_.is_null() && holds_cancelled(id_)) return Reason::cancelled;
+    if (changes_ > known_) return Reason::modified;
+    return leaving_ && std::chrono::steady_clock::now() >= *leaving_ ? Reason::leaving : Reason::none;
+}
+
+bool Interruption::is_cancelled(const Json& id) const {
+    const std::lock_guard lock(mutex_);
+    return holds_cancelled(id) || (leaving_ && std::chrono::steady_clock::now() >= *leaving_);
+}
+
+bool Interruption::holds_cancelled(const Json& id) const {
+    return std::find(cancelled_.begin(), cancelled_.end(), id) != cancelled_.end();
+}
+
+}  // namespace robochart::lsp

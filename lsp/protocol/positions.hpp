@@ -1,0 +1,25 @@
+// Places as editors count them (LSP 3.17, Position): lines and columns from 0, columns in the code units agreed upon.
+#pragma once
+
+#include "diagnostics/source.hpp"
+#include "lsp/protocol/json.hpp"
+
+namespace robochart::lsp {
+
+using diagnostics::SourceId;
+using diagnostics::SourceManager;
+using diagnostics::Span;
+
+/// What a column counts.
+enum class Encoding { utf8, utf16, utf32 };
+
+/// `{line, character}` of a byte offset.
+[[nodiscard]] Json position(const SourceManager&, SourceId, std::uint32_t offset, Encoding);
+/// `{start, end}` of a span.
+[[nodiscard]] Json range(const SourceManager&, Span, Encoding);
+/// The byte offset of `{line, character}`. A place behind a line's or the text's end is that end.
+[[nodiscard]] std::uint32_t offset_of(const SourceManager&, SourceId, const Json& position, Encoding);
+/// The span of `{start, end}`; its ends may come in either order.
+[[nodiscard]] Span span_of(const SourceManager&, SourceId, const Json& range, Encoding);
+
+}  // namespace robochart::lsp

@@ -1,0 +1,13 @@
+// Paths and file URIs (RFC 3986, RFC 8089).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace robochart::lsp {
+
+/// `file:///a%20b` as a path; other schemes as they are.
+[[nodiscard]] std::string path_of_uri(std::string_view uri);
+[[nodiscard]] std::string uri_of_path(std::string_view path);
+
+}  // namespace robochart::lsp

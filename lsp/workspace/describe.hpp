@@ -1,0 +1,23 @@
+// Declarations in words, for hovers, completions and outlines.
+#pragma once
+
+#include <string>
+
+#include "lsp/workspace/workspace.hpp"
+
+namespace robochart::lsp {
+
+/// The declaration as it is written, without its body: `var x : nat = 1`, `function f(a : real) : real`.
+[[nodiscard]] std::string signature(const frontend::Declaration&);
+/// What stands behind the name in a list: a type, a target, what is enclosed. May be empty.
+[[nodiscard]] std::string detail(const frontend::Declaration&);
+/// Where it is declared: "in stm `S`"; "" at package level.
+[[nodiscard]] std::string whereabouts(const frontend::Declaration&);
+/// The comment directly above a place, or behind it on its line, without comment marks; "" if there is none.
+[[nodiscard]] std::string comment_about(const SourceManager&, const frontend::File&, Span name);
+
+/// SymbolKind and CompletionItemKind (LSP 3.17).
+[[nodiscard]] int symbol_kind(const frontend::Declaration&);
+[[nodiscard]] int completion_kind(const frontend::Declaration&);
+
+}  // namespace robochart::lsp

@@ -1,0 +1,209 @@
+// Evaluation of expressions: names, logic, comparisons, and which family an expression belongs to. The rules are in
+// evaluate.hpp.
+#include "semantics/evaluate/evaluate.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "semantics/ir/arithmetic.hpp"
+#include "semantics/evaluate/evaluate_composed.hpp"
+#include "semantics/evaluate/evaluator.hpp"
+
+namespace robochart::ir {
+
+const Expr& Evaluator::argument(const Expr& expr, std::size_t index) {
+    if (index >= expr.args.size() || !expr.args[index]) fault(expr, "an operand is missing");
+    return *expr.args[index];
+}
+
+std::vector<Value> Evaluator::operands(const Expr& expr) {
+    std::vector<Value> values;
+    for (std::size_t i = 0; i < expr.args.size(); ++i) values.push_back(operand(expr, i));
+    return values;
+}
+
+Value Evaluator::literal(const Expr& expr) {
+    if (expr.kind == ExprKind::enum_literal) return {expr.number, operands(expr)};
+    if (expr.kind != ExprKind::real) return {expr.number, {}};
+    const auto units = scaled(expr.decimal, instantiation_.scale);
+    if (!units) fault(expr, "the number does not fit into 64 bits at this scale");
+    return {*units, {}};
+}
+
+namespace {
+
+template <class T>
+const T* element(const std::vector<T>& values, std::uint32_t index) {
+    return index < values.size() ? &values[index] : nullptr;
+}
+
+ClockId entry_clock(const Machine& machine, NodeId node) {
+    for (std::uint32_t i = 0; i < machine.clocks.size(); ++i)
+        if (machine.clocks[i].entry_of == node) return ClockId{i};
+    return {};
+}
+
+}  // namespace
+
+Value Evaluator::name(const Expr& expr) {
+    if (expr.kind == ExprKind::variable)
+        if (const auto* found = element(environment_.variables, expr.variable.index)) return *found;
+    if (expr.kind == ExprKind::constant)
+        if (const auto* found = element(environment_.constants, expr.constant.index)) return *found;
+    if (expr.kind == ExprKind::trigger_value && environment_.trigger) return *environment_.trigger;
+    ClockId clock = expr.clock;
+    if (expr.kind == ExprKind::since_entry && machine_ != nullptr) clock = entry_clock(*machine_, expr.node);
+    if (expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry)
+        if (const auto* found = element(environment_.clocks, clock.index)) return {*found, {}};
+    fault(expr, "a name has no value here");
+}
+
+Value Evaluator::bound(const Expr& expr) {
+    for (auto it = bindings_.rbegin(); it != bindings_.rend(); ++it)
+        if (it->first == expr.text) return it->second;
+    fault(expr, "'" + expr.text + "' is not bound here");
+}
+
+Value Evaluator::logic(const Expr& expr) {
+    bool result = false;
+    switch (expr.kind) {
+        case ExprKind::logical_not:
+            result = !truth(expr, 0);
+            break;
+        case ExprKind::conjunction:
+            result = truth(expr, 0) && truth(expr, 1);
+            break;
+        case ExprKind::disjunction:
+            result = truth(expr, 0) || truth(expr, 1);
+            break;
+        case ExprKind::implies:
+            result = !truth(expr, 0) || truth(expr, 1);
+            break;
+        default:
+            result = truth(expr, 0) == truth(expr, 1);
+            break;
+    }
+    return {result ? 1 : 0, {}};
+}
+
+Value Evaluator::comparison(const Expr& expr) {
+    const Value left = operand(expr, 0);
+    const Value right = operand(expr, 1);
+    bool result = false;
+    switch (expr.kind) {
+        case ExprKind::equal:
+            result = left == right;
+            break;
+        case ExprKind::not_equal:
+            result = left != right;
+            break;
+        case ExprKind::greater:
+            result = left.number > right.number;
+            break;
+        case ExprKind::greater_equal:
+            result = left.number >= right.number;
+            break;
+        case ExprKind::less:
+            result = left.number < right.number;
+            break;
+        default:
+            result = left.number <= right.number;
+            break;
+    }
+    return {result ? 1 : 0, {}};
+}
+
+Value Evaluator::value(const Expr& expr) {
+    instantiation_.poll();
+    switch (expr.kind) {
+        case ExprKind::boolean:
+        case ExprKind::integer:
+        case ExprKind::real:
+        case ExprKind::enum_literal:
+            return literal(expr);
+        case ExprKind::variable:
+        case ExprKind::constant:
+        case ExprKind::trigger_value:
+        case ExprKind::since:
+        case ExprKind::since_entry:
+            return name(expr);
+        case ExprKind::bound:
+            return bound(expr);
+        case ExprKind::logical_not:
+        case ExprKind::iff:
+        case ExprKind::implies:
+        case ExprKind::disjunction:
+        case ExprKind::conjunction:
+            return logic(expr);
+        case ExprKind::equal:
+        case ExprKind::not_equal:
+        case ExprKind::greater:
+        case ExprKind::greater_equal:
+        case ExprKind::less:
+        case ExprKind::less_equal:
+            return comparison(expr);
+        case ExprKind::plus:
+        case ExprKind::minus:
+        case ExprKind::times:
+        case ExprKind::divide:
+        case ExprKind::modulus:
+            return arithmetic(expr);
+        case ExprKind::negate:
+            return negate(expr);
+        case ExprKind::if_then_else:
+            return truth(expr, 0) ? operand(expr, 1) : operand(expr, 2);
+        case ExprKind::cast:
+            return cast(expr);
+        case ExprKind::tuple:
+        case ExprKind::record:
+        case ExprKind::sequence:
+        case ExprKind::matrix:
+        case ExprKind::set:
+        case ExprKind::set_range:
+            return constructed(expr);
+        case ExprKind::member:
+        case ExprKind::index:
+        case ExprKind::apply:
+        case ExprKind::concat:
+            return access(expr);
+        case ExprKind::is_in:
+            return {is_part(operand(expr, 1), operand(expr, 0)) ? 1 : 0, {}};
+        case ExprKind::forall:
+        case ExprKind::exists:
+        case ExprKind::exists_unique:
+        case ExprKind::lambda:
+        case ExprKind::the:
+        case ExprKind::set_comprehension:
+            return quantified(expr);
+        case ExprKind::let:
+            return let(expr);
+        case ExprKind::string:
+            return string_value(expr.characters);
+        case ExprKind::call:
+            return function_call(expr);
+        case ExprKind::function_value:
+            return function_pairs(expr);
+        case ExprKind::toolkit:
+            return toolkit_call(expr);
+        case ExprKind::is_type:
+            return {has_type(operand(expr, 0), argument(expr, 0).type, expr.bound_types.at(0)) ? 1 : 0, {}};
+        case ExprKind::range:
+            return range(expr);
+        case ExprKind::transpose:
+            return transposed(expr);
+    }
+    fault(expr, "the expression has no value");
+}
+
+Value evaluate(const System& system, const Instantiation& instantiation, const Machine* machine,
+               const Environment& environment, const Expr& expr) {
+    return Evaluator(system, instantiation, machine, environment).value(expr);
+}
+
+std::optional<std::int64_t> scaled(const Decimal& decimal, std::int64_t scale) {
+    const auto divisor = power_of_ten(decimal.decimals);
+    if (!divisor) return std::nullopt;
+    return multiply_divide(decimal.unscaled, scale, *divisor);
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,127 @@
+// Evaluation of arithmetic, of numbers and of vectors and matrices entry by entry (semantics 3.13).
+#include <algorithm>
+
+#include "semantics/evaluate/evaluate.hpp"
+#include "semantics/ir/arithmetic.hpp"
+#include "semantics/evaluate/evaluate_composed.hpp"
+#include "semantics/evaluate/evaluator.hpp"
+
+namespace robochart::ir {
+
+namespace {
+
+/// The result before clipping; nothing if it lies beyond 64 bits, hence outside every carrier.
+std::optional<std::int64_t> exact(ExprKind kind, bool real, std::int64_t scale, std::int64_t left, std::int64_t right) {
+    switch (kind) {
+        case ExprKind::plus:
+            return checked_add(left, right);
+        case ExprKind::minus:
+            return checked_subtract(left, right);
+        case ExprKind::times:
+            return real ? multiply_divide(left, right, scale) : checked_multiply(left, right);
+        case ExprKind::divide:
+            return real ? multiply_divide(left, scale, right) : floor_divide(left, right);
+        default:
+            return floor_modulus(left, right);
+    }
+}
+
+}  // namespace
+
+/// RoboTool's Plus, Minus, ... on numbers of a type.
+Value Evaluator::clipped(const Expr& expr, ExprKind op, TypeId type, const Value& left, const Value& right) {
+    const bool divides = op == ExprKind::divide || op == ExprKind::modulus;
+    if (divides && right.number == 0) fault(expr, "division by zero");
+    const auto result = exact(op, kind(type) == TypeKind::real, instantiation_.scale, left.number, right.number);
+    if (!result || !in_carrier(system_, instantiation_, type, {*result, {}})) return left;
+    return {*result, {}};
+}
+
+Value Evaluator::arithmetic(const Expr& expr) {
+    const Value left = operand(expr, 0);
+    const Value right = operand(expr, 1);
+    const bool left_block = is_composed(kind(argument(expr, 0).type));
+    const bool right_block = is_composed(kind(argument(expr, 1).type));
+    if (!left_block && !right_block) return clipped(expr, expr.kind, expr.type, left, right);
+    const TypeId entry = entry_type(expr.type);
+    if (expr.kind != ExprKind::times) return zipped(expr, entry, left, right);
+    return left_block && right_block ? product(expr, entry, left, right) : scaled_block(expr, entry, left, right);
+}
+
+/// Entry by entry.
+Value Evaluator::zipped(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
+    if (left.parts.empty()) return clipped(expr, expr.kind, entry, left, right);
+    if (left.parts.size() != right.parts.size()) fault(expr, "the sizes differ");
+    Value result;
+    for (std::size_t i = 0; i < left.parts.size(); ++i)
+        result.parts.push_back(zipped(expr, entry, left.parts[i], right.parts[i]));
+    return result;
+}
+
+/// A number times every entry, the operands in their order: clipping keeps the first.
+Value Evaluator::scaled_block(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
+    if (left.parts.empty() && right.parts.empty()) return clipped(expr, ExprKind::times, entry, left, right);
+    Value result;
+    for (const Value& part : left.parts) result.parts.push_back(scaled_block(expr, entry, part, right));
+    if (left.parts.empty())
+        for (const Value& part : right.parts) result.parts.push_back(scaled_block(expr, entry, left, part));
+    return result;
+}
+
+/// A vector is a column.
+std::vector<std::vector<Value>> Evaluator::rows(const Value& block, TypeId type) {
+    std::vector<std::vector<Value>> result;
+    for (const Value& part : block.parts)
+        result.push_back(kind(type) == TypeKind::vector ? std::vector<Value>{part} : part.parts);
+    return result;
+}
+
+/// Rows times columns, sums from the left; two vectors: their dot product.
+Value Evaluator::product(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
+    const TypeId left_type = argument(expr, 0).type;
+    const bool dot = kind(left_type) == TypeKind::vector && kind(argument(expr, 1).type) == TypeKind::vector;
+    auto a = rows(left, left_type);
+    const auto b = rows(right, argument(expr, 1).type);
+    if (dot) a = {left.parts};
+    if (a.empty() || b.empty() || a.front().size() != b.size()) fault(expr, "the sizes do not fit");
+    const auto entry_at = [&](std::size_t row, std::size_t column) {
+        Value sum = clipped(expr, ExprKind::times, entry, a[row][0], b[0][column]);
+        for (std::size_t i = 1; i < b.size(); ++i)
+            sum = clipped(expr, ExprKind::plus, entry, sum,
+                          clipped(expr, ExprKind::times, entry, a[row][i], b[i][column]));
+        return sum;
+    };
+    if (dot) return entry_at(0, 0);
+    Value result;
+    for (std::size_t row = 0; row < a.size(); ++row) {
+        Value line;
+        for (std::size_t column = 0; column < b.front().size(); ++column) line.parts.push_back(entry_at(row, column));
+        result.parts.push_back(kind(expr.type) == TypeKind::vector ? line.parts.at(0) : std::move(line));
+    }
+    return result;
+}
+
+Value Evaluator::transposed(const Expr& expr) {
+    const auto a = rows(operand(expr, 0), argument(expr, 0).type);
+    Value result;
+    for (std::size_t column = 0; column < a.at(0).size(); ++column) {
+        Value line;
+        for (const auto& row : a) line.parts.push_back(row.at(column));
+        result.parts.push_back(std::move(line));
+    }
+    return result;
+}
+
+Value Evaluator::negated(const Value& value, TypeId type) {
+    Value result;
+    for (const Value& part : value.parts) result.parts.push_back(negated(part, type));
+    if (!result.parts.empty()) return result;
+    const auto number = checked_subtract(0, value.number);
+    return number && in_carrier(system_, instantiation_, type, {*number, {}}) ? Value{*number, {}} : value;
+}
+
+Value Evaluator::negate(const Expr& expr) {
+    return negated(operand(expr, 0), entry_type(expr.type));
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,163 @@
+// Evaluation of what makes values with parts, takes them apart, or runs over the values of a type: constructors,
+// access, ranges, quantifiers and other binders, functions of the model and of the toolkits.
+#include <algorithm>
+#include <utility>
+
+#include "semantics/evaluate/carrier.hpp"
+#include "semantics/evaluate/evaluate.hpp"
+#include "semantics/evaluate/evaluate_composed.hpp"
+#include "semantics/evaluate/evaluator.hpp"
+#include "semantics/evaluate/toolkit.hpp"
+
+namespace robochart::ir {
+
+Value Evaluator::constructed(const Expr& expr) {
+    switch (expr.kind) {
+        case ExprKind::set:
+            return set_of(operands(expr));
+        case ExprKind::matrix:
+            return kind(expr.type) == TypeKind::vector ? Value{0, operands(expr)}
+                                                       : matrix_of(operands(expr), expr.number);
+        case ExprKind::set_range:
+            return range_set(operand(expr, 0).number, operand(expr, 1).number, expr.span);
+        default:
+            return {0, operands(expr)};
+    }
+}
+
+Value Evaluator::access(const Expr& expr) {
+    Value base = operand(expr, 0);
+    if (expr.kind == ExprKind::concat) {
+        const Value tail = operand(expr, 1);
+        base.parts.insert(base.parts.end(), tail.parts.begin(), tail.parts.end());
+        return base;
+    }
+    if (expr.kind == ExprKind::member) {
+        const bool record = kind(argument(expr, 0).type) == TypeKind::record;
+        return part(base, expr.number + (record ? 1 : 0), expr.span);
+    }
+    std::vector<Value> rest = operands(expr);
+    rest.erase(rest.begin());
+    if (expr.kind == ExprKind::apply) return applied(base, rest, expr.span);
+    for (const Value& index : rest) base = part(base, index.number, expr.span);
+    return base;
+}
+
+Value Evaluator::quantified(const Expr& expr) {
+    const std::size_t bindings = bindings_.size();
+    std::vector<Value> found;  // value of the body wherever the predicate holds
+    each_binding(expr, 0, [&] {
+        if (!truth(expr, 0)) return;
+        Value arguments = bound_tuple(bindings_, bindings);
+        if (expr.kind == ExprKind::lambda)
+            found.push_back({0, {arguments, operand(expr, 1)}});
+        else if (expr.kind == ExprKind::the || expr.kind == ExprKind::set_comprehension)
+            found.push_back(expr.args.size() > 1 && expr.args[1] ? operand(expr, 1) : std::move(arguments));
+        else
+            found.push_back(operand(expr, 1));
+    });
+    const auto holds = std::count_if(found.begin(), found.end(), [](const Value& v) { return v.number != 0; });
+    switch (expr.kind) {
+        case ExprKind::forall:
+            return {holds == static_cast<std::ptrdiff_t>(found.size()) ? 1 : 0, {}};
+        case ExprKind::exists:
+            return {holds > 0 ? 1 : 0, {}};
+        case ExprKind::exists_unique:
+            return {holds == 1 ? 1 : 0, {}};
+        case ExprKind::the:
+            if (found.size() != 1) fault(expr, "`the` needs exactly one candidate");
+            return found.front();
+        default:
+            return set_of(std::move(found));
+    }
+}
+
+Value Evaluator::function_call(const Expr& expr) {
+    const std::vector<Value> arguments = operands(expr);
+    if (!expr.function.valid()) return default_value(system_, instantiation_, expr.type);
+    return function_result(system_.functions.at(expr.function.index), arguments, expr);
+}
+
+/// A function without definition is the constant 0, true or first literal (semantics 3.13); with postconditions, the
+/// first value that satisfies them, that constant before all others.
+Value Evaluator::function_result(const Function& function, const std::vector<Value>& arguments, const Expr& expr) {
+    const Value constant = default_value(system_, instantiation_, function.result);
+    if (function.postconditions.empty()) return constant;
+    if (++depth_ > deepest_call) fault(expr, "the function " + function.name + " calls itself without end");
+    std::vector<std::pair<std::string, Value>> inside;
+    for (std::size_t i = 0; i < std::min(arguments.size(), function.parameter_names.size()); ++i)
+        inside.emplace_back(function.parameter_names[i], arguments[i]);
+    std::swap(inside, bindings_);
+    const auto satisfies = [&](const Value& candidate) {
+        bindings_.emplace_back("result", candidate);
+        const bool holds = std::all_of(function.postconditions.begin(), function.postconditions.end(),
+                                       [&](const ExprPtr& condition) {
+                                           return defined(*condition) && value(*condition).number != 0;
+                                       });
+        bindings_.pop_back();
+        return holds;
+    };
+    std::optional<Value> found;
+    if (satisfies(constant)) found = constant;
+    if (!found)
+        for (const Value& candidate : carrier(system_, instantiation_, function.result))
+            if (satisfies(candidate)) {
+                found = candidate;
+                break;
+            }
+    std::swap(inside, bindings_);
+    --depth_;
+    if (!found) fault(expr, "no value satisfies the postcondition of " + function.name);
+    return *found;
+}
+
+/// A function as the set of its pairs: where its precondition holds.
+Value Evaluator::function_pairs(const Expr& expr) {
+    const Function& function = system_.functions.at(expr.function.index);
+    std::vector<Value> pairs;
+    for (const Value& argument : carrier(system_, instantiation_, system_.type(expr.type).args.at(0))) {
+        const bool one = function.parameters.size() == 1;
+        const std::vector<Value> arguments = one ? std::vector<Value>{argument} : argument.parts;
+        if (may_be_called(function, arguments, expr))
+            pairs.push_back({0, {argument, function_result(function, arguments, expr)}});
+    }
+    return set_of(std::move(pairs));
+}
+
+Value Evaluator::toolkit_call(const Expr& expr) {
+    std::vector<std::vector<Value>> carriers;
+    for (const std::size_t place : toolkit_carriers(expr.text))
+        carriers.push_back(carrier(system_, instantiation_, expr.bound_types.at(place)));
+    return toolkit_result(expr.text, operands(expr), carriers, expr.span);
+}
+
+/// Whole numbers between the bounds, or the reals of the carrier between them.
+Value Evaluator::range(const Expr& expr) {
+    const std::int64_t low = operand(expr, 0).number;
+    const std::int64_t high = operand(expr, 1).number;
+    const bool open_low = expr.number == 1 || expr.number == 3;
+    const bool open_high = expr.number >= 2;
+    const auto& types = system_.type(expr.type).args;
+    const TypeId element = types.empty() ? expr.args.at(0)->type : types[0];
+    if (!element.valid() || kind(element) != TypeKind::real)
+        return range_set(low + (open_low ? 1 : 0), high - (open_high ? 1 : 0), expr.span);
+    std::vector<Value> members;
+    for (const Value& value : carrier(system_, instantiation_, element))
+        if ((open_low ? low < value.number : low <= value.number) &&
+            (open_high ? value.number < high : value.number <= high))
+            members.push_back(value);
+    return set_of(std::move(members));
+}
+
+Value Evaluator::let(const Expr& expr) {
+    const std::size_t bindings = bindings_.size();
+    for (std::size_t i = 0; i < expr.bound_names.size(); ++i) {
+        Value value = operand(expr, i);
+        bindings_.emplace_back(expr.bound_names[i], std::move(value));
+    }
+    Value result = operand(expr, expr.bound_names.size());
+    bindings_.resize(bindings);
+    return result;
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,101 @@
+// The class behind evaluate.hpp, by structural recursion: one member function per family of expressions, over four
+// sources. Private to this room.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "semantics/evaluate/carrier.hpp"
+#include "semantics/evaluate/environment.hpp"
+
+namespace robochart::ir {
+
+[[nodiscard]] inline bool is_set_like(TypeKind kind) {
+    return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
+}
+
+[[nodiscard]] inline bool is_composed(TypeKind kind) {
+    return kind == TypeKind::vector || kind == TypeKind::matrix;
+}
+
+/// Functions may call themselves in their pre- and postconditions, so deep and no deeper.
+inline constexpr int deepest_call = 64;
+
+class Evaluator {
+public:
+    Evaluator(const System& system, const Instantiation& instantiation, const Machine* machine,
+              const Environment& environment)
+        : system_(system), instantiation_(instantiation), machine_(machine), environment_(environment) {}
+
+    Value value(const Expr& expr);
+    /// Whether all preconditions of functions that the expression calls hold, asked as the semantics asks them.
+    bool defined(const Expr& expr);
+    /// Whether the function's preconditions hold of the arguments.
+    bool may_be_called(const Function& function, const std::vector<Value>& arguments, const Expr& expr);
+
+private:
+    [[noreturn]] static void fault(const Expr& expr, const std::string& cause) {
+        throw EvaluationFault(cause, expr.span);
+    }
+
+    Value literal(const Expr& expr);
+    Value name(const Expr& expr);
+    Value logic(const Expr& expr);
+    Value comparison(const Expr& expr);
+    Value arithmetic(const Expr& expr);
+    Value clipped(const Expr& expr, ExprKind kind, TypeId type, const Value& left, const Value& right);
+    Value negate(const Expr& expr);
+    Value negated(const Value& value, TypeId type);
+    Value zipped(const Expr& expr, TypeId entry, const Value& left, const Value& right);
+    Value scaled_block(const Expr& expr, TypeId entry, const Value& left, const Value& right);
+    Value product(const Expr& expr, TypeId entry, const Value& left, const Value& right);
+    std::vector<std::vector<Value>> rows(const Value& block, TypeId type);
+    TypeId entry_type(TypeId id) { return is_composed(kind(id)) ? system_.type(id).args.at(0) : id; }
+    Value transposed(const Expr& expr);
+    Value cast(const Expr& expr);
+    Value converted(const Expr& expr, const Value& value, TypeId from, TypeId to);
+    Value converted_parts(const Expr& expr, const Value& value, const Type& source, const Type& target);
+    Value converted_pairs(const Expr& expr, const Value& pairs, const std::vector<TypeId>& from, const Type& target);
+    Value converted_set(const Expr& expr, const Value& value, const Type& source, const Type& target);
+    std::vector<TypeId> pair_types(const Type& type);
+    Value constructed(const Expr& expr);
+    Value access(const Expr& expr);
+    Value quantified(const Expr& expr);
+    Value let(const Expr& expr);
+    Value function_call(const Expr& expr);
+    Value function_result(const Function& function, const std::vector<Value>& arguments, const Expr& expr);
+    Value function_pairs(const Expr& expr);
+    bool defined_for_all(const Expr& expr);
+    bool has_preconditions(const Expr& expr) const;
+    Value toolkit_call(const Expr& expr);
+    bool has_type(const Value& value, TypeId from, TypeId to);
+    Value range(const Expr& expr);
+
+    const Expr& argument(const Expr& expr, std::size_t index);
+    Value operand(const Expr& expr, std::size_t index) { return value(argument(expr, index)); }
+    bool truth(const Expr& expr, std::size_t index) { return operand(expr, index).number != 0; }
+    TypeKind kind(TypeId id) { return id.valid() ? system_.type(id).kind : TypeKind::unit; }
+    std::vector<Value> operands(const Expr& expr);
+    /// Runs `body` for every combination of the bound variables' values.
+    template <class Body>
+    void each_binding(const Expr& expr, std::size_t index, const Body& body) {
+        if (index == expr.bound_names.size()) return body();
+        if (index >= expr.bound_types.size()) fault(expr, "a bound variable has no type");
+        for (const Value& candidate : carrier(system_, instantiation_, expr.bound_types[index])) {
+            bindings_.emplace_back(expr.bound_names[index], candidate);
+            each_binding(expr, index + 1, body);
+            bindings_.pop_back();
+        }
+    }
+    Value bound(const Expr& expr);
+
+    const System& system_;
+    const Instantiation& instantiation_;
+    const Machine* machine_;
+    const Environment& environment_;
+    std::vector<std::pair<std::string, Value>> bindings_;
+    int depth_ = 0;  ///< functions being searched for
+};
+
+}  // namespace robochart::ir

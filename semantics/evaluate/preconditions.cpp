@@ -1,0 +1,143 @@
+#include "semantics/evaluate/preconditions.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "semantics/evaluate/evaluator.hpp"
+#include "semantics/evaluate/toolkit.hpp"
+#include "semantics/ir/visit.hpp"
+
+namespace robochart::ir {
+
+bool binds(ExprKind kind) {
+    return kind == ExprKind::forall || kind == ExprKind::exists || kind == ExprKind::exists_unique ||
+           kind == ExprKind::lambda || kind == ExprKind::the || kind == ExprKind::set_comprehension;
+}
+
+namespace {
+
+/// Whether the value depends on the state: such expressions need not be tried.
+bool depends_on_state(const Expr& expr) {
+    bool result = false;
+    visit_operands(expr, [&](const Expr& part) {
+        result = result || part.kind == ExprKind::variable || part.kind == ExprKind::trigger_value ||
+                 part.kind == ExprKind::since || part.kind == ExprKind::since_entry;
+    });
+    return result;
+}
+
+bool depends_on_state(const std::vector<ExprPtr>& exprs) {
+    return std::any_of(exprs.begin(), exprs.end(), [](const ExprPtr& expr) { return expr && depends_on_state(*expr); });
+}
+
+/// A set or a sequence with an item in it, whatever that is.
+bool lists_something(const Expr& expr) {
+    return (expr.kind == ExprKind::set || expr.kind == ExprKind::sequence) && !expr.args.empty();
+}
+
+/// Whether the answer is known to be true: not where something in it is not known.
+template <class Answer>
+bool surely(const Answer& answer) {
+    try {
+        return answer();
+    } catch (const EvaluationFault&) {
+        return false;
+    } catch (const std::length_error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+/// Inner calls come first: the condition of an outer one may need their values.
+bool Evaluator::defined(const Expr& expr) {
+    if (!has_preconditions(expr)) return true;
+    if (binds(expr.kind)) return defined_for_all(expr);
+    const std::size_t bindings = bindings_.size();
+    bool result = true;
+    for (std::size_t i = 0; result && i < expr.args.size(); ++i) {
+        result = !expr.args[i] || defined(*expr.args[i]);
+        if (result && expr.kind == ExprKind::let && i < expr.bound_names.size()) {
+            Value bound = operand(expr, i);
+            bindings_.emplace_back(expr.bound_names[i], std::move(bound));
+        }
+    }
+    bindings_.resize(bindings);
+    if (!result) return false;
+    if (expr.kind == ExprKind::toolkit && toolkit_precondition(expr.text)) return !operand(expr, 0).parts.empty();
+    return expr.kind != ExprKind::call || !expr.function.valid() ||
+           may_be_called(system_.functions.at(expr.function.index), operands(expr), expr);
+}
+
+/// The predicate for all values of the bound variables, the body where the predicate holds.
+bool Evaluator::defined_for_all(const Expr& expr) {
+    bool result = true;
+    each_binding(expr, 0, [&] { result = result && (!expr.args.at(0) || defined(*expr.args[0])); });
+    if (!result || expr.args.size() < 2 || !expr.args[1]) return result;
+    each_binding(expr, 0, [&] { result = result && ((expr.args[0] && !truth(expr, 0)) || defined(*expr.args[1])); });
+    return result;
+}
+
+bool Evaluator::has_preconditions(const Expr& expr) const {
+    const bool own = expr.kind == ExprKind::toolkit ? toolkit_precondition(expr.text)
+                                                    : expr.kind == ExprKind::call && expr.function.valid() &&
+                                                          !system_.functions.at(expr.function.index).preconditions.empty();
+    return own || std::any_of(expr.args.begin(), expr.args.end(),
+                              [&](const ExprPtr& part) { return part && has_preconditions(*part); });
+}
+
+bool Evaluator::may_be_called(const Function& function, const std::vector<Value>& arguments, const Expr& expr) {
+    if (function.preconditions.empty()) return true;
+    if (++depth_ > deepest_call) fault(expr, "the precondition of " + function.name + " asks for itself without end");
+    std::vector<std::pair<std::string, Value>> inside;
+    for (std::size_t i = 0; i < std::min(arguments.size(), function.parameter_names.size()); ++i)
+        inside.emplace_back(function.parameter_names[i], arguments[i]);
+    std::swap(inside, bindings_);
+    const bool result =
+        std::all_of(function.preconditions.begin(), function.preconditions.end(),
+                    [&](const ExprPtr& condition) { return defined(*condition) && value(*condition).number != 0; });
+    std::swap(inside, bindings_);
+    --depth_;
+    return result;
+}
+
+bool precondition_holds(const System& system, const Instantiation& inst, const Function& function,
+                        const std::vector<Value>& arguments) {
+    const Environment nothing;
+    return Evaluator(system, inst, nullptr, nothing).may_be_called(function, arguments, Expr{});
+}
+
+bool precondition_can_fail(const System& system, const Instantiation& inst, const std::vector<Value>& constants,
+                           const Expr& call) {
+    Environment environment;
+    environment.constants = constants;
+    const auto value = [&](const Expr& expr) { return evaluate(system, inst, nullptr, environment, expr); };
+    if (call.kind == ExprKind::toolkit) {
+        if (!toolkit_precondition(call.text) || lists_something(*call.args.at(0))) return false;
+        return depends_on_state(*call.args[0]) || !surely([&] { return !value(*call.args[0]).parts.empty(); });
+    }
+    if ((call.kind != ExprKind::call && call.kind != ExprKind::function_value) || !call.function.valid()) return false;
+    const Function& function = system.functions.at(call.function.index);
+    if (function.preconditions.empty()) return false;
+    // Without arguments: it holds whatever they are.
+    if (surely([&] { return precondition_holds(system, inst, function, {}); })) return false;
+    return call.kind == ExprKind::function_value || depends_on_state(call.args) || !surely([&] {
+        std::vector<Value> arguments;
+        for (std::size_t i = 0; i < call.args.size(); ++i) {
+            if (call.args[i]->type != function.parameters.at(i)) return false;  // it is converted
+            arguments.push_back(value(*call.args[i]));
+        }
+        return precondition_holds(system, inst, function, arguments);
+    });
+}
+
+bool preconditions_can_fail(const System& system, const Instantiation& inst, const std::vector<Value>& constants,
+                            const Expr& expr) {
+    bool result = false;
+    visit_operands(expr, [&](const Expr& part) {
+        result = result || (part.kind != ExprKind::function_value && precondition_can_fail(system, inst, constants, part));
+    });
+    return result;
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,182 @@
+// Values of constants (semantics 3.13: without a value 0, or the first literal).
+#include "semantics/instantiate/constants.hpp"
+
+#include <algorithm>
+
+#include "diagnostics/spelling.hpp"
+#include "semantics/evaluate/carrier.hpp"
+#include "semantics/evaluate/evaluate.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/numbers.hpp"
+#include "semantics/ir/query.hpp"
+#include "semantics/rules.hpp"
+
+namespace robochart::ir {
+namespace {
+
+using diagnostics::Diagnostics;
+
+/// Whether an option's name means this constant: its own name, or the end of its path from a "::" on.
+bool means(const std::string& option, const std::string& path) {
+    if (option.size() > path.size()) return false;
+    const std::size_t start = path.size() - option.size();
+    return path.compare(start, option.size(), option) == 0 &&
+           (start == 0 || (start >= 2 && path.compare(start - 2, 2, "::") == 0));
+}
+
+ExprPtr make(Expr expr, TypeId type) {
+    expr.type = type;
+    return std::make_shared<const Expr>(std::move(expr));
+}
+
+ExprPtr whole_number(const std::string& text, TypeId type, bool natural) {
+    const auto number = parse_integer(text);
+    if (!number || (natural && *number < 0)) return nullptr;
+    Expr expr;
+    expr.number = *number;
+    return make(expr, type);
+}
+
+ExprPtr decimal_number(const std::string& text, TypeId type) {
+    const auto decimal = parse_decimal(text);
+    if (!decimal) return nullptr;
+    Expr expr;
+    expr.kind = ExprKind::real;
+    expr.decimal = *decimal;
+    return make(expr, type);
+}
+
+ExprPtr truth_value(const std::string& text, TypeId type) {
+    if (text != "true" && text != "false") return nullptr;
+    Expr expr;
+    expr.kind = ExprKind::boolean;
+    expr.number = text == "true" ? 1 : 0;
+    return make(expr, type);
+}
+
+ExprPtr literal_of(const Type& declaration, const std::string& text, TypeId type) {
+    for (std::size_t i = 0; i < declaration.labels.size(); ++i) {
+        const std::string& label = declaration.labels[i];
+        const bool plain = i >= declaration.literal_args.size() || declaration.literal_args[i].empty();
+        if (!plain || !means(text, declaration.package + "::" + declaration.name + "::" + label)) continue;
+        Expr expr;
+        expr.kind = ExprKind::enum_literal;
+        expr.number = static_cast<std::int64_t>(i);
+        expr.text = label;
+        return make(expr, type);
+    }
+    return nullptr;
+}
+
+/// A RoboChart literal of a type; null if the text is none.
+ExprPtr parse_literal(const System& system, TypeId id, const std::string& text) {
+    const Type& type = system.type(id);
+    switch (type.kind) {
+        case TypeKind::boolean:
+            return truth_value(text, id);
+        case TypeKind::nat:
+            return whole_number(text, id, true);
+        case TypeKind::integer:
+            return whole_number(text, id, false);
+        case TypeKind::real:
+            return decimal_number(text, id);
+        case TypeKind::enumeration:
+            return literal_of(type, text, id);
+        default:
+            return nullptr;
+    }
+}
+
+std::string suggestion(const std::string& name, const std::vector<NamedConstant>& constants) {
+    std::vector<std::string> candidates;
+    for (const auto& constant : constants) candidates.push_back(constant.path.substr(constant.path.rfind(':') + 1));
+    const std::string meant = diagnostics::nearest(name, candidates);
+    return meant.empty() ? "" : "; did you mean '" + meant + "'?";
+}
+
+}  // namespace
+
+bool names_constant(const System& system, const std::string& option) {
+    const auto constants = named_constants(system);
+    return std::any_of(constants.begin(), constants.end(), [&](const NamedConstant& each) { return means(option, each.path); });
+}
+
+ChosenConstants chosen_constants(const System& system, const std::map<std::string, std::string>& options,
+                                 Literals& literals, Diagnostics& diagnostics) {
+    ChosenConstants chosen;
+    const auto constants = named_constants(system);
+    for (const auto& [option, text] : options) {
+        bool known = false;
+        for (const auto& constant : constants) {
+            if (!means(option, constant.path)) continue;
+            known = true;
+            const ExprPtr value = parse_literal(system, constant.type, text);
+            if (!value) {
+                diagnostics.report(rules::bad_constant_value, {}, {option, text, system.type(constant.type).name});
+                break;
+            }
+            add_literals(system, *value, false, literals);
+            chosen[constant.name] = value;
+        }
+        if (!known) diagnostics.report(rules::unknown_constant_option, {}, {option, suggestion(option, constants)});
+    }
+    return chosen;
+}
+
+void set_constants(const System& system, const ChosenConstants& chosen, Instantiation& instantiation) {
+    for (const auto& constant : named_constants(system)) {
+        const auto it = chosen.find(constant.name);
+        if (it != chosen.end()) {
+            if (const auto value = evaluate_constant(system, instantiation, nullptr, *it->second))
+                instantiation.constants[constant.name] = *value;
+        } else if (!constant.has_value) {
+            instantiation.constants[constant.name] = default_value(system, instantiation, constant.type);
+        }
+    }
+}
+
+namespace {
+
+/// The value behind a source; a constant expression may use the machine's other constants up to a bounded depth.
+std::optional<Value> source_value(const System& system, const Instantiation& instantiation,
+                                  const ConstantSource& source, const std::vector<Value>& before) {
+    const auto it = instantiation.constants.find(source.name);
+    if (it != instantiation.constants.end()) return it->second;
+    if (source.constant == nullptr || !source.constant->value) return std::nullopt;
+    try {
+        return evaluate(system, instantiation, nullptr, {{}, before, {}, {}}, *source.constant->value);
+    } catch (const EvaluationFault&) {
+        return std::nullopt;
+    } catch (const std::length_error&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+std::vector<Value> constant_values(const System& system, const Instantiation& instantiation, const Module* module,
+                                   const Controller* controller, const std::string& part, const Machine& machine) {
+    std::vector<Value> values;
+    for (std::uint32_t i = 0; i < machine.constants.size(); ++i) {
+        const auto source = constant_source(system, module, controller, part, machine, ConstantId{i});
+        const auto value = source_value(system, instantiation, source, values);
+        values.push_back(value ? *value : default_value(system, instantiation, machine.constants[i].type));
+    }
+    return values;
+}
+
+std::optional<Value> evaluate_constant(const System& system, const Instantiation& instantiation, const Machine* machine,
+                                       const Expr& expr) {
+    Environment environment;
+    try {
+        if (machine != nullptr)
+            environment.constants = constant_values(system, instantiation, nullptr, nullptr, "", *machine);
+        return evaluate(system, instantiation, machine, environment, expr);
+    } catch (const EvaluationFault&) {
+        return std::nullopt;
+    } catch (const std::length_error&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,220 @@
+// Choosing finite carriers, the scale and constants; defaults and choices are in instantiation.hpp.
+
+#include <algorithm>
+#include <array>
+
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/arithmetic.hpp"
+#include "semantics/instantiate/constants.hpp"
+#include "semantics/evaluate/evaluate.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/literals.hpp"
+#include "semantics/ir/numbers.hpp"
+#include "semantics/ir/query.hpp"
+#include "semantics/rules.hpp"
+
+namespace robochart::ir {
+namespace {
+
+using diagnostics::Diagnostics;
+
+constexpr std::int64_t most_values = 1 << 20;
+
+struct Range {
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+    bool chosen = false;  ///< by an option
+
+    void include(std::int64_t value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    [[nodiscard]] bool has(std::int64_t value) const { return low <= value && value <= high; }
+};
+
+/// nat, int, real in this order: each is usable as the next.
+struct Ranges {
+    std::array<Range, 3> by_type{Range{0, 2, false}, Range{-2, 2, false}, Range{-2, 2, false}};
+    static constexpr std::array<const char*, 3> names{"nat", "int", "real"};
+};
+
+/// The least whole number not below a decimal, or the greatest not above it.
+std::int64_t whole(const Decimal& decimal, bool up) {
+    const std::int64_t divisor = power_of_ten(decimal.decimals).value_or(1);
+    const std::int64_t down = *floor_divide(decimal.unscaled, divisor);
+    return up && *floor_modulus(decimal.unscaled, divisor) != 0 ? down + 1 : down;
+}
+
+void include(Range& range, const Decimal& decimal) {
+    if (decimal.unscaled < 0)
+        range.low = std::min(range.low, whole(decimal, true));
+    else
+        range.high = std::max(range.high, whole(decimal, false));
+}
+
+/// Sizes that are counted from 0: lengths of sequences, times of clocks, elements of given types.
+bool is_size(const std::string& name) {
+    return name == "Seq" || name == "clock" || name == "given";
+}
+
+void read_range_options(const InstantiationOptions& options, Ranges& ranges, Diagnostics& diagnostics) {
+    for (const auto& [name, bounds] : options.ranges) {
+        if (is_size(name)) continue;
+        const auto* at = std::find(Ranges::names.begin(), Ranges::names.end(), name);
+        if (at == Ranges::names.end()) {
+            diagnostics.report(rules::unknown_range_option, {}, {name});
+            continue;
+        }
+        const auto [low, high] = bounds;
+        const char* cause = low > high                              ? "the range is empty"
+                            : low > 0 || high < 0                   ? "the range must hold 0"
+                            : name == std::string("nat") && low < 0 ? "nat has no negative numbers"
+                                                                    : nullptr;
+        if (cause != nullptr)
+            diagnostics.report(rules::bad_range, {}, {name, std::to_string(low), std::to_string(high), cause});
+        else
+            ranges.by_type[static_cast<std::size_t>(at - Ranges::names.begin())] = {low, high, true};
+    }
+}
+
+void report_outside(const Range& range, const char* name, const std::string& literal, diagnostics::Span where,
+                    Diagnostics& diagnostics) {
+    diagnostics.report(rules::literal_outside_range, where,
+                       {literal, std::to_string(range.low), std::to_string(range.high), name});
+}
+
+/// Literals widen a default range; a chosen range stays, and literals outside are pointed out.
+void widen(const Literals& literals, Ranges& ranges, Diagnostics& diagnostics) {
+    const std::array<const std::set<std::int64_t>*, 2> whole_numbers{&literals.nat, &literals.integer};
+    for (std::size_t i = 0; i < whole_numbers.size(); ++i)
+        for (const auto literal : *whole_numbers[i]) {
+            Range& range = ranges.by_type[i];
+            if (!range.chosen)
+                range.include(literal);
+            else if (!range.has(literal))
+                report_outside(range, Ranges::names[i], std::to_string(literal), literals.places.at(literal),
+                               diagnostics);
+        }
+    Range& real = ranges.by_type[2];
+    for (const auto& literal : literals.real)
+        if (!real.chosen)
+            include(real, literal);
+        else if (literal.decimals == 0 && !real.has(literal.unscaled))
+            report_outside(real, Ranges::names[2], to_string(literal), {}, diagnostics);
+}
+
+/// nat within int within real, by widening the ranges that nobody chose.
+void nest(Ranges& ranges, Diagnostics& diagnostics) {
+    for (std::size_t i = 1; i < ranges.by_type.size(); ++i) {
+        const Range inner = ranges.by_type[i - 1];
+        Range& outer = ranges.by_type[i];
+        if (outer.has(inner.low) && outer.has(inner.high)) continue;
+        if (!outer.chosen) {
+            outer.include(inner.low);
+            outer.include(inner.high);
+            continue;
+        }
+        diagnostics.report(
+            rules::ranges_not_nested, {},
+            {Ranges::names[i], std::to_string(outer.low), std::to_string(outer.high), Ranges::names[i - 1],
+             std::to_string(inner.low), std::to_string(inner.high), Ranges::names[i - 1], Ranges::names[i]});
+        outer.include(inner.low);
+        outer.include(inner.high);
+    }
+}
+
+std::vector<std::int64_t> numbers(const Range& range, const char* name, Diagnostics& diagnostics) {
+    const auto size = checked_subtract(range.high, range.low);
+    if (!size || *size >= most_values) {
+        const std::string count = size ? std::to_string(*size) : "over 2^63";
+        diagnostics.report(rules::range_too_large, {}, {name, count, std::to_string(most_values), name});
+        return {0};
+    }
+    std::vector<std::int64_t> result;
+    for (std::int64_t value = range.low; value <= range.high; ++value) result.push_back(value);
+    return result;
+}
+
+/// The smallest power of ten that makes every decimal literal whole.
+std::int64_t scale_of(const Literals& literals) {
+    std::uint32_t places = 0;
+    for (const auto* list : {&literals.real, &literals.real_time})
+        for (const auto& decimal : *list) places = std::max(places, decimal.decimals);
+    return power_of_ten(places).value_or(1);  // parse_decimal keeps 18 places at most
+}
+
+/// Whole numbers of the range and every decimal literal, in units of 1/scale.
+std::vector<std::int64_t> real_numbers(const Range& range, const Literals& literals, std::int64_t scale,
+                                       Diagnostics& diagnostics) {
+    std::set<std::int64_t> units;
+    bool fits = true;
+    const auto add = [&](std::optional<std::int64_t> unit) {
+        if (unit)
+            units.insert(*unit);
+        else
+            fits = false;
+    };
+    for (const auto value : numbers(range, "real", diagnostics)) add(checked_multiply(value, scale));
+    for (const auto& literal : literals.real)
+        if (literal.decimals > 0) add(scaled(literal, scale));
+    if (!fits) diagnostics.report(rules::scale_too_large, {}, {std::to_string(scale)});
+    return {units.begin(), units.end()};
+}
+
+/// Where the clocks of the model may saturate without changing a comparison.
+std::int64_t clock_need(const System& system, const Instantiation& instantiation) {
+    std::int64_t result = 0;
+    for (const auto& machine : system.machines)
+        for (std::uint32_t i = 0; i < machine.clocks.size(); ++i)
+            result = std::max(result, clock_saturation(system, instantiation, machine, ClockId{i}));
+    return result;
+}
+
+/// What the options say of sizes. Clocks must be able to pass what they are compared with.
+void set_sizes(const InstantiationOptions& options, std::int64_t clocks, Instantiation& instantiation,
+               Diagnostics& diagnostics) {
+    for (const auto& [name, bounds] : options.ranges) {
+        if (!is_size(name)) continue;
+        const auto [low, high] = bounds;
+        const std::string compared = "the model compares clocks with " + std::to_string(clocks - 1);
+        const char* cause = low != 0                           ? "it is counted from 0"
+                            : high < 0                         ? "the range is empty"
+                            : high >= most_values              ? "it is too large"
+                            : name == "clock" && high < clocks ? compared.c_str()
+                                                               : nullptr;
+        if (cause != nullptr)
+            diagnostics.report(rules::bad_range, {}, {name, std::to_string(low), std::to_string(high), cause});
+        else if (name == "Seq")
+            instantiation.sequence_bound = high;
+        else if (name == "clock")
+            instantiation.clock_bound = high;
+        else
+            instantiation.given_size = high + 1;
+    }
+}
+
+}  // namespace
+
+Instantiation instantiate(const System& system, const InstantiationOptions& options, Diagnostics& diagnostics) {
+    Instantiation instantiation;
+    instantiation.budget = diagnostics.budget();
+    Literals literals = literals_of(system);
+    const auto chosen = chosen_constants(system, options.constants, literals, diagnostics);
+    Ranges ranges;
+    read_range_options(options, ranges, diagnostics);
+    widen(literals, ranges, diagnostics);
+    nest(ranges, diagnostics);
+    instantiation.scale = scale_of(literals);
+    literals.strings.insert("");
+    instantiation.strings.assign(literals.strings.begin(), literals.strings.end());
+    instantiation.nat = numbers(ranges.by_type[0], "nat", diagnostics);
+    instantiation.integer = numbers(ranges.by_type[1], "int", diagnostics);
+    instantiation.real = real_numbers(ranges.by_type[2], literals, instantiation.scale, diagnostics);
+    set_constants(system, chosen, instantiation);
+    const std::int64_t clocks = clock_need(system, instantiation);
+    instantiation.clock_bound = std::max(instantiation.clock_bound, clocks);
+    set_sizes(options, clocks, instantiation, diagnostics);
+    return instantiation;
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,249 @@
+// Texts of expressions and statements: close to RoboChart, fully bracketed, names of the machine.
+#include "semantics/ir/dump_expressions.hpp"
+
+#include <fmt/format.h>
+
+#include "semantics/ir/dump.hpp"
+#include "semantics/ir/numbers.hpp"
+
+namespace robochart::ir {
+namespace {
+
+template <class T>
+std::string name_at(const std::vector<T>& items, std::uint32_t index) {
+    return index < items.size() ? items[index].name : "?";
+}
+
+const char* operator_text(ExprKind kind) {
+    switch (kind) {
+        case ExprKind::negate:
+            return "-";
+        case ExprKind::logical_not:
+            return "not ";
+        case ExprKind::iff:
+            return "iff";
+        case ExprKind::implies:
+            return "=>";
+        case ExprKind::disjunction:
+            return "\\/";
+        case ExprKind::conjunction:
+            return "/\\";
+        case ExprKind::equal:
+            return "==";
+        case ExprKind::not_equal:
+            return "!=";
+        case ExprKind::greater:
+            return ">";
+        case ExprKind::greater_equal:
+            return ">=";
+        case ExprKind::less:
+            return "<";
+        case ExprKind::less_equal:
+            return "<=";
+        case ExprKind::plus:
+            return "+";
+        case ExprKind::minus:
+            return "-";
+        case ExprKind::times:
+            return "*";
+        case ExprKind::divide:
+            return "/";
+        case ExprKind::modulus:
+            return "%";
+        case ExprKind::concat:
+            return "cat";
+        case ExprKind::is_in:
+            return "in";
+        case ExprKind::tuple:
+            return "tuple";
+        case ExprKind::record:
+            return "record";
+        case ExprKind::sequence:
+            return "seq";
+        case ExprKind::set:
+            return "set";
+        case ExprKind::set_range:
+            return "set_range";
+        case ExprKind::matrix:
+            return "matrix";
+        case ExprKind::index:
+            return "index";
+        case ExprKind::apply:
+            return "apply";
+        case ExprKind::if_then_else:
+            return "if";
+        case ExprKind::forall:
+            return "forall";
+        case ExprKind::exists:
+            return "exists";
+        case ExprKind::exists_unique:
+            return "exists1";
+        case ExprKind::lambda:
+            return "lambda";
+        case ExprKind::the:
+            return "the";
+        case ExprKind::set_comprehension:
+            return "comprehension";
+        case ExprKind::let:
+            return "let";
+        case ExprKind::is_type:
+            return "is";
+        case ExprKind::range:
+            return "range";
+        case ExprKind::transpose:
+            return "transpose";
+        default:
+            return "?";
+    }
+}
+
+class ExpressionText {
+public:
+    ExpressionText(const System& system, const Machine* machine) : system_(system), machine_(machine) {}
+
+    std::string text(const Expr& expr) {
+        switch (expr.kind) {
+            case ExprKind::boolean:
+                return expr.number != 0 ? "true" : "false";
+            case ExprKind::integer:
+                return std::to_string(expr.number);
+            case ExprKind::real:
+                return to_string(expr.decimal) + "r";
+            case ExprKind::string:
+                return diagnostics::cspm_string(expr.characters);
+            case ExprKind::enum_literal:
+                return expr.text + (expr.args.empty() ? "" : arguments(expr, 0));
+            case ExprKind::bound:
+                return "\\" + expr.text;
+            case ExprKind::trigger_value:
+                return "received";
+            case ExprKind::function_value:
+                return name_at(system_.functions, expr.function.index);
+            case ExprKind::call:
+                return name_at(system_.functions, expr.function.index) + arguments(expr, 0);
+            case ExprKind::toolkit:
+                return expr.text + arguments(expr, 0);
+            case ExprKind::cast:
+                return arguments(expr, 0) + " as " + type_text(system_, expr.type);
+            case ExprKind::member:
+                return arguments(expr, 0) + "." + std::to_string(expr.number);
+            case ExprKind::negate:
+            case ExprKind::logical_not:
+                return std::string(operator_text(expr.kind)) + arguments(expr, 0);
+            default:
+                break;
+        }
+        if (expr.args.empty() && expr.bound_names.empty()) return leaf(expr);
+        const bool infix = expr.kind >= ExprKind::iff && expr.kind <= ExprKind::modulus;
+        if (infix || expr.kind == ExprKind::is_in || expr.kind == ExprKind::concat)
+            return fmt::format("({} {} {})", at(expr, 0), operator_text(expr.kind), at(expr, 1));
+        return operator_text(expr.kind) + bindings(expr) + arguments(expr, 0);
+    }
+
+private:
+    std::string leaf(const Expr& expr) {
+        if (expr.kind == ExprKind::sequence || expr.kind == ExprKind::set || expr.kind == ExprKind::tuple)
+            return std::string(operator_text(expr.kind)) + "()";
+        if (machine_ == nullptr) return "?";
+        if (expr.kind == ExprKind::variable) return name_at(machine_->variables, expr.variable.index);
+        if (expr.kind == ExprKind::constant) return name_at(machine_->constants, expr.constant.index);
+        if (expr.kind == ExprKind::since) return "since(" + name_at(machine_->clocks, expr.clock.index) + ")";
+        if (expr.kind == ExprKind::since_entry) return "sinceEntry(" + name_at(machine_->nodes, expr.node.index) + ")";
+        return "?";
+    }
+    std::string at(const Expr& expr, std::size_t index) {
+        return index < expr.args.size() && expr.args[index] ? text(*expr.args[index]) : "?";
+    }
+    std::string arguments(const Expr& expr, std::size_t from) {
+        std::string list;
+        for (std::size_t i = from; i < expr.args.size(); ++i) list += (i > from ? ", " : "") + at(expr, i);
+        return "(" + list + ")";
+    }
+    std::string bindings(const Expr& expr) {
+        std::string list;
+        for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
+            list += " " + expr.bound_names[i] + ":" + type_text(system_, expr.bound_types.at(i));
+        return list;
+    }
+
+    const System& system_;
+    const Machine* machine_;
+};
+
+std::string expressions(const System& system, const Machine& machine, const std::vector<ExprPtr>& list) {
+    std::string text;
+    for (const auto& expr : list) text += (text.empty() ? "" : ", ") + expression_text(system, &machine, *expr);
+    return text;
+}
+
+std::string head(const System& system, const Machine& machine, const Stmt& stmt) {
+    const auto value = [&](const ExprPtr& expr) { return expr ? expression_text(system, &machine, *expr) : "?"; };
+    switch (stmt.kind) {
+        case StmtKind::skip:
+            return "skip";
+        case StmtKind::sequence:
+            return "sequence";
+        case StmtKind::if_then_else:
+            return "if " + value(stmt.condition);
+        case StmtKind::assign: {
+            const std::string path = expressions(system, machine, stmt.path);
+            const std::string target = name_at(machine.variables, stmt.variable.index);
+            return target + (path.empty() ? "" : "[" + path + "]") + " = " + value(stmt.value);
+        }
+        case StmtKind::communicate:
+            return "send " + communication_text(system, machine, stmt.communication);
+        case StmtKind::call:
+            return fmt::format("call {}({})", name_at(machine.operations, stmt.operation.index),
+                               expressions(system, machine, stmt.args));
+        case StmtKind::wait:
+            return "wait " + value(stmt.value);
+        case StmtKind::wait_interval:
+            return fmt::format("wait {} .. {}", value(stmt.value), value(stmt.upper));
+        case StmtKind::clock_reset:
+            return "reset " + name_at(machine.clocks, stmt.clock.index);
+        case StmtKind::deadline:
+            return "within " + value(stmt.value);
+    }
+    return "?";
+}
+
+}  // namespace
+
+std::string type_text(const System& system, TypeId id) {
+    if (id.index >= system.types.size()) return "?";
+    const Type& type = system.type(id);
+    if (!type.name.empty()) return type.package.empty() ? type.name : type.package + "::" + type.name;
+    std::string args;
+    for (const auto arg : type.args) args += (args.empty() ? "" : " * ") + type_text(system, arg);
+    return args.empty() ? "?" : "(" + args + ")";
+}
+
+std::string expression_text(const System& system, const Machine* machine, const Expr& expr) {
+    return ExpressionText(system, machine).text(expr);
+}
+
+std::string clause(const System& system, const Machine* machine, const char* word, const ExprPtr& expr) {
+    return expr ? fmt::format(" {} {}", word, expression_text(system, machine, *expr)) : "";
+}
+
+std::string communication_text(const System& system, const Machine& machine, const Communication& communication) {
+    std::string text = name_at(machine.events, communication.event.index);
+    if (communication.kind == CommKind::input) text += "?" + name_at(machine.variables, communication.variable.index);
+    if (communication.kind == CommKind::output) text += "!";
+    if (communication.kind == CommKind::sync) text += ".";
+    if (communication.value) text += expression_text(system, &machine, *communication.value);
+    return text + clause(system, &machine, "where", communication.predicate);
+}
+
+std::string program_text(const System& system, const Machine& machine, const Stmt& stmt, std::size_t indent) {
+    std::string text = fmt::format("{:{}}{}: {}\n", "", indent, stmt.point, head(system, machine, stmt));
+    for (const auto& part : stmt.body)
+        if (part) text += program_text(system, machine, *part, indent + 2);
+    return text;
+}
+
+std::string dump(const System& system, const Machine* machine, const Expr& expr) {
+    return expression_text(system, machine, expr);
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,18 @@
+// Texts of expressions, types and statements for dump (private to this room).
+#pragma once
+
+#include <string>
+
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::ir {
+
+[[nodiscard]] std::string type_text(const System&, TypeId);
+[[nodiscard]] std::string expression_text(const System&, const Machine*, const Expr&);
+/// " WORD text", or "" for null.
+[[nodiscard]] std::string clause(const System&, const Machine*, const char* word, const ExprPtr&);
+[[nodiscard]] std::string communication_text(const System&, const Machine&, const Communication&);
+/// One line per statement, "point: text", inner ones deeper.
+[[nodiscard]] std::string program_text(const System&, const Machine&, const Stmt&, std::size_t indent);
+
+}  // namespace robochart::ir

@@ -1,0 +1,57 @@
+// A finite instantiation of a System: the values of its types and constants.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "diagnostics/budget.hpp"
+#include "diagnostics/escape.hpp"
+
+namespace robochart::ir {
+
+/// A value over finite carriers. Numbers: the integer, or for reals the integer scale*value.
+/// Booleans 0/1, enumerations and given types the literal's index. Composed values use `parts`.
+struct Value {
+    std::int64_t number = 0;
+    std::vector<Value> parts;
+    /// By number, then part by part; a shorter list of parts goes first.
+    friend std::strong_ordering operator<=>(const Value&, const Value&);
+    friend bool operator==(const Value&, const Value&);
+};
+
+/// What the user asked for on the command line or in a scenario.
+struct InstantiationOptions {
+    std::map<std::string, std::string>
+        constants;  ///< "NAME" or "P::S::NAME" (or its end, "S::NAME") -> RoboChart literal
+    std::map<std::string, std::pair<std::int64_t, std::int64_t>> ranges;  ///< "nat" -> {0,4}
+};
+
+/// A finite instantiation of a System. All sets ascending, without duplicates.
+struct Instantiation {
+    /// Reals are integers in units of 1/scale; a power of ten; 1 if the model has no decimal literal (RoboTool's
+    /// reading).
+    std::int64_t scale = 1;
+    std::vector<std::int64_t> nat, integer;
+    /// In units of 1/scale: whole numbers of the range and every decimal literal of the model.
+    std::vector<std::int64_t> real;
+    std::vector<diagnostics::ForeignText> strings{""};  ///< values of type string
+    std::int64_t given_size = 2;           ///< elements of each given type
+    std::int64_t sequence_bound = 2;       ///< longest sequence
+    std::int64_t clock_bound = 10;         ///< core_clock_type = {0..clock_bound}
+    std::int64_t recursion_bound = 2;      ///< nested calls of one operation
+    /// Constants without a value in the model, and those an option sets: qualified name as in CSP (`const_P_S_c`, see
+    /// query.hpp) -> value. An entry here goes before the value in the model.
+    std::map<std::string, Value> constants;
+    /// The limits within which it is worked with: what goes through carriers and evaluates polls here.
+    diagnostics::Budget* budget = nullptr;
+
+    void poll() const {
+        if (budget != nullptr) budget->poll();
+    }
+};
+
+}  // namespace robochart::ir

@@ -1,0 +1,475 @@
+// The shared intermediate representation: a RoboChart model in normal form. References are followed,
+// names resolved to indices, expressions typed, actions small structured programs. Both back ends
+// (csp_emit, cpp_emit) read this and nothing else; it holds no CSP and no C++.
+//
+// Conventions: every *Id is an index into the vector named in its comment, local to the enclosing
+// Machine unless said otherwise. Origins point back to the model text for reports.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnostics/escape.hpp"
+#include "diagnostics/source.hpp"
+
+namespace robochart::ir {
+
+inline constexpr std::uint32_t no_id = 0xffffffffU;
+
+/// Strong index types; `valid()` is false for the default.
+template <class Tag>
+struct Id {
+    std::uint32_t index = no_id;
+    [[nodiscard]] bool valid() const { return index != no_id; }
+    friend auto operator<=>(const Id&, const Id&) = default;
+};
+using TypeId = Id<struct TypeTag>;              ///< System::types
+using FunctionId = Id<struct FunctionTag>;      ///< System::functions
+using MachineId = Id<struct MachineTag>;        ///< System::machines
+using ControllerId = Id<struct ControllerTag>;  ///< System::controllers
+using VariableId = Id<struct VariableTag>;      ///< Machine::variables (parameters included)
+using ConstantId = Id<struct ConstantTag>;      ///< Machine::constants
+using EventId = Id<struct EventTag>;            ///< Machine::events
+using ClockId = Id<struct ClockTag>;            ///< Machine::clocks
+using OperationId = Id<struct OperationTag>;    ///< Machine::operations
+using NodeId = Id<struct NodeTag>;              ///< Machine::nodes
+using TransitionId = Id<struct TransitionTag>;  ///< Machine::transitions
+
+/// The element of the model something came from: qualified RoboChart name and place.
+struct Origin {
+    std::string element;  ///< e.g. "AggregationFSM::S1", "AggregationFSM::t2"
+    diagnostics::Span span;
+};
+
+// ---------------------------------------------------------------- types and values
+
+enum class TypeKind {
+    boolean,
+    nat,
+    integer,
+    real,
+    string,
+    enumeration,
+    given,
+    sequence,
+    set,
+    product,
+    record,
+    function,
+    relation,
+    vector,
+    matrix,
+    unit
+};
+
+struct Type {
+    TypeKind kind = TypeKind::unit;
+    std::string name;                               ///< RoboChart name ("nat", "Light"); composed types: as written
+    std::string package;                            ///< declared types: package, "" if unnamed
+    std::vector<TypeId> args;                       ///< operand types; record: field types
+    std::vector<std::string> labels;                ///< enumeration: literals; record: field names
+    std::vector<std::vector<TypeId>> literal_args;  ///< enumeration: argument types of each literal
+    std::vector<std::int64_t> sizes;                ///< vector {n}, matrix {rows, columns}
+    Origin origin;
+};
+
+/// An exact decimal: unscaled * 10^-decimals. Reals of the model never go through binary floating point.
+struct Decimal {
+    std::int64_t unscaled = 0;
+    std::uint32_t decimals = 0;
+};
+
+// ---------------------------------------------------------------- expressions
+
+enum class ExprKind {
+    boolean,        ///< number: 0/1
+    integer,        ///< number
+    real,           ///< decimal
+    string,         ///< characters
+    enum_literal,   ///< type, number: literal index, args: its arguments
+    variable,       ///< variable
+    trigger_value,  ///< the value just received by the transition's trigger (replaces the trigger's variable in its
+                    ///< guard)
+    constant,       ///< constant
+    since,          ///< clock: time since its reset
+    since_entry,    ///< node: time since it was entered (Machine::clocks has a clock for it)
+    negate,
+    logical_not,
+    iff,
+    implies,
+    disjunction,
+    conjunction,
+    equal,
+    not_equal,
+    greater,
+    greater_equal,
+    less,
+    less_equal,
+    plus,
+    minus,
+    times,
+    divide,
+    modulus,
+    if_then_else,
+    call,            ///< function(args)
+    function_value,  ///< function: a function of the model used as a value
+    apply,           ///< args[0] applied to args[1..]: a value of function type
+    tuple,
+    record,
+    sequence,
+    set,     ///< args (record: one per field, in the order of the type)
+    matrix,  ///< args row by row, number: columns (one column: a vector)
+    member,  ///< args[0], number: field index (records) or 1-based place (tuples)
+    index,   ///< args[0][args[1]..], 1-based
+    concat,
+    is_in,
+    set_range,
+    cast,   ///< args[0] as `type`: nat or int to real multiplies by the scale, real to nat or int rounds down
+    bound,  ///< variable bound by an enclosing quantifier/let/lambda/comprehension: text
+    forall,
+    exists,
+    exists_unique,
+    lambda,
+    the,
+    set_comprehension,  ///< bound_names, bound_types; args: predicate, body
+    let,                ///< bound_names[i] is args[i]; the last of args is the body
+    toolkit,    ///< a function of the toolkit libraries, text: its name as "set_toolkit_union"; bound_types: what the
+                ///< type variables of its signature stand for, in order of first occurrence
+    is_type,    ///< whether args[0] is a value of bound_types[0]
+    range,      ///< the numbers from args[0] to args[1]; number: 1 without the lower bound, 2 without the upper, 3 both
+    transpose,  ///< of the matrix or vector args[0]
+};
+
+struct Expr;
+using ExprPtr = std::shared_ptr<const Expr>;
+
+struct Expr {
+    ExprKind kind = ExprKind::integer;
+    TypeId type;
+    std::int64_t number = 0;
+    Decimal decimal;
+    std::string text;
+    diagnostics::ForeignText characters;
+    VariableId variable;
+    ConstantId constant;
+    ClockId clock;
+    NodeId node;
+    FunctionId function;
+    std::vector<ExprPtr> args;
+    std::vector<std::string> bound_names;
+    std::vector<TypeId> bound_types;
+    diagnostics::Span span;
+};
+
+// ---------------------------------------------------------------- programs
+
+enum class CommKind { simple, input, output, sync };  ///< e, e?x, e!v, e.v
+
+/// In a trigger, `e` and `e?x` receive (CSP direction `.in`); in a statement `e`, `e!v`, `e.v` send (`.out`), `e?x`
+/// receives.
+struct Communication {
+    CommKind kind = CommKind::simple;
+    EventId event;
+    VariableId variable;  ///< input: where the value is stored
+    ExprPtr value;        ///< output, sync
+    ExprPtr predicate;    ///< optional condition on the value
+};
+
+enum class StmtKind {
+    skip,
+    sequence,
+    if_then_else,
+    assign,
+    communicate,
+    call,
+    wait,
+    wait_interval,
+    clock_reset,
+    deadline
+};
+
+struct Stmt;
+using StmtPtr = std::shared_ptr<const Stmt>;
+
+/// A structured program. `point` numbers the statements of one machine, unique, stable, dense from 0.
+struct Stmt {
+    StmtKind kind = StmtKind::skip;
+    std::uint32_t point = 0;
+    std::vector<StmtPtr> body;  ///< sequence: all; if: then, else (else may be skip); deadline: one
+    ExprPtr condition;          ///< if
+    VariableId variable;        ///< assign: the variable
+    std::vector<ExprPtr> path;  ///< assign: member/index steps below it (literal field index, or index expression)
+    ExprPtr value;              ///< assign right side; wait duration; deadline bound; interval lower bound
+    ExprPtr upper;              ///< wait_interval upper bound
+    Communication communication;
+    OperationId operation;      ///< call
+    std::vector<ExprPtr> args;  ///< call
+    ClockId clock;              ///< clock_reset
+    Origin origin;
+};
+
+// ---------------------------------------------------------------- machines
+
+enum class VariableScope {
+    local,      ///< declared by the machine: private
+    required,   ///< of a required interface: shared, the machine keeps a copy (semantics 3.7)
+    parameter,  ///< of an operation: read-only
+};
+
+struct Variable {
+    std::string name;
+    TypeId type;
+    VariableScope scope = VariableScope::local;
+    ExprPtr initial;        ///< null: the type's default (booleans default to true)
+    std::string interface;  ///< name of the interface that declares it, "" if the machine does
+    Origin origin;
+};
+
+struct Constant {
+    std::string name;
+    TypeId type;
+    ExprPtr value;          ///< null: taken from the instantiation
+    bool required = false;  ///< of a required interface: in a context, its provider's value (semantics/ir/query.hpp)
+    std::string interface;
+    Origin origin;
+};
+
+struct Event {
+    std::string name;
+    std::optional<TypeId> type;  ///< absent: carries no value
+    bool input =
+        false;  ///< used in a trigger or an input statement; controllers, platforms: connected into the software
+    bool output = false;  ///< used in an output statement; controllers, platforms: connected out of the software
+    bool broadcast = false;
+    std::string interface;
+    Origin origin;
+};
+
+struct Clock {
+    std::string name;       ///< for sinceEntry(S) clocks: the state's path joined by '_'
+    NodeId entry_of;        ///< valid: the clock of sinceEntry(node)
+    bool required = false;  ///< operations: of a required interface, the caller's clock of this name
+    std::string interface;
+    Origin origin;
+};
+
+/// An operation that a machine calls. Which definition stands behind it depends on the context
+/// (controller, module, or none): see MachineInstance::definitions.
+struct OperationSignature {
+    std::string name;
+    std::vector<std::string> parameter_names;
+    std::vector<TypeId> parameters;
+    bool terminates = false;
+    std::string interface;
+    Origin origin;
+};
+
+enum class NodeKind { state, initial, junction, probabilistic, final };
+
+struct Node {
+    NodeKind kind = NodeKind::state;
+    std::string name;
+    std::string path;                    ///< names from the machine's top, joined by "::"
+    NodeId parent;                       ///< composite state around it; invalid at top level
+    std::vector<NodeId> children;        ///< composite: all inner nodes in textual order
+    NodeId initial;                      ///< composite: its initial node
+    StmtPtr entry, during, exit;         ///< null if absent
+    std::vector<TransitionId> outgoing;  ///< in textual order
+    Origin origin;
+
+    [[nodiscard]] bool composite() const { return !children.empty(); }
+};
+
+struct Transition {
+    std::string name;
+    NodeId source, target;
+    std::optional<Communication> trigger;
+    std::vector<ClockId> resets;
+    ExprPtr guard;             ///< null: true. `condition else` is already the negation of its siblings
+    bool guard_timed = false;  ///< mentions since/sinceEntry: `true` as a whole in the untimed semantics
+    ExprPtr deadline;
+    ExprPtr probability;
+    StmtPtr action;  ///< null if none
+    Origin origin;
+};
+
+enum class MachineKind { state_machine, operation };
+
+struct Machine {
+    MachineKind kind = MachineKind::state_machine;
+    std::string name;
+    std::string package;              ///< "" if unnamed
+    std::string path;                 ///< names down to it: "S", inline ones "C::S", "M::C::S"
+    std::vector<Variable> variables;  ///< operations: parameters first
+    std::vector<Constant> constants;
+    std::vector<Event> events;
+    std::vector<Clock> clocks;
+    std::vector<OperationSignature> operations;  ///< those it may call: required ones, in textual order
+    std::vector<Node> nodes;
+    std::vector<NodeId> top;  ///< top-level nodes in textual order
+    NodeId initial;           ///< invalid: no body
+    std::vector<Transition> transitions;
+    std::vector<ExprPtr> preconditions, postconditions;  ///< operations
+    bool terminates = false;                             ///< operation declared `terminates`
+    std::vector<std::string> interfaces;                 ///< interfaces used and required, in textual order
+    std::uint32_t points = 0;                            ///< number of Stmt::point values
+    Origin origin;
+};
+
+// ---------------------------------------------------------------- composition
+
+/// A machine in the place where it runs.
+struct MachineInstance {
+    std::string name;  ///< of the reference (`sref stm0 = S`) or of the inline machine
+    MachineId machine;
+    /// For each Machine::operations entry: the definition in this context, or invalid (a platform call).
+    std::vector<MachineId> definitions;
+    Origin origin;
+};
+
+enum class EndKind { self, part };  ///< `self`: the controller, or the module's platform
+
+struct ConnectionEnd {
+    EndKind kind = EndKind::self;
+    std::uint32_t part = no_id;  ///< controller: index of machines; module: index of controllers
+    std::string event;
+};
+
+struct Connection {
+    ConnectionEnd from, to;
+    bool async = false;
+    bool multiple = false;
+    Origin origin;
+};
+
+struct Controller {
+    std::string name;
+    std::string package;
+    std::string path;                 ///< names down to it: "C", inside a module "M::C"
+    std::vector<Variable> variables;  ///< its own (scope local) and the required ones
+    std::vector<Constant> constants;
+    std::vector<Event> events;
+    std::vector<OperationSignature> operations;  ///< required and not defined here: calls that leave the controller
+    std::vector<MachineId> definitions;          ///< operations defined here (inline or by opref)
+    std::vector<std::string>
+        definition_names;  ///< of each: the reference's name (`opref move_ref = Move`), inline: its own
+    std::vector<MachineInstance> machines;
+    std::vector<Connection> connections;
+    std::vector<std::string> interfaces;
+    Origin origin;
+};
+
+struct ControllerInstance {
+    std::string name;
+    ControllerId controller;
+    Origin origin;
+};
+
+struct Platform {
+    std::string name;
+    std::vector<Variable>
+        variables;  ///< provided, local and used; scope `required` = provided (visible), `local` otherwise
+    std::vector<Constant> constants;
+    std::vector<Event> events;
+    std::vector<OperationSignature> operations;
+    std::vector<std::string> interfaces;
+    Origin origin;
+};
+
+struct Module {
+    std::string name;
+    std::string package;
+    Platform platform;
+    std::vector<ControllerInstance> controllers;
+    std::vector<Connection> connections;
+    Origin origin;
+};
+
+/// A function that the model uses; specified by contract only. `parameter_names` are bound names in the conditions, and
+/// so is `result` in the postconditions. Where there are postconditions, they define the result: the default value of
+/// the result type if it satisfies them, else the least value of its carrier that does (rule RC-S20).
+struct Function {
+    std::string name;
+    std::string package;
+    std::vector<std::string> parameter_names;
+    std::vector<TypeId> parameters;
+    TypeId result;
+    std::vector<ExprPtr> preconditions;
+    std::vector<ExprPtr> postconditions;
+    Origin origin;
+};
+
+// ---------------------------------------------------------------- properties (from .assertions)
+
+enum class ComponentKind { module, controller, machine, operation, process };
+
+/// A component named in an assertion, followed through references.
+struct ComponentRef {
+    ComponentKind kind = ComponentKind::process;
+    /// CSP module path without the package ("M::ctrl_ref0::stm_ref0", "S", "OP_move"); process: the name as written.
+    std::string path;
+    std::string package;               ///< "" if unnamed
+    std::uint32_t definition = no_id;  ///< index into System::modules, controllers, machines or csp_blocks
+};
+
+enum class PropertyKind {
+    deadlock_free,
+    divergence_free,
+    deterministic,
+    timelock_free,
+    terminates,
+    refines,
+    equals,
+    reachable,
+    clock_initialised
+};
+enum class PropertyModel { failures_divergences, traces, failures, tick_tock };
+
+struct Property {
+    std::string name;
+    PropertyKind kind = PropertyKind::deadlock_free;
+    bool negated = false;
+    bool timed = true;    ///< decided in the timed semantics
+    bool untimed = true;  ///< decided in the untimed semantics
+    PropertyModel model = PropertyModel::failures_divergences;
+    ComponentRef subject;
+    ComponentRef other;  ///< refines, equals
+    std::string
+        state;  ///< reachable: CSP path of the state below the subject ("S1", "C::Inner"); clock_initialised: the clock
+    /// `with constant c of X set to e`: name of the constant as in query.hpp, where its value counts (the provider's
+    /// for a required one). `with parameter p of O`: the same with "param_" for "const_".
+    std::vector<std::pair<std::string, ExprPtr>> constants;
+    std::string file;     ///< path of the .assertions file
+    std::string wording;  ///< the assertion as written, on one line
+    Origin origin;
+};
+
+/// A raw CSPM block of an .assertions file.
+struct CspBlock {
+    std::string name;
+    bool timed = true, untimed = true;
+    std::vector<ComponentRef> associated;
+    std::string text;
+    diagnostics::Span text_span;  ///< where `text` stands, so that CSPM diagnostics point into the .assertions file
+    std::string file;
+};
+
+/// The whole project.
+struct System {
+    std::vector<Type> types;
+    std::vector<Function> functions;
+    std::vector<Machine> machines;  ///< state machines and operations, in textual order of files sorted by path
+    std::vector<Controller> controllers;
+    std::vector<Module> modules;
+    std::vector<Property> properties;  ///< in order of files sorted by path, then textual
+    std::vector<CspBlock> csp_blocks;
+
+    [[nodiscard]] const Type& type(TypeId id) const { return types[id.index]; }
+    [[nodiscard]] const Machine& machine(MachineId id) const { return machines[id.index]; }
+    [[nodiscard]] const Controller& controller(ControllerId id) const { return controllers[id.index]; }
+};
+
+}  // namespace robochart::ir

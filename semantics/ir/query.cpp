@@ -1,0 +1,184 @@
+// Questions about a System.
+#include "semantics/ir/query.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "semantics/ir/visit.hpp"
+
+namespace robochart::ir {
+namespace {
+
+const Constant* find_constant(const std::vector<Constant>& constants, const std::string& name) {
+    const auto it = std::find_if(constants.begin(), constants.end(), [&](const Constant& c) { return c.name == name; });
+    return it == constants.end() ? nullptr : &*it;
+}
+
+bool parameters_match(const Machine& operation, const OperationSignature& signature) {
+    std::vector<TypeId> types;
+    for (const auto& variable : operation.variables)
+        if (variable.scope == VariableScope::parameter) types.push_back(variable.type);
+    return types == signature.parameters;
+}
+
+/// Collects NamedConstants, each name once.
+class ConstantList {
+public:
+    void add(const std::string& package, const std::string& path, const Constant& constant) {
+        const std::string name = constant_name(package, path, constant.name);
+        if (!names_.insert(name).second) return;
+        const std::string prefix = package.empty() ? "" : package + "::";
+        constants_.push_back({name, prefix + path + "::" + constant.name, constant.type, constant.value != nullptr});
+    }
+    void add_all(const std::string& package, const std::string& path, const std::vector<Constant>& constants) {
+        for (const auto& constant : constants) add(package, path, constant);
+    }
+    /// The constants of a part that nobody provides.
+    void add_part(const System& system, const Controller& controller, const std::string& part, const Machine& machine) {
+        for (std::uint32_t i = 0; i < machine.constants.size(); ++i) {
+            const auto source = constant_source(system, nullptr, &controller, part, machine, ConstantId{i});
+            if (source.constant == &machine.constants[i])
+                add(controller.package, controller.path + "::" + part, machine.constants[i]);
+        }
+    }
+    std::vector<NamedConstant> take() { return std::move(constants_); }
+
+private:
+    std::set<std::string> names_;
+    std::vector<NamedConstant> constants_;
+};
+
+}  // namespace
+
+std::string qualified(const ComponentRef& ref) {
+    return ref.package.empty() ? ref.path : ref.package + "::" + ref.path;
+}
+
+MachineId definition_in(const System& system, const Controller& controller, const OperationSignature& signature) {
+    for (const auto id : controller.definitions) {
+        const Machine& machine = system.machine(id);
+        if (machine.name == signature.name && parameters_match(machine, signature)) return id;
+    }
+    return {};
+}
+
+std::vector<OperationId> called_operations(const Machine& machine) {
+    std::set<OperationId> called;
+    visit_statements(machine, [&](const Stmt& stmt) {
+        if (stmt.kind == StmtKind::call) called.insert(stmt.operation);
+    });
+    return {called.begin(), called.end()};
+}
+
+std::string constant_name(const std::string& package, const std::string& path, const std::string& constant) {
+    std::string name = package.empty() ? path : package + "::" + path;
+    for (std::size_t at = name.find("::"); at != std::string::npos; at = name.find("::", at)) name.replace(at, 2, "_");
+    return "const_" + name + "_" + constant;
+}
+
+namespace {
+
+/// One machine or operation definition of a controller.
+struct Part {
+    const std::string* name;
+    const Machine* machine;
+};
+
+std::vector<Part> parts_of(const System& system, const Controller& controller) {
+    std::vector<Part> parts;
+    for (const auto& part : controller.machines) parts.push_back({&part.name, &system.machine(part.machine)});
+    for (std::size_t i = 0; i < controller.definitions.size(); ++i)
+        parts.push_back({&controller.definition_names.at(i), &system.machine(controller.definitions[i])});
+    return parts;
+}
+
+bool calls(const System& system, const Controller& controller, const Machine& caller, const Machine& operation) {
+    const auto called = called_operations(caller);
+    return std::any_of(called.begin(), called.end(), [&](OperationId id) {
+        const MachineId definition = definition_in(system, controller, caller.operations[id.index]);
+        return definition.valid() && &system.machine(definition) == &operation;
+    });
+}
+
+/// Follows a required constant to those who provide it. `calls_left` ends the search where operations call themselves,
+/// which lowering refuses.
+class ConstantSearch {
+public:
+    ConstantSearch(const System& system, const Module* module, const Controller& controller)
+        : system_(system), module_(module), controller_(controller) {}
+
+    void search(const std::string& part, const Machine& machine, const Constant& constant, std::size_t calls_left) {
+        if (constant.required && machine.kind == MachineKind::operation && calls_left > 0 &&
+            search_callers(machine, constant, calls_left - 1))
+            return;
+        if (constant.required)
+            if (const Constant* provided = find_constant(controller_.constants, constant.name)) {
+                const auto place = static_cast<std::uint32_t>(provided - controller_.constants.data());
+                return add(constant_source(module_, controller_, ConstantId{place}));
+            }
+        add({constant_name(controller_.package, controller_.path + "::" + part, constant.name), &constant});
+    }
+    std::vector<ConstantSource> take() { return std::move(found_); }
+
+private:
+    bool search_callers(const Machine& operation, const Constant& constant, std::size_t calls_left) {
+        bool provided = false;
+        for (const auto& part : parts_of(system_, controller_)) {
+            const Constant* same = find_constant(part.machine->constants, constant.name);
+            if (same == nullptr || !calls(system_, controller_, *part.machine, operation)) continue;
+            provided = true;
+            search(*part.name, *part.machine, *same, calls_left);
+        }
+        return provided;
+    }
+    void add(const ConstantSource& source) {
+        const auto same = [&](const ConstantSource& known) { return known.name == source.name; };
+        if (std::none_of(found_.begin(), found_.end(), same)) found_.push_back(source);
+    }
+
+    const System& system_;
+    const Module* module_;
+    const Controller& controller_;
+    std::vector<ConstantSource> found_;
+};
+
+}  // namespace
+
+std::vector<ConstantSource> constant_sources(const System& system, const Module* module, const Controller& controller,
+                                             const std::string& part, const Machine& machine, ConstantId id) {
+    ConstantSearch search(system, module, controller);
+    search.search(part, machine, machine.constants.at(id.index), controller.definitions.size());
+    return search.take();
+}
+
+ConstantSource constant_source(const System& system, const Module* module, const Controller* controller,
+                               const std::string& part, const Machine& machine, ConstantId id) {
+    const Constant& own = machine.constants.at(id.index);
+    if (controller == nullptr) return {constant_name(machine.package, machine.path, own.name), &own};
+    return constant_sources(system, module, *controller, part, machine, id).front();
+}
+
+ConstantSource constant_source(const Module* module, const Controller& controller, ConstantId id) {
+    const Constant& own = controller.constants.at(id.index);
+    const bool outside = module != nullptr && own.required;
+    const Constant* platform = outside ? find_constant(module->platform.constants, own.name) : nullptr;
+    if (platform != nullptr) return {constant_name(module->package, module->name, own.name), platform};
+    return {constant_name(controller.package, controller.path, own.name), &own};
+}
+
+std::vector<NamedConstant> named_constants(const System& system) {
+    ConstantList list;
+    for (const auto& machine : system.machines) list.add_all(machine.package, machine.path, machine.constants);
+    for (const auto& controller : system.controllers) {
+        list.add_all(controller.package, controller.path, controller.constants);
+        for (const auto& part : controller.machines)
+            list.add_part(system, controller, part.name, system.machine(part.machine));
+        for (std::size_t i = 0; i < controller.definitions.size(); ++i)
+            list.add_part(system, controller, controller.definition_names.at(i),
+                          system.machine(controller.definitions[i]));
+    }
+    for (const auto& module : system.modules) list.add_all(module.package, module.name, module.platform.constants);
+    return list.take();
+}
+
+}  // namespace robochart::ir

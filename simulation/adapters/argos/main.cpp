@@ -1,8 +1,0 @@
-// robochart-simulate-argos SCENARIO: the verb `simulate` in ARGoS.
-#include "app/simulate.hpp"
-#include "simulation/adapters/argos/argos_stage.hpp"
-
-int main(int argc, char** argv) {
-    return robochart::app::simulate_program("robochart-simulate-argos", argc, argv,
-                                            {"ARGoS", robochart::simulation::argos_stage, false});
-}

@@ -1,8 +1,0 @@
-// robochart-simulate-enki SCENARIO: the verb `simulate` in Enki. This program is linked with Enki and therefore GPL-2+.
-#include "app/simulate.hpp"
-#include "simulation/adapters/enki/enki_stage.hpp"
-
-int main(int argc, char** argv) {
-    return robochart::app::simulate_program("robochart-simulate-enki", argc, argv,
-                                            {"Enki", robochart::simulation::enki_stage, false});
-}

@@ -1,0 +1,20 @@
+// The result of a simulation in words and as JSON.
+#pragma once
+
+#include <string>
+
+#include "simulation/report/run.hpp"
+
+namespace robochart::simulation {
+
+/// "64.3 s", "97.5 %", "13.9 cm", "never".
+[[nodiscard]] std::string value_text(const Scenario&, const Band&, double value);
+/// A line for each band: verdict, the band as written, the value.
+[[nodiscard]] std::string bands_text(const Scenario&, const RunResult&);
+/// The run itself: trials, seconds simulated, speed.
+[[nodiscard]] std::string run_text(const Scenario&, const RunResult&);
+/// Schema "robochart-verify/simulation/1" (docs/cli.md).
+[[nodiscard]] std::string result_json(const Scenario&, const RunResult&, const std::vector<std::string>& files,
+                                      int exit);
+
+}  // namespace robochart::simulation

@@ -1,0 +1,183 @@
+// Binding names of the scenario to ports of the controller, with the checks of types; see plan.hpp.
+#include "simulation/scenario/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "simulation/scenario/rules.hpp"
+
+namespace robochart::simulation {
+
+using cpp_emit::Carried;
+using cpp_emit::Port;
+
+namespace {
+
+constexpr std::uint32_t most_requests = 64;
+
+const char* described(const std::vector<Carried>& arguments) {
+    if (arguments.empty()) return "no value";
+    if (arguments.size() > 1) return "several values";
+    switch (arguments.front()) {
+        case Carried::boolean:
+            return "a truth value";
+        case Carried::whole:
+            return "a whole number";
+        case Carried::real:
+            return "a real";
+        case Carried::enumeration:
+            break;
+    }
+    return "a literal";
+}
+
+std::string described(const Feed& feed) {
+    const char* what = feed.carries == Carries::signal    ? "there or not"
+                       : feed.carries == Carries::boolean ? "a truth value"
+                                                          : "a quantity";
+    return fmt::format("a reading that is {}", what);
+}
+
+bool fits(Carries carries, const std::vector<Carried>& arguments) {
+    if (carries == Carries::signal) return arguments.empty();
+    const Carried wanted = carries == Carries::boolean ? Carried::boolean : Carried::real;
+    return arguments.size() == 1 && arguments.front() == wanted;
+}
+
+class Binder {
+public:
+    Binder(const Scenario& scenario, const cpp_emit::DriveEmission& emission, diagnostics::Diagnostics& diagnostics)
+        : scenario_(scenario), emission_(emission), diagnostics_(diagnostics) {
+        plan_.scenario = &scenario;
+        plan_.inputs = static_cast<std::uint32_t>(emission.inputs.size());
+        plan_.effects.resize(emission.outputs.size());
+        fed_.resize(emission.inputs.size());
+        slots_.assign(emission.outputs.size(), no_slot);
+        bits_.assign(emission.outputs.size(), no_slot);
+    }
+
+    Plan bind() {
+        for (const Feed& feed : scenario_.feeds) bind_feed(feed);
+        for (const Stimulus& stimulus : scenario_.stimuli) bind_stimulus(stimulus);
+        for (std::uint32_t d = 0; d < scenario_.drives.size(); ++d) bind_drive(scenario_.drives[d], d);
+        for (std::size_t i = 0; i < emission_.inputs.size(); ++i)
+            if (!fed_[i] && emission_.inputs[i].kind == Port::Kind::event)
+                diagnostics_.report(rules::not_fed, scenario_.component.span,
+                                    {emission_.inputs[i].name, scenario_.component.text});
+        return std::move(plan_);
+    }
+
+private:
+    std::optional<std::uint32_t> input(const Name& name) {
+        for (std::uint32_t i = 0; i < emission_.inputs.size(); ++i)
+            if (emission_.inputs[i].name == name.text) return i;
+        unknown(name, "event or variable to feed named");
+        return std::nullopt;
+    }
+
+    std::optional<std::uint32_t> output(const Name& name, Port::Kind kind, const char* what) {
+        for (std::uint32_t i = 0; i < emission_.outputs.size(); ++i)
+            if (emission_.outputs[i].kind == kind && emission_.outputs[i].name == name.text) return i;
+        unknown(name, what);
+        return std::nullopt;
+    }
+
+    void unknown(const Name& name, const char* what) {
+        diagnostics_.report(rules::unknown_name, name.span, {scenario_.component.text, what, name.text});
+    }
+
+    void bind_feed(const Feed& feed) {
+        BoundFeed bound;
+        bound.feed = &feed;
+        const auto found = input(feed.target);
+        if (!found) return;
+        bound.input = *found;
+        fed_[*found] = true;
+        const Port& port = emission_.inputs[*found];
+        if (!fits(feed.carries, port.arguments))
+            diagnostics_.report(rules::wrong_type, feed.target.span,
+                                {feed.target.text, described(port.arguments), described(feed), "feed"});
+        for (std::uint32_t s = 0; s < scenario_.sensors.size(); ++s)
+            if (scenario_.sensors[s].name.text == feed.part.text) bound.sensor = s;
+        if (feed.argument && !feed.argument->variable.text.empty())
+            bound.variable = variable(feed.argument->variable).value_or(0);
+        if (feed.on) bound.request = request(*feed.on);
+        plan_.feeds.push_back(bound);
+    }
+
+    /// The slot that holds what the controller last wrote to a shared variable.
+    std::optional<std::uint32_t> variable(const Name& name) {
+        const auto found = output(name, Port::Kind::variable, "shared variable that it writes named");
+        if (!found) return std::nullopt;
+        const Port& port = emission_.outputs[*found];
+        if (!fits(Carries::real, port.arguments)) {
+            diagnostics_.report(rules::wrong_type, name.span,
+                                {name.text, described(port.arguments), "a quantity", "follow"});
+            return std::nullopt;
+        }
+        if (slots_[*found] == no_slot) {
+            slots_[*found] = static_cast<std::uint32_t>(plan_.variables.size());
+            plan_.variables.push_back(port.initial);
+            plan_.effects[*found].push_back({Effect::Kind::store, slots_[*found]});
+        }
+        return slots_[*found];
+    }
+
+    std::uint32_t request(const Name& operation) {
+        const auto found = output(operation, Port::Kind::call, "operation of the platform named");
+        if (!found) return no_slot;
+        if (bits_[*found] == no_slot && plan_.requests < most_requests) {
+            bits_[*found] = plan_.requests++;
+            plan_.effects[*found].push_back({Effect::Kind::request, bits_[*found]});
+        }
+        return bits_[*found];
+    }
+
+    void bind_stimulus(const Stimulus& stimulus) {
+        const auto found = input(stimulus.event);
+        if (!found) return;
+        fed_[*found] = true;
+        const auto& arguments = emission_.inputs[*found].arguments;
+        const Carries carries = stimulus.truth ? Carries::boolean : stimulus.value ? Carries::real : Carries::signal;
+        const bool whole = stimulus.value && arguments.size() == 1 && arguments.front() == Carried::whole;
+        if (!whole && !fits(carries, arguments))
+            diagnostics_.report(rules::wrong_type, stimulus.event.span,
+                                {stimulus.event.text, described(arguments), "this stimulus", "give"});
+        plan_.stimuli.push_back({&stimulus, *found, carries == Carries::real && !whole});
+    }
+
+    void bind_drive(const Drive& drive, std::uint32_t index) {
+        if (drive.motion == Motion::speeds) {
+            const auto linear = variable(drive.linear);
+            const auto angular = variable(drive.angular);
+            if (linear && angular) plan_.speeds = BoundSpeeds{&drive, *linear, *angular};
+            return;
+        }
+        const auto found = output(*drive.on, Port::Kind::call, "operation of the platform named");
+        if (!found) return;
+        const Port& port = emission_.outputs[*found];
+        if (drive.motion == Motion::turn && !fits(Carries::real, port.arguments)) {
+            diagnostics_.report(rules::wrong_type, drive.on->span,
+                                {drive.on->text, described(port.arguments), "'turn'", "take for an angle"});
+            return;
+        }
+        plan_.effects[*found].push_back({Effect::Kind::drive, index});
+    }
+
+    const Scenario& scenario_;
+    const cpp_emit::DriveEmission& emission_;
+    diagnostics::Diagnostics& diagnostics_;
+    Plan plan_;
+    std::vector<bool> fed_;
+    std::vector<std::uint32_t> slots_;  ///< of outputs that are variables
+    std::vector<std::uint32_t> bits_;   ///< of outputs that are operations
+};
+
+}  // namespace
+
+Plan bind(const Scenario& scenario, const cpp_emit::DriveEmission& emission, diagnostics::Diagnostics& diagnostics) {
+    return Binder(scenario, emission, diagnostics).bind();
+}
+
+}  // namespace robochart::simulation

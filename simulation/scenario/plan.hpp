@@ -1,0 +1,58 @@
+// A scenario bound to a controller: which input each feed fills, what each output drives.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cpp_emit/simulator_api.hpp"
+#include "simulation/scenario/scenario.hpp"
+
+namespace robochart::simulation {
+
+inline constexpr std::uint32_t no_slot = 0xffffffffU;
+
+/// A feed with places instead of names.
+struct BoundFeed {
+    const Feed* feed = nullptr;
+    std::uint32_t input = 0;
+    std::uint32_t sensor = no_slot;    ///< in Scenario::sensors; none: the drive
+    std::uint32_t request = no_slot;   ///< bit that the operation sets
+    std::uint32_t variable = no_slot;  ///< slot of the argument; none: the literal
+};
+
+/// What an output of the controller does, one after the other.
+struct Effect {
+    enum class Kind { store, request, drive };
+    Kind kind = Kind::store;
+    std::uint32_t slot = 0;  ///< of the variable, the bit, or the place in Scenario::drives
+};
+
+struct BoundStimulus {
+    const Stimulus* stimulus = nullptr;
+    std::uint32_t input = 0;
+    bool real = false;
+};
+
+struct BoundSpeeds {
+    const Drive* drive = nullptr;
+    std::uint32_t linear = 0;  ///< slots
+    std::uint32_t angular = 0;
+};
+
+struct Plan {
+    const Scenario* scenario = nullptr;
+    std::uint32_t inputs = 0;
+    std::vector<BoundFeed> feeds;
+    std::vector<BoundStimulus> stimuli;
+    std::vector<std::vector<Effect>> effects;  ///< of each output
+    std::vector<double> variables;             ///< initial values of the slots
+    std::optional<BoundSpeeds> speeds;         ///< the drive follows two variables
+    std::uint32_t requests = 0;
+};
+
+/// Binds; what does not fit is reported. The plan refers to the scenario.
+[[nodiscard]] Plan bind(const Scenario&, const cpp_emit::DriveEmission&, diagnostics::Diagnostics&);
+
+}  // namespace robochart::simulation

@@ -1,0 +1,52 @@
+#include "simulation/scenario/readings.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace robochart::simulation {
+
+std::span<const ReadingRow> readings() {
+    using Kind = SensorKind;
+    static constexpr std::array<ReadingRow, 10> table{{
+        {"robot", Kind::line_of_sight, Reading::robot, Carries::signal, std::nullopt},
+        {"clear", Kind::line_of_sight, Reading::clear, Carries::signal, std::nullopt},
+        {"wall", Kind::line_of_sight, Reading::wall, Carries::signal, std::nullopt},
+        {"distance", Kind::line_of_sight, Reading::distance, Carries::real, std::nullopt, Dimension::length},
+        {"near", Kind::range_and_bearing, Reading::near, Carries::signal, Dimension::length},
+        {"away", Kind::range_and_bearing, Reading::away, Carries::real, Dimension::length, Dimension::angle},
+        {"towards", Kind::range_and_bearing, Reading::towards, Carries::real, Dimension::length, Dimension::angle},
+        {"lit", Kind::light, Reading::lit, Carries::boolean, Dimension::number},
+        {"near", Kind::proximity, Reading::near, Carries::signal, Dimension::length},
+        {"turned", std::nullopt, Reading::turned, Carries::signal, std::nullopt},
+    }};
+    return table;
+}
+
+std::optional<SensorKind> sensor_kind(std::string_view name) {
+    if (name == "line_of_sight") return SensorKind::line_of_sight;
+    if (name == "range_and_bearing") return SensorKind::range_and_bearing;
+    if (name == "light_ring") return SensorKind::light;
+    if (name == "proximity") return SensorKind::proximity;
+    return std::nullopt;
+}
+
+namespace {
+
+const ReadingRow* find(std::optional<SensorKind> kind, std::string_view name) {
+    const auto rows = readings();
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const ReadingRow& r) { return r.sensor == kind && r.name == name; });
+    return row == rows.end() ? nullptr : &*row;
+}
+
+}  // namespace
+
+const ReadingRow* reading_of(SensorKind kind, std::string_view name) {
+    return find(kind, name);
+}
+
+const ReadingRow* reading_of_actuator(std::string_view name) {
+    return find(std::nullopt, name);
+}
+
+}  // namespace robochart::simulation

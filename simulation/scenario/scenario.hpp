@@ -1,0 +1,157 @@
+// A scenario: everything about a simulation but the controller. The text (docs/scenarios.md) is read with RoboChart's
+// own words; the founding paper's future work asks for "an extended notation from which the simulation configurations
+// can also be specified" (Li et al. 2017, section 4).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+#include "simulation/scenario/quantity.hpp"
+#include "simulation/world/sensing.hpp"
+#include "simulation/world/world.hpp"
+
+namespace robochart::simulation {
+
+/// A word of the text and where it stands.
+struct Name {
+    std::string text;
+    diagnostics::Span span;
+};
+
+enum class SensorKind { line_of_sight, range_and_bearing, light, proximity };
+
+/// What a sensor or actuator reports.
+enum class Reading { robot, clear, wall, distance, near, away, towards, lit, turned };
+
+/// How a reading reaches the controller.
+enum class Carries { signal, boolean, real };
+
+struct Sensor {
+    Name name;
+    SensorKind kind = SensorKind::line_of_sight;
+    double sight_range = 0;  ///< 0: unlimited
+    RangeAndBearing range_and_bearing;
+    LightRing light_ring;
+    Name source;  ///< light: which
+    ProximityRing proximity;
+};
+
+struct Actuator {
+    Name name;
+};
+
+/// A bound on a reading: a quantity, or a shared variable of the controller and its unit.
+struct Argument {
+    Quantity literal;
+    Name variable;  ///< "": the literal
+    double factor = 1;
+};
+
+/// `feed EVENT with PART.READING(ARGUMENT) in UNIT on OPERATION`.
+struct Feed {
+    Name target;
+    Name part;
+    Reading reading = Reading::robot;
+    Carries carries = Carries::signal;
+    std::optional<Argument> argument;
+    double factor = 1;       ///< real readings are divided by it
+    std::optional<Name> on;  ///< only in the cycle after this operation was called
+    diagnostics::Span span;
+};
+
+enum class Motion { speeds, forward, turn, stop };
+
+/// `drive ACTUATOR by MOTION(...) on OPERATION`.
+struct Drive {
+    Name actuator;
+    Motion motion = Motion::stop;
+    double speed = 0;      ///< forward, turn: of the wheels, cm/s
+    Name linear, angular;  ///< speeds: the variables
+    double linear_factor = 1;
+    double angular_factor = 1;  ///< turn: of the operation's argument
+    std::optional<Name> on;
+    diagnostics::Span span;
+};
+
+/// `stimulus EVENT at TIME` or `stimulus EVENT every TIME`: raised by the environment, for every robot.
+struct Stimulus {
+    Name event;
+    double at = 0;
+    double every = 0;  ///< 0: once
+    std::optional<Quantity> value;
+    std::optional<bool> truth;
+};
+
+struct Light {
+    Name name;
+    Vector at;
+    diagnostics::Span span;
+};
+
+struct Placement {
+    std::optional<Region> region;  ///< at random in it; none: one robot at the pose
+    Pose pose;
+    diagnostics::Span span;
+};
+
+enum class MeasureKind { cluster, spread, second_moment, distance };
+
+/// `measure NAME is KIND(ARGUMENT)`.
+struct Measure {
+    Name name;
+    MeasureKind kind = MeasureKind::spread;
+    double link = 0;        ///< cluster: centres at most this far apart belong together
+    std::size_t light = 0;  ///< distance: from the swarm's centroid to this light
+};
+
+enum class StatisticKind { at_time, first_time, average, final };
+
+struct Statistic {
+    StatisticKind kind = StatisticKind::final;
+    std::size_t measure = 0;
+    double time = 0;       ///< at_time
+    bool at_least = true;  ///< first_time: the measure is at least (else at most) the level
+    double level = 0;
+};
+
+/// `accept each|mean STATISTIC in LOW to HIGH`.
+struct Band {
+    Statistic statistic;
+    bool each = true;  ///< every trial by itself, else the mean of all
+    double low = 0;
+    double high = 0;
+    std::string text;  ///< as written
+    diagnostics::Span span;
+};
+
+struct Scenario {
+    Name name;
+    Name component;
+    std::string model;  ///< path of the model, relative to the scenario's folder; "" for that folder
+    WorldOptions world;
+    double time_unit = 0;  ///< seconds of one time unit of the model
+    std::uint32_t units_per_step = 1;
+    double duration = 0;
+    std::uint32_t trials = 1;
+    std::uint64_t seed = 1;
+    std::uint32_t robots = 0;
+    std::vector<Placement> placements;
+    std::vector<Light> lights;
+    std::vector<Sensor> sensors;
+    std::vector<Actuator> actuators;
+    std::vector<Feed> feeds;
+    std::vector<Drive> drives;
+    std::vector<Stimulus> stimuli;
+    std::vector<Measure> measures;
+    std::vector<Band> bands;
+    std::vector<double> pictures;  ///< times, s
+    double record = 0.5;           ///< s between recorded positions
+
+    [[nodiscard]] std::uint64_t steps() const;
+};
+
+}  // namespace robochart::simulation

@@ -1,0 +1,112 @@
+// Reading scenarios: measures and bands.
+#include "simulation/scenario/scenario_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "simulation/scenario/rules.hpp"
+
+namespace robochart::simulation {
+
+void ScenarioReader::measure() {
+    Measure measure;
+    measure.name = new_name("a name for the measure");
+    in_.expect("is");
+    const Name kind = in_.name("a kind of measure");
+    if (in_.failed()) return;
+    if (kind.text == "cluster") {
+        measure.kind = MeasureKind::cluster;
+        in_.expect("(");
+        measure.link = in_.positive(Dimension::length, "the length of a link");
+        in_.expect(")");
+    } else if (kind.text == "distance") {
+        measure.kind = MeasureKind::distance;
+        in_.expect("(");
+        measure.light = light_named(in_.name("the name of a light"));
+        in_.expect(")");
+    } else if (kind.text == "spread") {
+        measure.kind = MeasureKind::spread;
+    } else if (kind.text == "second_moment") {
+        measure.kind = MeasureKind::second_moment;
+    } else {
+        in_.report(rules::unknown_part, kind.span, {"kind of measure", kind.text});
+        return in_.fail("'cluster', 'distance', 'spread' or 'second_moment'");
+    }
+    scenario_.measures.push_back(measure);
+}
+
+std::size_t ScenarioReader::light_named(const Name& name) {
+    for (std::size_t i = 0; i < scenario_.lights.size(); ++i)
+        if (scenario_.lights[i].name.text == name.text) return i;
+    in_.report(rules::unknown_part, name.span, {"light", name.text});
+    return 0;
+}
+
+Dimension ScenarioReader::dimension_of(std::size_t measure) const {
+    if (measure >= scenario_.measures.size()) return Dimension::number;
+    const MeasureKind kind = scenario_.measures[measure].kind;
+    if (kind == MeasureKind::cluster) return Dimension::share;
+    return kind == MeasureKind::second_moment ? Dimension::number : Dimension::length;
+}
+
+std::size_t ScenarioReader::measure_named() {
+    const Name name = in_.name("a measure");
+    for (std::size_t i = 0; i < scenario_.measures.size(); ++i)
+        if (scenario_.measures[i].name.text == name.text) return i;
+    in_.report(rules::unknown_part, name.span, {"measure", name.text});
+    return scenario_.measures.size();
+}
+
+void ScenarioReader::accept() {
+    Band band;
+    band.each = in_.take("each");
+    if (!band.each) in_.expect("mean");
+    const diagnostics::Span begin = in_.token().span;
+    const Dimension dimension = statistic(band.statistic);
+    if (in_.take("<=")) {
+        band.low = -INFINITY;
+        band.high = in_.quantity(dimension, "this measure").value;
+    } else if (in_.take(">=")) {
+        band.low = in_.quantity(dimension, "this measure").value;
+        band.high = INFINITY;
+    } else {
+        in_.expect("in");
+        band.low = in_.quantity(dimension, "this measure").value;
+        in_.expect("to");
+        band.high = in_.quantity(dimension, "this measure").value;
+    }
+    band.span = diagnostics::join(begin, in_.last_span());
+    if (band.low > band.high) in_.report(rules::out_of_range, band.span, {"the band is empty"});
+    band.text = fmt::format("{} {}", band.each ? "each" : "mean", in_.failed() ? "" : in_.text_since(begin));
+    if (band.statistic.measure < scenario_.measures.size()) scenario_.bands.push_back(band);
+}
+
+Dimension ScenarioReader::statistic(Statistic& statistic) {
+    if (in_.take("first")) {
+        statistic.kind = StatisticKind::first_time;
+        in_.expect("(");
+        statistic.measure = measure_named();
+        statistic.at_least = in_.take(">=");
+        if (!statistic.at_least) in_.expect("<=");
+        statistic.level = in_.quantity(dimension_of(statistic.measure), "this measure").value;
+        in_.expect(")");
+        return Dimension::time;
+    }
+    if (in_.take("average")) {
+        statistic.kind = StatisticKind::average;
+        in_.expect("(");
+        statistic.measure = measure_named();
+        in_.expect(")");
+        return dimension_of(statistic.measure);
+    }
+    statistic.measure = measure_named();
+    if (in_.take("at")) {
+        statistic.kind = StatisticKind::at_time;
+        statistic.time = in_.not_negative(Dimension::time, "the time of a measure");
+        times_.push_back({statistic.time, in_.last_span()});
+    }
+    return dimension_of(statistic.measure);
+}
+
+}  // namespace robochart::simulation

@@ -1,0 +1,108 @@
+// What belongs together in a scenario, and whether its robots fit.
+#include "simulation/scenario/read_scenario.hpp"
+#include "simulation/scenario/scenario_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "simulation/scenario/rules.hpp"
+
+namespace robochart::simulation {
+
+void ScenarioReader::check() {
+    for (const auto& [word, what] :
+         {std::pair("step", "the control step"), std::pair("physics", "the physics step"),
+          std::pair("unit", "how long a time unit of the model is"), std::pair("duration", "the duration"),
+          std::pair("arena", "the arena"), std::pair("robots", "how many robots there are")})
+        if (!said_.contains(word)) in_.report(rules::missing, whole_, {what});
+    if (said_.contains("robots") && scenario_.placements.empty())
+        in_.report(rules::missing, robots_span_, {"where the robots are placed"});
+    check_steps();
+    check_places();
+    check_lights();
+    for (const auto& [time, span] : times_)
+        if (said_.contains("duration") && time > scenario_.duration)
+            in_.report(rules::out_of_range, span,
+                       {fmt::format("{} s is after the end, {} s", time, scenario_.duration)});
+}
+
+diagnostics::Span ScenarioReader::said(std::string_view word) const {
+    const auto found = said_.find(word);
+    return found == said_.end() ? whole_ : found->second;
+}
+
+std::uint64_t ScenarioReader::divide(double whole, const char* whole_name, double part, const char* part_name,
+                                     std::string_view word) {
+    const double times = std::round(whole / part);
+    if (times < 1 || std::abs(times * part - whole) > 1e-9 * whole || times > 1e6) {
+        in_.report(rules::uneven_steps, said(word), {whole_name, part_name});
+        return 1;
+    }
+    return static_cast<std::uint64_t>(times);
+}
+
+void ScenarioReader::check_steps() {
+    const double step = scenario_.world.control_step;
+    if (!said_.contains("step") || step <= 0) return;
+    if (physics_ > 0)
+        scenario_.world.physics_steps =
+            static_cast<std::uint32_t>(divide(step, "the control step", physics_, "the physics step", "physics"));
+    if (scenario_.time_unit > 0)
+        scenario_.units_per_step =
+            static_cast<std::uint32_t>(divide(step, "the control step", scenario_.time_unit, "the time unit", "unit"));
+    if (scenario_.duration > 0 && scenario_.duration < step)
+        in_.report(rules::out_of_range, said("duration"), {"the duration is shorter than a control step"});
+    if (scenario_.duration / step > 1e8)
+        in_.report(rules::out_of_range, said("duration"), {"the duration is more than 100,000,000 control steps"});
+}
+
+void ScenarioReader::check_places() {
+    const Arena& arena = scenario_.world.arena;
+    if (!said_.contains("arena")) return;
+    for (const Inside& place : inside_)
+        if (arena.walled && (std::abs(place.at.x) > arena.width / 2 || std::abs(place.at.y) > arena.height / 2))
+            in_.report(rules::out_of_range, place.span, {fmt::format("{} lies outside the arena", place.what)});
+}
+
+void ScenarioReader::check_lights() {
+    for (const Sensor& sensor : scenario_.sensors)
+        if (sensor.kind == SensorKind::light && !sensor.source.text.empty()) (void)light_named(sensor.source);
+}
+
+std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagnostics::Diagnostics& diagnostics) {
+    World world(scenario.world, scenario.seed + trial);
+    std::size_t fixed = 0;
+    std::size_t regions = 0;
+    for (const Placement& placement : scenario.placements) (placement.region ? regions : fixed) += 1;
+    const auto refuse = [&](std::size_t robots, diagnostics::Span span) {
+        diagnostics.report(rules::no_room, span,
+                           {std::to_string(robots), fmt::format("{}", scenario.world.body.radius)});
+        return std::nullopt;
+    };
+    if (fixed > scenario.robots || (regions == 0 && fixed < scenario.robots)) {
+        const std::string cause = fmt::format("{} robots, but places for {}", scenario.robots, fixed);
+        diagnostics.report(rules::out_of_range, scenario.placements.back().span, {cause});
+        return std::nullopt;
+    }
+    for (const Placement& placement : scenario.placements)
+        if (!placement.region) world.place(placement.pose);
+    // Several regions take the robots in equal parts, the first ones one more.
+    std::size_t left = scenario.robots - fixed;
+    for (const Placement& placement : scenario.placements) {
+        if (!placement.region) continue;
+        const std::size_t here = (left + regions - 1) / regions;
+        const Vector extent = placement.region->high - placement.region->low;
+        const double radius = scenario.world.body.radius;
+        const double cover = static_cast<double>(here) * std::numbers::pi * radius * radius;
+        if (cover > 0.4 * extent.x * extent.y || !world.place_at_random(here, *placement.region))
+            return refuse(here, placement.span);
+        left -= here;
+        --regions;
+    }
+    return world;
+}
+
+}  // namespace robochart::simulation

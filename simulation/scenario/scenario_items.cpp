@@ -1,0 +1,184 @@
+// Reading scenarios; see scenario.hpp and docs/scenarios.md: the items in a table, times, the arena and who is in it.
+#include "simulation/scenario/scenario_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/scenario/rules.hpp"
+
+namespace robochart::simulation {
+
+namespace {
+
+constexpr std::uint64_t most_robots = 100'000;
+constexpr std::uint64_t most_trials = 100'000;
+
+}  // namespace
+
+Scenario ScenarioReader::read() {
+    if (in_.failed()) return scenario_;
+    in_.expect("scenario");
+    scenario_.name = in_.name("a name for the scenario");
+    in_.expect("for");
+    scenario_.component = in_.qualified_name("the component that drives the robots");
+    whole_ = scenario_.name.span;
+    in_.expect("{");
+    while (!in_.failed() && !in_.at("}")) item();
+    in_.expect("}");
+    if (!in_.failed() && !in_.at_end()) in_.fail("the end of the file");
+    if (!in_.failed()) check();
+    return scenario_;
+}
+
+const std::array<ScenarioReader::ItemRow, 20>& ScenarioReader::items() {
+    static constexpr std::array<ItemRow, 20> table{{
+        {"model", true, &ScenarioReader::model},        {"step", true, &ScenarioReader::step},
+        {"physics", true, &ScenarioReader::physics},    {"unit", true, &ScenarioReader::time_unit},
+        {"duration", true, &ScenarioReader::duration},  {"trials", true, &ScenarioReader::trials},
+        {"seed", true, &ScenarioReader::seed},          {"arena", true, &ScenarioReader::arena},
+        {"wall", false, &ScenarioReader::wall},         {"light", false, &ScenarioReader::light},
+        {"robots", true, &ScenarioReader::robots},      {"sensor", false, &ScenarioReader::sensor},
+        {"actuator", false, &ScenarioReader::actuator}, {"feed", false, &ScenarioReader::feed},
+        {"drive", false, &ScenarioReader::drive},       {"stimulus", false, &ScenarioReader::stimulus},
+        {"measure", false, &ScenarioReader::measure},   {"accept", false, &ScenarioReader::accept},
+        {"pictures", true, &ScenarioReader::pictures},  {"record", true, &ScenarioReader::record},
+    }};
+    return table;
+}
+
+void ScenarioReader::item() {
+    const auto* row = std::find_if(items().begin(), items().end(), [&](const ItemRow& r) { return in_.at(r.word); });
+    if (row == items().end()) return in_.fail("an item of a scenario or '}'");
+    const diagnostics::Span span = in_.token().span;
+    in_.take(row->word);
+    if (row->once && !said_.emplace(row->word, span).second)
+        in_.report(rules::said_twice, span, {fmt::format("'{}'", row->word)});
+    (this->*row->read)();
+}
+
+void ScenarioReader::model() {
+    scenario_.model = in_.quoted("the path of the model in quotes");
+}
+
+void ScenarioReader::step() {
+    scenario_.world.control_step = in_.positive(Dimension::time, "the control step");
+}
+
+void ScenarioReader::physics() {
+    physics_ = in_.positive(Dimension::time, "the physics step");
+}
+
+void ScenarioReader::time_unit() {
+    scenario_.time_unit = in_.positive(Dimension::time, "the time unit");
+}
+
+void ScenarioReader::duration() {
+    scenario_.duration = in_.positive(Dimension::time, "the duration");
+}
+
+void ScenarioReader::trials() {
+    scenario_.trials = static_cast<std::uint32_t>(in_.count(1, most_trials, "the number of trials"));
+}
+
+void ScenarioReader::seed() {
+    scenario_.seed = in_.count(0, 1'000'000'000, "the seed");
+}
+
+void ScenarioReader::record() {
+    scenario_.record = in_.positive(Dimension::time, "the time between records");
+}
+
+void ScenarioReader::arena() {
+    scenario_.world.arena.width = in_.positive(Dimension::length, "the arena's width");
+    in_.expect("by");
+    scenario_.world.arena.height = in_.positive(Dimension::length, "the arena's height");
+    scenario_.world.arena.walled = !in_.take("open");
+}
+
+void ScenarioReader::wall() {
+    const diagnostics::Span begin = in_.token().span;
+    const Vector from = in_.point("a point");
+    in_.expect("to");
+    const Vector to = in_.point("a point");
+    scenario_.world.arena.walls.push_back({from, to});
+    inside_.push_back({from, "the wall", diagnostics::join(begin, in_.last_span())});
+    inside_.push_back({to, "the wall", diagnostics::join(begin, in_.last_span())});
+}
+
+void ScenarioReader::light() {
+    Light light;
+    light.name = new_name("a name for the light");
+    in_.expect("at");
+    light.span = in_.token().span;
+    light.at = in_.point("a point");
+    light.span = diagnostics::join(light.span, in_.last_span());
+    inside_.push_back({light.at, "the light", light.span});
+    scenario_.lights.push_back(light);
+}
+
+Name ScenarioReader::new_name(std::string_view what) {
+    Name name = in_.name(what);
+    if (!names_.emplace(name.text, name.span).second)
+        in_.report(rules::said_twice, name.span, {fmt::format("the name '{}'", name.text)});
+    return name;
+}
+
+void ScenarioReader::robots() {
+    robots_span_ = in_.token().span;
+    scenario_.robots = static_cast<std::uint32_t>(in_.count(1, most_robots, "the number of robots"));
+    in_.expect("{");
+    Body& body = scenario_.world.body;
+    while (!in_.failed() && !in_.at("}")) {
+        if (in_.take("radius"))
+            body.radius = in_.positive(Dimension::length, "the radius");
+        else if (in_.take("axle"))
+            body.axle = in_.positive(Dimension::length, "the axle");
+        else if (in_.take("wheel"))
+            body.max_wheel = in_.positive(Dimension::speed, "the speed of the wheels");
+        else if (in_.take("noise"))
+            body.noise = in_.not_negative(Dimension::share, "the noise of the wheels");
+        else if (in_.take("place"))
+            place();
+        else
+            in_.fail("'radius', 'axle', 'wheel', 'noise', 'place' or '}'");
+    }
+    in_.expect("}");
+}
+
+void ScenarioReader::place() {
+    Placement placement;
+    const diagnostics::Span begin = in_.last_span();
+    if (in_.take("random")) {
+        in_.expect("in");
+        const Vector a = in_.point("a point");
+        in_.expect("to");
+        const Vector b = in_.point("a point");
+        placement.region = Region{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+    } else {
+        in_.expect("at");
+        placement.pose.at = in_.point("a point");
+        in_.expect("heading");
+        placement.pose.heading = in_.quantity(Dimension::angle, "a heading").value;
+    }
+    placement.span = diagnostics::join(begin, in_.last_span());
+    const auto keep_inside = [&](Vector at) { inside_.push_back({at, "the place of robots", placement.span}); };
+    if (placement.region) {
+        keep_inside(placement.region->low);
+        keep_inside(placement.region->high);
+    } else {
+        keep_inside(placement.pose.at);
+    }
+    scenario_.placements.push_back(placement);
+}
+
+void ScenarioReader::pictures() {
+    in_.expect("at");
+    do {
+        scenario_.pictures.push_back(in_.not_negative(Dimension::time, "the time of a picture"));
+        times_.push_back({scenario_.pictures.back(), in_.last_span()});
+    } while (in_.take(","));
+}
+
+}  // namespace robochart::simulation

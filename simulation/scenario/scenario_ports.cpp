@@ -1,0 +1,220 @@
+// Reading scenarios: sensors, actuators, and what they have to do with the controller.
+#include "simulation/scenario/scenario_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "simulation/scenario/rules.hpp"
+
+namespace robochart::simulation {
+
+void ScenarioReader::sensor() {
+    Sensor sensor;
+    sensor.name = new_name("a name for the sensor");
+    in_.expect("is");
+    const Name kind = in_.name("a kind of sensor");
+    const auto known = sensor_kind(kind.text);
+    if (!known && !in_.failed()) {
+        in_.report(rules::unknown_part, kind.span, {"kind of sensor", kind.text});
+        unknown_sensors_.push_back(sensor.name.text);
+    }
+    sensor.kind = known.value_or(SensorKind::line_of_sight);
+    if (in_.take("{")) {
+        while (!in_.failed() && !in_.at("}")) option(sensor, known.has_value());
+        in_.expect("}");
+    }
+    if (known == SensorKind::light && sensor.source.text.empty())
+        in_.report(rules::missing, sensor.name.span,
+                   {fmt::format("which light '{}' senses (source NAME)", sensor.name.text)});
+    if (known) scenario_.sensors.push_back(sensor);
+}
+
+void ScenarioReader::option(Sensor& sensor, bool known) {
+    const auto is = [&](SensorKind kind, std::string_view word) {
+        return (!known || sensor.kind == kind) && in_.take(word);
+    };
+    const auto sensors = [&] { return static_cast<std::uint32_t>(in_.count(1, 1024, "the number of sensors")); };
+    if (in_.at("range") && sensor.kind != SensorKind::light) {
+        in_.take("range");
+        const double range = in_.positive(Dimension::length, "the range");
+        sensor.sight_range = sensor.range_and_bearing.range = sensor.proximity.range = range;
+    } else if (is(SensorKind::range_and_bearing, "transparent"))
+        sensor.range_and_bearing.occlusion = false;
+    else if (is(SensorKind::range_and_bearing, "noise"))
+        sensor.range_and_bearing.noise = in_.not_negative(Dimension::length, "the noise of the range");
+    else if (is(SensorKind::range_and_bearing, "loss"))
+        sensor.range_and_bearing.loss = in_.not_negative(Dimension::share, "the loss of messages");
+    else if (is(SensorKind::light, "source"))
+        sensor.source = in_.name("the name of a light");
+    else if (is(SensorKind::light, "leak"))
+        sensor.light_ring.leak = in_.not_negative(Dimension::share, "the leak");
+    else if (is(SensorKind::light, "sensors"))
+        sensor.light_ring.sensors = sensors();
+    else if (is(SensorKind::proximity, "sensors"))
+        sensor.proximity.sensors = sensors();
+    else
+        in_.fail("an option of the sensor or '}'");
+}
+
+void ScenarioReader::actuator() {
+    Actuator actuator{new_name("a name for the actuator")};
+    in_.expect("is");
+    const Name kind = in_.name("a kind of actuator");
+    if (!in_.failed() && kind.text != "differential_drive")
+        in_.report(rules::unknown_part, kind.span, {"kind of actuator", kind.text});
+    scenario_.actuators.push_back(actuator);
+}
+
+void ScenarioReader::feed() {
+    Feed feed;
+    feed.target = in_.qualified_name("the event or variable that is fed");
+    in_.expect("with");
+    feed.part = in_.name("a sensor or actuator");
+    in_.expect(".");
+    const Name reading = in_.name("a reading");
+    feed.span = diagnostics::join(feed.part.span, reading.span);
+    const ReadingRow* row = find_reading(feed, reading);
+    if (row == nullptr) return skip_feed();
+    feed.reading = row->reading;
+    feed.carries = row->carries;
+    if (row->argument) argument(feed, *row);
+    if (row->carries == Carries::real) {
+        in_.expect("in");
+        feed.factor = in_.unit(row->result, fmt::format("'{}'", reading.text));
+    }
+    if (in_.take("on")) feed.on = in_.name("an operation");
+    scenario_.feeds.push_back(feed);
+}
+
+void ScenarioReader::skip_feed() {
+    if (in_.take("(")) {
+        while (!in_.failed() && !in_.at(")") && !in_.at_end() && !in_.at("}")) skip_word();
+        in_.expect(")");
+    }
+    if (in_.take("in")) (void)in_.name("a unit");
+    if (in_.take("/")) (void)in_.name("a unit");
+    if (in_.take("on")) (void)in_.name("an operation");
+}
+
+void ScenarioReader::skip_word() {
+    const std::string word(in_.token().text);
+    in_.take(word);
+}
+
+const ReadingRow* ScenarioReader::find_reading(const Feed& feed, const Name& reading) {
+    if (in_.failed()) return nullptr;
+    const auto sensor = std::find_if(scenario_.sensors.begin(), scenario_.sensors.end(),
+                                     [&](const Sensor& s) { return s.name.text == feed.part.text; });
+    const bool is_sensor = sensor != scenario_.sensors.end();
+    const bool is_actuator = is_actuator_name(feed.part.text);
+    const bool reported =
+        std::find(unknown_sensors_.begin(), unknown_sensors_.end(), feed.part.text) != unknown_sensors_.end();
+    if (!is_sensor && !is_actuator) {
+        if (!reported) in_.report(rules::unknown_part, feed.part.span, {"sensor", feed.part.text});
+        return nullptr;
+    }
+    const ReadingRow* row = is_sensor ? reading_of(sensor->kind, reading.text) : reading_of_actuator(reading.text);
+    if (row == nullptr)
+        in_.report(rules::unknown_part, reading.span,
+                   {fmt::format("reading of '{}' named", feed.part.text), reading.text});
+    return row;
+}
+
+bool ScenarioReader::is_actuator_name(const std::string& name) const {
+    return std::any_of(scenario_.actuators.begin(), scenario_.actuators.end(),
+                       [&](const Actuator& a) { return a.name.text == name; });
+}
+
+void ScenarioReader::argument(Feed& feed, const ReadingRow& row) {
+    in_.expect("(");
+    Argument argument;
+    if (in_.at_number()) {
+        argument.literal = in_.quantity(*row.argument, fmt::format("'{}'", row.name));
+    } else {
+        argument.variable = in_.name("a quantity or a variable");
+        if (*row.argument != Dimension::number) {
+            in_.expect("in");
+            argument.factor = in_.unit(*row.argument, fmt::format("'{}'", row.name));
+        }
+    }
+    in_.expect(")");
+    feed.argument = argument;
+}
+
+void ScenarioReader::drive() {
+    Drive drive;
+    drive.actuator = in_.name("an actuator");
+    if (!in_.failed() && !is_actuator_name(drive.actuator.text))
+        in_.report(rules::unknown_part, drive.actuator.span, {"actuator", drive.actuator.text});
+    in_.expect("by");
+    drive.span = in_.token().span;
+    if (in_.take("speeds"))
+        speeds(drive);
+    else if (in_.take("forward"))
+        forward(drive);
+    else if (in_.take("turn"))
+        turn(drive);
+    else if (in_.take("stop"))
+        drive.motion = Motion::stop;
+    else
+        return in_.fail("'speeds', 'forward', 'turn' or 'stop'");
+    drive.span = diagnostics::join(drive.span, in_.last_span());
+    if (drive.motion != Motion::speeds) {
+        in_.expect("on");
+        drive.on = in_.name("an operation");
+    }
+    scenario_.drives.push_back(drive);
+}
+
+void ScenarioReader::speeds(Drive& drive) {
+    drive.motion = Motion::speeds;
+    in_.expect("(");
+    drive.linear = in_.name("the variable of the forward speed");
+    in_.expect("in");
+    drive.linear_factor = in_.unit(Dimension::speed, "a forward speed");
+    in_.expect(",");
+    drive.angular = in_.name("the variable of the rate of turning");
+    in_.expect("in");
+    drive.angular_factor = in_.unit(Dimension::turn_rate, "a rate of turning");
+    in_.expect(")");
+}
+
+void ScenarioReader::forward(Drive& drive) {
+    drive.motion = Motion::forward;
+    in_.expect("(");
+    drive.speed = in_.quantity(Dimension::speed, "'forward'").value;
+    in_.expect(")");
+}
+
+void ScenarioReader::turn(Drive& drive) {
+    drive.motion = Motion::turn;
+    in_.expect("(");
+    drive.speed = in_.positive(Dimension::speed, "'turn'");
+    in_.expect(",");
+    drive.angular_factor = in_.unit(Dimension::angle, "'turn'");
+    in_.expect(")");
+}
+
+void ScenarioReader::stimulus() {
+    Stimulus stimulus;
+    stimulus.event = in_.qualified_name("an event");
+    if (in_.take("=")) {
+        if (in_.take("true"))
+            stimulus.truth = true;
+        else if (in_.take("false"))
+            stimulus.truth = false;
+        else
+            stimulus.value = in_.quantity(Dimension::number, "the value of a stimulus");
+    }
+    if (in_.take("every")) {
+        stimulus.every = stimulus.at = in_.positive(Dimension::time, "the time between stimuli");
+    } else {
+        in_.expect("at");
+        stimulus.at = in_.not_negative(Dimension::time, "the time of a stimulus");
+        times_.push_back({stimulus.at, in_.last_span()});
+    }
+    scenario_.stimuli.push_back(stimulus);
+}
+
+}  // namespace robochart::simulation

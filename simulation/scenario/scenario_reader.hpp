@@ -1,0 +1,107 @@
+// The reader of scenarios: private to the room. One method an item; the files of its definitions are named below.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "simulation/scenario/reader.hpp"
+#include "simulation/scenario/readings.hpp"
+#include "simulation/scenario/scenario.hpp"
+
+namespace robochart::simulation {
+
+class ScenarioReader {
+public:
+    ScenarioReader(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
+                   diagnostics::Diagnostics& diagnostics)
+        : in_(sources, source, diagnostics), whole_{source, 0, 0} {}
+
+    Scenario read();
+
+private:
+    using Item = void (ScenarioReader::*)();
+    struct ItemRow {
+        std::string_view word;
+        bool once;
+        Item read;
+    };
+    /// A place that must lie in the arena.
+    struct Inside {
+        Vector at;
+        const char* what;
+        diagnostics::Span span;
+    };
+
+    // scenario.cpp: times, the arena and who is in it
+    static const std::array<ItemRow, 20>& items();
+    void item();
+    void model();
+    void step();
+    void physics();
+    void time_unit();
+    void duration();
+    void trials();
+    void seed();
+    void record();
+    void arena();
+    void wall();
+    void light();
+    Name new_name(std::string_view what);
+    void robots();
+    void place();
+    void pictures();
+
+    // scenario_ports.cpp: sensors, actuators, and what they have to do with the controller
+    void sensor();
+    void option(Sensor& sensor, bool known);
+    void actuator();
+    void feed();
+    /// After an unknown sensor or reading the rest of the item is passed over, for its form is not known.
+    void skip_feed();
+    void skip_word();
+    const ReadingRow* find_reading(const Feed& feed, const Name& reading);
+    [[nodiscard]] bool is_actuator_name(const std::string& name) const;
+    void argument(Feed& feed, const ReadingRow& row);
+    void drive();
+    void speeds(Drive& drive);
+    void forward(Drive& drive);
+    /// `turn(12.8 cm/s, deg)`: wheel speed, unit of the operation's argument.
+    void turn(Drive& drive);
+    void stimulus();
+
+    // scenario_bands.cpp: measures and bands
+    void measure();
+    std::size_t light_named(const Name& name);
+    [[nodiscard]] Dimension dimension_of(std::size_t measure) const;
+    std::size_t measure_named();
+    void accept();
+    /// `first(M >= Q)`, `average(M)`, `M at TIME`, `M`; what it is measured in.
+    Dimension statistic(Statistic& statistic);
+
+    // scenario_checks.cpp: what belongs together
+    void check();
+    [[nodiscard]] diagnostics::Span said(std::string_view word) const;
+    /// How often `part` goes into `whole`; reports if it does not.
+    std::uint64_t divide(double whole, const char* whole_name, double part, const char* part_name,
+                         std::string_view word);
+    void check_steps();
+    void check_places();
+    void check_lights();
+
+    Reader in_;
+    Scenario scenario_;
+    diagnostics::Span whole_;
+    diagnostics::Span robots_span_;
+    double physics_ = 0;
+    std::map<std::string, diagnostics::Span, std::less<>> said_;
+    std::map<std::string, diagnostics::Span> names_;
+    std::vector<std::string> unknown_sensors_;
+    std::vector<Inside> inside_;
+    std::vector<std::pair<double, diagnostics::Span>> times_;  ///< must lie before the end
+};
+
+}  // namespace robochart::simulation

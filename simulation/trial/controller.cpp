@@ -1,0 +1,50 @@
+#include "simulation/trial/controller.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace robochart::simulation {
+
+namespace {
+
+/// What the loaded object says must fit what was emitted.
+std::string fault(const rc_drive* drive, const cpp_emit::DriveEmission& emission) {
+    if (drive == nullptr) return "its interface is null";
+    if (drive->abi_version != ROBOCHART_DRIVE_ABI_VERSION)
+        return fmt::format("interface version {} where {} is needed", drive->abi_version, ROBOCHART_DRIVE_ABI_VERSION);
+    if (drive->inputs != emission.inputs.size() || drive->outputs != emission.outputs.size())
+        return "its inputs or outputs are not those that were emitted";
+    return "";
+}
+
+}  // namespace
+
+std::unique_ptr<Controller> Controller::build(const cpp_emit::DriveEmission& emission, const std::string& compiler,
+                                              std::string& error, diagnostics::Budget* budget) {
+    cpp_emit::BuildOptions options;
+    options.budget = budget;
+    if (!compiler.empty()) options.compiler = compiler;
+    // No multiplication and addition in one rounding: the same bits wherever the controller is built.
+    options.flags = "-std=c++20 -O2 -DNDEBUG -ffp-contract=off";
+    auto controller = std::make_unique<Controller>();
+    controller->library_ = cpp_emit::SharedLibrary::build(emission.files, emission.sources, options, error);
+    if (controller->library_ == nullptr) return nullptr;
+    void* const symbol = controller->library_->symbol("robochart_drive");
+    if (symbol != nullptr) controller->drive_ = reinterpret_cast<const rc_drive* (*)()>(symbol)();
+    error = fault(controller->drive_, emission);
+    if (!error.empty()) return nullptr;
+    return controller;
+}
+
+ControllerArray::ControllerArray(const rc_drive& drive, std::size_t robots) {
+    const std::size_t alignment = std::max<std::size_t>(drive.state_alignment, 1);
+    stride_ = (drive.state_size + alignment - 1) / alignment * alignment;
+    block_.resize(stride_ * robots + alignment);
+    const auto address = reinterpret_cast<std::uintptr_t>(block_.data());
+    first_ = (alignment - address % alignment) % alignment;
+    for (std::size_t robot = 0; robot < robots; ++robot) drive.initial((*this)[robot]);
+}
+
+}  // namespace robochart::simulation

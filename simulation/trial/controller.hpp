@@ -1,0 +1,42 @@
+// The generated controller, built and loaded: the simulation's controllers are values of its state side by side.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cpp_emit/simulator_api.hpp"
+#include "cpp_emit/runtime/drive_abi.h"
+#include "cpp_emit/load/shared_library.hpp"
+
+namespace robochart::simulation {
+
+class Controller {
+public:
+    /// Compiles and loads what emit_drive made. On failure returns nothing and sets `error`. Throws
+    /// diagnostics::LimitReached.
+    static std::unique_ptr<Controller> build(const cpp_emit::DriveEmission&, const std::string& compiler,
+                                             std::string& error, diagnostics::Budget* budget = nullptr);
+
+    [[nodiscard]] const rc_drive& drive() const { return *drive_; }
+
+private:
+    std::unique_ptr<cpp_emit::SharedLibrary> library_;
+    const rc_drive* drive_ = nullptr;
+};
+
+/// The controllers of all robots of a trial: one aligned block, a value a robot.
+class ControllerArray {
+public:
+    ControllerArray(const rc_drive&, std::size_t robots);
+
+    [[nodiscard]] void* operator[](std::size_t robot) { return block_.data() + first_ + robot * stride_; }
+    [[nodiscard]] const void* operator[](std::size_t robot) const { return block_.data() + first_ + robot * stride_; }
+
+private:
+    std::vector<unsigned char> block_;
+    std::size_t first_ = 0;
+    std::size_t stride_ = 0;
+};
+
+}  // namespace robochart::simulation

@@ -1,0 +1,68 @@
+// The embedded world as a stage.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "simulation/scenario/read_scenario.hpp"
+#include "simulation/world/sensing.hpp"
+#include "simulation/trial/stage.hpp"
+
+namespace robochart::simulation {
+
+namespace {
+
+class EmbeddedStage final : public Stage {
+public:
+    EmbeddedStage(const Scenario& scenario, World world)
+        : scenario_(scenario), world_(std::move(world)), sensing_(world_) {}
+
+    [[nodiscard]] std::size_t size() const override { return world_.size(); }
+    [[nodiscard]] Pose pose(std::size_t robot) const override {
+        return {world_.position(robot), world_.heading(robot)};
+    }
+
+    void sense() override { sensing_.update(); }
+    [[nodiscard]] Sight line_of_sight(std::size_t robot, const Sensor& sensor) override {
+        return sensing_.line_of_sight(robot, sensor.sight_range);
+    }
+    [[nodiscard]] bool somebody_within(std::size_t robot, const Sensor& sensor, double distance) override {
+        return sensing_.somebody_within(robot, sensor.range_and_bearing, distance);
+    }
+    [[nodiscard]] std::optional<double> direction_of_others(std::size_t robot, const Sensor& sensor,
+                                                            double distance) override {
+        Vector sum;
+        const auto& heard = sensing_.range_and_bearing(robot, sensor.range_and_bearing, distance);
+        for (const Bearing& other : heard)
+            sum = sum + other.distance * Vector{std::cos(other.angle), std::sin(other.angle)};
+        if (heard.empty()) return std::nullopt;
+        return std::atan2(sum.y, sum.x);
+    }
+    [[nodiscard]] std::uint32_t lit_sensors(std::size_t robot, const Sensor& sensor) override {
+        for (const Light& light : scenario_.lights)
+            if (light.name.text == sensor.source.text) return sensing_.lit_sensors(robot, sensor.light_ring, light.at);
+        return 0;
+    }
+    [[nodiscard]] bool close_within(std::size_t robot, const Sensor& sensor, double distance) override {
+        const auto nearest = sensing_.nearest(robot, sensor.proximity);
+        return nearest && *nearest <= distance;
+    }
+
+    void set_wheels(std::size_t robot, Wheels wheels) override { world_.set_wheels(robot, wheels); }
+    void advance() override { world_.advance(); }
+
+private:
+    const Scenario& scenario_;
+    World world_;
+    Sensing sensing_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stage> embedded_stage(const Scenario& scenario, std::uint32_t trial,
+                                      diagnostics::Diagnostics& diagnostics) {
+    auto world = start(scenario, trial, diagnostics);
+    if (!world) return nullptr;
+    return std::make_unique<EmbeddedStage>(scenario, std::move(*world));
+}
+
+}  // namespace robochart::simulation

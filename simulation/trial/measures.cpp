@@ -1,0 +1,145 @@
+#include "simulation/trial/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace robochart::simulation {
+
+namespace {
+
+/// Groups of robots (union-find with halving of paths).
+class Groups {
+public:
+    explicit Groups(std::size_t count) : parent_(count), size_(count, 1) {
+        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        if (a == b) return;
+        if (size_[a] < size_[b]) std::swap(a, b);
+        parent_[b] = a;
+        size_[a] += size_[b];
+    }
+    [[nodiscard]] std::uint32_t largest() const { return *std::max_element(size_.begin(), size_.end()); }
+
+private:
+    std::uint32_t root(std::uint32_t a) {
+        while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
+        return a;
+    }
+    std::vector<std::uint32_t> parent_;
+    std::vector<std::uint32_t> size_;
+};
+
+}  // namespace
+
+double largest_cluster(const std::vector<Pose>& poses, double link) {
+    if (poses.empty()) return 0;
+    // Along the x axis: only robots less than a link apart there can be linked.
+    std::vector<std::uint32_t> order(poses.size());
+    std::iota(order.begin(), order.end(), std::uint32_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return poses[a].at.x < poses[b].at.x; });
+    Groups groups(poses.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        for (std::size_t j = i + 1; j < order.size(); ++j) {
+            const Vector way = poses[order[j]].at - poses[order[i]].at;
+            if (way.x > link) break;
+            if (dot(way, way) <= link * link) groups.join(order[i], order[j]);
+        }
+    return static_cast<double>(groups.largest()) / static_cast<double>(poses.size());
+}
+
+Vector centroid(const std::vector<Pose>& poses) {
+    Vector sum;
+    for (const Pose& pose : poses) sum = sum + pose.at;
+    return poses.empty() ? sum : (1 / static_cast<double>(poses.size())) * sum;
+}
+
+double spread(const std::vector<Pose>& poses) {
+    const Vector centre = centroid(poses);
+    double sum = 0;
+    for (const Pose& pose : poses) sum += length(pose.at - centre);
+    return poses.empty() ? 0 : sum / static_cast<double>(poses.size());
+}
+
+double second_moment(const std::vector<Pose>& poses, double radius) {
+    const Vector centre = centroid(poses);
+    double sum = 0;
+    for (const Pose& pose : poses) sum += dot(pose.at - centre, pose.at - centre);
+    return sum / (4 * radius * radius);
+}
+
+double measured(const Scenario& scenario, const Measure& measure, const std::vector<Pose>& poses) {
+    switch (measure.kind) {
+        case MeasureKind::cluster:
+            return largest_cluster(poses, measure.link);
+        case MeasureKind::spread:
+            return spread(poses);
+        case MeasureKind::second_moment:
+            return second_moment(poses, scenario.world.body.radius);
+        case MeasureKind::distance:
+            return length(centroid(poses) - scenario.lights.at(measure.light).at);
+    }
+    return 0;
+}
+
+Statistics::Statistics(const Scenario& scenario) : scenario_(scenario), entries_(scenario.bands.size()) {}
+
+bool Statistics::due(std::size_t band, std::uint64_t step) const {
+    const Statistic& statistic = scenario_.bands[band].statistic;
+    const double seconds = static_cast<double>(step) * scenario_.world.control_step;
+    const auto at = [&](double time) {
+        return step == static_cast<std::uint64_t>(std::llround(time / scenario_.world.control_step));
+    };
+    switch (statistic.kind) {
+        case StatisticKind::at_time:
+            return at(statistic.time);
+        case StatisticKind::first_time:
+            return !entries_[band].done;
+        case StatisticKind::average:
+            return at(std::round(seconds));
+        case StatisticKind::final:
+            return step == scenario_.steps();
+    }
+    return false;
+}
+
+bool Statistics::due(std::uint64_t step) const {
+    for (std::size_t band = 0; band < entries_.size(); ++band)
+        if (due(band, step)) return true;
+    return false;
+}
+
+void Statistics::look(std::uint64_t step, const std::vector<Pose>& poses) {
+    std::vector<double> values(scenario_.measures.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t band = 0; band < entries_.size(); ++band) {
+        if (!due(band, step)) continue;
+        const Statistic& statistic = scenario_.bands[band].statistic;
+        double& value = values[statistic.measure];
+        if (std::isnan(value)) value = measured(scenario_, scenario_.measures[statistic.measure], poses);
+        Entry& entry = entries_[band];
+        if (statistic.kind == StatisticKind::first_time) {
+            entry.done = statistic.at_least ? value >= statistic.level : value <= statistic.level;
+            entry.value = static_cast<double>(step) * scenario_.world.control_step;
+        } else {
+            entry.value += value;
+            ++entry.looks;
+            entry.done = true;
+        }
+    }
+}
+
+std::vector<double> Statistics::values() const {
+    std::vector<double> result;
+    for (const Entry& entry : entries_) {
+        const double looks = entry.looks > 0 ? static_cast<double>(entry.looks) : 1;
+        result.push_back(entry.done ? entry.value / looks : std::numeric_limits<double>::quiet_NaN());
+    }
+    return result;
+}
+
+}  // namespace robochart::simulation

@@ -1,0 +1,44 @@
+// Measures of a swarm and their statistics over a trial. The second moment is that of Graham and Sloane as used by
+// Gauci et al., IJRR 33(8), 2014.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "simulation/scenario/scenario.hpp"
+
+namespace robochart::simulation {
+
+/// The share of robots in the largest group of those linked, directly or by others, by at most `link` between centres.
+[[nodiscard]] double largest_cluster(const std::vector<Pose>&, double link);
+/// The mean distance to the centroid, cm.
+[[nodiscard]] double spread(const std::vector<Pose>&);
+/// The sum of squared distances to the centroid in units of the diameter squared.
+[[nodiscard]] double second_moment(const std::vector<Pose>&, double radius);
+[[nodiscard]] Vector centroid(const std::vector<Pose>&);
+[[nodiscard]] double measured(const Scenario&, const Measure&, const std::vector<Pose>&);
+
+/// The statistics that the bands of a scenario are about, gathered step by step.
+class Statistics {
+public:
+    explicit Statistics(const Scenario&);
+
+    /// Does any band need the positions after this many steps?
+    [[nodiscard]] bool due(std::uint64_t step) const;
+    void look(std::uint64_t step, const std::vector<Pose>&);
+    /// One for each band; NaN: a time that never came. Averages are over every full second.
+    [[nodiscard]] std::vector<double> values() const;
+
+private:
+    struct Entry {
+        double value = 0;
+        std::uint64_t looks = 0;
+        bool done = false;
+    };
+    [[nodiscard]] bool due(std::size_t band, std::uint64_t step) const;
+
+    const Scenario& scenario_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace robochart::simulation

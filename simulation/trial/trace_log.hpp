@@ -1,0 +1,56 @@
+// Logs of a trial in the format of docs/traces.md, one file a robot: what its controller read and did in every cycle,
+// for `conform --traces`.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cpp_emit/simulator_api.hpp"
+#include "diagnostics/files.hpp"
+#include "simulation/trial/trial.hpp"
+
+namespace robochart::simulation {
+
+struct TraceLogOptions {
+    std::string folder;     ///< FOLDER/trial-01/robot-00.trace
+    std::string component;  ///< as the log's header names it
+    std::string model;
+    std::string scenario;
+    diagnostics::Budget* budget = nullptr;
+    std::function<void(const std::string&)>
+        failed;  ///< told once why a log could not be written, by the trial's thread
+};
+
+class TraceLog final : public Trace {
+public:
+    /// Keeps references to the emission and the scenario.
+    TraceLog(TraceLogOptions, const Scenario&, const cpp_emit::DriveEmission&, std::uint32_t trial);
+    ~TraceLog() override;
+    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+               rc_drive_result result) override;
+
+private:
+    struct Robot {
+        std::string text;
+        bool ended = false;
+        std::unique_ptr<diagnostics::GrowingFile> file;
+    };
+    void begin(std::size_t robot);
+    void add_value(std::string& text, const cpp_emit::Port& port, std::size_t argument, rc_value value) const;
+    void add_inputs(std::string& text, const rc_signal* inputs) const;
+    void add_action(std::string& text, const rc_action& action) const;
+    void flush(std::size_t robot);
+    [[nodiscard]] std::string path(std::size_t robot) const;
+
+    TraceLogOptions options_;
+    const Scenario& scenario_;
+    const cpp_emit::DriveEmission& emission_;
+    std::uint32_t trial_;
+    std::vector<std::string> inputs_, outputs_;
+    std::vector<Robot> robots_;
+    std::string error_;
+};
+
+}  // namespace robochart::simulation

@@ -1,0 +1,85 @@
+// One trial: the robots of a scenario, each with its controller, from the start to the end or to the first controller
+// that cannot go on.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/trial/controller.hpp"
+#include "simulation/trial/measures.hpp"
+#include "simulation/scenario/plan.hpp"
+#include "simulation/trial/stage.hpp"
+
+namespace robochart::simulation {
+
+/// Where the robots were at one time.
+struct Frame {
+    double time = 0;
+    std::vector<Pose> poses;
+    std::vector<std::uint16_t> states;  ///< index into the controller's table of states; its size in between
+};
+
+/// Why a trial must stop.
+struct Objection {
+    std::string cause;  ///< "it wrote ..., which the model does not allow"
+    std::string place;  ///< element of the model
+};
+
+/// Sees every cycle of every robot; for logs that are compared with the model. Called from the trial's thread.
+class Trace {
+public:
+    virtual ~Trace() = default;
+    virtual void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+                       rc_drive_result result) = 0;
+    /// Asked after each cycle; null: go on.
+    [[nodiscard]] virtual const Objection* objection() const { return nullptr; }
+};
+
+/// A controller that could not go on.
+struct Stop {
+    std::size_t robot = 0;
+    double time = 0;
+    std::string cause;  ///< "it did not end its cycle within its bound of steps"
+    std::string place;  ///< element of the model
+};
+
+struct TrialResult {
+    std::uint64_t steps = 0;  ///< control steps done
+    bool complete = false;    ///< neither stopped nor interrupted
+    std::optional<Stop> stop;
+    std::vector<double> statistics;  ///< of each band; NaN: never came about
+    std::vector<Frame> frames;       ///< as Scenario::record, and at the times of pictures
+};
+
+struct TrialOptions {
+    bool record = true;      ///< keep frames
+    Trace* trace = nullptr;  ///< not owned
+    std::atomic<std::uint64_t>* steps_done = nullptr;
+    const std::atomic<bool>* interrupted = nullptr;
+};
+
+/// A trial that runs some steps at a time. Refers to all it is given.
+class Trial {
+public:
+    Trial(const Plan&, const rc_drive&, Stage&, const TrialOptions&);
+    ~Trial();
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+
+    /// At most so many steps further; false at the trial's end.
+    bool run(std::uint64_t steps);
+    /// What came of it so far; once.
+    [[nodiscard]] TrialResult result() &&;
+
+private:
+    class Cycles;
+    std::unique_ptr<Cycles> cycles_;
+};
+
+/// The whole of it.
+[[nodiscard]] TrialResult run_trial(const Plan&, const rc_drive&, Stage&, const TrialOptions&);
+
+}  // namespace robochart::simulation

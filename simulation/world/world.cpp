@@ -1,0 +1,256 @@
+// The world's physics; see world.hpp.
+#include "simulation/world/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+
+namespace robochart::simulation {
+
+namespace {
+
+/// How far beyond contact pairs are listed, cm: two robots at full speed drive it in about two control steps.
+constexpr double margin = 6;
+/// What a push within one physics step may add unseen, cm.
+constexpr double slack = 1;
+
+/// Where robots are placed already: squares as wide as a robot, looked up by number, never walked through.
+class Places {
+public:
+    explicit Places(double radius) : reach_(2 * radius) {}
+
+    void take(Vector at) { squares_[square(at.x, 0)][square(at.y, 0)].push_back(at); }
+
+    [[nodiscard]] bool is_free(Vector at) const {
+        for (int i = -1; i <= 1; ++i)
+            for (int j = -1; j <= 1; ++j)
+                if (touches(at, i, j)) return false;
+        return true;
+    }
+
+private:
+    [[nodiscard]] std::int64_t square(double along, int offset) const {
+        return static_cast<std::int64_t>(std::floor(along / reach_)) + offset;
+    }
+    [[nodiscard]] bool touches(Vector at, int column, int row) const {
+        const auto in_column = squares_.find(square(at.x, column));
+        if (in_column == squares_.end()) return false;
+        const auto in_row = in_column->second.find(square(at.y, row));
+        if (in_row == in_column->second.end()) return false;
+        return std::any_of(in_row->second.begin(), in_row->second.end(),
+                           [&](Vector other) { return dot(other - at, other - at) < reach_ * reach_; });
+    }
+
+    double reach_;
+    std::unordered_map<std::int64_t, std::unordered_map<std::int64_t, std::vector<Vector>>> squares_;
+};
+
+}  // namespace
+
+Wheels wheels_for(double linear, double angular, double axle) {
+    return {linear - angular * axle / 2, linear + angular * axle / 2};
+}
+
+World::World(WorldOptions options, std::uint64_t seed) : options_(std::move(options)), random_(seed) {}
+
+void World::place(const Pose& pose) {
+    x_.push_back(pose.at.x);
+    y_.push_back(pose.at.y);
+    heading_.push_back(normal_angle(pose.heading));
+    cosine_.push_back(std::cos(pose.heading));
+    sine_.push_back(std::sin(pose.heading));
+    for (auto* zero : {&left_, &right_, &step_x_, &step_y_, &turn_cos_, &turn_sin_, &turn_}) zero->push_back(0);
+    listed_x_.clear();
+}
+
+bool World::place_at_random(std::size_t count, const Region& region) {
+    const double radius = options_.body.radius;
+    const Vector low = region.low + Vector{radius, radius};
+    const Vector high = region.high - Vector{radius, radius};
+    if (low.x > high.x || low.y > high.y) return count == 0;
+    Places places(radius);
+    for (std::size_t i = 0; i < size(); ++i) places.take(position(i));
+    const auto off_walls = [&](Vector at) {
+        return std::all_of(options_.arena.walls.begin(), options_.arena.walls.end(),
+                           [&](const Segment& wall) { return length(nearest_point(wall, at) - at) >= radius; });
+    };
+    constexpr int most_tries = 2000;
+    int tries = 0;
+    for (std::size_t placed = 0; placed < count;) {
+        if (++tries > most_tries) return false;
+        const double x = random_.uniform(low.x, high.x);
+        const double y = random_.uniform(low.y, high.y);
+        if (!places.is_free({x, y}) || !off_walls({x, y})) continue;
+        places.take({x, y});
+        place({{x, y}, random_.uniform(-std::numbers::pi, std::numbers::pi)});
+        ++placed;
+        tries = 0;
+    }
+    return true;
+}
+
+void World::set_wheels(std::size_t robot, Wheels wheels) {
+    const double most = options_.body.max_wheel;
+    left_[robot] = std::clamp(wheels.left, -most, most);
+    right_[robot] = std::clamp(wheels.right, -most, most);
+}
+
+void World::advance() {
+    begin_step();
+    for (std::uint32_t k = 0; k < options_.physics_steps; ++k) {
+        move();
+        if (pairs_are_stale()) find_pairs();
+        push_apart();
+        push_out_of_walls();
+    }
+    end_step();
+}
+
+/// Unicycle, midpoint rule: in a physics step of length h the robot goes v*h along the heading it has after half of
+/// it. The speeds stay for the whole control step, so the way of each physics step is that of the last one, turned.
+void World::begin_step() {
+    const double h = options_.control_step / options_.physics_steps;
+    const double noise = options_.body.noise;
+    for (std::size_t i = 0; i < size(); ++i) {
+        double left = left_[i];
+        double right = right_[i];
+        if (noise > 0) {
+            left *= random_.uniform(1 - noise, 1 + noise);
+            right *= random_.uniform(1 - noise, 1 + noise);
+        }
+        const double way = (left + right) / 2 * h;
+        const double turn = (right - left) / options_.body.axle * h;
+        const double half_cos = std::cos(turn / 2);
+        const double half_sin = std::sin(turn / 2);
+        turn_[i] = turn * options_.physics_steps;
+        turn_cos_[i] = half_cos * half_cos - half_sin * half_sin;
+        turn_sin_[i] = 2 * half_cos * half_sin;
+        step_x_[i] = way * (cosine_[i] * half_cos - sine_[i] * half_sin);
+        step_y_[i] = way * (sine_[i] * half_cos + cosine_[i] * half_sin);
+    }
+}
+
+void World::move() {
+    const std::size_t n = size();
+    double* const x = x_.data();
+    double* const y = y_.data();
+    double* const step_x = step_x_.data();
+    double* const step_y = step_y_.data();
+    const double* const c = turn_cos_.data();
+    const double* const s = turn_sin_.data();
+    for (std::size_t i = 0; i < n; ++i) {
+        const double way_x = step_x[i];
+        const double way_y = step_y[i];
+        x[i] += way_x;
+        y[i] += way_y;
+        step_x[i] = way_x * c[i] - way_y * s[i];
+        step_y[i] = way_x * s[i] + way_y * c[i];
+    }
+}
+
+/// Pairs that can touch are listed while no robot is further from where it was than half the margin (Verlet's list).
+bool World::pairs_are_stale() const {
+    if (listed_x_.size() != size()) return true;
+    double worst = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+        const double dx = x_[i] - listed_x_[i];
+        const double dy = y_[i] - listed_y_[i];
+        worst = std::max(worst, dx * dx + dy * dy);
+    }
+    constexpr double far = margin / 2 - slack;
+    return worst > far * far;
+}
+
+void World::find_pairs() {
+    listed_x_ = x_;
+    listed_y_ = y_;
+    pairs_.clear();
+    const double reach = 2 * options_.body.radius + margin;
+    if (size() >= options_.cells_from) return find_pairs_in_cells(reach);
+    for (std::uint32_t i = 0; i < size(); ++i)
+        for (std::uint32_t j = i + 1; j < size(); ++j) {
+            const double dx = x_[i] - x_[j];
+            const double dy = y_[i] - y_[j];
+            if (dx * dx + dy * dy < reach * reach) pairs_.push_back({i, j});
+        }
+}
+
+void World::find_pairs_in_cells(double reach) {
+    cells_.sort(x_, y_, reach);
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        const Cells::Cell at = cells_.cell(position(i));
+        const auto begin = static_cast<std::ptrdiff_t>(pairs_.size());
+        for (std::int32_t row = at.row - 1; row <= at.row + 1; ++row)
+            for (std::int32_t column = at.column - 1; column <= at.column + 1; ++column)
+                for (const std::uint32_t j : cells_.disks({column, row})) {
+                    const double dx = x_[i] - x_[j];
+                    const double dy = y_[i] - y_[j];
+                    if (j > i && dx * dx + dy * dy < reach * reach) pairs_.push_back({i, j});
+                }
+        std::sort(pairs_.begin() + begin, pairs_.end(), [](Pair a, Pair b) { return a.second < b.second; });
+    }
+}
+
+void World::push_apart() {
+    const double contact = 2 * options_.body.radius;
+    for (const Pair pair : pairs_) {
+        const double dx = x_[pair.second] - x_[pair.first];
+        const double dy = y_[pair.second] - y_[pair.first];
+        const double square = dx * dx + dy * dy;
+        if (square >= contact * contact) continue;
+        const double distance = std::sqrt(square);
+        // Two robots at one place part along the x axis.
+        const double push_x = distance > 0 ? (contact / distance - 1) / 2 * dx : contact / 2;
+        const double push_y = distance > 0 ? (contact / distance - 1) / 2 * dy : 0;
+        x_[pair.first] -= push_x;
+        y_[pair.first] -= push_y;
+        x_[pair.second] += push_x;
+        y_[pair.second] += push_y;
+    }
+}
+
+void World::push_out_of_walls() {
+    const Arena& arena = options_.arena;
+    const double radius = options_.body.radius;
+    for (const Segment& wall : arena.walls)
+        for (std::size_t i = 0; i < size(); ++i) {
+            const Vector away = position(i) - nearest_point(wall, position(i));
+            const double distance = length(away);
+            if (distance >= radius || distance == 0) continue;
+            x_[i] += away.x / distance * (radius - distance);
+            y_[i] += away.y / distance * (radius - distance);
+        }
+    if (!arena.walled) return;
+    const double across = arena.width / 2 - radius;
+    const double along = arena.height / 2 - radius;
+    for (double& x : x_) x = std::min(std::max(x, -across), across);
+    for (double& y : y_) y = std::min(std::max(y, -along), along);
+}
+
+void World::end_step() {
+    ++steps_;
+    for (std::size_t i = 0; i < size(); ++i) {
+        heading_[i] += turn_[i];
+        if (heading_[i] > std::numbers::pi || heading_[i] <= -std::numbers::pi) heading_[i] = normal_angle(heading_[i]);
+        cosine_[i] = std::cos(heading_[i]);
+        sine_[i] = std::sin(heading_[i]);
+    }
+}
+
+double World::overlap() const {
+    const double radius = options_.body.radius;
+    double worst = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+        for (std::size_t j = i + 1; j < size(); ++j)
+            worst = std::max(worst, 2 * radius - length(position(i) - position(j)));
+        for (const Segment& wall : options_.arena.walls)
+            worst = std::max(worst, radius - length(position(i) - nearest_point(wall, position(i))));
+        if (!options_.arena.walled) continue;
+        worst = std::max(worst, std::abs(x_[i]) + radius - options_.arena.width / 2);
+        worst = std::max(worst, std::abs(y_[i]) + radius - options_.arena.height / 2);
+    }
+    return worst;
+}
+
+}  // namespace robochart::simulation

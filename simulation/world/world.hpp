@@ -1,0 +1,110 @@
+// The embedded world: disks with differential drive in a plane with walls. Kinematic: a robot moves as its wheels turn;
+// disks that overlap are pushed apart in equal parts, and out of walls. Deterministic for a seed; the same bits
+// whatever the index used. Held as a structure of arrays.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "simulation/world/cells.hpp"
+#include "simulation/world/geometry.hpp"
+#include "simulation/world/random.hpp"
+
+namespace robochart::simulation {
+
+/// A rectangle around the origin, with walls or endless, and walls inside it.
+struct Arena {
+    double width = 250;
+    double height = 250;
+    bool walled = true;
+    std::vector<Segment> walls;
+};
+
+/// The robot's body: by default an e-puck as in Li et al. 2017, section 3 (radius as in Enki).
+struct Body {
+    double radius = 3.7;      ///< cm
+    double axle = 5.1;        ///< cm between the wheels
+    double max_wheel = 12.8;  ///< cm/s, forward or backward
+    double noise = 0;         ///< share of a wheel's speed: uniform, drawn for each control step
+};
+
+struct WorldOptions {
+    Arena arena;
+    Body body;
+    double control_step = 0.1;         ///< s
+    std::uint32_t physics_steps = 10;  ///< in each control step
+    /// Pairs are looked up in cells from this many robots on; the results are the same.
+    std::size_t cells_from = 40;
+};
+
+/// A rectangle in which robots are placed.
+struct Region {
+    Vector low, high;
+};
+
+/// The speeds of the wheels, cm/s.
+struct Wheels {
+    double left = 0;
+    double right = 0;
+};
+
+/// Forward and turning speed (cm/s, rad/s, counter-clockwise positive) as wheel speeds.
+[[nodiscard]] Wheels wheels_for(double linear, double angular, double axle);
+
+class World {
+public:
+    World(WorldOptions options, std::uint64_t seed);
+
+    /// Puts a robot somewhere; overlaps are resolved as time passes.
+    void place(const Pose&);
+    /// Puts robots at random places of a region, without overlap, with random headings. False where no room was found.
+    [[nodiscard]] bool place_at_random(std::size_t count, const Region&);
+
+    [[nodiscard]] std::size_t size() const { return x_.size(); }
+    [[nodiscard]] Vector position(std::size_t robot) const { return {x_[robot], y_[robot]}; }
+    [[nodiscard]] double heading(std::size_t robot) const { return heading_[robot]; }
+    /// The unit vector along the heading.
+    [[nodiscard]] Vector direction(std::size_t robot) const { return {cosine_[robot], sine_[robot]}; }
+    [[nodiscard]] std::span<const double> x() const { return x_; }
+    [[nodiscard]] std::span<const double> y() const { return y_; }
+    [[nodiscard]] const WorldOptions& options() const { return options_; }
+    [[nodiscard]] Random& random() { return random_; }
+    [[nodiscard]] double time() const { return static_cast<double>(steps_) * options_.control_step; }
+
+    /// Speeds from the next control step on; clamped to what the wheels can do.
+    void set_wheels(std::size_t robot, Wheels);
+    /// One control step.
+    void advance();
+    /// The largest depth to which two robots, or a robot and a wall, overlap. For tests.
+    [[nodiscard]] double overlap() const;
+
+private:
+    void begin_step();
+    void move();
+    void push_apart();
+    void push_out_of_walls();
+    void end_step();
+    [[nodiscard]] bool pairs_are_stale() const;
+    void find_pairs();
+    void find_pairs_in_cells(double reach);
+
+    struct Pair {
+        std::uint32_t first;
+        std::uint32_t second;
+    };
+
+    WorldOptions options_;
+    Random random_;
+    std::uint64_t steps_ = 0;
+    std::vector<double> x_, y_, heading_, cosine_, sine_;
+    std::vector<double> left_, right_;                ///< wheel speeds asked for
+    std::vector<double> step_x_, step_y_;             ///< way of the next physics step
+    std::vector<double> turn_cos_, turn_sin_, turn_;  ///< rotation in a physics step; angle in a control step
+    std::vector<double> listed_x_, listed_y_;         ///< positions when the pairs were found
+    std::vector<Pair> pairs_;                         ///< may touch before the next look, in ascending order
+    Cells cells_;
+};
+
+}  // namespace robochart::simulation

@@ -1,0 +1,179 @@
+// The processes of the published scripts against the equations written out beside them: NAME-procTestK-expected.txt
+// gives a system of equations for procTestK, and procTestK has to be strongly bisimilar to it. A file may have
+// alternatives, of which one has to fit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/session.hpp"
+#include "tests/checker/cspm/support.hpp"
+#include "tests/checker/lts/bisimilar.hpp"
+
+namespace robochart::cspm::test {
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Equation {
+    std::string name;
+    std::string body;
+};
+
+/// The parts between empty lines that have an equals sign; the last part repeats the name asked for.
+std::vector<Equation> equations_in(const std::string& text) {
+    std::vector<Equation> result;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find("\n\n", from), text.size());
+        std::string part = std::regex_replace(text.substr(from, end - from), std::regex("\\s+"), " ");
+        const std::size_t equals = part.find(" = ");
+        if (equals != std::string::npos) result.push_back({part.substr(0, equals), part.substr(equals + 3)});
+        from = end + 2;
+    }
+    return result;
+}
+
+bool in_a_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'' || c == ':' || c == '(';
+}
+
+/// The text with every name replaced; longer names first, since they may contain shorter ones.
+std::string replaced(const std::string& text, const std::vector<std::pair<std::string, std::string>>& names) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto fits = [&](const auto& name) {
+            const std::size_t end = at + name.first.size();
+            return text.compare(at, name.first.size(), name.first) == 0 &&
+                   (at == 0 || !in_a_name(text[at - 1]) || text[at - 1] == '(') &&
+                   (end >= text.size() || !in_a_name(text[end]));
+        };
+        const auto name = std::find_if(names.begin(), names.end(), fits);
+        result += name == names.end() ? text.substr(at, 1) : name->second;
+        at += name == names.end() ? 1 : name->first.size();
+    }
+    return result;
+}
+
+/// prioritisepo is written there with its order closed: back to the four arguments of the language.
+std::string with_four_arguments(const std::string& body) {
+    const std::size_t order = body.rfind(", {");
+    std::set<std::string> events;
+    std::set<std::string> below_tau;
+    std::string pairs;
+    const std::regex pair("\\(([^(),]+), ([^(),]+)\\)");
+    for (auto each = std::sregex_iterator(body.begin() + static_cast<std::ptrdiff_t>(order), body.end(), pair);
+         each != std::sregex_iterator(); ++each) {
+        const std::string high = (*each)[1];
+        events.insert((*each)[2]);
+        if (high == "τ" || high == "✓") {
+            below_tau.insert((*each)[2]);
+            continue;
+        }
+        events.insert(high);
+        pairs += (pairs.empty() ? "" : ", ") + each->str();
+    }
+    const auto list = [](const std::set<std::string>& set, const std::set<std::string>& without) {
+        std::string text;
+        for (const std::string& each : set)
+            if (!without.contains(each)) text += (text.empty() ? "" : ", ") + each;
+        return "{" + text + "}";
+    };
+    return body.substr(0, order) + ", " + list(events, {}) + ", {" + pairs + "}, " + list(events, below_tau) + ")";
+}
+
+/// The equations as definitions of a script; the one named is `Equation_0`.
+std::string definitions(std::vector<Equation> equations, const std::string& asked) {
+    std::erase_if(equations, [](const Equation& each) { return each.name == each.body; });  // RUN({}) = RUN({})
+    std::stable_partition(equations.begin(), equations.end(), [&](const auto& each) { return each.name == asked; });
+    std::vector<std::pair<std::string, std::string>> names{{"STOP(tock)", "Timed_stop"},
+                                                           {"chase_no_cache(STOP)", "chase_nocache(STOP)"}};
+    for (std::size_t i = 0; i < equations.size(); ++i)
+        names.emplace_back(equations[i].name, "Equation_" + std::to_string(i));
+    std::stable_sort(names.begin(), names.end(),
+                     [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+    std::string text;
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+        std::string body = equations[i].body;
+        if (body == "✓ -> STOP")
+            body = "SKIP";
+        else if (body.find("τ") != std::string::npos)
+            body = with_four_arguments(body);
+        else
+            body = replaced(body, names);
+        body = std::regex_replace(body, std::regex("^(\\{.*\\}) -> (.*)$"), "[] e_ : $1 @ e_ -> $2");
+        text += "\nEquation_" + std::to_string(i) + " = " + body;
+    }
+    if (text.find("Timed_stop") != std::string::npos) text += "\nTimed_stop = tock -> Timed_stop";
+    return text + "\n";
+}
+
+constexpr std::size_t most_states = 20'000;
+
+lts::Graph graph_of(lts::TransitionSystem& system) {
+    return lts::graph_of(system, most_states);
+}
+
+/// Operators whose steps are refused are compared as they are written.
+bool equal(Session& session, const ExprPtr& a, const ExprPtr& b) {
+    constexpr int deepest_look = 100;
+    const auto unfolded = [&](const ExprPtr& process) {
+        return session.terms().unfolded(session.process(process), deepest_look);
+    };
+    if (unfolded(a) == unfolded(b)) return true;
+    return lts::bisimilar(graph_of(*session.system(a)), graph_of(*session.system(b)));
+}
+
+/// Why the process is not what the file says; empty if it is.
+std::string difference(const std::filesystem::path& script, const std::string& asked,
+                       const std::filesystem::path& expected) {
+    const std::string equations = definitions(equations_in(text_of(expected)), asked);
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics found;
+    const Script read_script = read(sources, sources.add(script.string(), text_of(script) + "\n" + equations), found);
+    if (!found.ok()) return diagnostics::render_text(sources, found) + equations;
+    try {
+        Session session(read_script);
+        return equal(session, build::name(asked), build::name("Equation_0")) ? "" : "differs from" + equations;
+    } catch (const EvaluationError& error) {
+        return error.what() + equations;
+    }
+}
+
+TEST(EquationsTest, PublishedProcessesAreWhatIsWrittenBeside) {
+    const auto shared = shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
+    const auto suite = shared / "suite" / "cspm";
+    // Two different lambda functions have one name there; a file without any text.
+    const std::set<std::string> unusable{"function_processes.csp procTest1", "event_channels.csp procTest1"};
+    int compared = 0;
+    for (const PublishedScript& each : published_scripts(suite)) {
+        if (each.phase != "evaluator" || each.expectation != "accept") continue;
+        const std::filesystem::path script = suite / each.file;
+        for (int k = 1; k < 20; ++k) {
+            const std::string asked = "procTest" + std::to_string(k);
+            const std::string stem = script.stem().string() + "-" + asked + "-expected";
+            std::string differences;
+            bool fits = false;
+            for (const std::string suffix : {"", "1", "2"}) {
+                const auto file = script.parent_path() / (stem + suffix + ".txt");
+                if (!std::filesystem::exists(file)) continue;
+                const std::string found = difference(script, asked, file);
+                fits = fits || found.empty();
+                differences += found + "\n";
+            }
+            if (differences.empty() || unusable.contains(script.filename().string() + " " + asked)) continue;
+            EXPECT_TRUE(fits) << each.file << " " << asked << ": " << differences;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 30);
+    RecordProperty("processes", compared);
+}
+
+}  // namespace
+}  // namespace robochart::cspm::test

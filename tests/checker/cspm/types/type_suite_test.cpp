@@ -1,0 +1,70 @@
+// Types of published scripts: those FDR's front end accepts are accepted, those it rejects are rejected; RoboTool's
+// own scripts are all accepted, the largest in about a second.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "checker/cspm/types/type_check.hpp"
+#include "tests/checker/cspm/support.hpp"
+
+namespace robochart::cspm::test {
+namespace {
+
+struct Checked {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+
+    explicit Checked(const std::filesystem::path& file) {
+        const Script script = read_file(sources, file.string(), diagnostics);
+        if (diagnostics.ok()) check_types(script, diagnostics);
+    }
+    [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, diagnostics); }
+};
+
+// Scripts of the printer's phase that were never meant to be checked for types: FDR's front end rejects them too.
+bool only_printed(const std::string& file) {
+    return file.ends_with("should_pass/complete.csp") || file == "prettyprinter/should_pass/timed_sections.csp";
+}
+
+TEST(TypeSuiteTest, PublishedScriptsAreTypedAsFdrTypesThem) {
+    const auto shared = shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
+    const auto folder = shared / "suite" / "cspm";
+    int seen = 0;
+    for (const auto& [phase, expectation, file] : published_scripts(folder)) {
+        // Scripts of the parser's phase may be wrong later; those of later phases are right until then.
+        if (phase == "parser" || only_printed(file)) continue;
+        ++seen;
+        const Checked checked(folder / file);
+        // What FDR finds after typing, while it simplifies, is found with the types here.
+        const bool ours = phase == "typechecker" || phase == "desugar";
+        const bool accepted = !ours || expectation == "accept";
+        EXPECT_EQ(checked.diagnostics.ok(), accepted) << file << "\n" << checked.report();
+    }
+    EXPECT_GT(seen, 150);
+}
+
+void expect_all_typed(const std::filesystem::path& folder) {
+    int seen = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        // instantiations.csp is a part that the others include.
+        if (entry.path().extension() != ".csp" || entry.path().filename() == "instantiations.csp") continue;
+        ++seen;
+        const Checked checked(entry.path());
+        EXPECT_TRUE(checked.diagnostics.ok()) << entry.path() << "\n" << checked.report();
+    }
+    EXPECT_GT(seen, 0) << folder;
+}
+
+TEST(TypeSuiteTest, RoboToolScriptsAreTyped) {
+    const auto shared = shared_folder();
+    if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
+    for (const char* folder :
+         {"suite/robotool-csp/timed", "suite/robotool-csp/untimed", "suite/robotool-csp-2026/timed",
+          "suite/robotool-csp-2026/untimed", "bench/hvc/robotool-csp", "bench/models"}) {
+        expect_all_typed(shared / folder);
+    }
+}
+
+}  // namespace
+}  // namespace robochart::cspm::test

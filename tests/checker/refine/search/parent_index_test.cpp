@@ -1,0 +1,45 @@
+// Parents in two bits a state, against a plain list of parents.
+#include "checker/refine/search/parent_index.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace robochart::refine {
+namespace {
+
+TEST(Lineage, RemembersTheParentOfEveryState) {
+    std::mt19937 random(11);
+    Lineage lineage;
+    std::vector<lts::StateIndex> parents{lts::no_state};
+    for (lts::StateIndex state = 0; state < 40000; ++state) {
+        // Long stretches without children, others with many, always someone left to expand.
+        std::uint32_t found = state % 1000 < 700 ? 0 : static_cast<std::uint32_t>(random() % 8);
+        if (state + 1 == parents.size()) found += 150;
+        lineage.expanded(found);
+        parents.insert(parents.end(), found, state);
+    }
+    ASSERT_GT(parents.size(), 40000U);
+    for (lts::StateIndex state = 1; state < parents.size(); ++state) ASSERT_EQ(lineage.parent(state), parents[state]);
+}
+
+TEST(Lineage, IsTheSameNotedInStretches) {
+    std::mt19937 random(12);
+    Lineage whole;
+    Lineage together;
+    Lineage stretch;
+    std::uint32_t states = 1;
+    for (int i = 0; i < 3000; ++i) {
+        const auto found = static_cast<std::uint32_t>(random() % 10 == 0 ? random() % 100 : random() % 3);
+        states += found;
+        whole.expanded(found);
+        stretch.expanded(found);
+        if (random() % 20 != 0 && i + 1 != 3000) continue;
+        together.append(stretch);
+        stretch.clear();
+    }
+    for (lts::StateIndex state = 1; state < states; ++state) ASSERT_EQ(together.parent(state), whole.parent(state));
+}
+
+}  // namespace
+}  // namespace robochart::refine

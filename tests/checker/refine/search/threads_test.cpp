@@ -1,0 +1,95 @@
+// Verdicts, counterexamples and figures are the same for any number of threads. Every level counts as wide here, so all
+// threads work on systems that one would finish alone.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "checker/lts/graph.hpp"
+#include "checker/refine/verdict/check.hpp"
+
+namespace robochart::refine {
+namespace {
+
+using lts::Edge;
+using lts::Graph;
+using process::Event;
+
+constexpr Event events = 5;  // beside tau and tick
+
+/// Mostly wide and shallow; `stuck` of a thousand states do nothing.
+Graph random_graph(std::mt19937& random, std::size_t states, unsigned taus, unsigned stuck) {
+    Graph graph;
+    for (std::size_t state = 0; state < states; ++state) {
+        const std::size_t edges = state != 0 && random() % 1000 < stuck ? 0 : 2 + random() % 6;
+        for (std::size_t i = 0; i < edges; ++i) {
+            const bool by_tau = random() % 100 < taus;
+            // Taus go forward, most of them, so that cycles of taus are rare and long.
+            const std::size_t ahead = state + 1 < states && random() % 500 != 0
+                                          ? state + 1 + random() % (states - state - 1)
+                                          : random() % states;
+            graph.add_edge({by_tau ? process::tau : static_cast<Event>(process::first_visible + random() % events),
+                            static_cast<lts::StateIndex>(by_tau ? ahead : random() % states)});
+        }
+        graph.finish_state();
+    }
+    return graph;
+}
+
+std::string told(const Verdict& verdict) {
+    std::string text = std::to_string(static_cast<int>(verdict.outcome)) + " states " +
+                       std::to_string(verdict.statistics.states) + " transitions " +
+                       std::to_string(verdict.statistics.transitions) + " depth " +
+                       std::to_string(verdict.statistics.depth);
+    if (!verdict.counterexample) return text;
+    const auto add = [&text](const std::vector<Step>& steps) {
+        for (const Step& step : steps) text += ", " + std::to_string(step.event) + " to " + step.state;
+    };
+    text += " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind));
+    add(verdict.counterexample->steps);
+    text += " loop";
+    add(verdict.counterexample->loop);
+    return text;
+}
+
+class Threads : public testing::Test {
+protected:
+    void compare(const Graph& specification, const Graph& implementation) {
+        lts::GraphSystem first(specification, table);
+        lts::GraphSystem second(implementation, table);
+        std::vector<std::string> expected;
+        for (const unsigned threads : {1U, 2U, 4U}) {
+            Limits limits;
+            limits.threads = threads;
+            limits.wide_level = 1;
+            std::vector<std::string> answers;
+            for (const Model model : {Model::traces, Model::failures, Model::failures_divergences})
+                answers.push_back(told(refines(first, second, model, limits)));
+            answers.push_back(told(deadlock_free(second, Model::failures, limits)));
+            answers.push_back(told(divergence_free(second, limits)));
+            answers.push_back(told(deterministic(second, Model::failures_divergences, limits)));
+            if (expected.empty()) expected = answers;
+            ASSERT_EQ(answers, expected) << threads << " threads";
+        }
+        for (const std::string& answer : expected) ++(answer.front() == '0' ? holds : fails);
+    }
+    process::EventTable table;
+    int holds = 0;
+    int fails = 0;
+};
+
+TEST_F(Threads, ChangeNothing) {
+    std::mt19937 random(5);
+    for (int round = 0; round < 12; ++round) {
+        const std::size_t size = 20 + random() % 4000;
+        Graph specification;  // everything but, now and then, one event
+        const Event allowed = events - (round % 3 == 0 ? 1 : 0);
+        for (Event event = 0; event < allowed; ++event) specification.add_edge({process::first_visible + event, 0});
+        specification.finish_state();
+        compare(specification, random_graph(random, size, round % 2 == 0 ? 0 : 30, round % 4 == 0 ? 0 : 2));
+    }
+    EXPECT_GT(holds, 20);
+    EXPECT_GT(fails, 20);
+}
+
+}  // namespace
+}  // namespace robochart::refine

@@ -1,0 +1,209 @@
+// Tests for models that leave a choice (cpp_emit/runtime/adaptive.hpp): they follow what an implementation does, fail
+// with a forbidden continuation where the exhaustive check finds a difference, and pass where it finds none.
+#include "cpp_emit/runtime/adaptive.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+
+#include "conformance/code/cycle_log.hpp"
+#include "conformance/testgen/test_suite.hpp"
+#include "tests/conformance/bench.hpp"
+#include "tests/conformance/support.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+using cpp_emit::Fault;
+using ::testing::HasSubstr;
+using Verdict = AdaptiveVerdict::Kind;
+
+/// Generated code as an implementation in words.
+class Generated {
+public:
+    Generated(const rc_interface& code, const MachineOfChoices& machine, const AllowedCycles& graph,
+              const CyclicModel& model)
+        : code_(code), machine_(machine), graph_(graph), model_(model), image_(code.state_size) {
+        for (std::size_t s = 0; s < machine.states(); ++s)
+            for (std::size_t i = 0; i < machine.inputs.size(); ++i)
+                for (std::size_t b = 0; b < machine.branches[s][i].size(); ++b)
+                    for (std::size_t w = 0; w < machine.branches[s][i][b].writes.size(); ++w)
+                        words_[machine.branches[s][i][b].writes[w]] = graph.states[s][i][b].writes[w];
+    }
+
+    void reset() { code_.initial(image_.data()); }
+    std::vector<std::string> cycle(const std::vector<std::string>& inputs) {
+        const auto symbol = std::find(graph_.inputs.begin(), graph_.inputs.end(), inputs) - graph_.inputs.begin();
+        std::vector<rc_register> registers;
+        for (const std::uint32_t r : machine_.inputs[static_cast<std::size_t>(symbol)])
+            registers.push_back({r == 0 ? 0U : 1U, r == 0 ? 0U : r - 1});
+        CycleLog log;
+        const rc_result result = code_.step(image_.data(), registers.data(), &log);
+        std::vector<std::string> done;
+        for (std::uint32_t r = 0; r < log.count; ++r) {
+            const rc_record& record = log.record[r];
+            const auto event =
+                model_.alphabet().write(record.output, {record.argument, record.argument + record.count});
+            const auto known = words_.find(event);
+            done.push_back(known == words_.end() ? "unknown!" + std::to_string(event) : known->second);
+        }
+        if (result == RC_TERMINATED) done.emplace_back("terminate");
+        if (result != RC_TERMINATED && result != RC_QUIESCENT) done.emplace_back("stopped");
+        return done;
+    }
+
+private:
+    const rc_interface& code_;
+    const MachineOfChoices& machine_;
+    const AllowedCycles& graph_;
+    const CyclicModel& model_;
+    std::vector<unsigned char> image_;
+    std::map<process::Event, std::string> words_;
+};
+
+/// Every mutant at every place: the tests fail if and only if the exhaustive check finds a difference.
+void kill(const std::string& folder, const std::vector<Fault>& faults, bool choices) {
+    test::Model project(folder);
+    const ir::ComponentRef component = project.system.modules.empty() ? project.machine("M") : project.module();
+    std::string error;
+    const auto model = CyclicModel::load(project.system, project.instantiation, component, 1, {}, project.sources,
+                                         project.diagnostics, error);
+    ASSERT_NE(model, nullptr) << error;
+    const MachineOfChoices machine = machine_of_choices(*model, {});
+    EXPECT_EQ(machine.deterministic(), !choices);
+    AllowedCycles graph;
+    std::istringstream text(choice_graph(machine, *model, "M", 1));
+    ASSERT_TRUE(graph.read(text));
+    ASSERT_EQ(graph.states.size(), machine.states());
+    test::Bench bench(project, component);
+    std::size_t killed = 0;
+    std::size_t all = 0;
+    for (const Fault fault : faults)
+        for (std::uint32_t site = 0; site < (fault == Fault::none ? 1 : bench.sites(fault)); ++site) {
+            cpp_emit::Options options;
+            options.fault = fault;
+            options.fault_site = site;
+            const auto emission =
+                cpp_emit::emit(project.system, project.instantiation, component, options, project.diagnostics);
+            const auto object = test::build(emission, error);
+            ASSERT_NE(object, nullptr) << error;
+            Generated implementation(object->interface(), machine, graph, *model);
+            const AdaptiveVerdict verdict = AdaptiveTest<Generated>(graph, implementation, 2'000'000).run();
+            const bool differs = bench.check(object->interface()).outcome == Outcome::differs;
+            EXPECT_EQ(verdict.kind, differs ? Verdict::failed : Verdict::passed)
+                << static_cast<int>(fault) << " at " << site << ": " << verdict.reason;
+            ++all;
+            killed += differs ? 1 : 0;
+        }
+    fmt::print("{}: {} states, {} of {} killed\n", folder, machine.states(), killed, all);
+    EXPECT_GT(killed, 0U);
+}
+
+TEST(AdaptiveTests, KillTheMutantsOfAChoice) {
+    kill("tests/conformance/models/either", {Fault::none, Fault::wrong_target, Fault::entry_dropped}, true);
+}
+
+TEST(AdaptiveTests, KillTheMutantsOfNested) {
+    kill("tests/conformance/models/nested",
+         {Fault::none, Fault::children_not_exited, Fault::exit_dropped, Fault::action_dropped}, true);
+}
+
+TEST(AdaptiveTests, KillTheMutantsOfAggregation) {
+    kill("corpus/aggregation", {Fault::none, Fault::assignment_dropped}, false);
+}
+
+// ------------------------------------------------------------ verdicts, by hand
+
+/// One state, no inputs to speak of: every cycle a or b.
+AllowedCycles a_or_b(std::size_t extra) {
+    AllowedCycles graph;
+    std::istringstream text(
+        fmt::format("robochart-graph 1\ncomponent M\nextra {}\ninput 0\nstate 0\n0 0 a!\n0 0 b!0.5\n", extra));
+    EXPECT_TRUE(graph.read(text));
+    return graph;
+}
+
+struct ByHand {
+    std::function<std::string(int cycle, int run)> what;
+    int at = 0;
+    int run = 0;
+    void reset() { at = 0, ++run; }
+    std::vector<std::string> cycle(const std::vector<std::string>&) { return {what(++at, run)}; }
+};
+
+AdaptiveVerdict tested(const AllowedCycles& graph, std::function<std::string(int, int)> what,
+                       std::size_t most = 10'000) {
+    ByHand implementation{std::move(what)};
+    return AdaptiveTest<ByHand>(graph, implementation, most).run();
+}
+
+TEST(AdaptiveTests, WhateverTheModelAllowsPasses) {
+    const auto turns = tested(a_or_b(0), [](int cycle, int) { return cycle % 2 == 0 ? "a!" : "b!0.50"; });
+    EXPECT_EQ(turns.kind, Verdict::passed) << turns.reason;
+    EXPECT_EQ(turns.states, 2U);
+}
+
+/// The claim is exact: a fault that takes five states is found where four more than the one found are tested for.
+TEST(AdaptiveTests, AFaultFarAwayNeedsMoreStates) {
+    const auto fifth = [](int cycle, int) { return cycle == 5 ? "c!" : "a!"; };
+    const auto few = tested(a_or_b(0), fifth);
+    EXPECT_EQ(few.kind, Verdict::passed);
+    EXPECT_EQ(few.states, 1U);
+    const auto more = tested(a_or_b(4), fifth);
+    EXPECT_EQ(more.kind, Verdict::failed);
+    EXPECT_THAT(more.reason, HasSubstr("cycle 5: nothing\nit did c!; the model allows one of\n    a!\n    b!0.5"));
+}
+
+TEST(AdaptiveTests, WhatCannotBeDecidedIsInconclusive) {
+    const auto moody = tested(a_or_b(2), [](int cycle, int run) { return cycle == 2 && run > 2 ? "b!0.5" : "a!"; });
+    EXPECT_EQ(moody.kind, Verdict::inconclusive);
+    EXPECT_THAT(moody.reason, HasSubstr("not deterministic"));
+    // It counts: there is no end of its states.
+    const auto counter = [](int cycle, int) {
+        for (int next = 1, step = 1; next <= cycle; next += ++step)
+            if (next == cycle) return "b!0.5";
+        return "a!";
+    };
+    const auto endless = tested(a_or_b(3), counter, 2'000);
+    EXPECT_EQ(endless.kind, Verdict::inconclusive);
+    EXPECT_THAT(endless.reason, HasSubstr("more than 2000 cycles"));
+}
+
+/// The model may end or go on; an implementation may do one of them.
+TEST(AdaptiveTests, TerminationIsAChoiceToo) {
+    AllowedCycles graph;
+    std::istringstream text("robochart-graph 1\nextra 1\ninput 0\ninput 1 stop?\nstate 0\n0 0\n1 0\n1 over off!\n");
+    ASSERT_TRUE(graph.read(text));
+    struct Ends {
+        bool ends;
+        bool on_nothing = false;
+        void reset() {}
+        std::vector<std::string> cycle(const std::vector<std::string>& inputs) const {
+            if (inputs.empty() == on_nothing && ends) return {"off!", "terminate"};
+            return {};
+        }
+    };
+    for (const bool ends : {false, true}) {
+        Ends implementation{ends};
+        const auto verdict = AdaptiveTest<Ends>(graph, implementation, 1000).run();
+        EXPECT_EQ(verdict.kind, Verdict::passed) << verdict.reason;
+        EXPECT_EQ(verdict.states, ends ? 2U : 1U);
+    }
+    Ends wrong{true, true};
+    EXPECT_EQ(AdaptiveTest<Ends>(graph, wrong, 1000).run().kind, Verdict::failed);
+}
+
+TEST(AdaptiveTests, WhatIsNoGraphIsNotRead) {
+    for (const char* text :
+         {"", "robochart-graph 1\n", "state 0\n0 0\n", "input 0\nstate 0\n1 0\n", "input 0\nstate 0\n0 x\n"}) {
+        AllowedCycles graph;
+        std::istringstream in(text);
+        EXPECT_FALSE(graph.read(in)) << text;
+    }
+}
+
+}  // namespace
+}  // namespace robochart::conformance

@@ -1,0 +1,69 @@
+// The checkers themselves under test: pairs known to be bad must be told bad, whatever was judged before them, and
+// pairs known to be good must stay good. All controllers are loaded at once: with shared symbols (g++'s default for
+// inline variables) every comparison would say "equal".
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "conformance/check/conformance_check.hpp"
+#include "conformance/check/random_walk.hpp"
+#include "tests/conformance/support.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+/// objects/turner.cpp: what each FAULT does shows in what is written, in the end of a cycle, or in termination.
+constexpr int bad[] = {1, 2, 3, 4, 5, 6, 7, 11};
+
+class Loaded {
+public:
+    const rc_interface& operator[](int fault) {
+        auto& object = objects_[fault];
+        if (object == nullptr) object = test::hand_made("turner", fault, error_);
+        EXPECT_NE(object, nullptr) << error_;
+        return object->interface();
+    }
+
+private:
+    std::map<int, std::unique_ptr<SharedObject>> objects_;
+    std::string error_;
+};
+
+Outcome judged(const rc_interface& code) {
+    process::EventTable events;
+    test::GraphSystem model(test::turner_model(), events);
+    return judge(model, events, test::turner_interface(), code, 1, {}).outcome;
+}
+
+Outcome walked(const rc_interface& code) {
+    process::EventTable events;
+    test::GraphSystem model(test::turner_model(), events);
+    const Alphabet alphabet(test::turner_interface(), events);
+    ModelGraph graph(model, alphabet);
+    return walk(graph, alphabet, code, 1, {}, WalkOptions{5'000, 10, 3}).outcome;
+}
+
+TEST(KnownBad, PairsAreToldBadInAnyOrder) {
+    Loaded loaded;
+    for (const int fault : bad) (void)loaded[fault];
+    for (const int fault : bad) {
+        EXPECT_EQ(judged(loaded[0]), Outcome::conforms) << "before " << fault;
+        EXPECT_EQ(judged(loaded[fault]), Outcome::differs) << fault;
+        EXPECT_EQ(walked(loaded[0]), Outcome::inconclusive) << "before " << fault;
+        EXPECT_EQ(walked(loaded[fault]), Outcome::differs) << fault;
+    }
+}
+
+/// A model that allows less: what was right is wrong then.
+TEST(KnownBad, ASmallerModelFindsTheRightControllerWrong) {
+    Loaded loaded;
+    auto edges = test::turner_model();
+    std::erase_if(edges, [](const test::Edge& edge) { return edge.event == "T::TurnCall"; });
+    edges.push_back({3, "T::DriveCall.2", 4});
+    process::EventTable events;
+    test::GraphSystem model(edges, events);
+    EXPECT_EQ(judge(model, events, test::turner_interface(), loaded[0], 1, {}).outcome, Outcome::differs);
+}
+
+}  // namespace
+}  // namespace robochart::conformance

@@ -1,0 +1,210 @@
+// Preconditions of functions (semantics 3.5): wherever an expression stands the code asks what the model asks, and waits
+// where the model does. Each row conforms although the precondition is false in some of its runs, and does not where
+// code evaluates the expression without asking (Fault::function_precondition_dropped).
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "conformance/check/conform.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+struct Position {
+    const char* name;
+    const char* body;  ///< of the machine; %: the expression
+};
+
+/// `x` is what came last; `go` leads on and `stop` back.
+const char* const two_states = "state A { } state B { } transition back { from B to A trigger stop }";
+
+const Position positions[] = {
+    {"Assignment", "2 transition t1 { from A to B trigger go action y = % ; act(y) }"},
+    {"PartOfAnAssignment", "2 transition t1 { from A to B trigger go action r = <1, 2> ; r[%] = 0 ; act(r[1]) }"},
+    {"ValueOfAPart", "2 transition t1 { from A to B trigger go action r = <1, 2> ; r[2] = % ; act(r[2]) }"},
+    {"Output", "2 transition t1 { from A to B trigger go action tell!(%) }"},
+    {"PlatformCall", "2 transition t1 { from A to B trigger go action act(%) }"},
+    {"OperationCall", "2 transition t1 { from A to B trigger go action op(%) ; act(1) }"},
+    {"Guard", "2 transition t1 { from A to B trigger go condition % >= 0 action act(1) }"},
+    {"GuardWithoutTrigger", "2 transition t1 { from A to B condition % >= 0 action act(1) }"},
+    {"GuardUnderADeadline", "2 transition t1 { from A to B trigger go <{2} condition % >= 0 action act(1) }"},
+    {"Junction", "2 junction J transition t1 { from A to J trigger go } transition t2 { from J to B condition % >= 0 action act(1) }"},
+    {"InputStatement", "2 transition t1 { from A to B trigger go action in1[| % >= 0 |]?y ; act(y) }"},
+    {"Wait", "2 transition t1 { from A to B trigger go action wait(%) ; act(1) }"},
+    {"WaitInterval", "2 transition t1 { from A to B trigger go action wait([0, %]) ; act(1) }"},
+    {"Deadline", "2 transition t1 { from A to B trigger go action wait(1) <{1 + %} ; act(1) }"},
+    {"DeadlineOfWhatNeverWaits", "2 transition t1 { from A to B trigger go action (y = 1) <{%} ; act(1) }"},
+    {"Conditional", "2 transition t1 { from A to B trigger go action if % > 1 then act(1) else act(2) end }"},
+    {"ConditionalThatWaits",
+     "2 transition t1 { from A to B trigger go action if % > 1 then wait(1) else wait(2) end ; act(2) }"},
+    {"Entry", "state A { } state B { entry act(%) } transition t1 { from A to B trigger go }"
+              "transition back { from B to A trigger stop }"},
+    {"Exit", "state A { } state B { exit act(%) } transition t1 { from A to B trigger go }"
+             "transition back { from B to A trigger stop }"},
+    {"ExitOfAChild", "state A { } state B { initial j state C { exit y = % ; act(y) } transition u { from j to C }"
+                     "exit act(2) } transition t1 { from A to B trigger go } transition back { from B to A trigger stop }"},
+    {"During", "state A { during y = % ; act(y) } state B { } transition t1 { from A to B trigger go }"
+               "transition back { from B to A trigger stop }"},
+    {"DuringCall", "state A { during act(%) } state B { } transition t1 { from A to B trigger go }"
+                   "transition back { from B to A trigger stop }"},
+    {"InitialTransition", "state B { initial j state C { } transition u { from j to C action act(%) } } state A { }"
+                          "transition t1 { from A to B trigger go } transition back { from B to A trigger stop }"}};
+
+struct Called {
+    const char* name;
+    const char* text;
+};
+
+std::ostream& operator<<(std::ostream& out, const Position& each) {
+    return out << each.name;
+}
+
+std::ostream& operator<<(std::ostream& out, const Called& each) {
+    return out << each.text;
+}
+
+/// Of the number x: x where x > 0, else outside its precondition.
+const Called functions[] = {{"OfTheModel", "some(x)"}, {"OfAToolkit", "head(if x > 0 then <x> else <> end)"}};
+
+/// Where calls stand in an expression.
+const Called shapes[] = {{"Nested", "some(some(x))"},
+                         {"InAPrecondition", "above(x)"},
+                         {"InAnArgument", "some(head(if x > 0 then <x> else <> end))"},
+                         {"UnderABinder", "size({n : nat | n >= x @ some(n)})"},
+                         {"InThePredicateOfABinder", "size({n : nat | some(n + x) > 0})"},
+                         {"UnderAQuantifier", "(if forall n : nat | n >= x @ some(n) > 0 then 1 else 2 end)"},
+                         {"InALet", "(let k == x @ some(k))"},
+                         {"InTheValueOfALet", "(let k == some(x) @ k)"},
+                         {"BehindADisjunction", "(if x == 0 \\/ some(x) > 0 then 1 else 2 end)"},
+                         {"InABranch", "(if x > 0 then some(x) else 0 end)"},
+                         {"Last", "last(if x > 0 then <x> else <> end)"},
+                         {"Tail", "size(tail(if x > 0 then <x> else <> end))"},
+                         {"Front", "size(front(if x > 0 then <x> else <> end))"},
+                         {"Least", "min({n : nat | n < x @ n})"},
+                         {"Greatest", "max({n : nat | n < x @ n})"},
+                         {"Inter", "size(Inter({n : nat | n < x @ {n}}))"}};
+
+std::string with(std::string body, const std::string& expression) {
+    if (body.front() == '2') body.replace(0, 1, two_states);
+    for (std::size_t at = body.find('%'); at != std::string::npos; at = body.find('%', at + expression.size()))
+        body.replace(at, 1, expression);
+    return body;
+}
+
+std::string model_of(const std::string& body, const std::string& precondition = "") {
+    return "import set_toolkit::* import sequence_toolkit::*\n"
+           "interface Acts { act(n : nat) } interface Ops { op(n : nat) }\n"
+           "interface Ev { event go event stop event in1 : nat event tell : nat }\n"
+           "function some(n : nat) : nat { precondition n > 0 postcondition result == n }\n"
+           "function above(n : nat) : nat { precondition some(n) > 1 postcondition result == n }\n"
+           "operation op(n : nat) { " +
+           precondition +
+           " initial i final f transition t0 { from i to f } }\n"
+           "stm S { requires Acts requires Ops uses Ev var x : nat var y : nat var r : Seq(nat) initial i\n"
+           "transition t0 { from i to A } transition t { from A to A trigger in1?x }\n" +
+           body +
+           "\n}\n"
+           "controller C { requires Acts uses Ev sref m = S opref o = op connection C on go to m on go\n"
+           "connection C on stop to m on stop connection C on in1 to m on in1 connection m on tell to C on tell }\n"
+           "module M { robotic platform P { provides Acts uses Ev } cref c = C\n"
+           "connection P on go to c on go (_async) connection P on stop to c on stop (_async)\n"
+           "connection P on in1 to c on in1 (_async) connection c on tell to P on tell (_async) }\n";
+}
+
+/// The model's code conforms, and does not where one of its preconditions is not asked.
+void expect_asked(const std::string& body) {
+    const test::TemporaryFolder folder(model_of(body));
+    test::Model model(folder.path());
+    ASSERT_TRUE(model.diagnostics.ok()) << body;
+    test::Bench bench(model, model.module());
+    const Result schedulable = bench.schedulability();
+    ASSERT_EQ(schedulable.outcome, Outcome::conforms) << schedulable.reason;
+    const Result result = bench.check();
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    constexpr auto not_asked = cpp_emit::Fault::function_precondition_dropped;
+    bool killed = false;
+    for (std::uint32_t site = 0; site < bench.sites(not_asked) && !killed; ++site)
+        killed = bench.check(not_asked, site).outcome == Outcome::differs;
+    EXPECT_TRUE(killed) << bench.sites(not_asked) << " places where it can be forgotten";
+}
+
+using Row = std::tuple<Position, Called>;
+
+class Preconditions : public ::testing::TestWithParam<Row> {};
+
+TEST_P(Preconditions, AreAsked) {
+    const auto& [position, called] = GetParam();
+    expect_asked(with(position.body, called.text));
+}
+
+std::string row_name(const ::testing::TestParamInfo<Row>& info) {
+    return std::get<0>(info.param).name + std::string("_") + std::get<1>(info.param).name;
+}
+
+INSTANTIATE_TEST_SUITE_P(InEveryPosition, Preconditions,
+                         ::testing::Combine(::testing::ValuesIn(positions), ::testing::ValuesIn(functions)), row_name);
+
+const Position in_a_call[] = {
+    {"PlatformCall", "2 transition t1 { from A to B trigger go action act(if % > 1 then 1 else 0 end) }"}};
+INSTANTIATE_TEST_SUITE_P(OfEveryShape, Preconditions,
+                         ::testing::Combine(::testing::ValuesIn(in_a_call), ::testing::ValuesIn(shapes)), row_name);
+
+// A function as a value has a pair wherever its precondition holds.
+TEST(PreconditionsOfFunctionsAsValues, SayWhichPairsThereAre) {
+    const test::TemporaryFolder folder(
+        model_of(with("2 transition t1 { from A to B trigger go condition (|x, x|) in some }", "")));
+    test::Model model(folder.path());
+    diagnostics::Diagnostics found;
+    const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+}
+
+// The value that a trigger brings is what the guard asks with, and a predicate of an input statement names it.
+TEST(PreconditionsOfInputs, AreAskedOfTheIncomingValue) {
+    expect_asked(
+        "state A { } state B { } transition t1 { from A to B trigger go }\n"
+        "transition t2 { from B to A trigger in1?x condition some(x) >= 0 action act(x) }");
+    expect_asked(
+        "state A { } transition t1 { from A to A trigger go action in1[| some(y) >= 0 |]?y ; act(y) }");
+}
+
+// A deadline around a statement that waits for ever runs out: time stops in the model, so it cannot be run in cycles.
+TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
+    const test::TemporaryFolder folder(model_of(
+        with("2 transition t1 { from A to B trigger go action (wait(some(x)) ; act(2)) <{1} ; act(1) }", "")));
+    test::Model model(folder.path());
+    test::Bench bench(model, model.module());
+    const Result result = bench.schedulability();
+    EXPECT_EQ(result.outcome, Outcome::not_schedulable);
+    EXPECT_NE(result.reason.find("neither go on nor let time pass"), std::string::npos) << result.reason;
+}
+
+// A violated precondition of an operation is reported; that of a function in it is asked first.
+TEST(PreconditionsOfOperations, AreReportedWhereAFunctionInThemHasNoValue) {
+    for (const std::string condition : {"n > 0", "some(n) > 0", "min({k : nat | k < n @ k}) >= 0"}) {
+        const test::TemporaryFolder folder(
+            model_of(with("2 transition t1 { from A to B trigger go action op(x) }", ""),
+                     "precondition " + condition));
+        test::Model model(folder.path());
+        diagnostics::Diagnostics found;
+        const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
+        EXPECT_EQ(result.outcome, Outcome::differs) << condition << result.reason;
+        EXPECT_EQ(result.reason, "the code calls an operation outside its precondition") << condition;
+    }
+}
+
+// What waits for ever in a during action is cut with the state: the smallest model that once went wrong.
+TEST(PreconditionsOfFunctions, HoldUpADuringActionUntilItsStateIsLeft) {
+    const test::TemporaryFolder folder(
+        "interface Acts { act(n : nat) } function f() : nat { precondition false }\n"
+        "stm S { requires Acts event go initial i state A { during act(f()) } state B { }\n"
+        "transition t0 { from i to A } transition t1 { from A to B trigger go } }\n");
+    test::Model model(folder.path());
+    diagnostics::Diagnostics found;
+    const Result result = conform(model.system, model.instantiation, model.machine("S"), {}, model.sources, found);
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    EXPECT_TRUE(result.deadlines && result.deadlines->holds) << "time passes while the call waits";
+}
+
+}  // namespace
+}  // namespace robochart::conformance

@@ -1,0 +1,71 @@
+// Variables that the outside relays (semantics 3.7): of the machines of a controller alone, each has its copy, which
+// the others' writes reach only through the outside.
+#include <gtest/gtest.h>
+
+#include "conformance/check/conform.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+constexpr const char* text = R"(
+interface V { var v : nat }
+interface E { event seen }
+robotic platform P { provides V uses E }
+controller C {
+    requires V uses E
+    sref m = Writer
+    sref n = Reader
+    connection n on seen to C on seen
+}
+stm Writer {
+    requires V
+    initial i
+    state A { entry v = 1 }
+    transition t0 { from i to A }
+}
+stm Reader {
+    requires V uses E
+    initial i
+    state A { }
+    state B { entry seen }
+    transition t0 { from i to A }
+    transition t1 { from A to B condition v > 0 }
+}
+module M { rref p = P cref c = C connection c on seen to p on seen ( _async ) }
+)";
+
+class Relay : public ::testing::Test {
+protected:
+    static std::string core(test::Model& model, const ir::ComponentRef& ref) {
+        const cpp_emit::Emission code = cpp_emit::emit(model.system, model.instantiation, ref, {}, model.diagnostics);
+        for (const auto& file : code.files)
+            if (file.path.ends_with("_core.hpp")) return file.text;
+        return {};
+    }
+
+    test::TemporaryFolder folder_{text};
+};
+
+TEST_F(Relay, EachMachineHasItsCopyWhereTheOutsideRelays) {
+    test::Model model(folder_.path());
+    diagnostics::Diagnostics found;
+    const ir::ComponentRef controller = model.controller();
+    const Result result = conform(model.system, model.instantiation, controller, {}, model.sources, found);
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    // What is written inside does not reach the reader, what comes from outside does.
+    const std::string code = core(model, controller);
+    EXPECT_EQ(code.find("write_v(Nat value) noexcept {\n        state_."), std::string::npos);
+    EXPECT_NE(code.find("= inputs_.external_v.value;"), std::string::npos);
+}
+
+TEST_F(Relay, ThereIsOneWhereTheModuleDoes) {
+    test::Model model(folder_.path());
+    diagnostics::Diagnostics found;
+    const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    EXPECT_NE(core(model, model.module()).find("write_v(Nat value) noexcept {\n        state_."), std::string::npos);
+}
+
+}  // namespace
+}  // namespace robochart::conformance

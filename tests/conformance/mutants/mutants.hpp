@@ -1,0 +1,67 @@
+// Mutation analysis of the generator: every seeded fault at every place of a model, compiled in batches, each judged
+// and given an end. Killed, or shown equivalent by the checker, or a variant that the model allows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "conformance/code/code_batch.hpp"
+#include "conformance/code/code_equality.hpp"
+#include "semantics/ir/ir.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance::test {
+
+enum class Fate {
+    killed,
+    equivalent,  ///< L(G') and L(G) are strongly bisimilar
+    variant,     ///< conforms, and does otherwise than the original
+    undecided,   ///< a limit was reached
+};
+
+struct Mutant {
+    cpp_emit::FaultKind kind;
+    std::uint32_t site = 0;
+    Fate fate = Fate::undecided;
+    std::string by;          ///< killed: what told it from the model
+    std::size_t cycles = 0;  ///< killed, variant: of the shortest difference
+    std::string told;        ///< the difference
+};
+
+class Study {
+public:
+    Study(Model& model, ir::ComponentRef component, cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic);
+
+    /// What the unchanged code comes to: `conforms`, or the test is about something else.
+    [[nodiscard]] Result original();
+    /// Every mutant whose code differs from the original's, at most `sites` of each kind, spread evenly; of the
+    /// event-driven face only, or of all kinds.
+    [[nodiscard]] std::vector<Mutant> mutants(std::size_t sites = 1000, bool event_face_only = false);
+
+private:
+    struct Seeded {
+        Mutant mutant;
+        cpp_emit::Emission code;
+    };
+
+    [[nodiscard]] cpp_emit::Emission emit(cpp_emit::Fault, std::uint32_t site);
+    [[nodiscard]] std::vector<Seeded> seed(std::size_t sites, bool event_face_only);
+    void judge_together(std::vector<Seeded*> together);
+    void drop_uncompilable(std::vector<Seeded*>& together);
+    void judge(Mutant&, const rc_interface& code);
+    void compare(Mutant&, const rc_interface& code);
+    [[nodiscard]] Result refined(const rc_interface& code);
+
+    Model& model_;
+    ir::ComponentRef component_;
+    cpp_emit::Strategy strategy_;
+    Bench bench_;
+    cpp_emit::Emission code_;
+    std::unique_ptr<CodeBatch> original_;
+    const rc_interface* original_code_ = nullptr;
+    std::optional<Alphabet> alphabet_;
+    std::optional<ModelGraph> graph_;
+};
+
+}  // namespace robochart::conformance::test

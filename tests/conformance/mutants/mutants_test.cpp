@@ -1,0 +1,177 @@
+// Seeded faults of the generator in every construct it writes (cpp_emit/fault.hpp; RoboTool's are among them): each
+// mutant is killed, or the checker shows it equivalent to the original, or it is a variant that the model allows, for a
+// reason written here. ROBOCHART_MUTANTS=all tries all places and prints tables (scripts/mutants.sh); else one of a
+// kind in most models and three in those that were written for kinds of their own.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "tests/conformance/mutants/mutants.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+using cpp_emit::Fault;
+using test::Fate;
+using test::Mutant;
+
+/// Conforms and does otherwise than the original: what the model leaves open, decided the other way.
+struct Open {
+    Fault fault;
+    const char* model;  ///< the only one where it may; null: all
+    const char* why;
+};
+
+constexpr Open open_choices[] = {
+    {Fault::transitions_reversed, nullptr, "transitions of a state that are enabled together: the model takes any"},
+    {Fault::outer_first, nullptr, "an inner and an outer transition enabled together: the model takes any"},
+    {Fault::junction_reversed, nullptr, "ways out of a junction that are open together: the model takes any"},
+    {Fault::way_exchanged, nullptr, "a probabilistic junction is a free choice of its ways"},
+    {Fault::machines_reversed, nullptr, "machines act in any order within a cycle"},
+    {Fault::statements_exchanged, "team",
+     "a write reaches the other machines before or after what the writer does next"},
+    {Fault::statements_exchanged, "wires",
+     "a write reaches the other machines before or after what the writer does next"},
+    {Fault::wrong_target, "choices", "one way of the probabilistic junction leads where the other does"},
+    {Fault::wrong_output, "choices", "behind one way of the probabilistic junction is what is behind the other"},
+};
+
+/// These only ever decide what the model leaves open, so nothing can kill them.
+bool decides_only(Fault fault) {
+    return std::any_of(std::begin(open_choices), std::end(open_choices),
+                       [&](const Open& open) { return open.fault == fault && open.model == nullptr; });
+}
+
+const char* reason(const std::string& model, const Mutant& mutant) {
+    for (const Open& open : open_choices)
+        if (open.fault == mutant.kind.fault && (open.model == nullptr || model.ends_with(open.model))) return open.why;
+    return nullptr;
+}
+
+struct Count {
+    std::size_t killed = 0, equivalent = 0, variants = 0;
+    std::vector<std::size_t> cycles;  ///< of the killed ones
+
+    [[nodiscard]] std::size_t mutants() const { return killed + equivalent + variants; }
+    void add(const Mutant& mutant) {
+        killed += mutant.fate == Fate::killed ? 1U : 0U;
+        equivalent += mutant.fate == Fate::equivalent ? 1U : 0U;
+        variants += mutant.fate == Fate::variant ? 1U : 0U;
+        if (mutant.fate == Fate::killed && mutant.cycles > 0) cycles.push_back(mutant.cycles);
+    }
+};
+
+class Mutants : public ::testing::Test {
+protected:
+    static bool all() {
+        const char* const wanted = std::getenv("ROBOCHART_MUTANTS");
+        return wanted != nullptr && std::string(wanted) == "all";
+    }
+
+    void try_module(const std::string& folder, std::size_t sites) {
+        test::Model model(folder);
+        study(folder, test::Study(model, model.module()), sites);
+    }
+    void try_machine(const std::string& folder, const std::string& machine, std::size_t sites) {
+        test::Model model(folder);
+        study(folder, test::Study(model, model.machine(machine)), sites);
+    }
+    /// Faults of the event-driven face only: the models show little of what a cycle does.
+    void try_events(const std::string& folder, const std::string& machine, cpp_emit::Strategy strategy) {
+        test::Model model(folder);
+        study(folder, test::Study(model, model.machine(machine), strategy), 3, true);
+    }
+
+    void study(const std::string& name, test::Study study, std::size_t sites, bool event_face_only = false) {
+        const Result original = study.original();
+        ASSERT_EQ(original.outcome, Outcome::conforms) << name << ": " << original.reason;
+        for (const Mutant& mutant : study.mutants(all() ? 1000 : sites, event_face_only)) {
+            look_at(name, mutant);
+            by_kind_[mutant.kind.fault].add(mutant);
+            by_model_[name].add(mutant);
+            whole_.add(mutant);
+            if (mutant.fate == Fate::killed) ++by_[mutant.by];
+        }
+    }
+
+    void look_at(const std::string& name, const Mutant& mutant) const {
+        EXPECT_NE(mutant.fate, Fate::undecided)
+            << name << ": " << mutant.kind.name << " at " << mutant.site << ": " << mutant.told;
+        if (mutant.fate != Fate::variant) return;
+        const char* const why = reason(name, mutant);
+        EXPECT_NE(why, nullptr) << name << ": " << mutant.kind.name << " at " << mutant.site
+                                << " conforms and does otherwise: " << mutant.told;
+        if (all() && why != nullptr)
+            fmt::print("variant: {}, {} at {}: {}\n", name, mutant.kind.name, mutant.site, mutant.told);
+    }
+
+    /// A checker that has gone blind kills nothing of some kind.
+    void expect_kills_of_every_kind() const {
+        for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
+            const auto found = by_kind_.find(kind.fault);
+            ASSERT_NE(found, by_kind_.end()) << kind.name << " is in no model";
+            if (decides_only(kind.fault))
+                EXPECT_EQ(found->second.killed, 0U) << kind.name;
+            else
+                EXPECT_GT(found->second.killed, 0U) << kind.name << " is killed nowhere";
+        }
+    }
+
+    void print() const {
+        fmt::print("{:24} {:>8} {:>8} {:>8} {:>8}  longest difference\n", "", "mutants", "killed", "same", "variant");
+        const auto row = [](const std::string& name, const Count& count) {
+            const std::size_t longest =
+                count.cycles.empty() ? 0 : *std::max_element(count.cycles.begin(), count.cycles.end());
+            fmt::print("{:24} {:8} {:8} {:8} {:8}  {}\n", name, count.mutants(), count.killed, count.equivalent,
+                       count.variants, longest == 0 ? "-" : fmt::format("{} cycles", longest));
+        };
+        for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) row(kind.name, by_kind_.at(kind.fault));
+        for (const auto& [model, count] : by_model_) row(model.substr(model.rfind('/') + 1), count);
+        row("all", whole_);
+        for (const auto& [by, count] : by_) fmt::print("killed by {:40} {:6}\n", by, count);
+        for (const std::size_t most : {1U, 2U, 3U, 4U, 5U, 6U, 8U, 12U, 20U, 40U}) {
+            const auto within = static_cast<std::size_t>(std::count_if(
+                whole_.cycles.begin(), whole_.cycles.end(), [&](std::size_t cycles) { return cycles <= most; }));
+            fmt::print("shortest difference within {:2} cycles: {:5.1f} %\n", most,
+                       100.0 * static_cast<double>(within) / static_cast<double>(whole_.cycles.size()));
+            if (within == whole_.cycles.size()) break;
+        }
+    }
+
+    std::map<Fault, Count> by_kind_;
+    std::map<std::string, Count> by_model_;
+    std::map<std::string, std::size_t> by_;
+    Count whole_;
+};
+
+TEST_F(Mutants, AreKilledOrEquivalentOrAllowed) {
+    const std::string models = "tests/conformance/models/";
+    try_module("corpus/aggregation", 1);
+    try_module(test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "25", "3").path(), 1);
+    for (const char* module : {"nested", "parcels", "team"}) try_module(models + module, 1);
+    for (const char* module : {"helpers", "wires"}) try_module(models + module, 1);
+    try_machine(models + "tower", "Tower", 1);
+    try_machine(models + "timing", "Timing", 3);
+    try_machine(models + "choices", "Choices", 1);
+    try_machine(models + "words", "Words", 2);
+    try_machine(models + "outside", "Outside", 1);
+    try_machine(models + "blink", "Blink", 1);
+    try_machine(models + "missed", "Missed", 3);
+    using cpp_emit::Strategy;
+    try_events(models + "reacts", "Reacts", Strategy::table);
+    if (all()) try_events(models + "reacts", "Reacts", Strategy::nested_switch);
+    try_events(models + "due", "Due", Strategy::automatic);
+    if (HasFatalFailure()) return;
+    expect_kills_of_every_kind();
+    EXPECT_GE(whole_.mutants(), 350U);
+    fmt::print("{} mutants of {} kinds: {} killed, {} equivalent, {} variants\n", whole_.mutants(), by_kind_.size(),
+               whole_.killed, whole_.equivalent, whole_.variants);
+    if (all()) print();
+}
+
+}  // namespace
+}  // namespace robochart::conformance

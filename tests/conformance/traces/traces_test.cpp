@@ -1,0 +1,398 @@
+// Logs of runs against the model: what is accepted, what is rejected and how it is told, what a partial log may leave
+// out, and what a log must look like. Expectations follow from the models by hand.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "conformance/model/rules.hpp"
+#include "conformance/traces/trace_check.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// A model with a checker of logs for one of its components.
+class Replay {
+public:
+    Replay(const std::string& folder, const std::string& component, std::uint32_t cycle = 1) : project_(folder) {
+        EXPECT_TRUE(project_.diagnostics.ok());
+        const ir::ComponentRef ref = component == "module" ? project_.module() : project_.machine(component);
+        std::string error;
+        model_ = CyclicModel::load(project_.system, project_.instantiation, ref, cycle, limits_, project_.sources,
+                                   project_.diagnostics, error);
+        EXPECT_NE(model_, nullptr) << error;
+        checker_ = std::make_unique<TraceChecker>(*model_, std::vector<std::string>{"M"}, limits_, project_.sources);
+    }
+
+    /// The runs that are not accepted, as told; `header` stands below the first lines.
+    LogReport check(const std::string& runs, const std::string& header = "") {
+        return whole("robochart-trace 1\ncomponent M\n" + header + runs);
+    }
+    LogReport whole(const std::string& text) {
+        std::istringstream in(text);
+        told.clear();
+        return checker_->check(in, [this](const RunReport& run) { told.push_back(run); });
+    }
+
+    std::vector<RunReport> told;
+
+private:
+    test::Model project_;
+    refine::Limits limits_;
+    std::unique_ptr<CyclicModel> model_;
+    std::unique_ptr<TraceChecker> checker_;
+};
+
+Replay aggregation() {
+    return {"corpus/aggregation", "module"};
+}
+
+constexpr const char* start = "run a\nangularSpeed!-0.75 linearSpeed!-10.88 tock\n";
+
+TEST(Traces, WhatTheModelDoesIsAccepted) {
+    Replay replay = aggregation();
+    const LogReport report = replay.check(std::string(start) +
+                                          "seeRobot? angularSpeed!-5.02 linearSpeed!0 tock  // turns\n"
+                                          "\n"
+                                          "seeRobot? tock\n"
+                                          "seeWall? angularSpeed!-0.75\nlinearSpeed!-10.88 tock tock\n"
+                                          "run b\nseeWall? angularSpeed!-0.75 linearSpeed!-10.88 tock\n");
+    EXPECT_FALSE(report.fault.has_value());
+    EXPECT_EQ(report.runs, 2U);
+    EXPECT_EQ(report.accepted, 2U) << (replay.told.empty() ? "" : replay.told.front().what);
+    EXPECT_EQ(report.cycles, 6U);
+}
+
+/// Maximal progress (R3): a cycle that ends without the output the model makes is none of its cycles.
+TEST(Traces, AMissingOutputIsRejectedWhereTheCycleEnds) {
+    Replay replay = aggregation();
+    const LogReport report = replay.check(std::string(start) + "seeRobot? tock\ntock\n");
+    ASSERT_EQ(report.rejected, 1U);
+    const RunReport& run = replay.told.at(0);
+    EXPECT_EQ(run.what, "the end of the cycle");
+    EXPECT_EQ(run.cycle, 2U);
+    EXPECT_EQ(run.at_line, 5U);
+    EXPECT_THAT(run.cycle_so_far, ElementsAre("seeRobot?"));
+    EXPECT_THAT(run.allowed, ElementsAre(HasSubstr("angularSpeed = -5.02 (")));
+    EXPECT_THAT(run.allowed.front(), HasSubstr("aggregation.rct:"));
+    EXPECT_THAT(run.before, ElementsAre("angularSpeed!-0.75 linearSpeed!-10.88 tock"));
+    EXPECT_THAT(run.elements, Contains(HasSubstr("aggregation.rct:")));
+}
+
+TEST(Traces, WrongExtraAndMisplacedOutputsAreRejected) {
+    for (const auto& [cycle, what] : std::vector<std::pair<std::string, std::string>>{
+             {"seeRobot? angularSpeed!-5.02 linearSpeed!-10.88 tock", "linearSpeed!-10.88"},  // wrong value
+             {"seeRobot? linearSpeed!0 angularSpeed!-5.02 tock", "linearSpeed!0"},            // wrong order
+             {"seeWall? angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},        // without its cause
+             {"angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},
+             {"seeRobot? angularSpeed!-5.02 linearSpeed!0 linearSpeed!0 tock", "linearSpeed!0"},  // once too often
+             {"angularSpeed!-0.75 linearSpeed!-10.88 tock", "angularSpeed!-0.75"}}) {
+        Replay replay = aggregation();
+        EXPECT_EQ(replay.check(std::string(start) + cycle + "\n").rejected, 1U) << cycle;
+        ASSERT_EQ(replay.told.size(), 1U) << cycle;
+        EXPECT_EQ(replay.told[0].what, what);
+    }
+}
+
+/// R1: every input is read once, before anything is written.
+TEST(Traces, ReadsComeFirstAndOnce) {
+    Replay replay = aggregation();
+    EXPECT_EQ(replay.check("run a\nangularSpeed!-0.75 seeWall? linearSpeed!-10.88 tock\n").rejected, 1U);
+    EXPECT_THAT(replay.told.at(0).allowed, ElementsAre(HasSubstr("before anything is written")));
+    EXPECT_EQ(replay.check("run a\nseeWall? seeWall? angularSpeed!-0.75 linearSpeed!-10.88 tock\n").rejected, 1U);
+}
+
+/// traces(NF) is closed under prefixes: a log may end anywhere.
+TEST(Traces, ALogMayEndInTheMiddleOfACycle) {
+    Replay replay = aggregation();
+    EXPECT_EQ(replay.check("run a\nangularSpeed!-0.75").accepted, 1U);
+    EXPECT_EQ(replay.check("run a\nseeWall?").accepted, 1U);
+    EXPECT_EQ(replay.check("run a\n").accepted, 1U);
+    EXPECT_EQ(replay.check("run a\nlinearSpeed!0").rejected, 1U);
+}
+
+TEST(Traces, WhatIsNotObservedMayHaveHappened) {
+    Replay replay = aggregation();
+    const std::string seen = "run a\nlinearSpeed!-10.88 tock\nlinearSpeed!0 tock\n";
+    EXPECT_EQ(replay.check(seen, "unobserved angularSpeed! seeRobot?\n").accepted, 1U);
+    EXPECT_EQ(replay.check(seen, "unobserved angularSpeed!\n").rejected, 1U) << "nobody was seen";
+    EXPECT_EQ(replay.check(seen, "unobserved seeRobot?\n").rejected, 1U) << "angularSpeed was not written";
+    // Still no run: the speeds alternate, whatever was seen.
+    EXPECT_EQ(replay
+                  .check("run a\nlinearSpeed!-10.88 tock\nlinearSpeed!-10.88 tock\n",
+                         "unobserved angularSpeed! seeRobot? seeWall?\n")
+                  .rejected,
+              1U);
+    // What is logged nevertheless contradicts the header.
+    EXPECT_TRUE(replay.check("run a\nangularSpeed!-0.75 tock\n", "unobserved angularSpeed!\n").fault.has_value());
+}
+
+TEST(Traces, ALogMayStartLateAndLoseCycles) {
+    Replay replay = aggregation();
+    const std::string turns = "seeRobot? angularSpeed!-5.02 linearSpeed!0 tock\n";
+    const std::string drives = "seeWall? angularSpeed!-0.75 linearSpeed!-10.88 tock\n";
+    EXPECT_EQ(replay.check("run a\n" + turns).rejected, 1U);
+    EXPECT_EQ(replay.check("run a\nlate\n" + turns + drives).accepted, 1U);
+    EXPECT_EQ(replay.check("run a\nlate\n" + drives + "tock\n").accepted, 1U);
+    EXPECT_EQ(replay.check("run a\nlate\n" + drives + drives).rejected, 1U) << "it drives already";
+    EXPECT_EQ(replay.check(std::string(start) + "lost\n" + drives).accepted, 1U);
+    EXPECT_EQ(replay.check(std::string(start) + drives).rejected, 1U);
+    EXPECT_TRUE(replay.check(std::string(start) + "late\n").fault.has_value()) << "late is for the beginning";
+}
+
+/// Headings are passed on and never looked at (PassedOn): those outside the finite reading stand for some inside.
+TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
+    Replay replay("corpus/swarm_taxis", "module");
+    const std::string first = "run a\nMoveForward! CheckIlluminationStatus! tock\n";
+    const auto turn = [](const std::string& heard, const std::string& turned) {
+        return "robotDetected? CalcAvoidanceHeading! tock\nheading?" + heard + " desiredTurningDegree!" + turned +
+               " reached!false StartTurning!" + turned + " tock\n";
+    };
+    const LogReport good = replay.check(first + turn("-84.377682133819", "-84.377682133819"));
+    EXPECT_EQ(good.accepted, 1U) << (replay.told.empty() ? "" : replay.told[0].what);
+    EXPECT_EQ(good.replaced, 3U);
+    // Another value comes out: each run has its own stand-ins, and few of them hide the difference.
+    std::string many;
+    for (int i = 0; i < 20; ++i) many += first + turn("-84.377682133819", "84.377682133819");
+    EXPECT_GE(replay.check(many).rejected, 10U);
+    // A value that the finite reading has stays what it is.
+    EXPECT_EQ(replay.check(first + turn("0.1", "0.2")).rejected, 1U);
+}
+
+/// A value that is tested must be one of the finite reading, or nothing is known from there on.
+TEST(Traces, ValuesThatMatterLeaveTheRunUndecided) {
+    Replay replay(test::TemporaryFolder(R"(
+interface Ops { near() }
+interface Events { event distance : real event name : Colour }
+enumeration Colour { Red Green }
+stm M {
+	requires Ops
+	uses Events
+	var d : real
+	var c : Colour
+	initial i
+	state Far { }
+	state Near { entry near() }
+	state Done { }
+	transition t0 { from i to Far }
+	transition t1 { from Far to Near trigger distance?d condition d < 2 }
+	transition t2 { from Near to Done trigger name?c }
+}
+)")
+                      .path(),
+                  "M");
+    EXPECT_EQ(replay.check("run a\ntock\ndistance?1 near! tock\nname?Red tock\n").accepted, 1U);
+    EXPECT_EQ(replay.check("run a\ntock\ndistance?2 near! tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check("run a\ntock\ndistance?1.5 near! tock\n").inconclusive, 1U);
+    EXPECT_THAT(replay.told.at(0).reason, HasSubstr("1.5 is outside the finite reading"));
+    EXPECT_EQ(replay.told.at(0).cycle, 2U);
+}
+
+const char* const carrier = R"(
+enumeration Colour { Red Green }
+datatype Pose { x : real near : boolean }
+interface Ops { go(p : Pose) follow(path : Seq(real)) paint(s : Set(Colour)) label(f : boolean -> Colour) }
+interface Events { event pose : Pose event path : Seq(real) event seen : Set(Colour) event kinds : boolean -> Colour }
+stm M {
+	requires Ops
+	uses Events
+	var p : Pose
+	var q : Seq(real)
+	var s : Set(Colour)
+	var f : boolean -> Colour
+	initial i
+	state A { }
+	transition t0 { from i to A }
+	transition t1 { from A to A trigger pose?p action go(p) }
+	transition t2 { from A to A trigger path?q action follow(q) }
+	transition t3 { from A to A trigger seen?s action paint(s) }
+	transition t4 { from A to A trigger kinds?f action label(f) }
+}
+)";
+
+/// Blanks, order and doubles in sets, names as in CSP: one value, several spellings.
+TEST(Traces, ValuesWithPartsAreReadByTheirType) {
+    Replay replay(test::TemporaryFolder(carrier).path(), "M");
+    for (const char* cycle :
+         {"pose?(1,true) go!(1,true)", "pose?( 1.0 , true ) go!(1,true)", "path?<> follow!<>",
+          "path?<2,0> follow!<2, 0>", "seen?{Red,Green} paint!{Green,Red,Green}", "seen?{Colour_Red} paint!{Red}",
+          "seen?{} paint!{ }", "kinds?{(true,Red),(false,Green)} label!{(false,Green),(true,Red)}"})
+        EXPECT_EQ(replay.check(std::string("run a\ntock\n") + cycle + " tock\n").accepted, 1U) << cycle;
+    for (const char* cycle :
+         {"pose?(1,true) go!(1,false)", "path?<2,0> follow!<0,2>", "path?<2,0> follow!<2>",
+          "seen?{Red,Green} paint!{Green}", "kinds?{(true,Red),(false,Green)} label!{(true,Red),(false,Red)}"})
+        EXPECT_EQ(replay.check(std::string("run a\ntock\n") + cycle + " tock\n").rejected, 1U) << cycle;
+}
+
+/// Reals are only passed on: other ones stand for some of the carrier, the same wherever they are part of. A sequence
+/// longer than the model's is outside whatever its numbers are, and so is a function that is not total.
+TEST(Traces, PartsOutsideTheFiniteReading) {
+    Replay replay(test::TemporaryFolder(carrier).path(), "M");
+    const std::string first = "run a\ntock\n";
+    const LogReport good = replay.check(first + "pose?(0.31,true) path?<0.31,7> go!(0.31,true) follow!<0.31,7> tock\n");
+    EXPECT_EQ(good.accepted, 1U) << (replay.told.empty() ? "" : replay.told[0].what);
+    EXPECT_EQ(good.replaced, 4U);
+    std::string many;
+    for (int i = 0; i < 20; ++i) many += first + "path?<0.31,7> follow!<7,0.31> tock\n";
+    EXPECT_GE(replay.check(many).rejected, 10U);
+    EXPECT_EQ(replay.check(first + "pose?(0.31,true) go!(0.31,false) tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check(first + "path?<0,0,0> follow!<0,0,0> tock\n").inconclusive, 1U);
+    EXPECT_THAT(replay.told.at(0).reason, HasSubstr("<0,0,0> is outside the finite reading"));
+    EXPECT_EQ(replay.check(first + "kinds?{(true,Red)} label!{(true,Red)} tock\n").inconclusive, 1U);
+}
+
+/// A conversion of what a sequence has is an operation on its numbers.
+TEST(Traces, PartsThatAreConvertedAreNotOnlyPassedOn) {
+    Replay replay(test::TemporaryFolder(R"(
+interface Ops { follow(path : Seq(real)) }
+interface Events { event path : Seq(nat) }
+stm M {
+	requires Ops
+	uses Events
+	var q : Seq(nat)
+	initial i
+	state A { }
+	transition t0 { from i to A }
+	transition t1 { from A to A trigger path?q action follow(q) }
+}
+)")
+                      .path(),
+                  "M");
+    EXPECT_EQ(replay.check("run a\ntock\npath?<2> follow!<2> tock\n").accepted, 1U);
+    EXPECT_EQ(replay.check("run a\ntock\npath?<7> follow!<7> tock\n").inconclusive, 1U);
+}
+
+TEST(Traces, TerminationEndsARun) {
+    Replay replay(test::TemporaryFolder(R"(
+interface Events { event stop }
+stm M {
+	uses Events
+	initial i
+	state On { }
+	final f
+	transition t0 { from i to On }
+	transition t1 { from On to f trigger stop }
+}
+)")
+                      .path(),
+                  "M");
+    EXPECT_EQ(replay.check("run a\ntock\nstop? terminate\n").accepted, 1U);
+    EXPECT_EQ(replay.check("run a\ntock\nstop? tock\n").rejected, 1U);
+    EXPECT_THAT(replay.told.at(0).allowed, ElementsAre("termination"));
+    EXPECT_EQ(replay.check("run a\ntock\nterminate\n").rejected, 1U);
+    EXPECT_EQ(replay.check("run a\nstop? terminate tock\n").rejected, 1U);
+    EXPECT_THAT(replay.told.at(0).allowed, ElementsAre("nothing: it has terminated"));
+}
+
+/// Cycles of two time units have two tocks, and nothing between them.
+TEST(Traces, CyclesMayBeLonger) {
+    Replay replay("corpus/aggregation", "module", 2);
+    const std::string first = "run a\nangularSpeed!-0.75 linearSpeed!-10.88 tock tock\n";
+    EXPECT_EQ(replay.check(first, "cycle 2\n").accepted, 1U);
+    EXPECT_EQ(replay.check("run a\nangularSpeed!-0.75 linearSpeed!-10.88 tock seeRobot? tock\n", "cycle 2\n").rejected,
+              1U);
+    EXPECT_EQ(replay.check(first).fault->fault.rule, &rules::log_of_other) << "RC-L04: the header says cycles of one";
+}
+
+std::string code_of(const LogReport& report) {
+    return report.fault ? std::string(report.fault->fault.rule->code) : "";
+}
+
+/// Each rule of logs by its fault, and a log next to it that is in order.
+TEST(Traces, LogsThatCannotBeReadAreToldWithTheirPlace) {
+    Replay replay = aggregation();
+    EXPECT_EQ(code_of(replay.whole("")), "RC-L01");
+    EXPECT_EQ(code_of(replay.whole("hello\n")), "RC-L01");
+    EXPECT_EQ(code_of(replay.whole("robochart-trace 2\ncomponent M\n")), "RC-L01");
+    EXPECT_EQ(code_of(replay.whole("robochart-trace 1\nrun a\n")), "RC-L01") << "no component";
+    EXPECT_EQ(code_of(replay.whole("// by hand\nrobochart-trace 1\ncomponent M\n")), "");
+    EXPECT_EQ(code_of(replay.check("tock\n")), "RC-L01") << "no run";
+    EXPECT_EQ(code_of(replay.check("run a\nhello\n")), "RC-L01");
+    EXPECT_EQ(code_of(replay.check("run a\n", "cycle 0\n")), "RC-L01");
+    EXPECT_EQ(code_of(replay.check("run a\n", "cycle many\n")), "RC-L01");
+    EXPECT_EQ(code_of(replay.check(std::string("run a\nto\0ck\n", 12))), "RC-L01");
+    EXPECT_EQ(code_of(replay.check("run a\n" + std::string(2U << 20U, 'x'))), "RC-L01");
+    EXPECT_EQ(code_of(replay.check("run a\nseeNobody? tock\n")), "RC-L02");
+    EXPECT_EQ(code_of(replay.check("run a\nseeWall! tock\n")), "RC-L02") << "an input is no output";
+    EXPECT_EQ(code_of(replay.check("run a\n", "unobserved speed!\n")), "RC-L02");
+    EXPECT_EQ(code_of(replay.check("run a\nseeWall?3 tock\n")), "RC-L03");
+    EXPECT_EQ(code_of(replay.check("run a\nangularSpeed! tock\n")), "RC-L03");
+    EXPECT_EQ(code_of(replay.check("run a\nangularSpeed!fast tock\n")), "RC-L03");
+    EXPECT_EQ(code_of(replay.check("run a\nangularSpeed!1!2 tock\n")), "RC-L03");
+    EXPECT_EQ(code_of(replay.whole("robochart-trace 1\ncomponent Other\n")), "RC-L04");
+    const LogReport report = replay.check("run a\n  seeWall? seeNobody? tock\n");
+    EXPECT_EQ(report.fault->line, 4U);
+    EXPECT_EQ(report.fault->fault.column, 11U);
+    EXPECT_EQ(report.fault->fault.length, 9U);
+}
+
+/// RC-L03 says what the type has and points at the part that is none.
+TEST(Traces, PartsThatAreNoneOfTheirTypeAreToldWithTheirPlace) {
+    Replay replay(test::TemporaryFolder(carrier).path(), "M");
+    for (const auto& [word, wanted, column] : std::vector<std::tuple<const char*, const char*, unsigned>>{
+             {"pose?(1,yes)", "true or false", 8},
+             {"pose?(x,true)", "a number", 6},
+             {"pose?(inf,true)", "a number", 6},
+             {"pose?(1)", "2 values `(...,...)`", 5},
+             {"pose?1", "2 values `(...,...)`", 5},
+             {"pose?(1,true", "2 values `(...,...)`", 5},
+             {"pose?(1,true)2", "2 values `(...,...)`", 5},
+             {"path?<1,>", "a number", 8},
+             {"path?(1,2)", "a sequence `<...,...>`", 5},
+             {"path?<1 2>", "a sequence `<...,...>`", 5},
+             {"seen?<Red>", "a set `{...,...}`", 5},
+             {"seen?{Blue}", "a literal of Colour", 6},
+             {"kinds?{true,Red}", "pairs `{(...,...),...}`", 6}}) {
+        const LogReport report = replay.check(std::string("run a\ntock\n") + word + "\n");
+        ASSERT_EQ(code_of(report), "RC-L03") << word;
+        EXPECT_EQ(report.fault->fault.arguments.at(1), wanted) << word;
+        EXPECT_EQ(report.fault->fault.column, column) << word;
+    }
+}
+
+/// A fault further on does not hide behind an early verdict.
+TEST(Traces, LogsAreReadToTheirEnd) {
+    Replay replay = aggregation();
+    const LogReport report = replay.check("run a\nlinearSpeed!0 tock\nseeNobody?\n");
+    EXPECT_EQ(code_of(report), "RC-L02");
+}
+
+/// The interface read off the model is the one that the generated code states.
+TEST(Traces, TheInterfaceOfTheModelIsThatOfTheCode) {
+    for (const char* folder : {"corpus/aggregation", "corpus/swarm_taxis", "tests/conformance/models/nested",
+                               "tests/conformance/models/team", "tests/conformance/models/parcels"}) {
+        test::Model project(folder);
+        const ir::ComponentRef ref = !project.system.modules.empty() ? project.module()
+                                     : !project.system.controllers.empty()
+                                         ? project.controller()
+                                         : project.machine(project.system.machines.front().name);
+        test::Bench bench(project, ref);
+        const Interface code = bench.interface();
+        const auto model =
+            boundary(project.system, project.instantiation, ref, bench.script().provenance, project.diagnostics);
+        ASSERT_TRUE(model.has_value()) << folder;
+        EXPECT_EQ(model->interface.component, code.component);
+        EXPECT_EQ(model->interface.scale, code.scale);
+        EXPECT_EQ(model->interface.blocked, code.blocked);
+        ASSERT_EQ(model->interface.inputs.size(), code.inputs.size()) << folder;
+        ASSERT_EQ(model->interface.outputs.size(), code.outputs.size()) << folder;
+        for (std::size_t i = 0; i < code.inputs.size(); ++i) {
+            EXPECT_EQ(model->interface.inputs[i].name, code.inputs[i].name);
+            EXPECT_EQ(model->interface.inputs[i].values, code.inputs[i].values);
+            EXPECT_EQ(model->interface.inputs[i].texts, code.inputs[i].texts);
+            EXPECT_EQ(model->interface.inputs[i].carrier.kind, code.inputs[i].carrier.kind);
+        }
+        for (std::size_t o = 0; o < code.outputs.size(); ++o) {
+            EXPECT_EQ(model->interface.outputs[o].name, code.outputs[o].name);
+            EXPECT_EQ(model->interface.outputs[o].arguments.size(), code.outputs[o].arguments.size());
+        }
+    }
+}
+
+}  // namespace
+}  // namespace robochart::conformance

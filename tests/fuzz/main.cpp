@@ -1,0 +1,14 @@
+// libFuzzer's entry for one target; a broken promise ends the program like a crash.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/fuzz/targets/targets.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string complaint =
+        robochart::fuzz::ROBOCHART_FUZZ_RUN(std::string_view(reinterpret_cast<const char*>(data), size));
+    if (complaint.empty()) return 0;
+    std::fprintf(stderr, "broken promise: %s\n", complaint.c_str());
+    std::abort();
+}

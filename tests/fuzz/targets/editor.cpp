@@ -1,0 +1,203 @@
+// The language server under any input: a session with an editor that asks and types at random, and any bytes on its
+// stream.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "tests/fuzz/targets/targets.hpp"
+#include "lsp/server.hpp"
+#include "lsp/protocol/transport.hpp"
+
+namespace robochart::fuzz {
+
+namespace {
+
+using lsp::Json;
+
+/// One project; nothing of it is on disk.
+constexpr std::array<std::string_view, 3> uris = {"file:///fuzzed/a.rct", "file:///fuzzed/b.rct",
+                                                  "file:///fuzzed/c.assertions"};
+using Texts = std::array<std::optional<std::string>, uris.size()>;
+
+constexpr std::array<std::string_view, 15> methods = {
+    "textDocument/codeAction",          "textDocument/completion",        "textDocument/declaration",
+    "textDocument/definition",          "textDocument/documentHighlight", "textDocument/documentSymbol",
+    "textDocument/foldingRange",        "textDocument/formatting",        "textDocument/hover",
+    "textDocument/prepareRename",       "textDocument/references",        "textDocument/rename",
+    "textDocument/semanticTokens/full", "textDocument/signatureHelp",     "workspace/symbol"};
+
+constexpr std::array<std::string_view, 8> pieces = {"",        "}",        "\n", "x",
+                                                    "stm X {", "\xC3\xA9", "/*", "\xF0\x9F\x98\x80"};
+
+/// An editor with a project. Notes the first promise that the server breaks.
+class Editor {
+public:
+    explicit Editor(const Texts& texts) : server_([this](const std::string& message) { sent(message); }) {
+        request("initialize", Json::object({{"capabilities", Json::object({})}}));
+        notify("initialized", Json::object({}));
+        for (std::size_t file = 0; file < texts.size(); ++file) {
+            if (!texts[file]) continue;
+            notify("textDocument/didOpen", Json::object({{"textDocument", Json::object({{"uri", uris[file]},
+                                                                                        {"languageId", "robochart"},
+                                                                                        {"version", 1},
+                                                                                        {"text", *texts[file]}})}}));
+        }
+    }
+
+    void type(std::size_t file, std::string text) {
+        const Json document = Json::object({{"uri", uris[file]}, {"version", ++version_}});
+        const Json changes = Json::array({Json::object({{"text", std::move(text)}})});
+        notify("textDocument/didChange", Json::object({{"textDocument", document}, {"contentChanges", changes}}));
+    }
+
+    void ask(std::string_view method, std::size_t file, int line, int character) {
+        const Json position = Json::object({{"line", line}, {"character", character}});
+        request(method,
+                Json::object({{"textDocument", Json::object({{"uri", uris[file]}})},
+                              {"position", position},
+                              {"range", Json::object({{"start", position}, {"end", position}})},
+                              {"context", Json::object({{"includeDeclaration", true}, {"diagnostics", Json::array()}})},
+                              {"options", Json::object({{"tabSize", 4}})},
+                              {"newName", "renamed"},
+                              {"query", "a"}}));
+    }
+
+    [[nodiscard]] const std::string& complaint() const { return complaint_; }
+    /// The diagnostics shown last, of all files.
+    [[nodiscard]] std::string shown() const {
+        std::string all;
+        for (const auto& [uri, list] : shown_)
+            if (!list.items().empty()) all += uri + ": " + list.write() + "\n";
+        return all;
+    }
+
+private:
+    void sent(const std::string& text) {
+        std::string error;
+        const Json message = lsp::read_json(text, error);
+        if (!error.empty()) complain("a message is not JSON: " + error);
+        if (message["method"] == Json("textDocument/publishDiagnostics"))
+            shown_[message["params"]["uri"].text()] = message["params"]["diagnostics"];
+        if (message["method"] == Json("window/logMessage")) complain("the server has a fault: " + text);
+        if (message["error"]["code"] == Json(static_cast<int>(lsp::ErrorCode::internal_error)))
+            complain("a request ends in a fault: " + text);
+        if (message["id"] == Json(last_id_) && !message.has("method")) ++answers_;
+    }
+    void complain(std::string what) {
+        if (complaint_.empty()) complaint_ = std::move(what);
+    }
+    void request(std::string_view method, Json params) {
+        answers_ = 0;
+        ++last_id_;
+        deliver(
+            Json::object({{"jsonrpc", "2.0"}, {"id", last_id_}, {"method", method}, {"params", std::move(params)}}));
+        if (answers_ != 1) complain(std::to_string(answers_) + " answers to " + std::string(method));
+    }
+    void notify(std::string_view method, Json params) {
+        deliver(Json::object({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}));
+    }
+    void deliver(const Json& message) {
+        server_.receive(message.write());
+        while (server_.has_work()) server_.step();
+        server_.idle();
+    }
+
+    std::string complaint_;
+    std::map<std::string, Json> shown_;
+    std::int64_t last_id_ = 0;
+    std::int64_t version_ = 1;
+    int answers_ = 0;
+    lsp::Server server_;
+};
+
+/// JSON carries text alone; other bytes become question marks.
+std::string as_text(std::string_view bytes) {
+    std::string text(bytes);
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) >= 0x80U) c = '?';
+    return text;
+}
+
+bool is_plain(const std::string& text, std::size_t place) {
+    return place < text.size() && static_cast<unsigned char>(text[place]) < 0x80U;
+}
+
+/// The place, or the begin of the UTF-8 character that it stands in.
+std::size_t character_begin(const std::string& text, std::size_t place) {
+    while (place < text.size() && (static_cast<unsigned char>(text[place]) & 0xC0U) == 0x80U) --place;
+    return place;
+}
+
+/// The texts of the files, from the first on; there may be fewer.
+Texts divided(const std::string& text) {
+    Texts texts;
+    std::size_t begin = 0;
+    for (auto& each : texts) {
+        const std::size_t end = text.find('\f', begin);
+        each = text.substr(begin, end - begin);
+        if (end == std::string::npos) break;
+        begin = end + 1;
+    }
+    return texts;
+}
+
+/// What lies on the disk is no part of the input.
+bool may_name_files(std::string_view bytes) {
+    constexpr std::array<std::string_view, 7> signs = {"file:", "root", "Folders\":[", "added", "\"/", "\\/", "\\u002"};
+    return std::any_of(signs.begin(), signs.end(),
+                       [&](std::string_view sign) { return bytes.find(sign) != std::string_view::npos; });
+}
+
+}  // namespace
+
+/// The first line says what is done, three bytes a step; the rest are the documents, divided by form feeds.
+std::string run_editor(std::string_view bytes) {
+    constexpr std::size_t most_steps = 24;
+    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+    Texts texts = divided(as_text(bytes.substr(std::min(end + 1, bytes.size()))));
+    Editor editor(texts);
+    for (std::size_t at = 0; at + 3 <= std::min(end, 3 * most_steps); at += 3) {
+        const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
+        const std::size_t wanted = byte(0) / 32U % texts.size();
+        const std::size_t file = texts[wanted] ? wanted : 0;
+        if (byte(0) % 2 == 0) {
+            editor.ask(methods.at(byte(0) / 2U % methods.size()), file, byte(1) % 64, byte(2) % 128);
+            continue;
+        }
+        std::string& text = *texts[file];
+        const std::size_t place = character_begin(text, (byte(1) * 256U + byte(2)) % (text.size() + 1));
+        text.insert(place, pieces.at(byte(0) / 2U % pieces.size()));
+        if (byte(0) / 2U % pieces.size() == 0 && is_plain(text, place)) text.erase(place, 1);
+        editor.type(file, text);
+    }
+    if (!editor.complaint().empty()) return editor.complaint();
+    const Editor fresh(texts);
+    return editor.shown() == fresh.shown()
+               ? ""
+               : "diagnostics depend on how the text was typed:\n" + editor.shown() + "/\n" + fresh.shown();
+}
+
+/// Every message and every fault of the stream is taken; the server ends with the stream.
+std::string run_stream(std::string_view bytes) {
+    if (may_name_files(bytes)) return {};
+    std::istringstream in{std::string(bytes)};
+    lsp::FrameReader reader(in);
+    std::vector<std::string> sent;
+    lsp::Server server([&](const std::string& message) { sent.push_back(message); });
+    for (lsp::Frame frame = reader.next(); frame.kind != lsp::Frame::Kind::end; frame = reader.next()) {
+        frame.kind == lsp::Frame::Kind::message ? server.receive(frame.text) : server.receive(nullptr, frame.text);
+        while (server.has_work()) server.step();
+        server.idle();
+    }
+    for (const std::string& message : sent) {
+        std::string error;
+        const Json read = lsp::read_json(message, error);
+        if (!error.empty() || read["jsonrpc"] != Json("2.0")) return "a message is no JSON-RPC: " + message;
+    }
+    return {};
+}
+
+}  // namespace robochart::fuzz

@@ -1,0 +1,35 @@
+// CSPM text under any input: what was read is printed, read back and equal.
+#include "checker/cspm/syntax/reader.hpp"
+#include "tests/fuzz/targets/findings.hpp"
+#include "tests/fuzz/targets/targets.hpp"
+
+namespace robochart::fuzz {
+
+namespace {
+
+struct Reading {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics findings;
+    cspm::Script script;
+
+    explicit Reading(std::string_view text) {
+        const auto id = sources.add("t.csp", std::string(text));
+        script = cspm::read(sources, id, findings);
+    }
+};
+
+}  // namespace
+
+std::string run_script(std::string_view bytes) {
+    const Reading first(bytes);
+    if (std::string complaint = check_findings(first.sources, first.findings); !complaint.empty()) return complaint;
+    const std::string text = cspm::print(first.script);
+    if (!first.findings.ok()) return {};
+    const Reading second(text);
+    if (!second.findings.ok()) return "a printed script is not read back:\n" + text;
+    if (!cspm::equal(first.script, second.script)) return "a printed script is read back as another:\n" + text;
+    const std::string again = cspm::print(second.script);
+    return again == text ? "" : "a printed script prints differently when read back:\n" + text + "\n/\n" + again;
+}
+
+}  // namespace robochart::fuzz

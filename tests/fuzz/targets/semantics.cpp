@@ -1,0 +1,154 @@
+// RoboChart text behind the front end: what has no errors is lowered, made finite, written as CSP in both times and
+// type checked, its obligations and built-in checks decided within small limits, and its components written as C++.
+#include <chrono>
+#include <exception>
+#include <new>
+
+#include "checker/cspm/session.hpp"
+#include "checker/cspm/types/type_check.hpp"
+#include "conformance/check/batch.hpp"
+#include "cpp_emit/emit.hpp"
+#include "csp_emit/emit.hpp"
+#include "diagnostics/budget.hpp"
+#include "frontend/syntax/parse.hpp"
+#include "frontend/toolkits/toolkits.hpp"
+#include "frontend/project/project.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "tests/fuzz/targets/findings.hpp"
+#include "tests/fuzz/targets/targets.hpp"
+#include "semantics/lower/lower.hpp"
+
+namespace robochart::fuzz {
+
+namespace {
+
+using diagnostics::Diagnostics;
+using diagnostics::SourceManager;
+
+refine::Limits small_limits() {
+    refine::Limits limits;
+    limits.max_states = 300;
+    limits.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
+    return limits;
+}
+
+/// The phases, one after another, until one refuses the model.
+class Phases {
+public:
+    /// The first promise that is broken; "" if none is.
+    std::string run(std::string_view bytes) {
+        findings_.within(&budget_);
+        read(bytes);
+        frontend::add_toolkits(sources_, model_, findings_);
+        frontend::resolve(model_, findings_);
+        if (!findings_.ok()) return refusal();
+        const ir::System system = ir::lower(model_, sources_, findings_);
+        if (!findings_.ok()) return refusal();
+        const ir::Instantiation instantiation = ir::instantiate(system, {}, findings_);
+        if (!findings_.ok()) return refusal();
+        std::string complaint = script(system, instantiation, csp_emit::Time::untimed);
+        if (complaint.empty()) complaint = script(system, instantiation, csp_emit::Time::timed);
+        if (complaint.empty()) complaint = code(system, instantiation);
+        return complaint.empty() ? check_findings(sources_, findings_) : complaint;
+    }
+
+private:
+    /// Files are divided by form feeds; those of assertions begin with `!`.
+    void read(std::string_view bytes) {
+        for (std::size_t begin = 0, file = 0; begin <= bytes.size(); ++file) {
+            const std::size_t end = std::min(bytes.find('\f', begin), bytes.size());
+            std::string_view text = bytes.substr(begin, end - begin);
+            const bool assertions = text.starts_with('!');
+            if (assertions) text.remove_prefix(1);
+            const auto id =
+                sources_.add("f" + std::to_string(file) + (assertions ? ".assertions" : ".rct"), std::string(text));
+            model_.files.push_back(frontend::parse(sources_, id, assertions, findings_));
+            begin = end + 1;
+        }
+    }
+
+    /// What is refused is refused by name.
+    std::string refusal() {
+        if (findings_.errors() == 0) return "a model is refused and no error says why";
+        return check_findings(sources_, findings_);
+    }
+
+    std::string script(const ir::System& system, const ir::Instantiation& instantiation, csp_emit::Time time) {
+        Diagnostics found;
+        found.within(&budget_);
+        const csp_emit::Emission emission = csp_emit::emit(system, instantiation, time, {true}, sources_, found);
+        if (!found.ok()) return check_findings(sources_, found);
+        Diagnostics types;
+        cspm::check_types(emission.script, types);
+        if (!types.ok() && system.csp_blocks.empty())
+            return "a script of ours is refused by the type checker:\n" + diagnostics_of(types);
+        return types.ok() ? decide(emission) : "";
+    }
+
+    [[nodiscard]] static std::string diagnostics_of(const Diagnostics& types) {
+        std::string text;
+        for (const auto& finding : types.sorted()) text += finding.message() + "\n";
+        return text;
+    }
+
+    /// Any answer will do, and a script that cannot be evaluated may say so.
+    static std::string decide(const csp_emit::Emission& emission) {
+        constexpr std::size_t most = 12;
+        std::size_t decided = 0;
+        try {
+            cspm::Session session(emission.script);
+            for (const csp_emit::Obligation& obligation : emission.obligations)
+                for (const cspm::DeclPtr& assertion : obligation.assertions) {
+                    if (++decided > most) return {};
+                    (void)session.check(*assertion, small_limits());
+                }
+        } catch (const cspm::EvaluationError& error) {
+            return std::string(error.what()).empty() ? "an evaluation error says nothing" : "";
+        }
+        return {};
+    }
+
+    std::string code(const ir::System& system, const ir::Instantiation& instantiation) {
+        std::vector<ir::ComponentRef> components;
+        const auto add = [&](const auto& items, ir::ComponentKind kind) {
+            for (std::uint32_t i = 0; i < items.size(); ++i)
+                components.push_back({kind, items[i].name, items[i].package, i});
+        };
+        add(system.modules, ir::ComponentKind::module);
+        add(system.controllers, ir::ComponentKind::controller);
+        for (std::uint32_t i = 0; i < system.machines.size(); ++i)
+            if (system.machines[i].kind == ir::MachineKind::state_machine)
+                components.push_back(
+                    {ir::ComponentKind::machine, system.machines[i].name, system.machines[i].package, i});
+        for (const ir::ComponentRef& component : components) {
+            Diagnostics found;
+            found.within(&budget_);
+            const auto candidate = conformance::candidate(system, instantiation, component, {}, sources_, found);
+            if (!candidate && found.errors() == 0) return component.path + " has no code, and no error says why";
+            if (const std::string complaint = check_findings(sources_, found); !complaint.empty()) return complaint;
+        }
+        return {};
+    }
+
+    diagnostics::Budget budget_{{2ULL << 30U, std::chrono::steady_clock::now() + std::chrono::seconds(10), {}},
+                                "fuzzing"};
+    SourceManager sources_;
+    Diagnostics findings_;
+    frontend::Model model_;
+};
+
+}  // namespace
+
+std::string run_semantics(std::string_view bytes) {
+    try {
+        return Phases().run(bytes);
+    } catch (const std::bad_alloc&) {
+        return {};
+    } catch (const diagnostics::LimitReached&) {
+        return {};
+    } catch (const std::exception& error) {
+        return std::string("internal error: ") + error.what();
+    }
+}
+
+}  // namespace robochart::fuzz

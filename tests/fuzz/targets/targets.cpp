@@ -1,0 +1,16 @@
+// See targets.hpp. One row per fuzzer.
+#include "tests/fuzz/targets/targets.hpp"
+
+#include <array>
+
+namespace robochart::fuzz {
+
+std::span<const Target> targets() {
+    static constexpr std::array table = {
+        Target{"model", run_model},         Target{"assertions", run_assertions}, Target{"script", run_script},
+        Target{"semantics", run_semantics}, Target{"editor", run_editor},         Target{"stream", run_stream},
+    };
+    return table;
+}
+
+}  // namespace robochart::fuzz

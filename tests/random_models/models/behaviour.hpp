@@ -1,0 +1,121 @@
+// Machines and operations of random models: nodes, transitions, actions (private to the room).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/random_models/models/data.hpp"
+
+namespace robochart::random_models {
+
+/// An event of a component.
+struct Port {
+    std::string name;
+    const DataType* type = nullptr;  ///< null: untyped
+    bool receives = true;            ///< seen from the component; otherwise it sends
+    bool both_ways = false;          ///< connected by [mult]
+    bool broadcast = false;
+};
+
+/// An operation that may be called.
+struct Signature {
+    std::string name;
+    std::vector<const DataType*> parameters;
+    std::string interface = {};  ///< that declares it
+};
+
+/// A state that can be named in `sinceEntry`, with its container's transitions.
+struct Container {
+    std::vector<std::string> states;
+    std::vector<std::string> finals;
+};
+
+/// What the actions of a machine or operation may name.
+struct Surroundings {
+    std::vector<Named> readable;
+    std::vector<Named> writable;
+    std::vector<Port> ports;
+    std::vector<Signature> operations;
+    std::vector<std::string> clocks;
+    std::string chance = {};  ///< a constant that is a probability; "" if there is none
+};
+
+/// Indented lines.
+class Lines {
+public:
+    explicit Lines(std::size_t depth = 0) : depth_(depth) {}
+    void line(const std::string& text);
+    void open(const std::string& head);
+    void close();
+    /// Lines of another text, at the indentation here.
+    void embed(const std::string& text);
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+    std::size_t depth_;
+    std::string text_;
+};
+
+/// Writes statements, nodes and transitions.
+class Behaviour {
+public:
+    Behaviour(Random& random, const Shape& shape, Names& names, Types& types, const Surroundings& around);
+
+    /// The nodes and transitions of a machine or operation. An operation ends in a final state.
+    void container(Lines& out, std::size_t depth, bool must_end);
+    Expressions& expressions() { return expressions_; }
+
+private:
+    /// A transition before it is written.
+    struct Step {
+        std::string from, to;
+        std::string trigger, probability, condition, action;
+        bool triggered = false;
+    };
+    struct Nodes {
+        std::string initial;
+        std::vector<std::string> states, junctions, finals;
+        std::vector<std::string> probabilistic;
+        std::vector<Step> steps;
+    };
+
+    // Statements (behaviour_statements.cpp)
+    std::string action();
+    std::string statement(std::size_t depth);
+    std::string simple_statement();
+    std::string assignment();
+    std::string communication();
+    std::string call();
+    /// What a communication on a broadcast event accepts: `[| x = from | p |]`; "" for everything.
+    std::string filter(const Port& port, const std::string& peer);
+    /// The variable that an input on the port is stored into, as it is written; "" if there is none.
+    std::string stored(const Port& port);
+    std::string timed();
+    /// A number of time units.
+    std::string duration();
+    /// A part of the variable that can be assigned, of any depth, with its type.
+    Named part_of(Named whole);
+    std::string conditional(std::size_t depth);
+    std::string sequence(std::size_t depth);
+
+    // Nodes (behaviour_nodes.cpp)
+    Nodes plan(bool must_end);
+    void plan_junctions(Nodes& nodes);
+    std::vector<std::string> ways();
+    std::vector<std::string> chances();
+    void state(Lines& out, const std::string& name, std::size_t depth);
+    void step(Lines& out, const Nodes& nodes, const Step& step);
+    std::string target(const Nodes& nodes);
+    std::string trigger();
+    std::string condition(const Nodes& nodes);
+
+    Random& random_;
+    const Shape& shape_;
+    Names& names_;
+    Types& types_;
+    const Surroundings& around_;
+    Expressions expressions_;
+    std::string inside_;  ///< the state whose nodes are being written; "" for those of the machine
+};
+
+}  // namespace robochart::random_models

@@ -1,0 +1,21 @@
+// Random models that are well-formed by construction: they load without an error, whatever the seed and the shape.
+// Warnings are possible (a variable never read, an event connected to nothing).
+#pragma once
+
+#include <cstdint>
+
+#include "tests/random_models/models/project.hpp"
+#include "tests/random_models/models/shape.hpp"
+
+namespace robochart::random_models {
+
+/// One module with its platform, controllers, machines, operations, interfaces and types. The same seed and shape give
+/// the same texts on every platform.
+[[nodiscard]] Project well_formed(std::uint64_t seed, const Shape& shape = Shape::whole_language());
+
+/// Modules side by side until there are about `lines` lines, spread over `files` files: for benchmarks. A module may
+/// lie in several files.
+[[nodiscard]] Project sized(std::uint64_t seed, std::size_t lines, std::size_t files,
+                            const Shape& shape = Shape::whole_language());
+
+}  // namespace robochart::random_models

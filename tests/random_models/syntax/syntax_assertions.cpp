@@ -1,0 +1,99 @@
+// Assertion files as random syntax trees, and the doors of the syntax generator. See any_syntax.hpp.
+#include "tests/random_models/syntax/any_syntax.hpp"
+#include "tests/random_models/syntax/syntax_builder.hpp"
+
+namespace robochart::random_models {
+
+using namespace frontend;
+
+AssertionTime SyntaxBuilder::time() {
+    return static_cast<AssertionTime>(random_.below(3));
+}
+
+AssertionParameter SyntaxBuilder::assertion_parameter() {
+    AssertionParameter parameter;
+    parameter.constant = random_.chance(60);
+    parameter.name = simple();
+    parameter.context = qualified();
+    parameter.value = expression(2);
+    return parameter;
+}
+
+Assertion SyntaxBuilder::assertion() {
+    constexpr std::size_t kinds = 9;
+    Assertion result;
+    result.name = name();
+    result.time = time();
+    result.kind = static_cast<AssertionKind>(random_.below(kinds));
+    result.negated = random_.chance(40);
+    const bool binary = result.kind == AssertionKind::refines || result.kind == AssertionKind::equals ||
+                        result.kind == AssertionKind::reachable;
+    if (result.kind == AssertionKind::clock_initialised) result.time = AssertionTime::both;
+    if (result.kind != AssertionKind::clock_initialised) result.subject = qualified();
+    if (binary || result.kind == AssertionKind::clock_initialised) result.other = qualified();
+    const std::size_t model = random_.below(6);
+    if (model < 4) result.model = static_cast<AssertionModel>(model);
+    if (random_.chance(30))
+        for (std::size_t i = random_.between(1, 3); i > 0; --i) result.parameters.push_back(assertion_parameter());
+    return result;
+}
+
+CspBlock SyntaxBuilder::csp_block() {
+    static const std::vector<std::string> texts = {" Spec = STOP ", "\nP = a -> P -- a comment\n{- and\n another -}\n",
+                                                   "", "\n  \"csp-\" [[ a <- b ]]\n"};
+    CspBlock block;
+    block.name = name();
+    block.time = time();
+    for (std::size_t i = random_.below(3); i > 0; --i) block.associated.push_back(qualified());
+    block.text = random_.pick(texts);
+    return block;
+}
+
+std::string SyntaxBuilder::verbatim() {
+    static const std::vector<std::string> parts = {
+        "label ready = (x == 1)",
+        "formula f = $ready",
+        "rewards \"steps\" true : 1; endrewards",
+        "prob property P1: Prob=? of [Finally x > 1]",
+        "constants C1: N set to 3",
+        "const N : nat",
+        "instantiate T as int(0..3)",
+        "defs D = ``",
+        "pmodules M begin end",
+    };
+    return random_.pick(parts);
+}
+
+std::unique_ptr<File> any_syntax(std::uint64_t seed, std::size_t size) {
+    Random random(seed);
+    SyntaxBuilder builder(random);
+    auto file = std::make_unique<File>();
+    if (random.chance(60)) file->package = builder.qualified();
+    for (std::size_t i = random.below(3); i > 0; --i) file->imports.push_back(builder.import());
+    if (random.chance(20)) file->diagrams.push_back(builder.name());
+    for (std::size_t i = random.between(1, size); i > 0; --i) file->declarations.push_back(builder.declaration());
+    return file;
+}
+
+std::unique_ptr<File> any_assertions(std::uint64_t seed, std::size_t size) {
+    Random random(seed);
+    SyntaxBuilder builder(random);
+    auto file = std::make_unique<File>();
+    file->is_assertions = true;
+    if (random.chance(30)) file->package = builder.qualified();
+    for (std::size_t i = random.below(3); i > 0; --i) file->imports.push_back(builder.import());
+    for (std::size_t i = random.between(1, size); i > 0; --i) {
+        const std::size_t way = random.below(6);
+        if (way < 4) file->assertions.push_back(builder.assertion());
+        if (way == 4) file->csp_blocks.push_back(builder.csp_block());
+        if (way == 5) file->verbatim.push_back(builder.verbatim());
+    }
+    return file;
+}
+
+ExprPtr any_expression(std::uint64_t seed, std::size_t depth) {
+    Random random(seed);
+    return SyntaxBuilder(random).expression(depth);
+}
+
+}  // namespace robochart::random_models

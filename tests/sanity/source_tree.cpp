@@ -1,0 +1,150 @@
+// See source_tree.hpp.
+#include "tests/sanity/source_tree.hpp"
+#include "tests/source_folder.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+namespace robochart::sanity {
+
+namespace fs = std::filesystem;
+
+const fs::path& root() {
+    static const fs::path path = tests::source_folder();
+    return path;
+}
+
+std::string contents(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::vector<fs::path> files(const fs::path& folder, const std::set<std::string>& extensions) {
+    const std::set<std::string> left_out = {"build", "out", ".git", "node_modules"};
+    std::vector<fs::path> found;
+    for (auto it = fs::recursive_directory_iterator(folder); it != fs::recursive_directory_iterator(); ++it) {
+        if (it->is_directory() && left_out.contains(it->path().filename().string()))
+            it.disable_recursion_pending();
+        else if (it->is_regular_file() && extensions.contains(it->path().extension().string()))
+            found.push_back(it->path());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+std::vector<std::string> program_files() {
+    std::vector<std::string> found;
+    for (const char* component : {"app", "checker", "conformance", "cpp_emit", "csp_emit", "diagnostics", "frontend", "lsp",
+                                  "runs", "semantics", "simulation"})
+        for (const fs::path& path : files(root() / component, {".cpp", ".hpp"})) {
+            const std::string name = fs::relative(path, root()).string();
+            if (!name.starts_with("cpp_emit/projects/")) found.push_back(name);
+        }
+    return found;
+}
+
+std::vector<std::string> included(const std::string& file) {
+    std::vector<std::string> result;
+    std::istringstream lines(contents(root() / file));
+    const std::string start = "#include \"";
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with(start)) continue;
+        const std::string name = line.substr(start.size(), line.find('"', start.size()) - start.size());
+        if (fs::exists(root() / name)) result.push_back(name);
+    }
+    return result;
+}
+
+std::string folder_of(const std::string& file) {
+    return file.substr(0, file.rfind('/'));
+}
+
+namespace {
+
+/// What stands between backquotes.
+std::vector<std::string> quoted_names(const std::string& text) {
+    std::vector<std::string> result;
+    for (std::size_t at = text.find('`'); at != std::string::npos; at = text.find('`', at + 1)) {
+        const std::size_t end = text.find('`', at + 1);
+        if (end == std::string::npos) break;
+        result.push_back(text.substr(at + 1, end - at - 1));
+        at = end;
+    }
+    return result;
+}
+
+bool is_below(const std::string& folder, const std::string& above) {
+    return folder.starts_with(above + "/");
+}
+
+}  // namespace
+
+std::map<std::string, FolderRow> folder_table() {
+    std::map<std::string, FolderRow> table;
+    std::istringstream lines(contents(root() / "docs/architecture.md"));
+    bool inside = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("| folder |")) inside = true;
+        else if (!line.starts_with("|")) inside = false;
+        if (!inside || !line.starts_with("| `")) continue;
+        const std::size_t second = line.find(" | "), third = line.rfind(" | ", line.size() - 3);
+        FolderRow row;
+        std::string allowed = line.substr(third + 3);
+        row.everything = allowed.find("everything") != std::string::npos;
+        const std::size_t but = allowed.find(" but ");
+        if (but != std::string::npos) {
+            for (const std::string& name : quoted_names(allowed.substr(but))) row.excluded.insert(name);
+            allowed.resize(but);
+        }
+        for (const std::string& name : quoted_names(allowed)) row.allowed.insert(name);
+        for (const std::string& folder : quoted_names(line.substr(0, second))) table[folder] = row;
+    }
+    return table;
+}
+
+bool may_include(const FolderRow& row, const std::string& folder) {
+    if (row.excluded.contains(folder)) return false;
+    const bool listed = std::any_of(row.allowed.begin(), row.allowed.end(), [&](const std::string& name) {
+        return name == folder || (name.ends_with("/*") && is_below(folder, name.substr(0, name.size() - 2)));
+    });
+    if (listed) return true;
+    // "everything but `app`": nothing below app either.
+    return row.everything && std::none_of(row.excluded.begin(), row.excluded.end(),
+                                          [&](const std::string& name) { return is_below(folder, name); });
+}
+
+std::vector<std::vector<std::string>> cycles(const std::map<std::string, std::set<std::string>>& edges) {
+    // Tarjan, Depth-first search and linear graph algorithms (1972).
+    std::map<std::string, std::size_t> number, low;
+    std::vector<std::string> open;
+    std::vector<std::vector<std::string>> result;
+    const std::function<void(const std::string&)> visit = [&](const std::string& node) {
+        number[node] = low[node] = number.size();
+        open.push_back(node);
+        const auto found = edges.find(node);
+        if (found != edges.end())
+            for (const std::string& next : found->second) {
+                if (!number.contains(next)) {
+                    visit(next);
+                    low[node] = std::min(low[node], low[next]);
+                } else if (std::find(open.begin(), open.end(), next) != open.end()) {
+                    low[node] = std::min(low[node], number[next]);
+                }
+            }
+        if (low[node] != number[node]) return;
+        const auto from = std::find(open.begin(), open.end(), node);
+        std::vector<std::string> group(from, open.end());
+        open.erase(from, open.end());
+        std::sort(group.begin(), group.end());
+        if (group.size() > 1) result.push_back(std::move(group));
+    };
+    for (const auto& [node, next] : edges)
+        if (!number.contains(node)) visit(node);
+    return result;
+}
+
+}  // namespace robochart::sanity

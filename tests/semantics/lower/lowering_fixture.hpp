@@ -1,0 +1,46 @@
+// Model text lowered to IR, for tests.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "diagnostics/diagnostic.hpp"
+#include "frontend/project/project.hpp"
+#include "semantics/ir/ir.hpp"
+#include "semantics/lower/lower.hpp"
+
+namespace robochart::ir::samples {
+
+/// A project in memory, parsed, resolved and lowered.
+struct Lowered {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    frontend::Model model;
+    System system;
+
+    [[nodiscard]] std::vector<std::string> codes() const;  ///< of all diagnostics but advice (RC-W), by place
+    [[nodiscard]] std::string messages() const;
+    [[nodiscard]] const Machine& machine(const std::string& path) const;
+    [[nodiscard]] const Controller& controller(const std::string& path) const;
+    [[nodiscard]] const Node& node(const std::string& machine, const std::string& path) const;
+    [[nodiscard]] const Transition& transition(const std::string& machine, const std::string& name) const;
+    /// dump of a transition's guard
+    [[nodiscard]] std::string guard(const std::string& machine, const std::string& name) const;
+    [[nodiscard]] std::string text(const std::string& machine, const ExprPtr&) const;
+};
+
+struct SourceText {
+    std::string path;
+    std::string text;
+};
+
+[[nodiscard]] std::unique_ptr<Lowered> lower_files(const std::vector<SourceText>& files);
+/// One .rct text and, if not empty, one .assertions text. Expects no errors.
+[[nodiscard]] std::unique_ptr<Lowered> lower_text(const std::string& rct, const std::string& assertions = "");
+/// A file or folder. Expects no errors.
+[[nodiscard]] std::unique_ptr<Lowered> lower_path(const std::string& path);
+/// The machine `S` with this body and a state `A` that the initial node leads to.
+[[nodiscard]] std::string machine_text(const std::string& body);
+
+}  // namespace robochart::ir::samples

@@ -1,0 +1,22 @@
+// Hand-built IR of the corpus models, for tests of everything that reads the IR and does not want to parse text.
+// Kept equal to what lowering the corpus gives (tests/semantics/lower/lower_corpus_test.cpp compares the dumps).
+#pragma once
+
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::ir::samples {
+
+/// corpus/aggregation/aggregation.rct: operations MoveClockwise and RotateClockwise, machine AggregationFSM,
+/// controller AggregationController, module Aggregation; no properties. Spans are unknown.
+[[nodiscard]] System aggregation();
+
+/// The ids that lowering gives the built-in types, in this order in every System.
+struct CoreTypes {
+    TypeId boolean{0};
+    TypeId nat{1};
+    TypeId integer{2};
+    TypeId real{3};
+    TypeId string{4};
+};
+
+}  // namespace robochart::ir::samples

@@ -1,0 +1,140 @@
+// Measures by hand, bands over trials, and what pictures show.
+#include "simulation/trial/measures.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "simulation/report/pictures.hpp"
+#include "simulation/report/report.hpp"
+#include "simulation/report/run.hpp"
+
+namespace robochart::simulation {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::vector<Pose> at(const std::vector<Vector>& places) {
+    std::vector<Pose> poses;
+    for (const Vector place : places) poses.push_back({place, 0});
+    return poses;
+}
+
+TEST(Measures, ClusterFollowsChains) {
+    // Three in a row, ten apart, and one alone: linked at ten, not at nine.
+    const auto poses = at({{0, 0}, {20, 0}, {10, 0}, {0, 50}});
+    EXPECT_DOUBLE_EQ(largest_cluster(poses, 10), 0.75);
+    EXPECT_DOUBLE_EQ(largest_cluster(poses, 9.99), 0.25);
+    EXPECT_DOUBLE_EQ(largest_cluster(poses, 60), 1);
+}
+
+/// Against the closure of the relation, by hand.
+TEST(MeasuresProperty, ClusterIsTheClosure) {
+    Random random(5);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Vector> places;
+        for (int i = 0; i < 25; ++i) places.push_back({random.uniform(0, 100), random.uniform(0, 100)});
+        std::vector<std::size_t> group(places.size());
+        for (std::size_t i = 0; i < places.size(); ++i) group[i] = i;
+        for (std::size_t pass = 0; pass < places.size(); ++pass)
+            for (std::size_t i = 0; i < places.size(); ++i)
+                for (std::size_t j = 0; j < places.size(); ++j)
+                    if (length(places[i] - places[j]) <= 15) group[i] = group[j] = std::min(group[i], group[j]);
+        std::size_t largest = 0;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            largest = std::max(largest, static_cast<std::size_t>(std::count(group.begin(), group.end(), i)));
+        EXPECT_DOUBLE_EQ(largest_cluster(at(places), 15), static_cast<double>(largest) / 25);
+    }
+}
+
+TEST(Measures, SpreadAndMomentOfASquare) {
+    const auto poses = at({{3, 4}, {-3, 4}, {3, -4}, {-3, -4}});
+    EXPECT_DOUBLE_EQ(spread(poses), 5);
+    EXPECT_DOUBLE_EQ(second_moment(poses, 2.5), 4 * 25 / 25.0);
+    EXPECT_EQ(centroid(poses), (Vector{0, 0}));
+}
+
+Scenario with_bands() {
+    Scenario scenario;
+    scenario.name.text = "Test";
+    scenario.duration = 2;
+    scenario.measures.push_back({{"spread", {}}, MeasureKind::spread, 0, 0});
+    scenario.bands.push_back({{StatisticKind::first_time, 0, 0, true, 5}, true, -INFINITY, 1, "each", {}});
+    scenario.bands.push_back({{StatisticKind::average, 0, 0, true, 0}, false, 2, 4, "mean", {}});
+    scenario.bands.push_back({{StatisticKind::at_time, 0, 0.5, true, 0}, false, 0, 9, "mean", {}});
+    return scenario;
+}
+
+TEST(Statistics, TimesAveragesAndMoments) {
+    const Scenario scenario = with_bands();
+    Statistics statistics(scenario);
+    for (std::uint64_t step = 0; step <= 20; ++step) {
+        // Two robots that part by 2 cm a step: the spread is the number of steps.
+        const double half = static_cast<double>(step);
+        statistics.look(step, at({{-half, 0}, {half, 0}}));
+    }
+    const auto values = statistics.values();
+    EXPECT_NEAR(values[0], 0.5, 1e-12) << "5 is reached after five steps of 0.1 s";
+    EXPECT_NEAR(values[1], (0 + 10 + 20) / 3.0, 1e-12) << "at 0, 1 and 2 s";
+    EXPECT_NEAR(values[2], 5, 1e-12);
+}
+
+TEST(Judge, EachTakesTheWorstMeanTheMean) {
+    const Scenario scenario = with_bands();
+    std::vector<TrialResult> trials(2);
+    trials[0].statistics = {0.5, 3, 1};
+    trials[1].statistics = {NAN, 4.5, 1};
+    const auto bands = judge(scenario, trials);
+    EXPECT_FALSE(bands[0].holds);
+    EXPECT_TRUE(std::isnan(bands[0].value)) << "never is the worst";
+    EXPECT_EQ(bands[0].trials_outside, 1U);
+    EXPECT_TRUE(bands[1].holds);
+    EXPECT_DOUBLE_EQ(bands[1].value, 3.75);
+    trials[1].statistics[0] = 0.9;
+    EXPECT_TRUE(judge(scenario, trials)[0].holds);
+    EXPECT_DOUBLE_EQ(judge(scenario, trials)[0].value, 0.9);
+}
+
+std::vector<Frame> two_frames() {
+    return {{0, {{{0, 0}, 0}}, {0}}, {2, {{{30, 40}, 1.5}}, {1}}};
+}
+
+TEST(Pictures, SvgHasEveryPanelAndRobot) {
+    Scenario scenario = with_bands();
+    scenario.pictures = {0, 2};
+    const std::string svg = snapshots_svg(scenario, two_frames());
+    EXPECT_THAT(svg, ::testing::StartsWith("<svg "));
+    EXPECT_THAT(svg, HasSubstr(">0 s<"));
+    EXPECT_THAT(svg, HasSubstr(">2 s<"));
+    EXPECT_THAT(svg, HasSubstr("translate(30.0 -40.0)")) << "the y axis points down";
+    EXPECT_THAT(svg, ::testing::EndsWith("</svg>\n"));
+}
+
+TEST(Pictures, AnimationNamesTheStates) {
+    const std::string svg = animation_svg(with_bands(), two_frames(), {"Going", "Held"}, 2);
+    EXPECT_THAT(svg, HasSubstr("dur=\"1s\""));
+    EXPECT_THAT(svg, HasSubstr(">Held<"));
+    EXPECT_THAT(svg, HasSubstr("values=\"0.0 -0.0;30.0 -40.0\""));
+}
+
+TEST(Pictures, CsvHasARowARobotATime) {
+    EXPECT_EQ(positions_csv(two_frames(), {"Going", "Held"}),
+              "t,id,x,y,theta,state\n0.000,0,0.0000,0.0000,0.00000,Going\n2.000,0,30.0000,40.0000,1.50000,Held\n");
+}
+
+TEST(Pictures, RasterShowsTheRobotWhereItIs) {
+    const Raster raster = rasterise(with_bands(), two_frames()[1], 250);  // one dot a centimetre
+    const auto dot = [&](double x, double y) {
+        const std::size_t index =
+            3 * (static_cast<std::size_t>(125 - y) * raster.width + static_cast<std::size_t>(125 + x));
+        return std::array{raster.dots[index], raster.dots[index + 1], raster.dots[index + 2]};
+    };
+    const std::array<unsigned char, 3> white{255, 255, 255};
+    EXPECT_NE(dot(30, 40), white);
+    EXPECT_EQ(dot(30, 46), white);
+    EXPECT_EQ(dot(-30, 40), white);
+}
+
+}  // namespace
+}  // namespace robochart::simulation

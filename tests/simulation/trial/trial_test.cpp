@@ -1,0 +1,272 @@
+// One robot with a small machine: what it is fed, what it drives, and what stops it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/simulation/harness.hpp"
+
+namespace robochart::simulation {
+namespace {
+
+using testing::Experiment;
+using ::testing::HasSubstr;
+using testing::replaced;
+
+/// Drives on until told, then turns by an angle that is measured, then drives on.
+constexpr const char* model = R"(
+interface Ops { forward() turn(angle : real) ask() }
+interface Vars { var seen : real = 0.3 }
+interface Events { event wall event bearing : real event done }
+stm Roam {
+	requires Ops
+	requires Vars
+	uses Events
+	var angle : real
+	initial i
+	state Going { entry forward() }
+	state Asking { entry ask() }
+	state Turning { entry turn(angle); wait(1) }
+	transition t0 { from i to Going }
+	transition t1 { from Going to Asking trigger wall }
+	transition t2 { from Asking to Turning trigger bearing?angle }
+	transition t3 { from Turning to Going trigger done }
+}
+)";
+
+constexpr const char* scenario = R"(
+scenario World for Roam {
+	step 0.1 s physics 0.01 s unit 0.1 s duration 20 s trials 1 seed 1
+	arena 100 cm by 100 cm
+	robots 2 { radius 3.7 cm axle 5.1 cm wheel 12.8 cm/s
+		place at (0 cm, 0 cm) heading 0 deg
+		place at (0 cm, 20 cm) heading 0 deg }
+	sensor eye is line_of_sight { range 10 cm }
+	sensor radio is range_and_bearing { range 80 cm }
+	feed wall with eye.wall
+	feed bearing with radio.towards(80 cm) in deg on ask
+	actuator motors is differential_drive
+	drive motors by forward(10 cm/s) on forward
+	drive motors by turn(5 cm/s, deg) on turn
+	feed done with motors.turned
+	record 0.1 s
+}
+)";
+
+/// The first robot drives from 0 to where the wall is 10 cm before its front: 50 - 10 - 3.7 = 36.3 cm, seen in the
+/// cycle after 3.7 s. Then it asks, turns towards the other (to its left, same way along), drives on.
+TEST(Trial, DrivesAsksTurnsAndDrivesOn) {
+    Experiment experiment(model, scenario);
+    ASSERT_EQ(experiment.codes(), "") << experiment.messages();
+    const RunResult result = experiment.run();
+    ASSERT_TRUE(result.trials.at(0).complete);
+    const auto& frames = result.trials[0].frames;
+    ASSERT_EQ(frames.size(), 201U);
+    EXPECT_NEAR(frames[10].poses[0].at.x, 10, 1e-9) << "10 cm/s from the first cycle on";
+    EXPECT_NEAR(frames[30].poses[0].at.x, 30, 1e-9);
+    // Seen at 37 cm, in cycle 37; asked then; one more step is driven, then the answer turns it.
+    EXPECT_NEAR(frames[60].poses[0].at.x, 38, 1e-6);
+    // Both do the same at the same time: the other is straight to the left, and to the right.
+    EXPECT_NEAR(frames[60].poses[0].heading, std::numbers::pi / 2, 1e-9);
+    EXPECT_NEAR(frames[60].poses[1].heading, -std::numbers::pi / 2, 1e-9);
+}
+
+TEST(Trial, TurnsAtTheRateOfItsWheels) {
+    Experiment experiment(model, scenario);
+    const RunResult result = experiment.run();
+    const auto& frames = result.trials.at(0).frames;
+    const double rate = 2 * 5 / 5.1;
+    // The turn begins in cycle 38.
+    EXPECT_NEAR(frames[42].poses[0].heading, 4 * 0.1 * rate, 1e-9);
+}
+
+TEST(Trial, AnswersTheReadingInItsUnit) {
+    std::string in_radians = replaced(scenario, "in deg on ask", "in rad on ask");
+    in_radians = replaced(in_radians, "turn(5 cm/s, deg)", "turn(5 cm/s, rad)");
+    const std::string plain(model);
+    Experiment degrees(plain, scenario);
+    Experiment radians(plain, in_radians);
+    EXPECT_NEAR(degrees.run().trials.at(0).frames[60].poses[0].heading,
+                radians.run().trials.at(0).frames[60].poses[0].heading, 1e-9);
+}
+
+TEST(Trial, StepBoundStopsAtTheElement) {
+    // RC-M12: a loop without time.
+    constexpr const char* loop = R"(
+interface Ops { forward() }
+stm Loop {
+	requires Ops
+	var n : nat
+	initial i
+	state A { entry forward() }
+	state B { }
+	transition t0 { from i to A }
+	transition t1 { from A to B }
+	transition t2 { from B to A }
+}
+)";
+    Experiment experiment(loop, R"(
+scenario World for Loop {
+	step 0.1 s physics 0.01 s unit 0.1 s duration 1 s trials 1
+	arena 100 cm by 100 cm
+	robots 1 { place at (0 cm, 0 cm) heading 0 deg }
+	actuator motors is differential_drive
+	drive motors by forward(10 cm/s) on forward
+}
+)");
+    const RunResult result = experiment.run();
+    ASSERT_TRUE(result.stopped());
+    EXPECT_FALSE(result.holds());
+    EXPECT_EQ(result.trials[0].steps, 0U);
+    EXPECT_THAT(result.trials[0].stop->place,
+                ::testing::AnyOf(HasSubstr("Loop::A"), HasSubstr("Loop::B"), HasSubstr("Loop::t")));
+    EXPECT_THAT(experiment.codes(), HasSubstr("RC-M12"));
+}
+
+TEST(Trial, PreconditionStops) {
+    constexpr const char* wrong = R"(
+interface Vars { var speed : real }
+operation Go(v : real) {
+	precondition v > 0
+	requires Vars
+	initial i
+	final F
+	state S { entry speed = v }
+	transition t0 { from i to S }
+	transition t1 { from S to F }
+}
+interface Ops { Go(v : real) }
+robotic platform P { provides Vars }
+stm Wrong {
+	requires Vars
+	requires Ops
+	initial i
+	state A { entry Go(-1) }
+	transition t0 { from i to A }
+}
+controller C {
+	requires Vars
+	opref go = Go
+	sref s = Wrong
+}
+module M { rref p = P cref c = C }
+)";
+    Experiment experiment(wrong, R"(
+scenario World for M {
+	step 0.1 s physics 0.01 s unit 0.1 s duration 1 s trials 1
+	arena 100 cm by 100 cm
+	robots 1 { place at (0 cm, 0 cm) heading 0 deg }
+}
+)");
+    const RunResult result = experiment.run();
+    ASSERT_TRUE(result.stopped()) << experiment.messages();
+    EXPECT_THAT(result.trials[0].stop->cause, HasSubstr("precondition"));
+}
+
+class Counting final : public Trace {
+public:
+    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+               rc_drive_result /*result*/) override {
+        ++cycles;
+        if (robot != 0) return;
+        if (inputs[0].present != 0) seen.push_back(step);
+        for (std::uint32_t a = 0; a < outputs.count; ++a) done.emplace_back(step, outputs.action[a].output);
+    }
+    std::size_t cycles = 0;
+    std::vector<std::uint64_t> seen;
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> done;
+};
+
+/// A trace is told every cycle of every robot, with what it heard and did.
+TEST(Trial, TellsATrace) {
+    Experiment experiment(model, scenario);
+    std::string error;
+    const auto controller = Controller::build(experiment.emission, "", error);
+    ASSERT_NE(controller, nullptr) << error;
+    ASSERT_EQ(experiment.emission.inputs.at(0).name, "wall");
+    const auto stage = embedded_stage(experiment.scenario, 0, experiment.diagnostics);
+    Counting trace;
+    TrialOptions options;
+    options.trace = &trace;
+    ASSERT_TRUE(run_trial(experiment.plan, controller->drive(), *stage, options).complete);
+    EXPECT_EQ(trace.cycles, 2 * 200U);
+    EXPECT_EQ(trace.seen.at(0), 37U) << "the wall, from 37 cm on";
+    ASSERT_GE(trace.done.size(), 2U);
+    EXPECT_EQ(trace.done[0].first, 0U) << "forward at once";
+    EXPECT_EQ(trace.done[1].first, 37U) << "asks when it sees the wall";
+    EXPECT_EQ(experiment.emission.outputs.at(trace.done[1].second).name, "ask");
+}
+
+/// Shared variables are fed like events, and the environment raises events by the clock.
+TEST(Trial, FeedsVariablesAndStimuli) {
+    constexpr const char* machine = R"(
+interface Ops { forward() halt() }
+interface Vars { var ahead : real = 99 }
+interface Events { event start event limit : real event sign : boolean }
+stm Roam {
+	requires Ops
+	requires Vars
+	uses Events
+	var most : real = 0
+	var go : boolean = false
+	initial i
+	state Waiting { entry halt() }
+	state Ready { }
+	state Asked { }
+	state Going { entry forward() }
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to Ready trigger start }
+	transition t2 { from Ready to Asked trigger limit?most }
+	transition t3 { from Asked to Going trigger sign?go }
+	transition t4 { from Going to Waiting condition ahead < most /\ go == true }
+}
+)";
+    Experiment experiment(machine, R"(
+scenario World for Roam {
+	step 0.1 s physics 0.01 s unit 0.1 s duration 10 s trials 1
+	arena 100 cm by 100 cm
+	robots 1 { radius 3.7 cm axle 5.1 cm wheel 12.8 cm/s place at (0 cm, 0 cm) heading 0 deg }
+	sensor eye is line_of_sight
+	feed ahead with eye.distance in cm
+	actuator motors is differential_drive
+	drive motors by forward(10 cm/s) on forward
+	drive motors by stop on halt
+	stimulus start at 1 s
+	stimulus limit = 20.5 at 1.5 s
+	stimulus sign = true every 2 s
+	record 0.1 s
+}
+)");
+    ASSERT_EQ(experiment.codes(), "") << experiment.messages();
+    const RunResult result = experiment.run();
+    ASSERT_FALSE(result.stopped()) << experiment.messages();
+    const auto& frames = result.trials.at(0).frames;
+    EXPECT_NEAR(frames[20].poses[0].at.x, 0, 1e-9) << "waits for the sign at 2 s";
+    EXPECT_NEAR(frames[21].poses[0].at.x, 1, 1e-9);
+    // The wall is 50 - 3.7 = 46.3 cm ahead at the start: less than 20.5 cm from x = 26 on (25.8 is passed between).
+    EXPECT_NEAR(frames[100].poses[0].at.x, 26, 1e-9);
+}
+
+TEST(Controller, CompilerThatFailsIsTold) {
+    // RC-M11 carries these words.
+    Experiment experiment(model, scenario);
+    std::string error;
+    EXPECT_EQ(Controller::build(experiment.emission, "no-such-compiler", error), nullptr);
+    EXPECT_THAT(error, HasSubstr("no-such-compiler"));
+}
+
+TEST(Controller, StatesLieSideBySideAndAligned) {
+    Experiment experiment(model, scenario);
+    std::string error;
+    const auto controller = Controller::build(experiment.emission, "", error);
+    ASSERT_NE(controller, nullptr) << error;
+    ControllerArray array(controller->drive(), 3);
+    const auto address = [&](std::size_t i) { return reinterpret_cast<std::uintptr_t>(array[i]); };
+    EXPECT_EQ(address(0) % controller->drive().state_alignment, 0U);
+    EXPECT_EQ(address(2) - address(1), address(1) - address(0));
+    EXPECT_GE(address(1) - address(0), controller->drive().state_size);
+}
+
+}  // namespace
+}  // namespace robochart::simulation
