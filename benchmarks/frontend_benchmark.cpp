@@ -56,7 +56,7 @@ void measure_phases(const random_models::Project& project, Reading& reading) {
     reading.memory = allocated() - before;
 }
 
-/// The way that the command goes: from a folder to a model.
+/// As the command does it: from a folder to a model.
 void measure_load(const std::string& folder, Reading& reading) {
     const double begin = seconds();
     diagnostics::SourceManager sources;

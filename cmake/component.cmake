@@ -55,7 +55,7 @@ function(robochart_tests name)
     sources_of(sources ${TESTS_FOLDERS})
   endif()
   add_executable(tests_${name} ${sources} ${TESTS_SOURCES})
-  # A test is compiled far oftener than its own lines cost time: half of a cold build was optimizing them.
+  # Optimising tests took half of a cold build, and their own code takes little time to run.
   target_compile_options(tests_${name} PRIVATE -O0)
   target_link_libraries(tests_${name} PRIVATE ${TESTS_DEPENDS} robochart_source_folder GTest::gtest GTest::gmock GTest::gtest_main)
   gtest_discover_tests(tests_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)

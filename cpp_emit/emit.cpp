@@ -76,17 +76,17 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
                            {component->name, "its state takes more than 64 KiB (operations that call operations)"});
         return emission;
     }
-    const Face face = make_face(generation);
-    for (const FaceClass& base : face.bases)
-        emission.files.push_back({base.cpp_name + ".hpp", interface_header(generation, core, face, base)});
+    const ClassApi api = make_class_api(generation);
+    for (const ApiClass& base : api.bases)
+        emission.files.push_back({base.cpp_name + ".hpp", interface_header(generation, core, api, base)});
     const OutputFile rest[] = {
-        {face.cpp_name + ".hpp", machine_header(generation, core, face)},
-        {face.cpp_name + ".cpp", machine_source(generation, core, face)},
+        {api.cpp_name + ".hpp", machine_header(generation, core, api)},
+        {api.cpp_name + ".cpp", machine_source(generation, core, api)},
         {core.header, core_header(generation, core)},
         {component->cpp_name + "_layout.hpp", layout_header(generation, core)},
         {trace_header_name(generation), trace_header(generation, core)},
-        {"main.cpp", console_source(generation, core, face)},
-        {"CMakeLists.txt", build_file(face)},
+        {"main.cpp", console_source(generation, core, api)},
+        {"CMakeLists.txt", build_file(api)},
         {"robochart/runtime.hpp", runtime_header()},
         {"robochart/timer.hpp", timer_header()},
         {"robochart/layout.hpp", layout_helpers()},
@@ -102,7 +102,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     const std::vector<OutputFile> values = value_headers(*component);
     emission.files.insert(emission.files.end(), values.begin(), values.end());
     if (options.target != Target::sources) {
-        emission.files = project_files(generation, core, face, emission.files, diagnostics);
+        emission.files = project_files(generation, core, api, emission.files, diagnostics);
         emission.shim.clear();
     }
     emission.fault_sites = mutation.sites();

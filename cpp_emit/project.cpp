@@ -33,17 +33,17 @@ bool only_explored(const std::string& path) {
 
 class ProjectMaker {
 public:
-    ProjectMaker(const Generation& generation, const Core& core, const Face& face,
+    ProjectMaker(const Generation& generation, const Core& core, const ClassApi& api,
                  const std::vector<OutputFile>& controller)
-        : generation_(generation), core_(core), face_(face) {
+        : generation_(generation), core_(core), api_(api) {
         for (const OutputFile& file : controller) {
             if (file.path == "main.cpp") console_ = file.text;
             if (only_explored(file.path)) continue;
             eigen_ = eigen_ || file.text.find("#include <Eigen/") != std::string::npos;
             files_.push_back({"controller/" + file.path, file.text});
         }
-        keys_["CLASS"] = face.cpp_name;
-        keys_["QUALIFIED"] = face.name_space + "::" + face.cpp_name;
+        keys_["CLASS"] = api.cpp_name;
+        keys_["QUALIFIED"] = api.name_space + "::" + api.cpp_name;
         keys_["PACKAGE"] = package_name(generation.component.name);
         keys_["DEPENDENCIES"] = eigen_ ? "find_package(Eigen3 QUIET)\n" : "";
         const Target target = generation.options.target;
@@ -58,7 +58,7 @@ public:
                 break;
             case Target::library:
                 add("CMakeLists.txt", "library/CMakeLists.txt");
-                add(face_.cpp_name + "Config.cmake", "library/config.cmake");
+                add(api_.cpp_name + "Config.cmake", "library/config.cmake");
                 break;
             case Target::main:
                 add("CMakeLists.txt", "main/CMakeLists.txt");
@@ -91,27 +91,27 @@ private:
             text += fmt::format(
                 "# For robochart/eigen.hpp, where the robot's code uses it.\nfind_package(Eigen3 QUIET)\n"
                 "if(TARGET Eigen3::Eigen)\n  target_link_libraries({} PUBLIC Eigen3::Eigen)\nendif()\n",
-                face_.cpp_name);
+                api_.cpp_name);
         return text;
     }
 
     void ros2() {
         add("CMakeLists.txt", "ros2/CMakeLists.txt");
         add("package.xml", "ros2/package.xml");
-        files_.push_back({"src/" + face_.cpp_name + "_node.hpp", node_header(generation_, core_, face_)});
-        files_.push_back({"src/" + face_.cpp_name + "_node.cpp", node_source(generation_, core_, face_)});
+        files_.push_back({"src/" + api_.cpp_name + "_node.hpp", node_header(generation_, core_, api_)});
+        files_.push_back({"src/" + api_.cpp_name + "_node.cpp", node_source(generation_, core_, api_)});
     }
 
     void robot() {
-        const std::string act = free_member(face_, "act");
+        const std::string act = free_member(api_, "act");
         keys_["ACT"] = act;
-        files_.push_back(robot_file(generation_, core_, face_, act));
+        files_.push_back(robot_file(generation_, core_, api_, act));
     }
 
     void enki() {
         robot();
         std::string titles, states;
-        for (const FaceMachine& machine : face_.machines) {
+        for (const ApiMachine& machine : api_.machines) {
             titles += "," + machine.method;
             states += fmt::format(" << ',' << ::Robot::name(puck.robot().{}())", machine.method);
         }
@@ -127,12 +127,12 @@ private:
         add("CMakeLists.txt", "argos/CMakeLists.txt");
         add("body.hpp", "argos/body.hpp");
         add("controller.cpp", "argos/controller.cpp");
-        add(face_.cpp_name + ".argos", "argos/experiment.argos");
+        add(api_.cpp_name + ".argos", "argos/experiment.argos");
     }
 
     const Generation& generation_;
     const Core& core_;
-    const Face& face_;
+    const ClassApi& api_;
     std::vector<OutputFile> files_;
     std::map<std::string, std::string> keys_;
     diagnostics::ForeignText element_;
@@ -157,13 +157,13 @@ std::string filled(const std::string& text, const std::map<std::string, std::str
     return result.append(text, from);
 }
 
-std::string free_member(const Face& face, std::string name) {
+std::string free_member(const ClassApi& api, std::string name) {
     const auto taken = [&] {
         bool found = false;
-        each_class(face, [&](const FaceClass& part) {
-            for (const FaceVariable& variable : part.variables) found = found || variable.member == name;
-            for (const FaceEvent& event : part.events) found = found || event.flag == name || event.value == name;
-            for (const FaceOperation& operation : part.operations) found = found || operation.method == name;
+        each_class(api, [&](const ApiClass& part) {
+            for (const ApiVariable& variable : part.variables) found = found || variable.member == name;
+            for (const ApiEvent& event : part.events) found = found || event.flag == name || event.value == name;
+            for (const ApiOperation& operation : part.operations) found = found || operation.method == name;
         });
         return found;
     };
@@ -171,11 +171,11 @@ std::string free_member(const Face& face, std::string name) {
     return name;
 }
 
-std::vector<OutputFile> project_files(const Generation& generation, const Core& core, const Face& face,
+std::vector<OutputFile> project_files(const Generation& generation, const Core& core, const ClassApi& api,
                                       const std::vector<OutputFile>& controller,
                                       diagnostics::Diagnostics& diagnostics) {
-    if (generation.options.target == Target::ros2 && !has_messages(generation, face, diagnostics)) return {};
-    return ProjectMaker(generation, core, face, controller).make();
+    if (generation.options.target == Target::ros2 && !has_messages(generation, api, diagnostics)) return {};
+    return ProjectMaker(generation, core, api, controller).make();
 }
 
 }  // namespace robochart::cpp_emit

@@ -1,5 +1,5 @@
-// Projects around the classes of one component, one a target: what is needed to build it as it stands. The constant
-// parts are the texts in cpp_emit/projects, in which names between @ signs are replaced. Private to the room.
+// Projects around the classes of one component, one for each target: everything needed to build it. The constant
+// parts are the texts in cpp_emit/projects, in which names between @ signs are replaced. Private to this component.
 #pragma once
 
 #include <map>
@@ -17,19 +17,19 @@ namespace robochart::cpp_emit {
 [[nodiscard]] std::string filled(const std::string& text, const std::map<std::string, std::string>& keys);
 
 /// The name, or a longer one that no member of the class has.
-[[nodiscard]] std::string free_member(const Face&, std::string name);
+[[nodiscard]] std::string free_member(const ClassApi&, std::string name);
 
 /// Files of the project of Options::target; `controller` holds those of the classes and their CMakeLists.txt and
 /// main.cpp. What the target cannot do is refused by name.
-[[nodiscard]] std::vector<OutputFile> project_files(const Generation&, const Core&, const Face&,
+[[nodiscard]] std::vector<OutputFile> project_files(const Generation&, const Core&, const ClassApi&,
                                                     const std::vector<OutputFile>& controller,
                                                     diagnostics::Diagnostics&);
 
 /// The class that an author of a robot fills: events from its sensors, operations to its actuators.
-[[nodiscard]] OutputFile robot_file(const Generation&, const Core&, const Face&, const std::string& act);
+[[nodiscard]] OutputFile robot_file(const Generation&, const Core&, const ClassApi&, const std::string& act);
 /// Reports what has no message; then the node's header and source.
-[[nodiscard]] bool has_messages(const Generation&, const Face&, diagnostics::Diagnostics&);
-[[nodiscard]] std::string node_header(const Generation&, const Core&, const Face&);
-[[nodiscard]] std::string node_source(const Generation&, const Core&, const Face&);
+[[nodiscard]] bool has_messages(const Generation&, const ClassApi&, diagnostics::Diagnostics&);
+[[nodiscard]] std::string node_header(const Generation&, const Core&, const ClassApi&);
+[[nodiscard]] std::string node_source(const Generation&, const Core&, const ClassApi&);
 
 }  // namespace robochart::cpp_emit

@@ -11,8 +11,8 @@ namespace {
 
 class RobotWriter {
 public:
-    RobotWriter(const Generation& generation, const Core& core, const Face& face, std::string act)
-        : generation_(generation), core_(core), face_(face), act_(std::move(act)) {}
+    RobotWriter(const Generation& generation, const Core& core, const ClassApi& api, std::string act)
+        : generation_(generation), core_(core), api_(api), act_(std::move(act)) {}
 
     std::string write() {
         out_.comment(
@@ -26,7 +26,7 @@ public:
         out_.line("#include <type_traits>");
         out_.gap();
         out_.line("#include \"body.hpp\"");
-        out_.line(fmt::format("#include \"{}.hpp\"", face_.cpp_name));
+        out_.line(fmt::format("#include \"{}.hpp\"", api_.cpp_name));
         out_.gap();
         tell_function();
         out_.gap();
@@ -51,14 +51,14 @@ private:
     }
 
     void robot_class() {
-        out_.open(fmt::format("class Robot final : public ::{}::{} {{", face_.name_space, face_.cpp_name));
+        out_.open(fmt::format("class Robot final : public ::{}::{} {{", api_.name_space, api_.cpp_name));
         out_.label("public:");
         out_.line("explicit Robot(Body& body) : robot_body_(body) {}");
         out_.gap();
         events();
         variables();
-        each_class(face_, [&](const FaceClass& part) {
-            for (const FaceOperation& operation : part.operations)
+        each_class(api_, [&](const ApiClass& part) {
+            for (const ApiOperation& operation : part.operations)
                 if (!operation.modelled) call(operation);
         });
         out_.gap();
@@ -68,10 +68,10 @@ private:
     }
 
     void events() {
-        out_.doc("Before a control cycle: raise the events that the sensors tell of. It lowers them again.");
+        out_.doc("Before a control cycle: raise the events that the sensors report. It lowers them again.");
         out_.open("void CheckInEvent() override {");
-        each_class(face_, [&](const FaceClass& part) {
-            for (const FaceEvent& event : part.events) {
+        each_class(api_, [&](const ApiClass& part) {
+            for (const ApiEvent& event : part.events) {
                 if (event.sent) continue;
                 const std::string value =
                     event.port->type ? fmt::format(" {} = ...; (a {})", event.value, type(*event.port->type)) : "";
@@ -86,11 +86,11 @@ private:
         out_.doc(
             "After a control cycle: what the controller has made of the variables that it shares, and what it sent.");
         out_.open(fmt::format("void {}() {{", act_));
-        each_class(face_, [&](const FaceClass& part) {
-            for (const FaceVariable& variable : part.variables)
+        each_class(api_, [&](const ApiClass& part) {
+            for (const ApiVariable& variable : part.variables)
                 if (variable.stored->visible)
                     out_.comment("variable " + generation_.place(variable.stored->variable->origin) + ": " + variable.member);
-            for (const FaceEvent& event : part.events) {
+            for (const ApiEvent& event : part.events) {
                 if (!event.sent) continue;
                 out_.line(fmt::format("if ({}) tell(robot_body_, \"{}\"{});", event.flag, event.port->model_name,
                                       event.port->type ? ", " + event.value : ""));
@@ -99,12 +99,12 @@ private:
         out_.close();
     }
 
-    void call(const FaceOperation& operation) {
+    void call(const ApiOperation& operation) {
         std::string parameters, values;
         const auto& signature = *operation.signature;
         const std::vector<std::string> names = parameter_identifiers(signature.parameter_names);
         for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
-            const std::string name = free_member(face_, names.at(i));
+            const std::string name = free_member(api_, names.at(i));
             parameters += fmt::format("{}{} {}", i == 0 ? "" : ", ", type(signature.parameters[i]), name);
             values += ", " + name;
         }
@@ -120,15 +120,15 @@ private:
 
     const Generation& generation_;
     const Core& core_;
-    const Face& face_;
+    const ClassApi& api_;
     std::string act_;
     CodeWriter out_;
 };
 
 }  // namespace
 
-OutputFile robot_file(const Generation& generation, const Core& core, const Face& face, const std::string& act) {
-    return {"robot.hpp", RobotWriter(generation, core, face, act).write(), true};
+OutputFile robot_file(const Generation& generation, const Core& core, const ClassApi& api, const std::string& act) {
+    return {"robot.hpp", RobotWriter(generation, core, api, act).write(), true};
 }
 
 }  // namespace robochart::cpp_emit

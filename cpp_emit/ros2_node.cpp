@@ -54,22 +54,22 @@ struct Topic {
 };
 
 struct Topics {
-    std::vector<std::pair<Topic, const FaceEvent*>> received, sent;
-    std::vector<std::pair<Topic, const FaceOperation*>> operations;
-    std::vector<std::pair<Topic, const FaceVariable*>> variables;
-    std::vector<std::pair<Topic, const FaceVariable*>> written;  ///< from outside
+    std::vector<std::pair<Topic, const ApiEvent*>> received, sent;
+    std::vector<std::pair<Topic, const ApiOperation*>> operations;
+    std::vector<std::pair<Topic, const ApiVariable*>> variables;
+    std::vector<std::pair<Topic, const ApiVariable*>> written;  ///< from outside
 };
 
-Topics topics_of(const Generation& generation, const Face& face) {
+Topics topics_of(const Generation& generation, const ClassApi& api) {
     Topics topics;
     const diagnostics::Span whole = generation.component.origin.span;
-    each_class(face, [&](const FaceClass& part) {
-        for (const FaceEvent& event : part.events) {
+    each_class(api, [&](const ApiClass& part) {
+        for (const ApiEvent& event : part.events) {
             const Topic topic{event.port->model_name, event.flag, message_of(generation, event.port->type),
                               event.port->type, whole};
             (event.sent ? topics.sent : topics.received).push_back({topic, &event});
         }
-        for (const FaceOperation& operation : part.operations)
+        for (const ApiOperation& operation : part.operations)
             if (!operation.modelled)
                 topics.operations.push_back({{operation.signature->name,
                                               operation.method,
@@ -77,7 +77,7 @@ Topics topics_of(const Generation& generation, const Face& face) {
                                               {},
                                               operation.signature->origin.span},
                                              &operation});
-        for (const FaceVariable& variable : part.variables) {
+        for (const ApiVariable& variable : part.variables) {
             const ir::Variable& declared = *variable.stored->variable;
             const Topic topic{declared.name, variable.member, message_of(generation, declared.type), declared.type,
                               declared.origin.span};
@@ -99,12 +99,12 @@ void each_topic(const Topics& topics, const Visit& visit) {
 
 class NodeWriter {
 public:
-    NodeWriter(const Generation& generation, const Core& core, const Face& face)
+    NodeWriter(const Generation& generation, const Core& core, const ClassApi& api)
         : generation_(generation),
           core_(core),
-          face_(face),
-          topics_(topics_of(generation, face)),
-          node_(face.cpp_name + "Node") {}
+          api_(api),
+          topics_(topics_of(generation, api)),
+          node_(api.cpp_name + "Node") {}
 
     std::string header() {
         file_comment(generation_, out_, "ROS 2 node");
@@ -114,23 +114,23 @@ public:
         out_.line("#pragma once");
         out_.gap();
         includes();
-        out_.line(fmt::format("namespace {} {{", face_.name_space));
+        out_.line(fmt::format("namespace {} {{", api_.name_space));
         out_.gap();
         robot_class();
         out_.gap();
         node_class();
         out_.gap();
-        out_.line(fmt::format("}}  // namespace {}", face_.name_space));
+        out_.line(fmt::format("}}  // namespace {}", api_.name_space));
         return out_.text();
     }
 
     std::string source() {
         file_comment(generation_, out_, "ROS 2 node");
-        out_.line(fmt::format("#include \"{}_node.hpp\"", face_.cpp_name));
+        out_.line(fmt::format("#include \"{}_node.hpp\"", api_.cpp_name));
         out_.gap();
         out_.line("#include <rclcpp_components/register_node_macro.hpp>");
         out_.gap();
-        out_.line(fmt::format("namespace {} {{", face_.name_space));
+        out_.line(fmt::format("namespace {} {{", api_.name_space));
         out_.gap();
         constructor();
         out_.gap();
@@ -140,9 +140,9 @@ public:
         out_.gap();
         log_method();
         out_.gap();
-        out_.line(fmt::format("}}  // namespace {}", face_.name_space));
+        out_.line(fmt::format("}}  // namespace {}", api_.name_space));
         out_.gap();
-        out_.line(fmt::format("RCLCPP_COMPONENTS_REGISTER_NODE({}::{})", face_.name_space, node_));
+        out_.line(fmt::format("RCLCPP_COMPONENTS_REGISTER_NODE({}::{})", api_.name_space, node_));
         return out_.text();
     }
 
@@ -161,7 +161,7 @@ private:
         each_topic(topics_, [&](const char*, const Topic& topic) { messages.insert(header_of(topic.message)); });
         for (const std::string& message : messages) out_.line(fmt::format("#include <std_msgs/msg/{}.hpp>", message));
         out_.gap();
-        out_.line(fmt::format("#include \"{}.hpp\"", face_.cpp_name));
+        out_.line(fmt::format("#include \"{}.hpp\"", api_.cpp_name));
         out_.line("#if ROBOCHART_TRACE");
         out_.line("#include \"robochart/trace_file.hpp\"");
         out_.line("#endif");
@@ -178,7 +178,7 @@ private:
 
     void robot_class() {
         out_.doc("The controller; what it does is kept until the end of the cycle, for a cycle must not fail.");
-        out_.open(fmt::format("class {}Messages final : public {} {{", face_.cpp_name, face_.cpp_name));
+        out_.open(fmt::format("class {}Messages final : public {} {{", api_.cpp_name, api_.cpp_name));
         out_.label("public:");
         for (const auto& [topic, operation] : topics_.operations) {
             out_.line(fmt::format("std::vector<std_msgs::msg::{}> made_{};", topic.message, topic.member));
@@ -191,7 +191,7 @@ private:
         out_.close("};");
     }
 
-    void keep(const Topic& topic, const FaceOperation& operation) {
+    void keep(const Topic& topic, const ApiOperation& operation) {
         std::string parameters, several;
         const auto& types = operation.signature->parameters;
         for (std::size_t i = 0; i < types.size(); ++i) {
@@ -206,7 +206,7 @@ private:
         out_.close();
     }
 
-    void keep(const Topic& topic, const FaceEvent& event) {
+    void keep(const Topic& topic, const ApiEvent& event) {
         out_.open(fmt::format("void {}({}) override {{", event.method, topic.type ? type(*topic.type) + " a0" : ""));
         out_.line(fmt::format("made_sent_{}.emplace_back();", topic.member));
         if (topic.type)
@@ -230,7 +230,7 @@ private:
         out_.line("#if ROBOCHART_TRACE");
         out_.line("std::unique_ptr<robochart::TraceFile> log_;");
         out_.line("#endif");
-        out_.line(fmt::format("{}Messages robot_;", face_.cpp_name));
+        out_.line(fmt::format("{}Messages robot_;", api_.cpp_name));
         out_.line("rclcpp::CallbackGroup::SharedPtr group_;");
         for (const auto& [topic, event] : topics_.received) subscription("in", topic);
         for (const auto& [topic, variable] : topics_.written) subscription("set", topic);
@@ -240,10 +240,10 @@ private:
             publisher("variable", topic);
             out_.line(fmt::format("std::optional<{}> known_{}_;", type(*topic.type), topic.member));
         }
-        for (const FaceMachine& machine : face_.machines) {
+        for (const ApiMachine& machine : api_.machines) {
             out_.line(fmt::format("rclcpp::Publisher<std_msgs::msg::String>::SharedPtr {}_;", machine.method));
             out_.line(
-                fmt::format("std::optional<{}::{}> known_{}_;", face_.cpp_name, machine.enumeration, machine.method));
+                fmt::format("std::optional<{}::{}> known_{}_;", api_.cpp_name, machine.enumeration, machine.method));
         }
         out_.line("rclcpp::TimerBase::SharedPtr timer_;");
         out_.close("};");
@@ -272,7 +272,7 @@ private:
         for (const auto& [topic, operation] : topics_.operations) create_publisher("out", topic);
         for (const auto& [topic, event] : topics_.sent) create_publisher("sent", topic);
         for (const auto& [topic, variable] : topics_.variables) create_publisher("variable", topic);
-        for (const FaceMachine& machine : face_.machines)
+        for (const ApiMachine& machine : api_.machines)
             out_.line(fmt::format("{0}_ = create_publisher<std_msgs::msg::String>(\"~/{0}\", rclcpp::QoS(10));",
                                   machine.method));
         out_.line("log(declare_parameter(\"log\", std::string()));");
@@ -289,7 +289,7 @@ private:
         out_.line("if (file.empty()) return;");
         out_.line("#if ROBOCHART_TRACE");
         out_.line(
-            fmt::format("log_ = std::make_unique<robochart::TraceFile>({}Messages::RunHeader());", face_.cpp_name));
+            fmt::format("log_ = std::make_unique<robochart::TraceFile>({}Messages::RunHeader());", api_.cpp_name));
         out_.line("if (log_->open(file)) return robot_.SetTracer(log_.get());");
         out_.line("RCLCPP_ERROR(get_logger(), \"cannot write %s\", file.c_str());");
         out_.line("#else");
@@ -311,14 +311,14 @@ private:
         refuse_values(topic);
     }
 
-    void subscribe(const Topic& topic, const FaceEvent& event) {
+    void subscribe(const Topic& topic, const ApiEvent& event) {
         open_callback("in", topic);
         out_.line(fmt::format("robot_.{} = true;", event.flag));
         if (topic.type) out_.line(fmt::format("robot_.{} = {};", event.value, from_message(*topic.type)));
         out_.close("}, grouped);");
     }
 
-    void subscribe(const Topic& topic, const FaceVariable& variable) {
+    void subscribe(const Topic& topic, const ApiVariable& variable) {
         open_callback("set", topic);
         out_.line(fmt::format("robot_.{} = {};", variable.member, from_message(*topic.type)));
         out_.close("}, grouped);");
@@ -375,11 +375,11 @@ private:
             out_.line(fmt::format("variable_{}_->publish(message);", topic.member));
             out_.close();
         }
-        for (const FaceMachine& machine : face_.machines) {
+        for (const ApiMachine& machine : api_.machines) {
             out_.open(fmt::format("if (!known_{0}_ || *known_{0}_ != robot_.{0}()) {{", machine.method));
             out_.line(fmt::format("known_{0}_ = robot_.{0}();", machine.method));
             out_.line("std_msgs::msg::String message;");
-            out_.line(fmt::format("message.data = {0}::name(robot_.{1}());", face_.cpp_name, machine.method));
+            out_.line(fmt::format("message.data = {0}::name(robot_.{1}());", api_.cpp_name, machine.method));
             out_.line(fmt::format("{}_->publish(message);", machine.method));
             out_.close();
         }
@@ -399,7 +399,7 @@ private:
 
     const Generation& generation_;
     const Core& core_;
-    const Face& face_;
+    const ClassApi& api_;
     Topics topics_;
     std::string node_;
     CodeWriter out_;
@@ -407,9 +407,9 @@ private:
 
 }  // namespace
 
-bool has_messages(const Generation& generation, const Face& face, diagnostics::Diagnostics& diagnostics) {
+bool has_messages(const Generation& generation, const ClassApi& api, diagnostics::Diagnostics& diagnostics) {
     bool good = true;
-    each_topic(topics_of(generation, face), [&](const char* kind, const Topic& topic) {
+    each_topic(topics_of(generation, api), [&](const char* kind, const Topic& topic) {
         if (!topic.message.empty()) return;
         good = false;
         diagnostics.report(rules::no_project, topic.span,
@@ -419,12 +419,12 @@ bool has_messages(const Generation& generation, const Face& face, diagnostics::D
     return good;
 }
 
-std::string node_header(const Generation& generation, const Core& core, const Face& face) {
-    return NodeWriter(generation, core, face).header();
+std::string node_header(const Generation& generation, const Core& core, const ClassApi& api) {
+    return NodeWriter(generation, core, api).header();
 }
 
-std::string node_source(const Generation& generation, const Core& core, const Face& face) {
-    return NodeWriter(generation, core, face).source();
+std::string node_source(const Generation& generation, const Core& core, const ClassApi& api) {
+    return NodeWriter(generation, core, api).source();
 }
 
 }  // namespace robochart::cpp_emit

@@ -35,7 +35,10 @@ cspm::Model model_of(ir::PropertyModel model) {
     }
 }
 
-/// No run of tocks for ever with nothing else on offer: `tock'` lets time pass visibly, hidden tocks must not diverge.
+/// Timed deadlock freedom (assertions.md 4), with Ev = Events \ {tock, tock'}:
+///     prioritise(P[[tock <- tock, tock <- tock']], <Ev, {tock}>) \ {tock} is divergence-free.
+/// A hidden tock is performed only where P offers no other event but tock', so a divergence is a run in which, from
+/// some point on, time passes for ever and nothing else is on offer.
 ExprPtr deadlock_watch(const ExprPtr& process) {
     const ExprPtr both = b::rename(process, {{tock(), tock()}, {tock(), b::name("tock'")}});
     const ExprPtr others = b::call("diff", {b::name("Events"), b::set({b::name("tock'"), tock()})});
@@ -68,8 +71,8 @@ std::string opposite(const ir::Property& property) {
     }
 }
 
-/// The process does nothing, or (negated) something. RoboTool's specification is STOP, which forbids ✓ as well and so
-/// takes every state of a machine that terminates for reachable.
+/// `SKIP [T= P`: P performs no event but ✓; negated: it performs one. RoboTool's specification is STOP, which forbids ✓
+/// as well, so that every state of a terminating machine seems reachable.
 DeclPtr never(const ExprPtr& process, bool negated) {
     return b::assert_refines(b::skip(), cspm::Model::traces, process, negated);
 }
@@ -162,7 +165,7 @@ ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& prope
     return b::call(path(ref) + "::" + variant, arguments(ref, property));
 }
 
-/// `0`, an operation's parameters, the constants: what the assertion sets, else what stands in the instantiations.
+/// `0`, an operation's parameters, the constants: those that the assertion sets, otherwise those of the instantiations.
 b::Exprs Asserter::arguments(const ir::ComponentRef& ref, const ir::Property& property) const {
     const ComponentEmission* found = component(ref);
     b::Exprs arguments{b::number(0)};
@@ -190,15 +193,17 @@ std::vector<DeclPtr> Asserter::deadlock(const ExprPtr& process, cspm::Model mode
                                cspm::Model::failures_divergences, negated)};
 }
 
-/// Every stable state lets time pass.
+/// Timelock freedom (assertions.md 4): `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`, that is, every stable state of P
+/// accepts tock.
 std::vector<DeclPtr> Asserter::timelock(const ExprPtr& process, bool negated) const {
     const ExprPtr others = b::call("diff", {b::name("Events"), b::productions({tock()})});
     const ExprPtr any = b::interleave({b::call("RUN", {b::set({tock()})}), b::call("CHAOS", {others})});
     return {b::assert_refines(any, cspm::Model::failures, process, negated)};
 }
 
-/// Terminates: some deadlock or ✓ is reachable, and every deadlock is a ✓. Does not terminate: no ✓ is reachable,
-/// that is, the event r__ that stands behind the ✓ is in no trace.
+/// `terminates` (assertions.md 4): not `P :[deadlock free]`, so some deadlock or ✓ is reachable, and
+/// `P; RUN({r__}) :[deadlock free]`, so every deadlock of P is a ✓.
+/// `does not terminate`: `STOP [T= (P; r__ -> STOP) |\ {r__}`, so no ✓ is reachable, after which r__ would follow.
 std::vector<DeclPtr> Asserter::termination(const ExprPtr& process, cspm::Model model, bool negated) const {
     const ExprPtr after = b::name("r__");
     if (negated) {
@@ -278,16 +283,17 @@ void Asserter::refinement(const ir::Property& property, Obligation& out) {
     if (property.negated) out.reason = "each of the two refines the other";
 }
 
-/// RoboTool asserts over VS_O__; VS__ is the same process before compression, and a counterexample through it still
-/// shows every step.
+/// `S is reachable`: not `SKIP [T= P |\ {| S::entered |}`, that is, `entered` of S is in a trace of P. RoboTool asserts
+/// over VS_O__; VS__ is the same process before compression, so that a counterexample shows every step.
 std::vector<DeclPtr> Asserter::reachability(const ir::Property& property) const {
     const ExprPtr entered = b::name(path(property.subject) + "::" + property.state + "::entered");
     const ExprPtr only = b::project(process(property.subject, property, "VS__"), b::productions({entered}));
     return {never(only, !property.negated)};
 }
 
-/// `clock C is initialised`: no guard reads it before its first reset, and some run resets it. A copy of the machine
-/// that keeps watch (clock_initialisation.cpp) tells both.
+/// `clock C is initialised`: no guard reads C before its first reset, and some run resets it. An instrumented copy W of
+/// the machine (clock_initialisation.cpp) performs `unset__` at such a read and `reset__` at a reset:
+///     SKIP [T= W |\ {unset__}   and   not SKIP [T= W |\ {reset__}.
 void Asserter::initialisation(const ir::Property& property, Obligation& out) {
     const ComponentEmission& subject = *component(property.subject);
     MachineContext context;
@@ -324,13 +330,13 @@ std::string Asserter::unavailable_model(const ir::Property& property) const {
     if (binary && !has_alphabet(property.subject)) return property.subject.path + "__sem__events is not defined";
     if (binary && !has_alphabet(property.other)) return property.other.path + "__sem__events is not defined";
     if (binary) return "";
-    if (property.model == ir::PropertyModel::traces) return "traces do not tell what is refused or diverges";
+    if (property.model == ir::PropertyModel::traces) return "traces do not record refusals and divergences";
     if (property.kind == PropertyKind::divergence_free)
-        return "divergence is told by the failures-divergences model only";
+        return "divergence is visible in the failures-divergences model only";
     if (property.model == ir::PropertyModel::tick_tock && property.kind != PropertyKind::timelock_free)
         return "in the tick-tock model refinements and timelocks are decided";
     if (property.kind == PropertyKind::deadlock_free && timed())
-        return "a deadlock in time is told by the failures-divergences model only";
+        return "a deadlock in time is visible in the failures-divergences model only";
     return "";
 }
 

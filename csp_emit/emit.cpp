@@ -187,7 +187,7 @@ std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<De
 }
 
 /// The generated instantiations of all names that the user's leave out; of these the functions whose values are the
-/// finite reading's choice.
+/// finite instantiation's choice.
 void add_instantiations(const Project& project, const std::set<std::string>& given, std::vector<DeclPtr>& decls,
                         std::set<std::string>& bounded) {
     for (const DeclPtr& decl : instantiations(project)) {

@@ -39,7 +39,7 @@ Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::st
     if (rule.severity == Severity::error) ++errors_;
     if (rule.severity == Severity::warning) ++warnings_;
     if (rule.severity == Severity::error && span.known()) wrong_.insert(span.source);
-    // Each severity has room of its own: many warnings never hide an error.
+    // Each severity has its own limit: many warnings never hide an error.
     const std::size_t like_this = rule.severity == Severity::error     ? errors_
                                   : rule.severity == Severity::warning ? warnings_
                                                                        : 0;

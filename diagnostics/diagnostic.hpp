@@ -27,7 +27,7 @@ struct Note {
     std::string message;
 };
 
-/// A certain mend: replace the span's text.
+/// A certain fix: replace the span's text.
 struct FixIt {
     Span span;
     std::string replacement;

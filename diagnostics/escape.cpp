@@ -1,4 +1,4 @@
-// See escape.hpp.
+// One escape function for each language; each decodes the text once and escapes what the language gives a meaning.
 #include "diagnostics/escape.hpp"
 
 #include <fmt/format.h>

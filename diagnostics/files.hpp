@@ -49,7 +49,7 @@ private:
     Budget::Held held_;
 };
 
-/// A file below a folder that is written bit by bit, and stands in its place when it is finished.
+/// A file below a folder that is written bit by bit, and is moved to its place when it is finished.
 class GrowingFile {
 public:
     GrowingFile(std::string root, std::string relative, Budget* budget = nullptr);

@@ -1,4 +1,4 @@
-// See fixes.hpp.
+// Selects fixes that do not overlap, the first one in the text winning, and applies them in one pass.
 #include "diagnostics/fixes.hpp"
 
 #include <algorithm>

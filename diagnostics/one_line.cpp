@@ -1,4 +1,4 @@
-// See one_line.hpp.
+// Runs of blanks and line ends become one blank.
 #include "diagnostics/one_line.hpp"
 
 namespace robochart::diagnostics {

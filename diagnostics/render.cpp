@@ -1,4 +1,4 @@
-// Diagnostics for people: header, place, excerpt with caret, notes and certain mends.
+// Diagnostics for people: header, place, excerpt with caret, notes and certain fixes.
 #include "diagnostics/render.hpp"
 
 #include <fmt/format.h>
@@ -70,14 +70,14 @@ std::string draw_fix(const SourceManager& sources, const FixIt& fix, const TextS
     if (sources.position(fix.span.source, fix.span.end).line != begin.line) return out;
     const std::string_view line = sources.line(fix.span.source, begin.line);
     const auto start = static_cast<std::size_t>(line.data() - sources.text(fix.span.source).data());
-    // Only the surroundings of the mend, so that a line of many megabytes is not copied.
+    // Only the surroundings of the fix, so that a line of many megabytes is not copied.
     const std::size_t from = std::min<std::size_t>(fix.span.begin - start, line.size());
     const std::size_t to = std::min<std::size_t>(fix.span.end - start, line.size());
     constexpr std::size_t reach = 1000;
     const std::size_t cut = from > reach ? from - reach : 0;
-    const std::string mended =
+    const std::string fixed =
         fmt::format("{}{}{}", line.substr(cut, from - cut), fix.replacement, line.substr(to, reach));
-    const Excerpt excerpt = make_excerpt(mended, from - cut, from - cut + fix.replacement.size(), style.max_width);
+    const Excerpt excerpt = make_excerpt(fixed, from - cut, from - cut + fix.replacement.size(), style.max_width);
     const std::string number = std::to_string(begin.line);
     const std::string margin(number.size(), ' ');
     const std::string mark = removes ? ""

@@ -25,7 +25,7 @@ struct TextStyle {
 /// {"schema":"robochart-verify/diagnostics/1","diagnostics":[{code,severity,message,file,line,column,endLine,endColumn,notes,fixes}]};
 /// docs/cli.md has the fields. `limit`: why not everything was looked at; "" if it was.
 [[nodiscard]] std::string render_json(const SourceManager&, const Diagnostics&, std::string_view limit = "");
-/// SARIF 2.1.0: one run with the rules that occur, regions with columns, related places, mends; with a limit, an
+/// SARIF 2.1.0: one run with the rules that occur, regions with columns, related places, fixes; with a limit, an
 /// invocation that did not succeed and says why.
 [[nodiscard]] std::string render_sarif(const SourceManager&, const Diagnostics&, std::string_view version,
                                        std::string_view limit = "");

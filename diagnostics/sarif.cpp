@@ -1,5 +1,5 @@
 // Diagnostics as SARIF 2.1.0 (OASIS, 2020): one run, the rules that occur with their help, places with columns in code
-// points, mends as replacements.
+// points, fixes as replacements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,11 +44,11 @@ std::string text(std::string_view message) {
     return fmt::format(R"({{"text":{}}})", json_string(message));
 }
 
-std::string fix(const SourceManager& sources, const FixIt& mend) {
+std::string fix(const SourceManager& sources, const FixIt& one) {
     return fmt::format(
         R"({{"description":{},"artifactChanges":[{{"artifactLocation":{},"replacements":[{{"deletedRegion":{},)"
         R"("insertedContent":{}}}]}}]}})",
-        text(mend.title), artifact(sources, mend.span), region(sources, mend.span), text(mend.replacement));
+        text(one.title), artifact(sources, one.span), region(sources, one.span), text(one.replacement));
 }
 
 std::string result(const SourceManager& sources, const Diagnostic& diagnostic, std::size_t rule) {
@@ -68,7 +68,7 @@ std::string result(const SourceManager& sources, const Diagnostic& diagnostic, s
     };
     if (!placed.empty()) out += R"(,"relatedLocations":)" + array(placed, related);
     if (!diagnostic.fixes.empty())
-        out += R"(,"fixes":)" + array(diagnostic.fixes, [&](const FixIt& mend) { return fix(sources, mend); });
+        out += R"(,"fixes":)" + array(diagnostic.fixes, [&](const FixIt& one) { return fix(sources, one); });
     return out + "}";
 }
 

@@ -20,7 +20,7 @@ struct Arrival {
     std::string fault;
 };
 
-/// Arrivals on their way from the reading thread.
+/// Messages passed on by the reading thread.
 class Inbox {
 public:
     void put(Arrival arrival) {

@@ -1,4 +1,4 @@
-// See server.hpp.
+// The loop of the server: states of the protocol, requests, notifications, and diagnostics when nothing else is queued.
 #include "lsp/server.hpp"
 
 #include <fmt/format.h>
@@ -123,7 +123,7 @@ bool Server::is_cancelled(const Json& id) const {
 void Server::request(const Json& message) {
     const Json& id = message["id"];
     if (!is_id(id)) return fail(nullptr, ErrorCode::invalid_request, "an id must be a number or a string");
-    // The way out is always open.
+    // Ending is always possible.
     if (message["method"].text() != "shutdown" && is_cancelled(id)) return fail(id, ErrorCode::request_cancelled, "cancelled");
     const Interruption::Work work(interruption_, id);
     try {
@@ -133,7 +133,7 @@ void Server::request(const Json& message) {
     } catch (const Refusal& refusal) {
         fail(id, refusal.code(), refusal.what());
     } catch (const std::exception& error) {
-        fail(id, ErrorCode::internal_error, fmt::format("a fault of this program: {}", error.what()));
+        fail(id, ErrorCode::internal_error, fmt::format("internal error: {}", error.what()));
     }
 }
 

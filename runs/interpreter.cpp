@@ -30,10 +30,11 @@ struct Move {
 
 class Interpreter {
 public:
-    Interpreter(const Context& context, const csp_emit::Obligation& obligation, const refine::Counterexample& told)
+    Interpreter(const Context& context, const csp_emit::Obligation& obligation,
+                const refine::Counterexample& counterexample)
         : context_(context),
           obligation_(obligation),
-          told_(told),
+          counterexample_(counterexample),
           meanings_(context.provenance, context.system, context.instantiation, context.sources) {}
 
     Run run();
@@ -50,10 +51,12 @@ private:
     void read_end();
 
     [[nodiscard]] const refine::Step& raw_step(std::size_t raw) const {
-        return raw < told_.steps.size() ? told_.steps[raw] : told_.loop[raw - told_.steps.size()];
+        return raw < counterexample_.steps.size() ? counterexample_.steps[raw]
+                                                  : counterexample_.loop[raw - counterexample_.steps.size()];
     }
     [[nodiscard]] TermId term_before(std::size_t raw) const {
-        return raw < told_.steps.size() ? told_.terms[raw] : told_.loop_terms[raw - told_.steps.size()];
+        return raw < counterexample_.steps.size() ? counterexample_.terms[raw]
+                                                  : counterexample_.loop_terms[raw - counterexample_.steps.size()];
     }
     [[nodiscard]] const std::string& name(process::Event event) const {
         return context_.session.event_table().name(event);
@@ -83,7 +86,7 @@ private:
 
     const Context& context_;
     const csp_emit::Obligation& obligation_;
-    const refine::Counterexample& told_;
+    const refine::Counterexample& counterexample_;
     Meanings meanings_;
     Run run_;
     std::map<TermId, std::vector<Call>> calls_;
@@ -172,8 +175,8 @@ std::vector<Change> Interpreter::changes(const std::vector<Machine>& before, con
     return result;
 }
 
-/// Which of several components that move together the step is told of: a machine before what connects machines, who
-/// acts before who is acted on.
+/// Which of several components that move together the step is reported for: a machine before what connects machines,
+/// who acts before who is acted on.
 std::pair<Event, std::vector<Event>> Interpreter::happens(const std::vector<Move>& moves,
                                                           const std::string& whole) const {
     struct Candidate {
@@ -230,19 +233,19 @@ void Interpreter::add_step(std::size_t raw, bool shown, Event event, std::vector
     step.with = std::move(with);
     step.changes = changes(run_.steps.empty() ? run_.initial : run_.steps.back().machines, machines);
     step.machines = std::move(machines);
-    if (raw >= told_.steps.size() && !run_.loop_start) run_.loop_start = run_.steps.size();
+    if (raw >= counterexample_.steps.size() && !run_.loop_start) run_.loop_start = run_.steps.size();
     run_.steps.push_back(std::move(step));
 }
 
 /// From the movers; false where the states of the run are not terms.
 bool Interpreter::read_apart() {
-    const auto behaviour = context_.session.behaviour(told_, false);
+    const auto behaviour = context_.session.behaviour(counterexample_, false);
     if (!behaviour) return false;
-    const Timeline line = timeline(*behaviour, told_.steps.size() + told_.loop.size());
+    const Timeline line = timeline(*behaviour, counterexample_.steps.size() + counterexample_.loop.size());
     run_.initial = machines_at(line.initial);
     const std::vector<std::optional<TermId>>* before = &line.initial;
     for (const Moment& moment : line.moments) {
-        const bool none = told_.steps.empty() && told_.loop.empty();
+        const bool none = counterexample_.steps.empty() && counterexample_.loop.empty();
         if (none) break;
         const refine::Step& raw = raw_step(moment.raw);
         auto [event, with] =
@@ -254,8 +257,8 @@ bool Interpreter::read_apart() {
 }
 
 void Interpreter::read_whole() {
-    run_.initial = machines_of({meanings_.calls(told_.initial)});
-    for (std::size_t raw = 0; raw < told_.steps.size() + told_.loop.size(); ++raw) {
+    run_.initial = machines_of({meanings_.calls(counterexample_.initial)});
+    for (std::size_t raw = 0; raw < counterexample_.steps.size() + counterexample_.loop.size(); ++raw) {
         const refine::Step& step = raw_step(raw);
         add_step(raw, true, meanings_.event(name_of(step.event, step.revealed)), {},
                  machines_of({meanings_.calls(step.state)}));
@@ -337,7 +340,7 @@ void Interpreter::add_offers(std::size_t raw, Step& step) {
 }
 
 void Interpreter::add_offers() {
-    if (told_.terms.empty()) return;
+    if (counterexample_.terms.empty()) return;
     for (Step& step : run_.steps)
         if (step.count > 0) add_offers(step.raw, step);
 }
@@ -350,11 +353,12 @@ std::vector<Event> Interpreter::named(const process::EventSet& set) const {
 
 std::vector<Event> Interpreter::offered_at_the_end() {
     // The state behind a forbidden event has not been looked into.
-    if (told_.terms.empty() || told_.kind == ViolationKind::trace || run_.loop_start) return named(told_.offered);
+    if (counterexample_.terms.empty() || counterexample_.kind == ViolationKind::trace || run_.loop_start)
+        return named(counterexample_.offered);
     std::vector<Event> result;
-    for (const process::Transition& each : context_.session.transitions(told_.terms.back())) {
+    for (const process::Transition& each : context_.session.transitions(counterexample_.terms.back())) {
         if (each.event == process::tau || ++looked_at_ > most_looked_at) continue;
-        Event event = offer(told_.terms.back(), each);
+        Event event = offer(counterexample_.terms.back(), each);
         if (!among(result, event)) result.push_back(std::move(event));
     }
     return result;
@@ -367,7 +371,7 @@ const std::vector<Machine>& Interpreter::last_machines() const {
     return end == 0 ? run_.initial : run_.steps[end - 1].machines;
 }
 
-/// Behind a loop that lets time pass stands the check for deadlocks in time.
+/// A loop that lets time pass comes from the check for deadlocks in time.
 bool Interpreter::time_passes_in_loop() const {
     return run_.loop_start &&
            std::any_of(run_.steps.begin() + static_cast<std::ptrdiff_t>(*run_.loop_start), run_.steps.end(),
@@ -391,7 +395,7 @@ EndKind Interpreter::end_kind() const {
         default:
             break;
     }
-    switch (told_.kind) {
+    switch (counterexample_.kind) {
         case ViolationKind::trace:
             return EndKind::forbidden;
         case ViolationKind::refusal:
@@ -411,7 +415,7 @@ EndKind Interpreter::end_kind() const {
 /// Where a composition shows writes, not in a machine on its own (semantics 3.10).
 bool Interpreter::writes_are_urgent() const {
     const std::vector<Machine>& machines = last_machines();
-    return std::any_of(told_.offered.begin(), told_.offered.end(), [&](process::Event offered) {
+    return std::any_of(counterexample_.offered.begin(), counterexample_.offered.end(), [&](process::Event offered) {
         const Event event = meanings_.event(name(offered));
         return event.kind == Kind::assignment &&
                std::none_of(machines.begin(), machines.end(),
@@ -429,7 +433,8 @@ std::vector<Cause> Interpreter::causes() const {
         if (offered.kind == Kind::call || (offered.kind == Kind::assignment && writes_are_urgent()))
             result.push_back({fmt::format("{} waits for the environment, which may refuse it", offered.text),
                               offered.component, offered.place});
-    const bool ended = std::find(told_.offered.begin(), told_.offered.end(), process::tick) != told_.offered.end();
+    const bool ended = std::find(counterexample_.offered.begin(), counterexample_.offered.end(), process::tick) !=
+                       counterexample_.offered.end();
     if (result.empty() && ended) result.push_back({"it has terminated", "", std::nullopt});
     return result;
 }
@@ -484,9 +489,11 @@ std::string Interpreter::why() const {
 /// What is required in some alternative and not offered.
 std::vector<Event> Interpreter::refused() const {
     std::vector<Event> result;
-    for (const process::EventSet& set : told_.required)
+    for (const process::EventSet& set : counterexample_.required)
         for (const process::Event event : set) {
-            if (std::find(told_.offered.begin(), told_.offered.end(), event) != told_.offered.end()) continue;
+            if (std::find(counterexample_.offered.begin(), counterexample_.offered.end(), event) !=
+                counterexample_.offered.end())
+                continue;
             Event missing = meanings_.event(name(event));
             if (!among(result, missing)) result.push_back(std::move(missing));
         }
@@ -497,11 +504,13 @@ void Interpreter::read_end() {
     End& end = run_.end;
     end.kind = end_kind();
     end.offered = offered_at_the_end();
-    if (told_.kind == ViolationKind::trace && !run_.steps.empty()) end.event = run_.steps.back().event;
-    if (told_.kind == ViolationKind::nondeterminism && told_.event) end.event = meanings_.event(name(*told_.event));
-    if (told_.kind == ViolationKind::trace && !told_.required.empty()) end.allowed = named(told_.required.front());
-    if (told_.kind == ViolationKind::refusal) {
-        for (const process::EventSet& set : told_.required) end.required.push_back(named(set));
+    if (counterexample_.kind == ViolationKind::trace && !run_.steps.empty()) end.event = run_.steps.back().event;
+    if (counterexample_.kind == ViolationKind::nondeterminism && counterexample_.event)
+        end.event = meanings_.event(name(*counterexample_.event));
+    if (counterexample_.kind == ViolationKind::trace && !counterexample_.required.empty())
+        end.allowed = named(counterexample_.required.front());
+    if (counterexample_.kind == ViolationKind::refusal) {
+        for (const process::EventSet& set : counterexample_.required) end.required.push_back(named(set));
         end.refused = refused();
     }
     if (end.kind == EndKind::timelock) end.causes = causes();
@@ -509,8 +518,8 @@ void Interpreter::read_end() {
 }
 
 void Interpreter::read_raw() {
-    run_.raw_loop = told_.loop.size();
-    for (std::size_t raw = 0; raw < told_.steps.size() + told_.loop.size(); ++raw) {
+    run_.raw_loop = counterexample_.loop.size();
+    for (std::size_t raw = 0; raw < counterexample_.steps.size() + counterexample_.loop.size(); ++raw) {
         const refine::Step& step = raw_step(raw);
         const bool hidden = step.event == process::tau && step.revealed != process::tau;
         run_.raw.push_back(hidden ? fmt::format("τ({})", name(step.revealed)) : name(step.event));
@@ -530,8 +539,9 @@ Run Interpreter::run() {
 
 }  // namespace
 
-Run interpret(const Context& context, const csp_emit::Obligation& obligation, const refine::Counterexample& told) {
-    return Interpreter(context, obligation, told).run();
+Run interpret(const Context& context, const csp_emit::Obligation& obligation,
+              const refine::Counterexample& counterexample) {
+    return Interpreter(context, obligation, counterexample).run();
 }
 
 }  // namespace robochart::runs

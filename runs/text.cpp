@@ -64,7 +64,7 @@ std::string Writer::who(const std::string& component) const {
     return found == short_names_.end() ? last_of(component) : found->second;
 }
 
-/// Steps inside are told where they change something or show what a machine decides to do.
+/// Steps inside are shown where they change something or show what a machine decides to do.
 bool is_news(const Step& step) {
     if (step.event.kind == Kind::tock) return false;
     if (!step.changes.empty() || !step.hidden) return true;
@@ -101,8 +101,8 @@ Line Writer::line(const Step& step) const {
     result.time = step.time.value_or(0);
     result.who = who(step.event.component);
     result.what = step.event.text;
-    const bool told = step.event.kind == Kind::input && step.event.via.find(" -> ") != std::string::npos;
-    if (told) result.what += fmt::format(" ({})", step.event.via);
+    const bool by_transition = step.event.kind == Kind::input && step.event.via.find(" -> ") != std::string::npos;
+    if (by_transition) result.what += fmt::format(" ({})", step.event.via);
     for (const Event& other : step.with) result.what += fmt::format("; {}: {}", who(other.component), other.text);
     // What the words say already is no news.
     std::vector<std::string> changes;
@@ -176,8 +176,8 @@ std::vector<Line> Writer::loop() const {
 std::string Writer::write() {
     const std::size_t end = run_.loop_start.value_or(run_.steps.size());
     std::vector<Line> run = lines(0, end);
-    const std::int64_t told = run.empty() ? 0 : run.back().time;
-    if (run_.time > told) run.push_back({told, "", passing(run_.time - told), ""});
+    const std::int64_t shown = run.empty() ? 0 : run.back().time;
+    if (run_.time > shown) run.push_back({shown, "", passing(run_.time - shown), ""});
     add(run);
     std::vector<std::string> places;
     for (const Machine& each : at_the_end()) places.push_back(machine(each));

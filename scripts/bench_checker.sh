@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The checker's benchmark: builds our command in release form and nothing else, explores the benchmark models and sets the
-# figures beside those of other tools, recorded and, where they are installed, live (docs/benchmarks.md).
+# The checker's benchmark: builds the command in release form and nothing else, explores the benchmark models and prints the
+# figures with those of other tools: recorded ones and, where a tool is installed, measured ones (docs/benchmarks.md).
 # Arguments are passed on: --quick, names of models. The models' folder: ROBOCHART_SHARED/bench/models.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Generated code against hand-written nested switches on four machines (docs/cpp.md, "Speed and size"): hash-equality,
-# then sizes, what compiling takes, and nanoseconds a step over random and repeating events, in several layouts of the program.
+# Generated code against hand-written nested switches on four machines (docs/cpp.md, "Speed and size"): equality of hashes,
+# then sizes, compile time, and nanoseconds per step over random and repeating events, in several layouts of the program.
 # Usage: scripts/bench_code.sh [LAYOUTS [COMPILER [STRATEGY]]]; the command is build/release's or build/dev's, or VERIFY=PATH.
 set -eu
 cd "$(dirname "$0")/.."

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Deadlock, divergence and determinism of every component of RoboTool's scripts: builds our command in release form
-# and nothing else, decides them all and prints what it took (docs/benchmarks.md). Arguments are passed on: parts of
+# and nothing else, decides them all and prints time and memory (docs/benchmarks.md). Arguments are passed on: parts of
 # names of scripts. The scripts' folder: ROBOCHART_SHARED/suite/robotool-csp; the script of the case study in bench/hvc
 # is type checked beside them.
 set -euo pipefail

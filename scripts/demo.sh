@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs the whole line on the aggregation case study.
+# Installs missing packages, builds, and runs all steps on the aggregation case study.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh

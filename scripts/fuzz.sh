@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Fuzzes with libFuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and prints what was done.
-# Arguments: CPU seconds a target (default 600), then the targets (default: all). What is found is left in
+# Fuzzes with libFuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and prints a summary.
+# Arguments: CPU seconds a target (default 600), then the targets (default: all). Failing inputs are kept in
 # build/fuzz/found/TARGET; the inputs that reach new code gather in build/fuzz/corpus/TARGET.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -14,7 +14,7 @@ cmake --build --preset fuzz --target "${targets[@]/#/fuzz_}" random_models_tool
 seeds=build/fuzz/seeds
 rm -rf "$seeds"
 
-# Copies files below the named folders under names that tell where they are from.
+# Copies files below the named folders under names that contain their origin.
 gather() {
   local target="$1" extension="$2"
   shift 2
@@ -99,7 +99,7 @@ run() {
   return "$code"
 }
 
-# On a machine that is shared a run gets less CPU time than it lasts: what is missing is run again.
+# On a machine that is shared a run gets less CPU time than it lasts: the rest is run again.
 status=0
 for target in "${targets[@]}"; do
   mkdir -p "build/fuzz/corpus/$target" "build/fuzz/found/$target"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Mutates the models and scripts of the repository (and of ../shared, where it is) and runs the whole command on them.
-# scripts/hostile_inputs.sh [INPUTS [FIRST_SEED]], by default 30,000 from a new seed, which it prints. What breaks a promise
-# is kept in build/hostile/SEED (tests/fuzz/whole_command.py says what is promised).
+# scripts/hostile_inputs.sh [INPUTS [FIRST_SEED]], by default 30,000 from a new seed, which it prints. An input that violates a property
+# is kept in build/hostile/SEED (tests/fuzz/whole_command.py lists the properties).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 inputs="${1:-30000}"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Mutation analysis of the C++ generator: every kind of seeded fault at every place of every model of the tests, each judged
-# against its model; prints a line a kind and a line a model (mutants, killed, shown equivalent, variants the model
-# allows), what killed them, and how long the shortest differences are. Builds the tests of the room in release form first.
+# Mutation analysis of the C++ generator: every kind of seeded fault at every place of every model of the tests, each compared
+# with its model; prints one line for each kind and each model (mutants, killed, shown equivalent, variants the model
+# allows), what killed them, and how long the shortest differences are. Builds the tests of the component in release form first.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null

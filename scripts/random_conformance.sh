@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Random models from a seed on: C++ is generated for each, compiled with warnings as errors, explored over all inputs and
-# compared with the model's semantics; prints what came of them, and each cause of a disagreement with a small model.
+# compared with the model's semantics; prints the outcomes, and each cause of a disagreement with a small model.
 # Builds the tests of the component in release form first.
 # Arguments: how many models (default 100000), the first seed (default 0), the compiler (default c++).
 # ROBOCHART_MODELS says which models: widened (default), core, toolkits, hostile (tests/conformance/random/random_shapes.hpp);
-# ROBOCHART_JOBS how many processes work (default: one a processor). Seeds are done in ranges of 500; what is done is kept
-# below build/random_conformance for the program as it is, so that a run that was interrupted goes on where it stood.
-# A single model that disagrees is cut down (`scripts/random_conformance.sh 1 SEED`).
+# ROBOCHART_JOBS the number of processes (default: one for each processor). Seeds are processed in ranges of 500; results are kept
+# below build/random_conformance for the current program, so that an interrupted run continues where it stopped.
+# A single model that disagrees is shrunk (`scripts/random_conformance.sh 1 SEED`).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 models="${1:-100000}"
@@ -25,7 +25,7 @@ mkdir -p "$results"
 export program="$results/program"  # a build in the meantime changes nothing here
 [ -x "$program" ] || cp "$built" "$program"
 
-# One range: its report stands under its name once it is whole.
+# One range: its report has its final name once it is complete.
 one_range() {
   local from="$1" count="$2" report="$results/$1-$2.report"
   [ ! -f "$report" ] || return 0

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages the project needs and does not find. Rerunnable; asks for sudo only if
+# Installs the Debian packages that the project needs and that are missing. Can be run again; asks for sudo only if
 # something is missing and we are not root.
 set -euo pipefail
 

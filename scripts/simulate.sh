@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the command and runs the aggregation case study: ten trials, bands, pictures.
+# Installs missing packages, builds the command and runs the aggregation case study: ten trials, bands, pictures.
 # Arguments: another scenario, options of `robochart-verify simulate`.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Every component of the models at hand, of the corpus and of bench/hvc: C++ is generated, compiled without a warning by
+# Every component of the available models, of the corpus and of bench/hvc: C++ is generated, compiled without a warning by
 # g++ and by clang, explored and compared with its model; then once more with AddressSanitizer and
-# UndefinedBehaviorSanitizer in the generated code. Exceptions stand in tests/conformance/check/survey_test.cpp with their
+# UndefinedBehaviorSanitizer in the generated code. Exceptions are listed in tests/conformance/check/survey_test.cpp with their
 # reasons. The folder of the models: ROBOCHART_SHARED (default ../shared). PRESET chooses the build (default release).
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, runs the aggregation case study and the tests. Without arguments: all tests with g++ in
-# release form, then, with clang, AddressSanitizer and UndefinedBehaviorSanitizer, those of the rooms that read anybody's
-# text and that decide. Arguments: presets to pass whole (`scripts/test.sh asan`).
+# Installs missing packages, builds, runs the aggregation case study and the tests. Without arguments: all tests with g++ in
+# release form, then, with clang, AddressSanitizer and UndefinedBehaviorSanitizer, those of the components that read foreign
+# text and that decide. Arguments: presets to test completely (`scripts/test.sh asan`).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 sanitized=(diagnostics frontend process lts machine refine cspm)
@@ -15,7 +15,7 @@ whole() { # preset
   "build/$1/app/robochart-verify" corpus/aggregation --out out
   ctest --preset "$1" -j "$(nproc)"
 }
-rooms() { # preset, rooms
+components() { # preset, components
   configure "$1"
   cmake --build --preset "$1" --target "${@:2}"
   local names
@@ -28,5 +28,5 @@ if [ "$#" -gt 0 ]; then
   for preset in "$@"; do whole "$preset"; done
 else
   whole release
-  rooms asan "${sanitized[@]/#/tests_}"
+  components asan "${sanitized[@]/#/tests_}"
 fi

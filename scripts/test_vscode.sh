@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tests the VS Code extension: a copy of editors/vscode with its npm packages, then `npm test`.
 # Argument: the folder for the copy (default: build/vscode).
-# Without node, npm or a registry that answers it says so; exit code 77 (skipped), or 1 in CI (where CI is set).
+# Without node, npm or a reachable registry it prints the reason; exit code 77 (skipped), or 1 in CI (where CI is set).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 copy="${1:-build/vscode}"

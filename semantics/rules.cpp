@@ -1,4 +1,4 @@
-// Wording of the rules of the semantics room. Codes are ours; they do not change once published.
+// Wording of the rules of the semantics. Codes are ours; they do not change once published.
 #include "semantics/rules.hpp"
 
 #include <array>
@@ -26,7 +26,7 @@ const Rule too_deep{
 const Rule unresolved{
     "RC-S05", Severity::error, "{} does not lead to a declaration",
     "A name that name resolution should have followed was left open, so the element that uses it has no meaning. "
-    "Mend the errors reported before this one."};
+    "Fix the errors reported before this one."};
 // RC-S06 to RC-S08 are retired: name resolution finds what assertions speak of (RC-Q01 to RC-Q05).
 const Rule unknown_constant_option{
     "RC-S10", Severity::error, "--const {}: the model has no constant of this name{}",
@@ -70,7 +70,7 @@ const Rule function_without_definition{
     "function {} has no definition: it counts as a constant (0, true or the first literal) unless a csp block defines "
     "it",
     "RoboChart functions are specified by pre- and postconditions, which do not say how to compute a result. RoboTool "
-    "takes such a function as a constant until somebody writes it in CSPM, and so does this tool; only its "
+    "takes such a function as a constant until it is defined in CSPM, and so does this tool; only its "
     "precondition "
     "counts."};
 const Rule function_by_contract{

@@ -1,4 +1,4 @@
-// The rule table of this room: what the IR has no place for, and what is wrong with an instantiation.
+// The rule table of this component: what the IR cannot express, and what is wrong with an instantiation.
 #pragma once
 
 #include <span>

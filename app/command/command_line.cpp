@@ -29,10 +29,10 @@ Exit status:
    1  some assertion fails, some code does not conform, some file is not formatted (format --check),
       a simulation leaves its bands
    2  the input is wrong, there is nothing to check, or the output cannot be written
-   3  inconclusive: a limit was reached, or interrupted, and what is known is printed; or a claim of a kind that
+   3  inconclusive: a limit was reached, or interrupted, and the results so far are printed; or a claim of a kind that
       is not decided here
-   4  wrong usage: unknown options, values out of their range, names of nothing
-  70  a fault of this program: please report it)";
+   4  wrong usage: unknown options, values out of range, unknown names
+  70  internal error: please report it)";
 
 struct VerbRow {
     Verb verb;
@@ -42,18 +42,22 @@ struct VerbRow {
     const char* input;
 };
 constexpr std::array<VerbRow, 13> verbs{{
-    {Verb::verify, "verify", "", "all of it: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL"},
+    {Verb::verify, "verify", "", "everything: read, check assertions, export CSP, generate C++, conform (the default)",
+     "MODEL"},
     {Verb::check, "check", "", "read the model and decide its assertions", "MODEL"},
     {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL"},
     {Verb::emit_cpp, "cpp", "emit", "write the C++ controllers", "MODEL"},
-    {Verb::emit_monitor, "monitor", "emit", "write monitors: headers that follow a controller and say where it leaves its model", "MODEL"},
-    {Verb::emit_tests, "tests", "emit", "write finite complete test suites, and GoogleTest that replays them against an implementation", "MODEL"},
+    {Verb::emit_monitor, "monitor", "emit",
+     "write monitors: headers that follow a controller and report where it leaves its model", "MODEL"},
+    {Verb::emit_tests, "tests", "emit",
+     "write finite complete test suites, and GoogleTest that replays them against an implementation", "MODEL"},
     {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL"},
     {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT"},
     {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "CODE"},
-    {Verb::simulate, "simulate", "", "run a scenario's trials with the generated controllers: measures, bands, pictures", "SCENARIO"},
+    {Verb::simulate, "simulate", "",
+     "run a scenario's trials with the generated controllers: measures, bands, pictures", "SCENARIO"},
     {Verb::validate, "validate", "", "read the model and report what is wrong with it, nothing else", "MODEL"},
-    {Verb::format, "format", "", "lay out model and assertion files in the house style, in place", "FILE"},
+    {Verb::format, "format", "", "write model and assertion files in the standard layout, in place", "FILE"},
     {Verb::lsp, "lsp", "", "serve an editor over standard input and output (Language Server Protocol)", ""},
 }};
 
@@ -148,7 +152,7 @@ void add_validate(CLI::App& app, Options& o) {
     const std::map<std::string, Format> formats{{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}};
     add_color(app, o);
     app.add_option("--format", o.format, "text, json or sarif")->transform(CLI::CheckedTransformer(formats))->option_text("FORMAT [text]");
-    app.add_flag("--fix", o.fix, "write mends that are certain to the files, then report what is left");
+    app.add_flag("--fix", o.fix, "apply certain fixes to the files, then report the remaining findings");
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong");
     add_limits(app, o);
 }
@@ -177,7 +181,10 @@ void add_common(CLI::App& app, Options& o) {
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
     add_progress(app, o);
     add_limits(app, o);
-    app.add_option("--threads", o.threads, "threads of a check at most, where its space is wide; 0 for one a core")->check(number("--threads"))->option_text("N [0]");
+    app.add_option("--threads", o.threads,
+                   "threads of a check at most, used where its state space is wide; 0 for one for each core")
+        ->check(number("--threads"))
+        ->option_text("N [0]");
     app.add_option("--max-states", o.max_states, "bound on states of a check")->check(number("--max-states"))->option_text("N [500000000]");
 }
 
@@ -196,7 +203,7 @@ void add_warnings(CLI::App& app, Options& o) {
         ->allow_extra_args(false)
         ->transform(CLI::Validator(warning_code, "CODE"))
         ->option_text("CODE ...");
-    app.add_flag("--deny-warnings", o.deny_warnings, "take a model with warnings for wrong");
+    app.add_flag("--deny-warnings", o.deny_warnings, "treat a model with warnings as wrong");
 }
 
 void add_model(CLI::App& app, Options& o) {
@@ -221,7 +228,7 @@ void add_script(CLI::App& app, Options& o) {
     app.add_flag("--types", o.types, "print the type of every name and stop");
     app.add_flag("-b,--brief", o.brief, "verdicts without counterexamples");
     app.add_flag("--reveal-taus", o.reveal_taus, "show hidden events by their names");
-    app.add_flag("--split", o.split, "show what every part of the process did, however many they are");
+    app.add_flag("--split", o.split, "show what every part of the process did, also if there are many");
     app.add_option("--export", o.exported, "write all states of a process, any expression of the script, and stop")
         ->expected(2)
         ->option_text("FORMAT PROCESS {aut,dot,csp}");
@@ -231,7 +238,7 @@ void add_times(CLI::App& app, Options& o) {
     auto* timed = app.add_flag_callback("--timed", [&o] { o.times = Times::timed; }, "only the timed semantics");
     app.add_flag_callback("--untimed", [&o] { o.times = Times::untimed; }, "only the untimed semantics")->excludes(timed);
     app.add_flag("--core", o.core, "also check the generated core assertions of every component");
-    app.add_flag("--sizes", o.sizes, "tell how many states and transitions every component has");
+    app.add_flag("--sizes", o.sizes, "print the number of states and transitions of every component");
 }
 
 void add_code(CLI::App& app, Options& o) {
@@ -243,14 +250,16 @@ void add_code(CLI::App& app, Options& o) {
 }
 
 void add_strategy(CLI::App& app, Options& o) {
-    app.add_option("--strategy", o.strategy, "how generated code finds what an event does: by a switch over states and events, or in a table; auto: a table from five states on")
+    app.add_option("--strategy", o.strategy,
+                   "how generated code selects what an event does: by a switch over states and events, or by a table; "
+                   "auto: a table from five states on")
         ->check(CLI::IsMember({"auto", "switch", "table"}))
         ->option_text("STRATEGY {auto,switch,table} [auto]");
 }
 
 void add_target(CLI::App& app, Options& o) {
     app.add_flag("--choices", o.choices, "code that asks its platform where the model leaves a choice (`pick`), instead of taking the first");
-    app.add_option("--target", o.target, "a project that builds as it stands, below DIR/TARGET/COMPONENT")
+    app.add_option("--target", o.target, "a complete project, below DIR/TARGET/COMPONENT")
         ->check(CLI::IsMember({"library", "main", "ros2", "enki", "argos"}))
         ->option_text("TARGET {library,main,ros2,enki,argos}");
 }
@@ -266,11 +275,16 @@ void add_conform(CLI::App& app, Options& o) {
     app.add_option("--traces", o.traces, "compare logs of runs with the model (docs/traces.md), and no generated code; files, or folders with .trace files")
         ->allow_extra_args(false)
         ->option_text("FILE ...");
-    app.add_option("--model", o.relation, "what is decided: refinement in failures-divergences, or in tick-tock, which looks at refusals before each tock")
+    app.add_option("--model", o.relation,
+                   "what is decided: refinement in failures-divergences, or in tick-tock, which records refusals "
+                   "before each tock")
         ->check(CLI::IsMember({"failures-divergences", "tick-tock"}))
         ->option_text("MODEL {failures-divergences,tick-tock}");
-    app.add_flag("--all-choices", o.choices, "where the model leaves a choice, explore every one that the code could take, not only the first");
-    app.add_option("--walks", o.walks, "cycles of guided random walks where the whole is too large; 0 for none")->check(number("--walks"))->option_text("N [200000]");
+    app.add_flag("--all-choices", o.choices,
+                 "where the model leaves a choice, explore every alternative, not only the first");
+    app.add_option("--walks", o.walks, "cycles of guided random walks where the state space is too large; 0 for none")
+        ->check(number("--walks"))
+        ->option_text("N [200000]");
     app.add_option("--export", o.exported_code, "write all states of the code to this file, for other tools (.aut, .dot) or with the model for FDR (.csp)")
         ->check(named)
         ->option_text("FILE");
@@ -283,7 +297,9 @@ void add_simulate(CLI::App& app, Options& o) {
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
     app.add_option("--trials", o.trials, "number of trials, instead of the scenario's")->check(number("--trials"))->option_text("N");
     app.add_option("--seed", o.seed, "seed of the first trial, instead of the scenario's")->check(number("--seed"))->option_text("N");
-    app.add_option("--threads", o.threads, "trials at the same time at most; 0 for one a core")->check(number("--threads"))->option_text("N [0]");
+    app.add_option("--threads", o.threads, "parallel trials at most; 0 for one for each core")
+        ->check(number("--threads"))
+        ->option_text("N [0]");
     add_limits(app, o);
     app.add_flag_callback("--no-pictures", [&o] { o.pictures = false; }, "write no tables and pictures");
     app.add_flag("--monitor", o.monitor, "stop a trial where a robot does what its model does not allow");
@@ -304,7 +320,8 @@ void add_format(CLI::App& app, Options& o) {
 
 void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     if (row.verb == Verb::lsp) {
-        app.add_flag_callback("--stdio", [] {}, "what editors' libraries say of their own accord; it is the only way to talk");
+        app.add_flag_callback(
+            "--stdio", [] {}, "accepted because editors' libraries pass it; standard input and output are always used");
         return;
     }
     auto* inputs = app.add_option("inputs", o.inputs, "")->option_text(fmt::format("{}...", row.input));

@@ -1,4 +1,4 @@
-// See limits.hpp.
+// The options as limits of one check, with progress reports for its subject.
 #include "app/command/limits.hpp"
 
 #include "app/command/progress.hpp"

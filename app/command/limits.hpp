@@ -8,7 +8,8 @@
 
 namespace robochart::app {
 
-/// The limits of one check: those of the run, and its own; its progress is told as the options ask, as that of `subject`.
+/// The limits of one check: those of the run, and its own; its progress is reported as the options ask, as that of
+/// `subject`.
 [[nodiscard]] refine::Limits limits(const Options&, const std::string& subject = "");
 
 }  // namespace robochart::app

@@ -21,7 +21,7 @@ enum class Exit : int {
     bad_input = 2,     ///< the model or script is wrong, or the output cannot be written
     inconclusive = 3,  ///< a limit was reached, or interrupted
     usage = 4,
-    internal = 70,     ///< a fault of ours
+    internal = 70,  ///< internal error
 };
 
 enum class Verb { verify, check, emit_csp, emit_cpp, emit_monitor, emit_tests, conform, cspm, explain, format, lsp, simulate, validate };
@@ -47,8 +47,8 @@ struct Options {
     Format format = Format::text;
     Color color = Color::automatic;
     bool quiet = false;
-    bool fix = false;                     ///< validate: write certain mends to the files
-    bool show_internal = false;           ///< --trace: raw event traces beside the told counterexample
+    bool fix = false;            ///< validate: apply certain fixes to the files
+    bool show_internal = false;  ///< --trace: raw event traces with the text of a counterexample
     Times times = Times::both;
     bool core = false;
     bool sizes = false;                   ///< check: how large the components' processes are

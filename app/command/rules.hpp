@@ -1,4 +1,4 @@
-// Rules of the command itself, and the way to all rules of all rooms (for `explain` and the tests).
+// Rules of the command itself, and access to the rules of all components (for `explain` and the tests).
 #pragma once
 
 #include <string_view>
@@ -15,7 +15,7 @@ extern const diagnostics::Rule unwritable;      ///< a file could not be written
 extern const diagnostics::Rule no_monitor;      ///< a component without monitor or test suite
 }  // namespace rules
 
-/// Every rule of every room, by room then table order.
+/// Every rule of every component, by component, then in table order.
 [[nodiscard]] std::vector<const diagnostics::Rule*> all_rules();
 /// The rows of a code (a published rule may have several, for different circumstances); ignores case.
 [[nodiscard]] std::vector<const diagnostics::Rule*> find_rules(std::string_view code);

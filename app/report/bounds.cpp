@@ -1,4 +1,4 @@
-// A bound is said once of each expression, with the element that it stands in.
+// A bound is reported once for each expression, with the element that contains it.
 #include "app/report/bounds.hpp"
 
 #include <fmt/format.h>

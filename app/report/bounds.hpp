@@ -1,4 +1,5 @@
-// Bounds of the finite reading that were reached while assertions were checked: once an expression and element.
+// Bounds of the finite instantiation that were reached while assertions were checked: once for each expression and
+// element.
 #pragma once
 
 #include <map>

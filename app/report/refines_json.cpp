@@ -61,17 +61,17 @@ const char* counterexample_type(ViolationKind kind) {
 }
 
 /// What a part shows at the end of the run: the run's last event is apart where it is the offence, and a loop and an
-/// acceptance are told beside the trace.
+/// acceptance are given with the trace.
 class Behaviours {
 public:
-    Behaviours(const refine::Counterexample& told, EventMap& events, const Options& options)
-        : told_(told), events_(events), options_(options) {}
+    Behaviours(const refine::Counterexample& counterexample, EventMap& events, const Options& options)
+        : counterexample_(counterexample), events_(events), options_(options) {}
 
     Json implementation(const std::string& name) {
         Json json{{"machine_name", name}, {"type", type()}};
         std::vector<Event> trace;
         std::vector<Event> revealed;
-        Json states = Json::array({told_.initial});
+        Json states = Json::array({counterexample_.initial});
         const auto append = [&](const std::vector<refine::Step>& steps) {
             for (const refine::Step& step : steps) {
                 trace.push_back(step.event);
@@ -79,36 +79,36 @@ public:
                 states.push_back(step.state);
             }
         };
-        append(told_.steps);
-        append(told_.loop);
+        append(counterexample_.steps);
+        append(counterexample_.loop);
         if (offence_of_whole()) states.erase(states.size() - 1);
-        finish(json, trace, revealed, told_.offered, offence_of_whole());
+        finish(json, trace, revealed, counterexample_.offered, offence_of_whole());
         json["states"] = std::move(states);
         return json;
     }
     void parts(Json& json, const process::Behaviour& whole) { children(json, whole, offence_of_whole()); }
     Json specification(const std::string& name) {
         std::vector<Event> trace;
-        for (const refine::Step& step : told_.steps)
+        for (const refine::Step& step : counterexample_.steps)
             if (step.event != process::tau) trace.push_back(step.event);
-        if (told_.kind == ViolationKind::trace && !trace.empty()) trace.pop_back();
+        if (counterexample_.kind == ViolationKind::trace && !trace.empty()) trace.pop_back();
         Json json{{"machine_name", name},
                   {"type", "trace"},
                   {"error_event", 0},
                   {"trace", events_.numbers(trace)},
                   {"states", Json::array({name})}};
         json["allowed"] = Json::array();
-        for (const process::EventSet& each : told_.required) json["allowed"].push_back(events_.numbers(each));
+        for (const process::EventSet& each : counterexample_.required) json["allowed"].push_back(events_.numbers(each));
         return json;
     }
 
 private:
-    /// Where in a trace the offending event stands, where there is one.
+    /// The position of the offending event in a trace, if there is one.
     using Offence = std::optional<std::size_t>;
 
     [[nodiscard]] Offence offence_of_whole() const {
-        if (told_.kind != ViolationKind::trace || told_.steps.empty()) return std::nullopt;
-        return told_.steps.size() - 1;
+        if (counterexample_.kind != ViolationKind::trace || counterexample_.steps.empty()) return std::nullopt;
+        return counterexample_.steps.size() - 1;
     }
     /// A part has an entry for every step of the part above it, but for what was compressed, which has a run of its own.
     static Offence offence_of(const process::Behaviour& part, const process::Behaviour& above, Offence offence) {
@@ -134,7 +134,7 @@ private:
             json["child_behaviours"].push_back(part(each, offence_of(each, behaviour, offence)));
     }
     [[nodiscard]] const char* type() const {
-        switch (told_.kind) {
+        switch (counterexample_.kind) {
             case ViolationKind::trace:
             case ViolationKind::no_trace:
                 return "trace";
@@ -146,15 +146,15 @@ private:
     }
     void finish(Json& json, std::vector<Event> trace, std::vector<Event> revealed, const process::EventSet& offered,
                 Offence offence) {
-        if (told_.kind == ViolationKind::trace) {
+        if (counterexample_.kind == ViolationKind::trace) {
             const bool has_it = offence && *offence < trace.size();
             json["error_event"] = has_it ? events_.number(trace[*offence]) : 0;
             if (has_it) trace.resize(*offence);
             if (has_it) revealed.resize(*offence);
-        } else if (told_.kind == ViolationKind::no_trace) {
-            json["error_event"] = told_.event ? events_.number(*told_.event) : 0;
-        } else if (told_.kind == ViolationKind::divergence) {
-            json["loop_start"] = std::min(told_.steps.size(), trace.size());
+        } else if (counterexample_.kind == ViolationKind::no_trace) {
+            json["error_event"] = counterexample_.event ? events_.number(*counterexample_.event) : 0;
+        } else if (counterexample_.kind == ViolationKind::divergence) {
+            json["loop_start"] = std::min(counterexample_.steps.size(), trace.size());
         } else {
             json["acceptance"] = events_.numbers(offered);
         }
@@ -162,21 +162,22 @@ private:
         if (options_.reveal_taus) json["revealed_trace"] = events_.numbers(revealed);
     }
 
-    const refine::Counterexample& told_;
+    const refine::Counterexample& counterexample_;
     EventMap& events_;
     const Options& options_;
 };
 
 Json counterexample(const ScriptAssertion& assertion, EventMap& events, const Options& options) {
-    const refine::Counterexample& told = *assertion.result.verdict.counterexample;
-    Behaviours behaviours(told, events, options);
-    Json json{{"type", counterexample_type(told.kind)}};
+    const refine::Counterexample& counterexample = *assertion.result.verdict.counterexample;
+    Behaviours behaviours(counterexample, events, options);
+    Json json{{"type", counterexample_type(counterexample.kind)}};
     if (!assertion.specification.empty())
         json["specification_behaviour"] = behaviours.specification(assertion.specification);
     json["implementation_behaviour"] = behaviours.implementation(assertion.process);
     if (assertion.behaviour) behaviours.parts(json["implementation_behaviour"], *assertion.behaviour);
-    if (told.kind == ViolationKind::nondeterminism && told.event) json["event"] = events.number(*told.event);
-    json["replayed_by"] = told.replayed_by_terms ? "terms" : "compiled rules";
+    if (counterexample.kind == ViolationKind::nondeterminism && counterexample.event)
+        json["event"] = events.number(*counterexample.event);
+    json["replayed_by"] = counterexample.replayed_by_terms ? "terms" : "compiled rules";
     return json;
 }
 

@@ -44,7 +44,7 @@ void write_assertion(std::string& out, const AssertionReport& a, const std::stri
 /// What the verdicts are about where it is less than the model.
 void write_bounds(std::string& out, const std::vector<BoundReport>& bounds) {
     if (bounds.empty()) return;
-    out += "\nbounds of the finite reading that were reached: the verdicts are about a smaller model\n";
+    out += "\nbounds of the finite instantiation that were reached: the verdicts are about a smaller model\n";
     for (const BoundReport& bound : bounds)
         out += fmt::format("  {}: {} [{}]{}\n", bound.element, bound.text, bound.time, bound.place.empty() ? "" : "   " + diagnostics::shown(bound.place));
 }
@@ -70,15 +70,17 @@ void write_asides(std::string& out, const conformance::Result& r) {
     write_cycles(out, r.deadlines->cycles);
 }
 
-void write_behaviour(std::string& out, std::string_view face, const conformance::Behaviour& behaviour) {
-    out += fmt::format("                   {:<8} out <{}>  {}  {}\n", face, fmt::join(behaviour.outputs, ", "), behaviour.ends, behaviour.state);
+void write_behaviour(std::string& out, std::string_view name, const conformance::Behaviour& behaviour) {
+    out += fmt::format("                   {:<8} out <{}>  {}  {}\n", name, fmt::join(behaviour.outputs, ", "),
+                       behaviour.ends, behaviour.state);
 }
 
-void write_faces(std::string& out, const conformance::Result& r) {
-    if (!r.faces) return;
-    out += fmt::format("                 then {}:\n", r.faces->event.empty() ? "without an event" : r.faces->event);
-    write_behaviour(out, "step", r.faces->cycle);
-    write_behaviour(out, "dispatch", r.faces->dispatched);
+void write_api_difference(std::string& out, const conformance::Result& r) {
+    if (!r.api_difference) return;
+    out += fmt::format("                 then {}:\n",
+                       r.api_difference->event.empty() ? "without an event" : r.api_difference->event);
+    write_behaviour(out, "step", r.api_difference->cycle);
+    write_behaviour(out, "dispatch", r.api_difference->dispatched);
 }
 
 void write_conformance(std::string& out, const ConformanceReport& c, const Options& options) {
@@ -92,7 +94,7 @@ void write_conformance(std::string& out, const ConformanceReport& c, const Optio
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
     write_cycles(out, r.cycles);
     if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
-    write_faces(out, r);
+    write_api_difference(out, r);
     write_asides(out, r);
     if (options.show_internal && !r.raw.empty()) out += fmt::format("                 events <{}>\n", fmt::join(r.raw, ", "));
 }

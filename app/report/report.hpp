@@ -34,7 +34,7 @@ struct AssertionReport {
     std::string counterexample;           ///< a script's, as text
 };
 
-/// Where the finite reading of the model showed while assertions were checked.
+/// Where the finite instantiation limited a value while assertions were checked.
 struct BoundReport {
     std::string element;  ///< "S::t1"
     std::string place;    ///< "model.rct:12"
@@ -77,7 +77,7 @@ struct Report {
     std::string summary;                  ///< "1 state machine, 2 operations, …"
     double load_seconds = 0;
     std::vector<std::string> notes;       ///< scale of reals, carriers
-    std::string subject = "model";        ///< what it is that does what a counterexample tells
+    std::string subject = "model";        ///< the subject of the sentences of a counterexample
     std::vector<AssertionReport> assertions;
     std::vector<BoundReport> bounds;
     std::vector<SizeReport> sizes;

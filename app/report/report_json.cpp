@@ -52,8 +52,11 @@ Json conformance_json(const ConformanceReport& c) {
               {"codeCycles", r.code_cycles}, {"dispatched", r.dispatched}, {"statistics", statistics(r.product)}, {"seconds", c.seconds}};
     if (!r.reason.empty()) json["reason"] = r.reason;
     if (!r.warnings.empty()) json["warnings"] = r.warnings;
-    if (r.faces)
-        json["faces"] = {{"event", r.faces->event}, {"differs", r.faces->what}, {"step", behaviour(r.faces->cycle)}, {"dispatch", behaviour(r.faces->dispatched)}};
+    if (r.api_difference)
+        json["faces"] = {{"event", r.api_difference->event},
+                         {"differs", r.api_difference->what},
+                         {"step", behaviour(r.api_difference->cycle)},
+                         {"dispatch", behaviour(r.api_difference->dispatched)}};
     if (r.register_cycles) json["registerCycles"] = aside(*r.register_cycles);
     if (r.deadlines) json["deadlinesMet"] = aside(*r.deadlines);
     if (r.cycles.empty()) return json;

@@ -1,4 +1,4 @@
-// See sizes.hpp. What cannot be evaluated has been told by the checks, and has no size.
+// See sizes.hpp. What cannot be evaluated has been reported by the checks, and has no size.
 #include "app/report/sizes.hpp"
 
 #include "app/command/limits.hpp"

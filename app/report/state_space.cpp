@@ -1,4 +1,4 @@
-// See state_space.hpp.
+// All states of one process, under the limits of the run.
 #include "app/report/state_space.hpp"
 
 #include "checker/refine/search/poll_guard.hpp"
@@ -9,7 +9,7 @@ lts::Graph explored(lts::TransitionSystem& system, const refine::Limits& limits,
     refine::Budget budget(limits);
     known = 0;
     budget.report_by([&known](refine::Progress& progress) { progress.states = known; });
-    const refine::Watch watch({&system}, budget);
+    const refine::PollGuard guard({&system}, budget);
     lts::Exploration all = lts::explore(system, [&](std::size_t states) {
         known = states;
         budget.states(states);

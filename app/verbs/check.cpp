@@ -95,7 +95,7 @@ bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
     return obligation.property != ir::no_id && context.project.system.properties[obligation.property].name == context.options.assertion;
 }
 
-/// All that is to be decided stands in the report from the beginning, as not decided.
+/// The report lists everything to be decided from the beginning, as not decided.
 void announce(const Context& context, Report& report) {
     const auto edit = context.options.run->edit();
     for (const csp_emit::Obligation& obligation : context.emission.obligations) {

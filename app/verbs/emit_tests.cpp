@@ -25,7 +25,7 @@ struct Made {
     bool adaptive = false;      ///< the model leaves a choice: tests that follow the implementation
 };
 
-std::string told(const Made& made, const Options& options, const ir::ComponentRef& component) {
+std::string suite_summary(const Made& made, const Options& options, const ir::ComponentRef& component) {
     if (made.adaptive)
         return fmt::format("{}: {} states over control cycles, with choices; the tests follow what the implementation does", component.path,
                            made.states);
@@ -39,7 +39,7 @@ Made make(Project& project, const Options& options, const ir::ComponentRef& comp
     const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component, options.cycle, bounds,
                                                       project.sources, project.diagnostics, error);
     if (model == nullptr) throw std::length_error(error);
-    const auto choices = conformance::machine_of_choices(*model, bounds);
+    const auto choices = conformance::choice_automaton(*model, bounds);
     const std::string name = file_name(project, component);
     const std::string qualified = ir::qualified(component);
     if (!choices.deterministic()) {
@@ -47,7 +47,7 @@ Made make(Project& project, const Options& options, const ir::ComponentRef& comp
         made.files.push_back({name + ".graph", conformance::choice_graph(choices, *model, qualified, options.extra_states)});
         return made;
     }
-    const auto machine = conformance::machine_of_cycles(*model, bounds);
+    const auto machine = conformance::cycle_automaton(*model, bounds);
     const auto tests = conformance::complete_suite(machine, options.extra_states);
     Made made{conformance::suite_sources(name), machine.states(), tests.size(), 0};
     for (const auto& test : tests) made.cycles += test.size();
@@ -68,7 +68,7 @@ bool write_tests(Project& project, const Options& options, Report& report) {
             const std::string below = fmt::format("tests/{}{}/", project.folder, file_name(project, component));
             if (!write_all(below, made.files, report.test_files, options, project)) return false;
             const auto edit = options.run->edit();
-            report.remarks.push_back(project.label + told(made, options, component));
+            report.remarks.push_back(project.label + suite_summary(made, options, component));
         } catch (const std::length_error& large) {
             refused = large.what();
         } catch (const cspm::EvaluationError& failed) {

@@ -54,7 +54,7 @@ bool explain(const std::string& code, bool color) {
     return true;
 }
 
-/// The index from its first heading below the title on: what stands above speaks to authors of pages.
+/// The index from its first heading below the title on: the text above is for authors of pages.
 std::string_view list_of_rules() {
     std::string_view index = page_text("README");
     const std::size_t first = index.find("\n## ");

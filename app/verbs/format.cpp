@@ -134,7 +134,7 @@ void Formatting::input(const std::string& path) {
 std::string Formatting::closing() const {
     const auto count = [](std::size_t n) { return fmt::format("{} file{}", n, n == 1 ? "" : "s"); };
     const char* const verdict = options_.check || options_.diff ? "would change" : "changed";
-    return changed_ == 0 ? fmt::format("{} in the house style", count(files_))
+    return changed_ == 0 ? fmt::format("{} in the standard layout", count(files_))
                          : fmt::format("{} of {} {}", changed_, count(files_), verdict);
 }
 

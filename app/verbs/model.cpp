@@ -50,7 +50,8 @@ std::vector<std::string> notes(const ir::Instantiation& i) {
     std::vector<std::string> result;
     std::string reals = fmt::format("{} values", i.real.size());
     if (i.scale != 1) reals += fmt::format(", exact in steps of 1/{} (from the model's decimal literals)", i.scale);
-    result.push_back(fmt::format("finite reading: nat {}, int {}, real {}, clocks 0..{}", range(i.nat), range(i.integer), reals, i.clock_bound));
+    result.push_back(fmt::format("finite instantiation: nat {}, int {}, real {}, clocks 0..{}", range(i.nat),
+                                 range(i.integer), reals, i.clock_bound));
     const ir::Instantiation usual;
     if (i.sequence_bound != usual.sequence_bound) result.back() += fmt::format(", sequences of at most {}", i.sequence_bound);
     if (i.given_size != usual.given_size) result.back() += fmt::format(", given types of {}", i.given_size);
@@ -143,7 +144,7 @@ void begin(const std::vector<Part>& parts, const Options& options, Report& repor
     report.notes = notes(parts);
 }
 
-/// The report as it stands, whoever prints it.
+/// The report so far.
 Exit print_report(const Report& report, const Options& options) {
     if (options.format == Format::json) print_exact(render_json(report));
     else print_text(render_text(report, options));
@@ -253,7 +254,8 @@ bool concerns(const Part& part, const std::vector<Part>& parts, const Options& o
     return some || (options.component.empty() && (!code || parts.size() == 1));
 }
 
-/// The diagnostics of all parts. A program gets those of one part as the answer; those of several stand in the report.
+/// The diagnostics of all parts. A program gets those of one part as the answer; those of several are part of the
+/// report.
 bool show_all(const std::vector<Part>& parts, const Options& options) {
     bool good = true;
     for (const Part& part : parts)

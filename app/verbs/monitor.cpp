@@ -84,21 +84,22 @@ private:
 
     Monitors& all_;
     std::unique_ptr<simulation::Trace> other_;
-    std::unique_ptr<conformance::WholeCycles> cycles_;
+    std::unique_ptr<conformance::CycleCache> cycles_;
     std::vector<Monitor> monitors_;
     std::vector<std::uint8_t> ended_;  ///< of each robot; as long as that once one did
     simulation::Objection objection_;
 };
 
-std::unique_ptr<conformance::WholeCycles> Monitors::borrow() {
+std::unique_ptr<conformance::CycleCache> Monitors::borrow() {
     const std::lock_guard lock(mutex_);
-    if (idle_.empty()) return std::make_unique<conformance::WholeCycles>(build_->tables(), emission_.inputs, emission_.outputs);
+    if (idle_.empty())
+        return std::make_unique<conformance::CycleCache>(build_->tables(), emission_.inputs, emission_.outputs);
     auto cycles = std::move(idle_.back());
     idle_.pop_back();
     return cycles;
 }
 
-void Monitors::give_back(std::unique_ptr<conformance::WholeCycles> cycles) {
+void Monitors::give_back(std::unique_ptr<conformance::CycleCache> cycles) {
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(cycles));
 }
@@ -110,7 +111,9 @@ Monitors::Maker Monitors::beside(Maker other) {
 std::string Monitors::note() const {
     const auto& tables = build_->tables();
     std::string text = fmt::format("  monitors: {} states, {} columns; {} robots watched", tables.states, tables.columns, robots_.load());
-    if (lost_ > 0) text += fmt::format(", {} of them not to the end: they left the finite reading of the model", lost_.load());
+    if (lost_ > 0)
+        text +=
+            fmt::format(", {} of them not to the end: they left the finite instantiation of the model", lost_.load());
     return text + "\n";
 }
 

@@ -28,15 +28,16 @@ public:
 private:
     class Watch;
 
-    [[nodiscard]] std::unique_ptr<conformance::WholeCycles> borrow();
-    void give_back(std::unique_ptr<conformance::WholeCycles>);
+    [[nodiscard]] std::unique_ptr<conformance::CycleCache> borrow();
+    void give_back(std::unique_ptr<conformance::CycleCache>);
 
     std::unique_ptr<conformance::MonitorBuild> build_;
     const cpp_emit::DriveEmission& emission_;
     std::mutex mutex_;
-    std::vector<std::unique_ptr<conformance::WholeCycles>> idle_;  ///< of trials that are over: later ones need not learn again
+    std::vector<std::unique_ptr<conformance::CycleCache>>
+        idle_;  ///< of trials that are over: later ones need not learn again
     std::atomic<std::uint64_t> robots_ = 0;
-    std::atomic<std::uint64_t> lost_ = 0;  ///< left the finite reading where that matters
+    std::atomic<std::uint64_t> lost_ = 0;  ///< left the finite instantiation where that matters
 };
 
 /// Null, with a diagnostic, where the model has none.

@@ -124,7 +124,7 @@ void print_text(const Simulation& simulation, const simulation::RunResult& resul
     else print("{} of {} bands hold\n", held, result.bands.size());
 }
 
-/// The first log that could not be written; told by threads.
+/// The first log that could not be written; set by the threads.
 struct LogFailure {
     std::mutex mutex;
     std::string text;

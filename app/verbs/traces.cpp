@@ -31,7 +31,7 @@ using conformance::RunVerdict;
 using diagnostics::json_string;
 
 /// A run worth telling, and the log it is in.
-struct Told {
+struct ReportedRun {
     std::string path;
     conformance::RunReport run;
 };
@@ -39,11 +39,11 @@ struct Told {
 struct Totals {
     std::size_t logs = 0;
     std::uint64_t runs = 0, accepted = 0, rejected = 0, inconclusive = 0, cycles = 0, replaced = 0;
-    std::vector<Told> told;     ///< the first of those that are not accepted
+    std::vector<ReportedRun> reported;  ///< the first of those that are not accepted
     std::string limit;          ///< why not everything was looked at
     double seconds = 0;
 };
-constexpr std::size_t most_told = 100;
+constexpr std::size_t max_reported = 100;
 
 /// The files, and the logs in folders, in order.
 std::vector<std::string> logs(const Options& options, diagnostics::Diagnostics& diagnostics) {
@@ -161,7 +161,7 @@ void check_log(const std::string& path, Project& project, Checkers& checkers, To
     if (checker == nullptr) return;
     ++totals.logs;
     const auto report = checker->check(in, [&](const conformance::RunReport& run) {
-        if (totals.told.size() < most_told) totals.told.push_back({path, run});
+        if (totals.reported.size() < max_reported) totals.reported.push_back({path, run});
     });
     totals.runs += report.runs;
     totals.accepted += report.accepted;
@@ -172,11 +172,12 @@ void check_log(const std::string& path, Project& project, Checkers& checkers, To
     if (report.fault) report_fault(project, path, *report.fault);
 }
 
-void print_run(const Told& told, bool quiet) {
-    const conformance::RunReport& run = told.run;
+void print_run(const ReportedRun& reported, bool quiet) {
+    const conformance::RunReport& run = reported.run;
     const bool rejected = run.verdict == RunVerdict::rejected;
-    print("{}{}  {}:{}: run {}, cycle {}\n", quiet ? "" : "\n", rejected ? "rejected    " : "inconclusive", diagnostics::shown(told.path), run.at_line,
-               run.name.empty() ? "without a name" : diagnostics::shown(run.name), run.cycle);
+    print("{}{}  {}:{}: run {}, cycle {}\n", quiet ? "" : "\n", rejected ? "rejected    " : "inconclusive",
+          diagnostics::shown(reported.path), run.at_line,
+          run.name.empty() ? "without a name" : diagnostics::shown(run.name), run.cycle);
     const auto line = [](const char* title, const std::string& text) { print("    {:<10} {}\n", title, diagnostics::shown(text)); };
     std::uint64_t number = run.at_line - run.before.size();
     for (const std::string& before : run.before) line(fmt::format("line {}", number++).c_str(), before);
@@ -196,11 +197,13 @@ Exit exit_of(const Totals& totals) {
 }
 
 void print_text(const Totals& totals, const Options& options) {
-    for (const Told& told : totals.told) print_run(told, options.quiet);
-    if (!totals.told.empty() && !options.quiet) print("\n");
+    for (const ReportedRun& reported : totals.reported) print_run(reported, options.quiet);
+    if (!totals.reported.empty() && !options.quiet) print("\n");
     if (totals.replaced > 0 && !options.quiet)
-        print("{} values are outside the finite reading; the model only passes such values on, so others stood for them (docs/traces.md)\n",
-                   with_commas(totals.replaced));
+        print(
+            "{} values are outside the finite instantiation; the model only passes such values on, so they were "
+            "replaced (docs/traces.md)\n",
+            with_commas(totals.replaced));
     if (!totals.limit.empty()) print("inconclusive: {}\n", totals.limit);
     print("{} runs in {} logs, {} cycles: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n", with_commas(totals.runs), totals.logs,
                with_commas(totals.cycles), with_commas(totals.accepted), with_commas(totals.rejected), with_commas(totals.inconclusive), totals.seconds);
@@ -214,12 +217,14 @@ std::string texts(const std::vector<std::string>& list) {
 
 void print_json(const Totals& totals, Exit exit) {
     std::vector<std::string> runs;
-    for (const Told& told : totals.told) {
-        const conformance::RunReport& run = told.run;
-        runs.push_back(fmt::format(R"({{"log":{},"line":{},"run":{},"verdict":"{}","cycle":{},"logged":{},"reason":{},"sofar":{},"before":{},"allowed":{},"elements":{}}})",
-                                   json_string(told.path), run.at_line, json_string(run.name), run.verdict == RunVerdict::rejected ? "rejected" : "inconclusive",
-                                   run.cycle, json_string(run.what), json_string(run.reason), texts(run.cycle_so_far), texts(run.before),
-                                   texts(run.allowed), texts(run.elements)));
+    for (const ReportedRun& reported : totals.reported) {
+        const conformance::RunReport& run = reported.run;
+        runs.push_back(fmt::format(
+            R"({{"log":{},"line":{},"run":{},"verdict":"{}","cycle":{},"logged":{},"reason":{},"sofar":{},"before":{},"allowed":{},"elements":{}}})",
+            json_string(reported.path), run.at_line, json_string(run.name),
+            run.verdict == RunVerdict::rejected ? "rejected" : "inconclusive", run.cycle, json_string(run.what),
+            json_string(run.reason), texts(run.cycle_so_far), texts(run.before), texts(run.allowed),
+            texts(run.elements)));
     }
     print_exact(fmt::format(R"({{"schema":"robochart-verify/traces/1","logs":{},"runs":{},"cycles":{},"accepted":{},"rejected":{},"inconclusive":{},"replacedValues":{},"limit":{},"seconds":{:.3f},"exit":{},"told":[{}]}})"
                "\n",

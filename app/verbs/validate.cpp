@@ -1,4 +1,4 @@
-// The verb `validate`: read, resolve and report; with --fix, certain mends are written to the files first.
+// The verb `validate`: read, resolve and report; with --fix, certain fixes are applied to the files first.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -15,8 +15,8 @@
 namespace robochart::app {
 namespace {
 
-/// Writes the certain mends of every file, each file as a whole or not at all. Returns how many were made.
-std::size_t mend(const std::vector<Part>& parts, std::string& error) {
+/// Applies the certain fixes of every file, each file as a whole or not at all. Returns their number.
+std::size_t apply_fixes(const std::vector<Part>& parts, std::string& error) {
     std::size_t made = 0;
     for (const Part& part : parts)
         for (const auto& file : part.project->model->files) {
@@ -54,19 +54,19 @@ void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnost
     if (!limit.empty()) print_error("robochart-verify: inconclusive: {}\n", limit);
 }
 
-/// Reads, mends if that is asked for, and reports.
+/// Reads, applies fixes if asked to, and reports.
 Exit validate(const Options& options) {
     std::vector<Part> parts = read_parts(options);
     if (options.fix) {
         std::string error;
-        const std::size_t made = mend(parts, error);
+        const std::size_t made = apply_fixes(parts, error);
         if (!error.empty()) {
             print_error("robochart-verify: {}\n", error);
             return Exit::bad_input;
         }
         if (made > 0) parts = read_parts(options);
         if (!options.quiet && options.format == Format::text)
-            print_error("{} place{} mended\n", made, made == 1 ? "" : "s");
+            print_error("{} place{} fixed\n", made, made == 1 ? "" : "s");
     }
     options.run->finish();
     const diagnostics::Diagnostics findings = together(parts);

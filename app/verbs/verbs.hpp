@@ -1,4 +1,4 @@
-// One function a verb, over the public headers of the rooms only. Each returns the exit code.
+// One function for each verb, using only the public headers of the components. Each returns the exit code.
 #pragma once
 
 #include "app/command/options.hpp"

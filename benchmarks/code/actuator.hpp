@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #ifdef CHECK
-extern std::uint64_t told;
+extern std::uint64_t reported;
 inline void act(std::uint32_t value) {
-    told = (told ^ value) * 1099511628211ULL;
+    reported = (reported ^ value) * 1099511628211ULL;
 }
 #else
 extern volatile std::uint32_t actuator;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #ifdef CHECK
-std::uint64_t told = 0;
+std::uint64_t reported = 0;
 #else
 #include "benchmarks/cpu_time.hpp"
 volatile std::uint32_t actuator = 0;
@@ -66,11 +66,11 @@ using Memory = std::array<unsigned char, 256>;
 #ifdef CHECK
 std::uint64_t hash(const BackEnd& end, unsigned events) {
     alignas(16) Memory memory{};
-    told = 14695981039346656037ULL;
+    reported = 14695981039346656037ULL;
     end.begin(memory.data());
     const std::vector<std::uint8_t> stream = random_events(events, 20000);
     end.run(memory.data(), stream.data(), stream.size());
-    return told;
+    return reported;
 }
 
 bool equal(const Machine& machine) {

@@ -280,17 +280,17 @@ AssertionResult Session::check(const Decl& assertion, const refine::Limits& limi
     return result;
 }
 
-std::optional<process::Behaviour> Session::behaviour(const refine::Counterexample& told, bool offers) {
-    if (told.terms.empty()) return std::nullopt;
+std::optional<process::Behaviour> Session::behaviour(const refine::Counterexample& counterexample, bool offers) {
+    if (counterexample.terms.empty()) return std::nullopt;
     std::vector<process::Transition> run;
     const auto append = [&run](const std::vector<refine::Step>& steps, const std::vector<process::TermId>& reached) {
         for (std::size_t i = 0; i < steps.size(); ++i)
             run.push_back({steps[i].event, steps[i].revealed, reached[i + 1]});
     };
-    append(told.steps, told.terms);
-    append(told.loop, told.loop_terms);
+    append(counterexample.steps, counterexample.terms);
+    append(counterexample.loop, counterexample.loop_terms);
     try {
-        return process::behaviour(impl_->semantics, told.terms.front(), run, offers);
+        return process::behaviour(impl_->semantics, counterexample.terms.front(), run, offers);
     } catch (const EvaluationError&) {
         // Inside a compression terms are looked at that nothing has asked for: the verdict does without them.
     } catch (const process::SemanticsError&) {
@@ -333,11 +333,12 @@ process::EventSet Session::events(const ExprPtr& expr) {
     return impl_->evaluator.event_set(*ready.code, *ready.unit);
 }
 
-std::optional<process::Behaviour> Session::behaviour(const refine::Counterexample& told, const refine::Limits& limits) {
+std::optional<process::Behaviour> Session::behaviour(const refine::Counterexample& counterexample,
+                                                     const refine::Limits& limits) {
     refine::Budget budget(limits);
     const Impl::Polling polling(*impl_, budget);
     try {
-        return behaviour(told);
+        return behaviour(counterexample);
     } catch (const process::Interrupted&) {
         return std::nullopt;
     }

@@ -40,7 +40,7 @@ public:
     /// Decides one assertion. Evaluation errors are thrown; limits give inconclusive.
     [[nodiscard]] AssertionResult check(const Decl& assertion, const refine::Limits&);
 
-    /// Tells of calls of these functions while processes are worked out. Each state's calls are told once, whichever
+    /// Reports calls of these functions while processes are evaluated. Each state's calls are reported once, whichever
     /// assertion asks first; so it is to be set before the first check.
     void observe(CallObserver observer);
 

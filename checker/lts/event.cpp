@@ -1,4 +1,4 @@
-// See event.hpp.
+// The table of events: interning of names, with tau and tick first.
 #include "checker/lts/event.hpp"
 
 namespace robochart::lts {

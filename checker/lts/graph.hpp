@@ -67,7 +67,7 @@ private:
 /// Aldebaran format as CADP and mCRL2 read it; tau is written "tau", termination "tick".
 void write_aut(const Graph& graph, const EventTable& events, std::ostream& out);
 /// CSPM definitions of `name` and a process a state, `name` with the state's number: equal to the graph in T, F and FD.
-/// The channels must be declared. A state with several taus and something else gets one tau more on the way to them.
+/// The channels must be declared. A state with several taus and something else gets one tau more before them.
 void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out);
 /// Graphviz.
 void write_dot(const Graph& graph, const EventTable& events, std::ostream& out);

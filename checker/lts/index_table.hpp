@@ -20,7 +20,7 @@ class IndexTable {
     struct Bucket;
 
 public:
-    /// Where a number stands, or where it can be put.
+    /// The slot of a number, or a free slot for it.
     class Slot {
     public:
         [[nodiscard]] bool taken() const { return taken_; }
@@ -44,7 +44,7 @@ public:
     IndexTable() { reset(1); }
 
     /// The slot of the number for which `same` is true. Without one a free slot; its bucket is none if there is no
-    /// room.
+    /// space.
     template <class Same>
     [[nodiscard]] Slot find(std::uint64_t hash, const Same& same) const {
         Slot slot;
@@ -63,14 +63,14 @@ public:
         }
         return slot;
     }
-    [[nodiscard]] static bool has_room(const Slot& slot) { return slot.bucket_ != nullptr; }
+    [[nodiscard]] static bool has_space(const Slot& slot) { return slot.bucket_ != nullptr; }
     /// Puts a number into a free slot, before any other is put into the table.
     static void put(const Slot& slot, StateIndex index) {
         slot.set(index);
         slot.bucket_->tag(slot.place_, slot.tag_);
         ++slot.bucket_->used;
     }
-    /// Puts a number that is not in the table. False if there is no room.
+    /// Puts a number that is not in the table. False if there is no free slot.
     bool add(std::uint64_t hash, StateIndex index) {
         std::uint32_t home = home_of(hash);
         for (std::uint32_t tried = 0; tried < bucket_count_; ++tried) {

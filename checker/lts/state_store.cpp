@@ -38,13 +38,13 @@ bool StateStore::add_states(StateIndex first, StateIndex end, const Add& add) co
     return true;
 }
 
-/// Makes the table anew from the states in their order, so that old and new table need not stand beside each other.
+/// Rebuilds the table from the states in their order, so that old and new table never exist at the same time.
 void StateStore::grow(std::uint64_t states, const Sharing& share) {
     constexpr std::uint64_t piece = 1U << 16U;
     const auto all = static_cast<StateIndex>(size_);
     const auto add_alone = [this](std::uint64_t hash, StateIndex index) { return table_.add(hash, index); };
     const auto add = [this](std::uint64_t hash, StateIndex index) {
-        return IndexTable::has_room(table_.find_or_add(
+        return IndexTable::has_space(table_.find_or_add(
             hash, [](StateIndex) { return false; }, [index] { return index; }));
     };
     for (std::uint64_t wanted = states;; wanted += wanted / 2) {
@@ -76,10 +76,10 @@ StateStore::Insertion StateStore::insert(StateView state, std::uint64_t hash) {
     const auto same = [&](StateIndex index) { return equal(index, state); };
     IndexTable::Slot slot = table_.find(hash, same);
     if (slot.taken()) return {slot.get(), false};
-    if (size_ >= table_.capacity() || !IndexTable::has_room(slot)) {
+    if (size_ >= table_.capacity() || !IndexTable::has_space(slot)) {
         grow(size_ + 1, {});
         slot = table_.find(hash, same);
-        if (!IndexTable::has_room(slot)) throw std::bad_alloc();
+        if (!IndexTable::has_space(slot)) throw std::bad_alloc();
     }
     make_chunks(size_ + 1);
     const auto index = static_cast<StateIndex>(size_);
@@ -89,7 +89,7 @@ StateStore::Insertion StateStore::insert(StateView state, std::uint64_t hash) {
     return {index, true};
 }
 
-void StateStore::make_room(std::uint64_t states) {
+void StateStore::make_space(std::uint64_t states) {
     make_chunks(states);
     size_ = states;
 }

@@ -33,14 +33,15 @@ public:
     Insertion insert(StateView state, std::uint64_t hash);
     [[nodiscard]] StateIndex find(StateView state, std::uint64_t hash) const;
 
-    // New states met by several threads at once. Each has a claim first: a number from `first_claim` on, in which the
-    // order of claims stands for that of the states to come. Of equal states the lowest claim stays. Once no thread
-    // claims any more, `make_room` is called by one, and those that stayed are published under their own numbers, or
+    // New states found by several threads at once. Each first gets a claim, a provisional number from `first_claim` on;
+    // claims have the order of the final numbers. Of duplicates, the smallest claim wins. Once no thread makes claims
+    // any more, `make_space` is called by one, and the remaining states are published under their final numbers, or
     // given up; by several threads again.
     static constexpr StateIndex most_claims = StateIndex{1} << 27U;
     static constexpr StateIndex first_claim = no_state - most_claims;
     struct Claim {
-        StateIndex index = no_state;  ///< the state's number, or its lowest claim; none: there is no room
+        StateIndex index =
+            no_state;  ///< the state's number, or its smallest provisional number; none: the table is full
         IndexTable::Slot slot;
     };
     /// `claims.row(number)` is the state of a claim, `claims.keep(state)` keeps the state and is called before the
@@ -56,7 +57,7 @@ public:
             return number;
         };
         const IndexTable::Slot slot = table_.find_or_add(hash, same, own);
-        if (!IndexTable::has_room(slot)) return {};
+        if (!IndexTable::has_space(slot)) return {};
         if (!slot.taken()) return {number, slot};
         StateIndex index = slot.get();
         if (index > number) claims.keep(state);
@@ -68,14 +69,14 @@ public:
         return {index, slot};
     }
     /// From now on there are so many states; those added are published next.
-    void make_room(std::uint64_t states);
+    void make_space(std::uint64_t states);
     void publish(const IndexTable::Slot& slot, StateIndex index, StateView state);
     static void give_up(const IndexTable::Slot& slot) { slot.set(no_state); }
 
     /// Calls a piece of work with 0, 1, ... count-1, in any order and at the same time.
     using Sharing = std::function<void(std::size_t count, const std::function<void(std::size_t)>& piece)>;
     /// How many more states go into the table as it is.
-    [[nodiscard]] std::uint64_t room() const { return table_.capacity() - std::min(table_.capacity(), size_); }
+    [[nodiscard]] std::uint64_t space() const { return table_.capacity() - std::min(table_.capacity(), size_); }
     void reserve(std::uint64_t states, const Sharing& share) {
         if (states > table_.capacity()) grow(states, share);
     }

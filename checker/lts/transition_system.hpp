@@ -1,5 +1,5 @@
 // The narrow waist: everything that can be searched is an initial packed state, successors, and names.
-// Behind it stand process terms, compiled machines, explicit graphs and generated code.
+// Process terms, compiled machines, explicit graphs and generated code implement it.
 #pragma once
 
 #include <cstdint>

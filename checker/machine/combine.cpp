@@ -1,6 +1,6 @@
 // From the operators of a skeleton to rules over its components. Each operator turns the vectors of its operands (who
 // does what, and what it is called) into its own. The statements of the firing rules are in process/firing_rules.cpp
-// and composition_rules.cpp; here each stands as one clause of `vectors`.
+// and composition_rules.cpp; here each is one clause of `vectors`.
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -87,7 +87,7 @@ void Combiner::charge(std::size_t vectors) {
     charge_work(vectors);
 }
 
-/// Parts, actions and assignments: where operators stand deep in each other a rule can have one for each of them.
+/// Parts, actions and assignments: with deeply nested operators a rule can have one for each of them.
 void Combiner::charge_work(std::size_t steps) const {
     constexpr std::size_t worth = 20;  // of a rule
     constexpr std::size_t between_polls = 1024;

@@ -214,7 +214,7 @@ std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std:
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::logic_error&) {
-        throw;  // a fault of ours
+        throw;  // an internal error
     } catch (const std::exception&) {
         return nullptr;
     }

@@ -29,7 +29,7 @@ struct Node {
     /// Operation. Sliding, internal choice and prefix have their gate as the first child; the others their operands.
     std::vector<NodeId> children;
     NodeId again = 0;
-    NodeId region = 0;             ///< the region it stands in: the nearest prioritise above, or the root
+    NodeId region = 0;             ///< the region that contains it: the nearest prioritise above, or the root
     std::uint32_t first_slot = 0;  ///< the components below it: [first_slot, end_slot)
     std::uint32_t end_slot = 0;
 };

@@ -1,5 +1,5 @@
 // Successors by rules: each event of each participant's present state is looked up in the rules that it comes first in,
-// and a rule fires in all the ways in which its other participants can do their part. The moves of regions inside are
+// and a rule fires for every combination of transitions of its other participants. The moves of regions inside are
 // looked for when a rule around asks for them; whether a priority prevents an event, when such an event is at hand.
 #include "checker/machine/supercombinator_system.hpp"
 
@@ -89,7 +89,7 @@ private:
         }
     }
 
-    /// The rules [rule, end) with this way of their first participant.
+    /// The rules [rule, end) with this transition of their first participant.
     template <typename Way>
     void begin(std::uint32_t who, const Way& way, std::uint32_t rule, std::uint32_t end) {
         for (; rule < end; ++rule)
@@ -122,7 +122,7 @@ private:
                                 inside.begin() + move.end_change);
     }
 
-    /// One participant does its part in all its ways.
+    /// All transitions of one participant.
     void part(const Rule& rule, const Requirement& wanted, std::uint32_t next, Event revealed) {
         const Participant& participant = region_.participants[wanted.participant];
         if (!participant.is_region) {
@@ -174,7 +174,7 @@ private:
     SupercombinatorSystem& system_;
     std::uint32_t number_;
     const Region& region_;
-    std::size_t base_;  // of the changes under way, those before belong to rules of regions around
+    std::size_t base_;  // of the current changes, those before belong to rules of enclosing regions
     const std::vector<std::uint32_t>* around_ = nullptr;
     bool probing_ = false;
     std::uint32_t best_ = no_level;

@@ -56,7 +56,7 @@ private:
     const process::TermStore& terms_;
     std::vector<Local> locals_;
     std::vector<Moves> moves_;         // by region
-    std::vector<Assignment> changes_;  // of the rules under way, those of inner regions last
+    std::vector<Assignment> changes_;  // of the current rules, those of inner regions last
     std::uint64_t state_number_ = 0;   // of the states whose successors were asked for
     std::vector<lts::Word> target_;
     bool busy_ = false;

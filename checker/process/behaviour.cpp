@@ -178,7 +178,7 @@ Splitter::Segment Splitter::component(TermId from, const Steps& steps, std::size
     return segment;
 }
 
-/// A machine is what is left of a compressed operand; the operand has a run with the same events, told on its own.
+/// A machine is the result of compressing an operand; the operand has a run with the same events, reported separately.
 Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::size_t next, int depth) {
     Segment segment{begin(from), from, next, false};
     const Term term = terms_[unfolded(from)];

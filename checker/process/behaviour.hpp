@@ -10,7 +10,7 @@
 
 namespace robochart::process {
 
-/// Stands in a trace where a part does nothing.
+/// The entry of a trace for a step in which a part does nothing.
 inline constexpr Event no_event = std::numeric_limits<Event>::max();
 
 /// What one part of a process did in a run of the whole.

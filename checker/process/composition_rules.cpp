@@ -116,7 +116,7 @@ void FiringRules::rename(const Term& term, List& list) {
     }
 }
 
-// FDR manual, prioritise(P, <A0, ..., An>), and UCS 20.2: the sets stand in order of descending priority; an event of
+// FDR manual, prioritise(P, <A0, ..., An>), and UCS 20.2: the sets are in order of descending priority; an event of
 // A_i is prevented where P can also perform an event of A_j with j < i. τ and ✓ count as members of A0: they are never
 // prevented, prevent A_1 ... A_n, and do not prevent A0. An event in none of the sets neither prevents nor is
 // prevented.

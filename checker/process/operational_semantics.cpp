@@ -150,9 +150,9 @@ std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
     // A state's children: a term it stands for, the compressed term, and the first state unless it is that.
     std::vector<TermId> states;
     for (TermId meaning : machine.meaning) {
-        std::vector<TermId> told{meaning, term};
-        if (!states.empty()) told.push_back(states.front());
-        states.push_back(terms.make(Term{Op::machine, machine_states++, std::move(told), {}}));
+        std::vector<TermId> operands{meaning, term};
+        if (!states.empty()) operands.push_back(states.front());
+        states.push_back(terms.make(Term{Op::machine, machine_states++, std::move(operands), {}}));
     }
     const auto transitions_of = [&](std::size_t state) {
         std::vector<Transition> result;

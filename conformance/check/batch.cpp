@@ -11,7 +11,7 @@ std::unique_ptr<Candidate> candidate(const ir::System& system, const ir::Instant
                                      diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     auto result = std::make_unique<Candidate>();
-    SafeModel model = safe_model(system, instantiation, component, diagnostics);
+    RenamedModel model = renamed_model(system, instantiation, component, diagnostics);
     result->system = std::move(model.system);
     result->instantiation = std::move(model.instantiation);
     result->component = std::move(model.component);

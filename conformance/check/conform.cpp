@@ -137,7 +137,7 @@ Result judge_code(const csp_emit::Emission& script, const ir::System& system, co
 Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,
                const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
-    const SafeModel model = safe_model(system, instantiation, component, diagnostics);
+    const RenamedModel model = renamed_model(system, instantiation, component, diagnostics);
     const csp_emit::Emission script =
         csp_emit::emit(model.system, model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
     const cspm::ExprPtr process = component_process(script.definitions, model.component);

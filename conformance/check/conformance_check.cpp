@@ -24,7 +24,7 @@ struct Witness {
 
 void add_step(Witness& run, const Alphabet& alphabet, const refine::Step& step, std::uint32_t& tocks,
               std::uint32_t cycle_length) {
-    // Where writes are hidden, they are told all the same.
+    // Hidden writes are reported too.
     const process::Event event = step.event == process::tau ? step.revealed : step.event;
     if (event == process::tau) return;
     const CycleRole role = alphabet.cycle_role(event);
@@ -232,7 +232,7 @@ Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interfac
         result.outcome = verdict.outcome == refine::Outcome::holds ? Outcome::conforms : Outcome::inconclusive;
         result.reason = verdict.reason;
     }
-    compare_faces(result, compiled, code, alphabet, limits);
+    compare_event_api(result, compiled, code, alphabet, limits);
     count(result, model, code);
     return result;
 }

@@ -1,5 +1,5 @@
 // The two questions of docs/conformance.md: is NF_c(M) schedulable, and does it have L(G) as a refinement?
-// Answers are told in control cycles.
+// Results are given in control cycles.
 #pragma once
 
 #include "conformance/check/result.hpp"

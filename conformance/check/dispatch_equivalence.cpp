@@ -56,10 +56,10 @@ rc_result pass(void* arguments) {
     return call->code->pass(call->run->state.data(), &call->run->log);
 }
 
-struct FaceComparison {
+struct ApiComparison {
     std::uint64_t compared = 0;
     std::uint32_t image = 0;  ///< where they differ
-    std::optional<FaceDifference> difference;
+    std::optional<ApiDifference> difference;
 };
 
 class Comparison {
@@ -67,11 +67,11 @@ public:
     Comparison(const rc_interface& code, const CodeSystem& system, const Alphabet& alphabet,
                const refine::Limits& limits)
         : code_(code), system_(system), alphabet_(alphabet), budget_(limits) {
-        // What the cycle never made is a difference of the face, as long as it is seen that it is too much.
+        // An output that the cycle never makes is a difference of the event API.
         for (Run* run : {&cycle_, &dispatched_, &again_, &whole_}) run->log.reserve(system.most_writes() + 1);
     }
 
-    FaceComparison run() {
+    ApiComparison run() {
         if (code_.dispatch == nullptr) return {};
         for (const std::uint32_t image : system_.begun()) {
             found_.image = image;
@@ -82,7 +82,7 @@ public:
     }
 
 private:
-    /// All of these are false where the faces differ.
+    /// All of these are false where the APIs differ.
     bool in_state() {
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         event_ = code_.events;
@@ -195,20 +195,20 @@ private:
 
     bool promise(bool kept, const Run& other, const char* what) {
         if (kept) return true;
-        FaceDifference difference;
+        ApiDifference difference;
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         if (event_ < inputs.size() && reading_ > 0) difference.event = alphabet_.tell(alphabet_.read(event_, reading_));
         const std::string called = passed_                    ? "`pass`"
                                    : difference.event.empty() ? "`begin` and `pass`"
                                                               : fmt::format("`dispatch` of {}", difference.event);
         difference.what = fmt::format("{}: {}", called, what);
-        difference.cycle = told(cycle_);
-        difference.dispatched = told(other);
+        difference.cycle = behaviour_of(cycle_);
+        difference.dispatched = behaviour_of(other);
         found_.difference = std::move(difference);
         return false;
     }
 
-    Behaviour told(const Run& run) const {
+    Behaviour behaviour_of(const Run& run) const {
         Behaviour behaviour;
         behaviour.ends = ends(run.result);
         for (std::uint32_t r = 0; r < run.log.count; ++r) {
@@ -229,7 +229,7 @@ private:
     const CodeSystem& system_;
     const Alphabet& alphabet_;
     refine::Budget budget_;
-    FaceComparison found_;
+    ApiComparison found_;
     Bytes from_;
     std::uint32_t event_ = 0;    ///< code_.events: none
     std::uint32_t reading_ = 0;  ///< of it; 0: none
@@ -239,11 +239,11 @@ private:
     Run cycle_, dispatched_, again_, whole_;
 };
 
-/// The cycles that lead to where the faces differ, which are all of the model's.
-void faces_differ(Result& result, const FaceComparison& found, const CodeSystem& code, const Alphabet& alphabet) {
+/// The cycles that lead to the state in which the APIs differ; all of them are the model's.
+void apis_differ(Result& result, const ApiComparison& found, const CodeSystem& code, const Alphabet& alphabet) {
     result.outcome = Outcome::differs;
-    result.faces = found.difference;
-    result.reason = fmt::format("the event-driven face differs from the cycle: {}", found.difference->what);
+    result.api_difference = found.difference;
+    result.reason = fmt::format("the event API differs from the cycle: {}", found.difference->what);
     for (const PassedCycle& passed : code.way_to(found.image)) {
         Cycle& cycle = result.cycles.emplace_back();
         for (std::uint32_t input = 0; input < passed.readings.size(); ++input)
@@ -256,18 +256,17 @@ void faces_differ(Result& result, const FaceComparison& found, const CodeSystem&
 
 }  // namespace
 
-void compare_faces(Result& result, const rc_interface& compiled, const CodeSystem& code, const Alphabet& alphabet,
-                   const refine::Limits& limits) {
+void compare_event_api(Result& result, const rc_interface& compiled, const CodeSystem& code, const Alphabet& alphabet,
+                       const refine::Limits& limits) {
     if (result.outcome == Outcome::differs) return;
     try {
-        const FaceComparison found = Comparison(compiled, code, alphabet, limits).run();
+        const ApiComparison found = Comparison(compiled, code, alphabet, limits).run();
         result.dispatched = found.compared;
-        if (found.difference) faces_differ(result, found, code, alphabet);
+        if (found.difference) apis_differ(result, found, code, alphabet);
     } catch (const process::Interrupted& limit) {
         if (result.outcome != Outcome::conforms) return;
         result.outcome = Outcome::inconclusive;
-        result.reason =
-            fmt::format("the cycle conforms; the event-driven face was not compared with it: {}", limit.what());
+        result.reason = fmt::format("the cycle conforms; the event API was not compared with it: {}", limit.what());
     }
 }
 

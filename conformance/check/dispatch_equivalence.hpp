@@ -1,4 +1,4 @@
-// The event-driven face of generated code against its cycle: both change one state, and an event dispatched must do
+// The event API of generated code against its cycle: both change one state, and an event dispatched must do
 // what a cycle with this event does (docs/conformance.md, "One event at a time").
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace robochart::conformance {
 
-/// Compares both faces in all states that `system` has begun a cycle in, with every event and every value of it, and
-/// with none; for all answers where the code asks which way to go. Unless the code was found to differ already, a
-/// difference is the result: the cycles that lead there, and what both faces do then. Nothing where no event is
+/// Compares both APIs in all states that `system` has begun a cycle in, with every event and every value of it, and
+/// with none; for all answers where the code asks for a choice. Unless the code was found to differ already, a
+/// difference is the result: the cycles that lead there, and what both APIs do then. Nothing where no event is
 /// received.
-void compare_faces(Result&, const rc_interface&, const CodeSystem& system, const Alphabet&, const refine::Limits&);
+void compare_event_api(Result&, const rc_interface&, const CodeSystem& system, const Alphabet&, const refine::Limits&);
 
 }  // namespace robochart::conformance

@@ -30,7 +30,7 @@ std::optional<std::uint32_t> Follower::asked(Node node) {
     return std::nullopt;
 }
 
-std::optional<Parting> Follower::finish(Node& node, rc_result outcome, bool cut) {
+std::optional<Mismatch> Follower::finish(Node& node, rc_result outcome, bool cut) {
     if (auto stops = model_stops(node)) return stops;
     over_ = cut || outcome != RC_QUIESCENT;
     if (cut) return std::nullopt;
@@ -41,20 +41,20 @@ std::optional<Parting> Follower::finish(Node& node, rc_result outcome, bool cut)
             if (may_refuse(node, std::nullopt)) return std::nullopt;
             return differs(node, "the code misses a deadline");
         case RC_STEP_BOUND:
-            if (endless(node)) return Parting{Outcome::not_schedulable, endless_model, ""};
-            return Parting{Outcome::differs, "the code's cycle does not end: its step bound is reached",
-                           "an end of the cycle"};
+            if (endless(node)) return Mismatch{Outcome::not_schedulable, endless_model, ""};
+            return Mismatch{Outcome::differs, "the code's cycle does not end: its step bound is reached",
+                            "an end of the cycle"};
         case RC_TERMINATED:
             return follow(node, process::tick, false);
         case RC_QUIESCENT:
             break;
     }
     for (std::uint32_t t = 0; t < cycle_length_; ++t)
-        if (auto parting = follow(node, alphabet_.tock(), false)) return parting;
+        if (auto mismatch = follow(node, alphabet_.tock(), false)) return mismatch;
     return std::nullopt;
 }
 
-Parting Follower::differs(Node node, std::string reason) {
+Mismatch Follower::differs(Node node, std::string reason) {
     return {Outcome::differs, std::move(reason), allowed(node)};
 }
 
@@ -68,31 +68,30 @@ bool Follower::may_refuse(Node node, std::optional<process::Event> but) {
     return std::any_of(acceptances.begin(), acceptances.end(), fits);
 }
 
-std::optional<Parting> Follower::follow(Node& node, process::Event event, bool read) {
+std::optional<Mismatch> Follower::follow(Node& node, process::Event event, bool read) {
     if (auto stops = model_stops(node)) return stops;
     const auto next = form_.after(node, event);
     const bool insists = !read && !form_.acceptances(node).empty() && !may_refuse(node, event);
     if (!next || insists)
-        return Parting{
-            Outcome::differs,
-            event == alphabet_.tock()
-                ? "the code ends its cycle where the model goes on"
-                : fmt::format("the code does {}, which the model does not allow here", alphabet_.tell(event)),
-            allowed(node)};
+        return Mismatch{Outcome::differs,
+                        event == alphabet_.tock() ? "the code ends its cycle where the model goes on"
+                                                  : fmt::format("the code does {}, which the model does not allow here",
+                                                                alphabet_.tell(event)),
+                        allowed(node)};
     node = *next;
     return std::nullopt;
 }
 
 /// Of a model that cannot be run in cycles nothing is asked behind the place where it shows: what the code does
 /// there is no fault of the code.
-std::optional<Parting> Follower::model_stops(Node node) {
-    if (form_.diverges(node)) return Parting{Outcome::not_schedulable, endless_model, ""};
+std::optional<Mismatch> Follower::model_stops(Node node) {
+    if (form_.diverges(node)) return Mismatch{Outcome::not_schedulable, endless_model, ""};
     const auto& acceptances = form_.acceptances(node);
     const bool stuck = std::any_of(acceptances.begin(), acceptances.end(), [](const auto& a) { return a.empty(); });
     if (!stuck) return std::nullopt;
     for (const lts::StateView state : form_.states(node))
         if (system_.standstill(state) == Standstill::other)
-            return Parting{Outcome::not_schedulable, "the model can neither go on nor let time pass", ""};
+            return Mismatch{Outcome::not_schedulable, "the model can neither go on nor let time pass", ""};
     return std::nullopt;
 }
 

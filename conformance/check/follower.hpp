@@ -1,4 +1,4 @@
-// NF_c(M) made deterministic on the way and followed along what the code does, event by event: for walks, and for the
+// NF_c(M) made deterministic on the fly and followed along what the code does, event by event: for walks, and for the
 // search over partial readings.
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace robochart::conformance {
 
 /// Where code and model part.
-struct Parting {
+struct Mismatch {
     Outcome outcome = Outcome::differs;
     std::string reason;
     std::string expected;
@@ -33,18 +33,18 @@ public:
 
     /// L(G) offers this event alone (or, `read`, all readings of a register). NF_c(M) must allow it, and may not insist
     /// on others. Nothing: it is so, and `node` has gone on.
-    [[nodiscard]] std::optional<Parting> follow(Node& node, process::Event event, bool read);
+    [[nodiscard]] std::optional<Mismatch> follow(Node& node, process::Event event, bool read);
     /// The end of a cycle behind its writes; `cut`: the code did more than is logged, of which nothing is said.
-    [[nodiscard]] std::optional<Parting> finish(Node& node, rc_result outcome, bool cut);
+    [[nodiscard]] std::optional<Mismatch> finish(Node& node, rc_result outcome, bool cut);
     /// Whether the code has ended in the cycle that was finished last.
     [[nodiscard]] bool over() const { return over_; }
     /// Frame::unread: a register whose reading would decide something here.
     [[nodiscard]] std::optional<std::uint32_t> asked(Node node);
 
 private:
-    [[nodiscard]] Parting differs(Node node, std::string reason);
+    [[nodiscard]] Mismatch differs(Node node, std::string reason);
     [[nodiscard]] bool may_refuse(Node node, std::optional<process::Event> but);
-    [[nodiscard]] std::optional<Parting> model_stops(Node node);
+    [[nodiscard]] std::optional<Mismatch> model_stops(Node node);
     [[nodiscard]] bool endless(Node from);
     [[nodiscard]] std::string allowed(Node node);
 

@@ -59,7 +59,7 @@ public:
         result.product.states = positions_.size();
         result.product.transitions = cycles_;
         result.product.spec_nodes = follower_.nodes();
-        if (missed_) result.deadlines = {false, "the code reports a missed deadline", told(missed_way_)};
+        if (missed_) result.deadlines = {false, "the code reports a missed deadline", cycles_to(missed_way_)};
         return result;
     }
 
@@ -71,7 +71,7 @@ private:
         Readings readings;  ///< of the cycle that led here
         const CycleResult* result = nullptr;
     };
-    /// A cycle at the end of a way, or the one in which code and model part.
+    /// A cycle at the end of a path, or the one in which code and model differ.
     struct Last {
         std::size_t from = 0;
         Readings readings;
@@ -142,15 +142,15 @@ private:
         return std::nullopt;
     }
 
-    bool part(std::optional<Parting> parting, const CycleResult& result, const Readings& readings,
+    bool part(std::optional<Mismatch> mismatch, const CycleResult& result, const Readings& readings,
               std::size_t writes) {
-        if (!parting) return false;
-        found_ = std::move(parting);
+        if (!mismatch) return false;
+        found_ = std::move(mismatch);
         found_way_ = {at_, readings, &result, writes};
         return true;
     }
 
-    Cycle told(const Readings& readings, const CycleResult& result, std::size_t writes) const {
+    Cycle cycle_of(const Readings& readings, const CycleResult& result, std::size_t writes) const {
         Cycle cycle;
         for (std::uint32_t i = 0; i < inputs_; ++i)
             if (readings[i] != not_read && readings[i] != 0)
@@ -160,11 +160,11 @@ private:
         return cycle;
     }
 
-    std::vector<Cycle> told(const Last& last) const {
-        std::vector<Cycle> cycles{told(last.readings, *last.result, last.writes)};
+    std::vector<Cycle> cycles_to(const Last& last) const {
+        std::vector<Cycle> cycles{cycle_of(last.readings, *last.result, last.writes)};
         for (std::size_t at = last.from; at != 0; at = positions_[at].from) {
             const Position& position = positions_[at];
-            cycles.push_back(told(position.readings, *position.result, position.result->writes.size()));
+            cycles.push_back(cycle_of(position.readings, *position.result, position.result->writes.size()));
         }
         std::reverse(cycles.begin(), cycles.end());
         return cycles;
@@ -174,7 +174,7 @@ private:
         result.outcome = found_->outcome;
         result.reason = found_->reason;
         result.expected = found_->expected;
-        result.cycles = told(found_way_);
+        result.cycles = cycles_to(found_way_);
     }
 
     const Alphabet& alphabet_;
@@ -186,7 +186,7 @@ private:
     std::vector<Position> positions_;
     std::size_t at_ = 0;
     std::uint64_t cycles_ = 0;
-    std::optional<Parting> found_;
+    std::optional<Mismatch> found_;
     Last found_way_;
     bool missed_ = false;
     Last missed_way_;
@@ -200,7 +200,7 @@ Result judge_partially(ModelGraph& model, const Alphabet& alphabet, const rc_int
     try {
         CodeSystem code(compiled, alphabet, cycle_length);
         result = PartialSearch(model, alphabet, code, cycle_length, limits).run();
-        compare_faces(result, compiled, code, alphabet, limits);
+        compare_event_api(result, compiled, code, alphabet, limits);
         result.code_states = code.images();
         result.code_cycles = code.cycles();
     } catch (const process::Interrupted& limit) {

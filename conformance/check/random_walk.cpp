@@ -1,4 +1,4 @@
-// See random_walk.hpp. The code is stepped directly; the model is followed in NF_c(M) made deterministic on the way.
+// See random_walk.hpp. The code is stepped directly; the model is followed in NF_c(M) made deterministic on the fly.
 #include "conformance/check/random_walk.hpp"
 
 #include <fmt/format.h>
@@ -43,15 +43,15 @@ public:
         return position;
     }
 
-    /// One cycle; nothing: both went the same way, or the code has terminated (`over`).
-    std::optional<Parting> cycle(Position& at, const Readings& readings, Cycle* told = nullptr) {
+    /// One cycle; nothing: both agree, or the code has terminated (`over`).
+    std::optional<Mismatch> cycle(Position& at, const Readings& readings, Cycle* reported = nullptr) {
         std::vector<rc_register> registers;
         for (const std::uint32_t reading : readings)
             registers.push_back({reading == 0 ? 0U : 1U, reading == 0 ? 0U : reading - 1});
         for (std::uint32_t i = 0; i < readings.size(); ++i) {
             const process::Event read = alphabet_.read(i, readings[i]);
-            if (told != nullptr && readings[i] != 0) told->inputs.push_back(alphabet_.tell(read));
-            if (auto parting = follower_.follow(at.node, read, true)) return parting;
+            if (reported != nullptr && readings[i] != 0) reported->inputs.push_back(alphabet_.tell(read));
+            if (auto mismatch = follower_.follow(at.node, read, true)) return mismatch;
         }
         CycleLog log;
         const Bytes before = at.image;
@@ -60,13 +60,13 @@ public:
             at.image = before;
             outcome = watched_step(code_, at.image.data(), registers.data(), &log).result;
         }
-        if (told != nullptr) told->state = print(at.image);
+        if (reported != nullptr) reported->state = print(at.image);
         for (std::uint32_t r = 0; r < log.count; ++r) {
             const rc_record& record = log.record[r];
             const process::Event write =
                 alphabet_.write(record.output, {record.argument, record.argument + record.count});
-            if (told != nullptr) told->outputs.push_back(alphabet_.tell(write));
-            if (auto parting = follower_.follow(at.node, write, false)) return parting;
+            if (reported != nullptr) reported->outputs.push_back(alphabet_.tell(write));
+            if (auto mismatch = follower_.follow(at.node, write, false)) return mismatch;
         }
         return follower_.finish(at.node, outcome, log.overflow != 0);
     }
@@ -100,7 +100,7 @@ public:
     Result run() {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options_.seconds);
         while (cycles_ < options_.cycles && std::chrono::steady_clock::now() < end)
-            if (auto parting = one_walk()) return told(std::move(*parting));
+            if (auto mismatch = one_walk()) return result_of(std::move(*mismatch));
         Result result;
         result.reason = summary();
         count(result);
@@ -135,7 +135,7 @@ private:
         return result;
     }
 
-    std::optional<Parting> one_walk() {
+    std::optional<Mismatch> one_walk() {
         ++walks_;
         const std::size_t from = pick();
         Position at = finds_[from].position;
@@ -146,10 +146,10 @@ private:
         for (std::uint32_t c = 0; c < length && cycles_ < options_.cycles; ++c) {
             way.push_back(readings(percent));
             ++cycles_;
-            auto parting = walker_.cycle(at, way.back());
-            if (parting) {
+            auto mismatch = walker_.cycle(at, way.back());
+            if (mismatch) {
                 way_ = whole_way(from, way);
-                return parting;
+                return mismatch;
             }
             if (walker_.over()) return std::nullopt;
             if (remember(at) && finds_.size() < most_finds) finds_.push_back({at, from, way, 0});
@@ -173,13 +173,13 @@ private:
 
     // ------------------------------------------------------------ smaller witnesses
 
-    /// Whether code and model part on this way; it is cut behind that cycle.
-    std::optional<Parting> parts(std::vector<Readings>& way) {
+    /// Whether code and model differ on this path; it is cut after that cycle.
+    std::optional<Mismatch> parts(std::vector<Readings>& way) {
         Position at = walker_.start();
         for (std::size_t c = 0; c < way.size(); ++c) {
-            if (auto parting = walker_.cycle(at, way[c])) {
+            if (auto mismatch = walker_.cycle(at, way[c])) {
                 way.resize(c + 1);
-                return parting;
+                return mismatch;
             }
             if (walker_.over()) return std::nullopt;
         }
@@ -187,14 +187,14 @@ private:
     }
 
     /// Leaves out cycles, then inputs, while they still part in the same manner.
-    void shrink(Parting& parting) {
+    void shrink(Mismatch& mismatch) {
         std::size_t tries = 2000;
         const auto attempt = [&](std::vector<Readings> smaller) {
             if (tries-- == 0) return false;
             auto found = parts(smaller);
-            if (!found || found->outcome != parting.outcome) return false;
+            if (!found || found->outcome != mismatch.outcome) return false;
             way_ = std::move(smaller);
-            parting = std::move(*found);
+            mismatch = std::move(*found);
             return true;
         };
         for (std::size_t step = std::max<std::size_t>(1, way_.size() / 2); step > 0 && tries > 1; step /= 2)
@@ -213,12 +213,12 @@ private:
             }
     }
 
-    Result told(Parting parting) {
-        shrink(parting);
+    Result result_of(Mismatch mismatch) {
+        shrink(mismatch);
         Result result;
-        result.outcome = parting.outcome;
-        result.reason = fmt::format("{} (found by guided walks)", parting.reason);
-        result.expected = parting.expected;
+        result.outcome = mismatch.outcome;
+        result.reason = fmt::format("{} (found by guided walks)", mismatch.reason);
+        result.expected = mismatch.expected;
         Position at = walker_.start();
         for (const Readings& readings : way_) {
             Cycle& cycle = result.cycles.emplace_back();

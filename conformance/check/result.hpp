@@ -33,15 +33,15 @@ struct Aside {
     std::vector<Cycle> cycles;
 };
 
-/// What one face of the code did.
+/// What one API of the code did.
 struct Behaviour {
     std::vector<std::string> outputs;  ///< in order
     std::string ends;                  ///< "at rest", "terminates", ...
     std::string state;                 ///< afterwards
 };
 
-/// Where the event-driven face differs from the cycle: after Result::cycles.
-struct FaceDifference {
+/// Where the event API differs from the cycle: after Result::cycles.
+struct ApiDifference {
     std::string event;  ///< "heading = 90"; "" : none
     std::string what;   ///< the promise that is not kept
     Behaviour cycle;
@@ -62,8 +62,8 @@ struct Result {
     std::optional<Aside> register_cycles;
     /// No deadline passes while an input is awaited that does not come. Nothing: not decided.
     std::optional<Aside> deadlines;
-    std::uint64_t dispatched = 0;       ///< (state, event or none) pairs in which both faces were compared
-    std::optional<FaceDifference> faces;
+    std::uint64_t dispatched = 0;  ///< (state, event or none) pairs in which both APIs were compared
+    std::optional<ApiDifference> api_difference;
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
     std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script
     std::vector<std::string> warnings;  ///< of the code: states that are not canonical

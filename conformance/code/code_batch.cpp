@@ -20,7 +20,8 @@ const cpp_emit::OutputFile* file_ending(const cpp_emit::Emission& code, std::str
     return nullptr;
 }
 
-/// The text without what stands once at the top: `includes` gets the headers, but those of the candidate itself.
+/// The text without the part that is at the top only once: `includes` gets the headers, but those of the candidate
+/// itself.
 void append_text(std::string& text, const std::string& source, std::set<std::string>& includes) {
     const std::string_view entry = "extern \"C\" const rc_interface* robochart_explore(void) {";
     for (std::size_t begin = 0; begin < source.size();) {

@@ -38,7 +38,7 @@ std::optional<refine::Counterexample> left_by(const lts::Graph& implementation, 
     return refine::refines(from, to, refine::Model::failures_divergences, limits).counterexample;
 }
 
-/// The inputs that are raised, the writes and the ends of cycles on the way.
+/// The inputs that are raised, the writes and the ends of cycles along the run.
 void tell(CodeEquality& result, const refine::Counterexample& found, const Alphabet& alphabet,
           std::uint32_t cycle_length) {
     std::size_t tocks = 0;

@@ -211,7 +211,7 @@ std::uint32_t CodeSystem::intern_node(std::size_t level, Node node) {
     return place->second;
 }
 
-/// One result, or a choice between those of all ways that probabilistic junctions may take.
+/// One result, or a choice between those of all branches of probabilistic junctions.
 std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>& registers) {
     CycleLog log;
     std::vector<std::uint32_t> ways;
@@ -220,7 +220,7 @@ std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>&
         if (++trials > max_trials) throw std::length_error("a cycle has too many choices");
         const std::uint32_t result = run_once(from, registers, log);
         if (std::find(ways.begin(), ways.end(), result) == ways.end()) ways.push_back(result);
-        if (ways.size() > max_ways) throw std::length_error("a cycle has too many ways to go");
+        if (ways.size() > max_ways) throw std::length_error("a cycle has too many branches");
     } while (next_choices(log));
     if (ways.size() == 1) return ways.front();
     CycleResult choice;

@@ -30,11 +30,11 @@ struct CycleResult {
     rc_result outcome = RC_QUIESCENT;
     std::vector<process::Event> writes;
     std::uint32_t next = 0;  ///< image
-    /// Not empty: the cycle passed probabilistic junctions, and these are the results of the ways that they may take.
+    /// Not empty: the cycle passed probabilistic junctions, and these are the results of their branches.
     std::vector<std::uint32_t> ways;
 };
 
-/// A cycle on the way to an image: one reading of each register, and what came of it.
+/// A cycle on the path to an image: one reading of each register, and what came of it.
 struct PassedCycle {
     std::vector<std::uint32_t> readings;
     const CycleResult* result = nullptr;
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { poll_ = poll; }
 
-    /// For telling runs: the reset image, one step (`readings` one per register), an image as text. Of several ways
+    /// For reporting runs: the reset image, one step (`readings` one per register), an image as text. Of several ways
     /// one that begins with these writes.
     [[nodiscard]] std::uint32_t reset() const { return reset_; }
     [[nodiscard]] const CycleResult& step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
@@ -70,7 +70,7 @@ public:
     /// The images that a cycle was begun in so far, in the order in which they were first.
     [[nodiscard]] const std::vector<std::uint32_t>& begun() const { return begun_; }
     [[nodiscard]] std::vector<unsigned char> bytes(std::uint32_t image) const;
-    /// A shortest way to one of these.
+    /// A shortest path to one of these.
     [[nodiscard]] std::vector<PassedCycle> way_to(std::uint32_t image) const;
 
     [[nodiscard]] std::uint64_t images() const { return image_count_; }

@@ -35,7 +35,7 @@ std::string interface_fault(const rc_interface& interface) {
     if (interface.initial == nullptr || interface.step == nullptr || interface.print == nullptr)
         return "a function of the interface is missing";
     if ((interface.dispatch == nullptr) != (interface.pass == nullptr) || interface.events > interface.inputs)
-        return "the event-driven face is not whole";
+        return "the event API is incomplete";
     if (interface.state_size > sane_count) return fmt::format("a state of {} bytes", interface.state_size);
     if (interface.inputs > sane_count || (interface.inputs > 0 && interface.input == nullptr))
         return "the inputs are missing";

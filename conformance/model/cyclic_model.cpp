@@ -1,4 +1,5 @@
-// See cyclic_model.hpp.
+// Loads a component for monitors, test suites and logs: emits its timed script, compiles D__ and builds its normal
+// form.
 #include "conformance/model/cyclic_model.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     loaded->system_ = &system;
     loaded->instantiation_ = &instantiation;
     // Without blocks: one that replaces the instantiation would make the model range over other values than the code.
-    const SafeModel safe = safe_model(system, instantiation, ref, diagnostics);
+    const RenamedModel safe = renamed_model(system, instantiation, ref, diagnostics);
     loaded->cycle_length_ = cycle_length;
     loaded->script_ =
         csp_emit::emit(safe.system, safe.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
@@ -26,9 +27,9 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
         error = fmt::format("{} has no timed CSP semantics here", ref.path);
         return nullptr;
     }
-    auto shown =
-        conformance::boundary(safe.system, safe.instantiation, safe.component, loaded->script_.provenance, diagnostics);
-    auto outside = conformance::boundary(system, instantiation, ref, loaded->script_.provenance, diagnostics);
+    auto shown = conformance::model_interface(safe.system, safe.instantiation, safe.component,
+                                              loaded->script_.provenance, diagnostics);
+    auto outside = conformance::model_interface(system, instantiation, ref, loaded->script_.provenance, diagnostics);
     if (!shown || !outside || diagnostics.errors() != errors) {
         error = fmt::format("{} has no inputs and outputs of a controller", ref.path);
         return nullptr;

@@ -29,7 +29,7 @@ public:
     /// The interface under the names that its parts have in the model and in generated code, where the script has others
     /// (csp_emit/passes/safe_names.hpp); in the same order.
     [[nodiscard]] const Interface& outside() const { return outside_; }
-    [[nodiscard]] const Boundary& boundary() const { return boundary_; }
+    [[nodiscard]] const ModelInterface& boundary() const { return boundary_; }
     [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
     [[nodiscard]] NormalFormSystem& normal_form() { return *normal_form_; }
@@ -46,7 +46,7 @@ private:
     Interface outside_;
     std::uint32_t cycle_length_ = 1;
     csp_emit::Emission script_;
-    Boundary boundary_;
+    ModelInterface boundary_;
     std::unique_ptr<cspm::Session> session_;
     std::unique_ptr<lts::TransitionSystem> model_;
     std::unique_ptr<Alphabet> alphabet_;

@@ -25,7 +25,7 @@ public:
         }
     }
 
-    PassedOn result;
+    DataIndependence result;
 
 private:
     void tested(ir::TypeId id) {
@@ -146,12 +146,12 @@ private:
 
 }  // namespace
 
-bool PassedOn::of(ir::TypeKind kind) const {
+bool DataIndependence::of(ir::TypeKind kind) const {
     return (kind == ir::TypeKind::nat && nat) || (kind == ir::TypeKind::integer && integer) ||
            (kind == ir::TypeKind::real && real);
 }
 
-PassedOn passed_on(const ir::System& system, const std::vector<ir::MachineId>& machines) {
+DataIndependence data_independence(const ir::System& system, const std::vector<ir::MachineId>& machines) {
     Look look(system);
     for (const ir::MachineId id : machines) look.machine(system.machine(id));
     return look.result;

@@ -9,7 +9,7 @@ namespace robochart::conformance {
 
 /// Kinds of numbers whose values the component only passes on: it stores, sends and hands them to operations, and no
 /// operator, comparison, index or wait depends on them ("data independent": Lazić 1999; Roscoe UCS 17.2).
-struct PassedOn {
+struct DataIndependence {
     bool nat = true;
     bool integer = true;
     bool real = true;
@@ -18,6 +18,6 @@ struct PassedOn {
 };
 
 /// Of these machines and operations together.
-[[nodiscard]] PassedOn passed_on(const ir::System&, const std::vector<ir::MachineId>&);
+[[nodiscard]] DataIndependence data_independence(const ir::System&, const std::vector<ir::MachineId>&);
 
 }  // namespace robochart::conformance

@@ -1,4 +1,5 @@
-// See logged_value.hpp.
+// Reads values of logs by the types of the model, and replaces numbers outside the carriers where the component is data
+// independent.
 #include "conformance/model/logged_value.hpp"
 
 #include <fmt/format.h>
@@ -284,7 +285,7 @@ bool all_inside(const LoggedPart& part) {
 
 /// Every number outside of its carrier is of a kind that is passed on. Functions are total over their carriers, which
 /// other numbers are not.
-bool only_passed_on(const LoggedPart& part, const PassedOn& passed_on) {
+bool only_passed_on(const LoggedPart& part, const DataIndependence& passed_on) {
     if (part.kind == TypeKind::function) return all_inside(part);
     return (part.outside.empty() || passed_on.of(part.kind)) &&
            std::all_of(part.parts.begin(), part.parts.end(),
@@ -294,7 +295,7 @@ bool only_passed_on(const LoggedPart& part, const PassedOn& passed_on) {
 }  // namespace
 
 ValueReader::ValueReader(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId type,
-                         const PassedOn& passed_on)
+                         const DataIndependence& passed_on)
     : system_(&system),
       instantiation_(&instantiation),
       type_(type),

@@ -1,5 +1,5 @@
 // Values in the words of logs (docs/traces.md): the notation of the CSP alphabet with decimal numbers, the names of
-// literals and no blanks. Values that the finite reading does not have are told apart from those it has.
+// literals and no blanks. Values outside the finite instantiation are distinguished from those inside.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct LoggedPart {
 /// A value in a log.
 struct LoggedValue {
     std::optional<std::int64_t> number;  ///< as in the carrier, values with parts by their place in it; none: outside
-    std::string text;                    ///< outside: as it is told
+    std::string text;                    ///< outside: as it is reported
     bool passed_on = false;              ///< outside: the component only passes such values on
     LoggedPart whole;
 };
@@ -41,7 +41,7 @@ struct ValueFault {
 /// The values of one type of a model.
 class ValueReader {
 public:
-    ValueReader(const ir::System&, const ir::Instantiation&, ir::TypeId, const PassedOn&);
+    ValueReader(const ir::System&, const ir::Instantiation&, ir::TypeId, const DataIndependence&);
 
     /// Throws ValueFault.
     [[nodiscard]] LoggedValue read(std::string_view text) const;
@@ -56,7 +56,7 @@ private:
     const ir::System* system_;
     const ir::Instantiation* instantiation_;
     ir::TypeId type_;
-    PassedOn passed_on_;
+    DataIndependence passed_on_;
     bool composed_;
     std::map<ir::Value, std::int64_t> places_;  ///< of values with parts
 };

@@ -1,4 +1,4 @@
-// See model_graph.hpp.
+// Explores M on demand: states are interned, transitions mapped to their roles in the cycle, and computed once.
 #include "conformance/model/model_graph.hpp"
 
 #include <fmt/format.h>

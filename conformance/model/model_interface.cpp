@@ -1,4 +1,4 @@
-// See model_interface.hpp.
+// Collects registers and outputs from the plan of the component (cpp_emit), without emitting code.
 #include "conformance/model/model_interface.hpp"
 
 #include "conformance/model/component.hpp"
@@ -16,7 +16,7 @@ public:
     Collector(const ir::System& system, const ir::Instantiation& instantiation, const cpp_emit::Component& component)
         : system_(system), instantiation_(instantiation), component_(component) {}
 
-    Boundary collect() {
+    ModelInterface collect() {
         result_.interface.scale = instantiation_.scale;
         for (const cpp_emit::EventPort& event : component_.events)
             if (event.received) input(event.outside + ".in", event.type);
@@ -33,7 +33,7 @@ public:
             if (variable.visible && !variable.copy) output("set_" + variable.variable->name, {variable.variable->type});
         std::vector<ir::MachineId> machines;
         for (const cpp_emit::Unit& unit : component_.units) machines.push_back(unit.id);
-        result_.passed_on = passed_on(system_, machines);
+        result_.passed_on = data_independence(system_, machines);
         return std::move(result_);
     }
 
@@ -63,17 +63,17 @@ private:
     const ir::System& system_;
     const ir::Instantiation& instantiation_;
     const cpp_emit::Component& component_;
-    Boundary result_;
+    ModelInterface result_;
 };
 
 }  // namespace
 
-std::optional<Boundary> boundary(const ir::System& system, const ir::Instantiation& instantiation,
-                                 const ir::ComponentRef& ref, const csp_emit::Provenance& provenance,
-                                 diagnostics::Diagnostics& diagnostics) {
+std::optional<ModelInterface> model_interface(const ir::System& system, const ir::Instantiation& instantiation,
+                                              const ir::ComponentRef& ref, const csp_emit::Provenance& provenance,
+                                              diagnostics::Diagnostics& diagnostics) {
     const auto component = cpp_emit::resolve(system, instantiation, ref, diagnostics);
     if (!component) return std::nullopt;
-    Boundary result = Collector(system, instantiation, *component).collect();
+    ModelInterface result = Collector(system, instantiation, *component).collect();
     complete(result.interface, system, instantiation, ref, provenance);
     return result;
 }

@@ -15,15 +15,16 @@
 
 namespace robochart::conformance {
 
-struct Boundary {
+struct ModelInterface {
     Interface interface;
     std::vector<std::optional<ir::TypeId>> input_types;  ///< none: the register carries no value
     std::vector<std::vector<ir::TypeId>> output_types;
-    PassedOn passed_on;
+    DataIndependence passed_on;
 };
 
 /// Nothing, with diagnostics, where no C++ could be generated for the component.
-[[nodiscard]] std::optional<Boundary> boundary(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
-                                               const csp_emit::Provenance&, diagnostics::Diagnostics&);
+[[nodiscard]] std::optional<ModelInterface> model_interface(const ir::System&, const ir::Instantiation&,
+                                                            const ir::ComponentRef&, const csp_emit::Provenance&,
+                                                            diagnostics::Diagnostics&);
 
 }  // namespace robochart::conformance

@@ -115,7 +115,7 @@ void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink
 }
 
 /// Time stops (M lets none pass) in the middle of a cycle's actions, and inputs could make M go on, up to where time
-/// passes again. It is the only way in which a deadline on an input shows here: all that M can do by itself has been done
+/// passes again. This is the only sign of a missed deadline on an input here: all that M can do by itself has been done
 /// (P). An input that some other machine would take, and behind which time stops all the same, is no excuse.
 bool NormalFormSystem::awaits_input(lts::StateView state) {
     if (state[phase] != acting || state[pending] != 0 || state[model_state] == gone) return false;

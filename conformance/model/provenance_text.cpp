@@ -1,4 +1,4 @@
-// See provenance_text.hpp.
+// Text for events and states: the names of the script are looked up in the provenance.
 #include "conformance/model/provenance_text.hpp"
 
 #include <fmt/format.h>

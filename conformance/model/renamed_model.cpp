@@ -22,11 +22,11 @@ ir::ComponentRef renamed(const ir::System& system, ir::ComponentRef ref) {
 
 }  // namespace
 
-SafeModel safe_model(const ir::System& system, const ir::Instantiation& instantiation,
-                     const ir::ComponentRef& component, diagnostics::Diagnostics& diagnostics) {
+RenamedModel renamed_model(const ir::System& system, const ir::Instantiation& instantiation,
+                           const ir::ComponentRef& component, diagnostics::Diagnostics& diagnostics) {
     csp_emit::SafeNames safe = csp_emit::safe_names(system, instantiation, diagnostics);
-    SafeModel model{safe.changed ? std::move(safe.system) : system,
-                    safe.changed ? std::move(safe.instantiation) : instantiation, component};
+    RenamedModel model{safe.changed ? std::move(safe.system) : system,
+                       safe.changed ? std::move(safe.instantiation) : instantiation, component};
     if (safe.changed) model.component = renamed(model.system, component);
     model.system.csp_blocks.clear();
     model.system.properties.clear();

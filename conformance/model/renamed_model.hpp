@@ -8,14 +8,14 @@
 
 namespace robochart::conformance {
 
-struct SafeModel {
+struct RenamedModel {
     ir::System system;
     ir::Instantiation instantiation;
     ir::ComponentRef component;
 };
 
 /// Without CSP blocks and properties, which belong to assertions.
-[[nodiscard]] SafeModel safe_model(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
-                                   diagnostics::Diagnostics&);
+[[nodiscard]] RenamedModel renamed_model(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
+                                         diagnostics::Diagnostics&);
 
 }  // namespace robochart::conformance

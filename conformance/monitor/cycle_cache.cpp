@@ -18,8 +18,8 @@ std::size_t slot_of(std::uint64_t bits) {
 
 }  // namespace
 
-WholeCycles::WholeCycles(const MonitorTables& tables, const std::vector<cpp_emit::Port>& inputs,
-                         const std::vector<cpp_emit::Port>& outputs)
+CycleCache::CycleCache(const MonitorTables& tables, const std::vector<cpp_emit::Port>& inputs,
+                       const std::vector<cpp_emit::Port>& outputs)
     : slots_(slots) {
     for (std::uint32_t i = 0; i < tables.inputs; ++i) {
         inputs_.push_back(channel(tables.input[i], inputs.at(i)));
@@ -32,7 +32,7 @@ WholeCycles::WholeCycles(const MonitorTables& tables, const std::vector<cpp_emit
     has_keys_ = tables.inputs <= most_inputs && valued_.size() * width_ <= 64;
 }
 
-WholeCycles::Channel WholeCycles::channel(const MonitorChannel& table, const cpp_emit::Port& port) {
+CycleCache::Channel CycleCache::channel(const MonitorChannel& table, const cpp_emit::Port& port) {
     Channel result{table.column, table.arguments};
     if (table.arguments == 0) result.alone = table.column[0];
     for (std::uint32_t a = 0; a < table.arguments; ++a)
@@ -42,7 +42,7 @@ WholeCycles::Channel WholeCycles::channel(const MonitorChannel& table, const cpp
 }
 
 /// Arguments that range over the same share what is known.
-std::uint32_t WholeCycles::carrier(const MonitorValues& values, bool real) {
+std::uint32_t CycleCache::carrier(const MonitorValues& values, bool real) {
     const auto same = [&](const Carrier& other) {
         const MonitorValues& others = *other.values;
         return other.real == real && others.scale == values.scale && others.passed_on == values.passed_on &&
@@ -59,7 +59,7 @@ std::uint32_t WholeCycles::carrier(const MonitorValues& values, bool real) {
     return static_cast<std::uint32_t>(carriers_.size() - 1);
 }
 
-inline std::uint32_t WholeCycles::place(std::uint32_t number, rc_value value) {
+inline std::uint32_t CycleCache::place(std::uint32_t number, rc_value value) {
     Carrier& carrier = carriers_[number];
     if (carrier.real) {
         std::uint64_t bits = 0;
@@ -74,7 +74,7 @@ inline std::uint32_t WholeCycles::place(std::uint32_t number, rc_value value) {
 }
 
 /// Rare, and kept out of the way of what is not.
-[[gnu::noinline]] std::uint32_t WholeCycles::new_place(Carrier& carrier, rc_value value) {
+[[gnu::noinline]] std::uint32_t CycleCache::new_place(Carrier& carrier, rc_value value) {
     if (!carrier.real) return Monitor::place_of(*carrier.values, value.whole);
     std::uint64_t bits = 0;
     std::memcpy(&bits, &value.real, sizeof bits);
@@ -83,7 +83,7 @@ inline std::uint32_t WholeCycles::place(std::uint32_t number, rc_value value) {
     return known.place;
 }
 
-[[gnu::noinline]] std::uint32_t WholeCycles::column(const rc_action& action) {
+[[gnu::noinline]] std::uint32_t CycleCache::column(const rc_action& action) {
     const Channel& output = outputs_[action.output];
     if (output.count == 0) return output.alone;
     if (output.count > 1) return column_of_many(action);
@@ -91,7 +91,7 @@ inline std::uint32_t WholeCycles::place(std::uint32_t number, rc_value value) {
     return value == Monitor::no_place ? value : output.column[value];
 }
 
-[[gnu::noinline]] std::uint32_t WholeCycles::column_of_many(const rc_action& action) {
+[[gnu::noinline]] std::uint32_t CycleCache::column_of_many(const rc_action& action) {
     const Channel& output = outputs_[action.output];
     std::uint32_t at = 0;
     for (std::uint32_t k = 0; k < output.count; ++k) {
@@ -103,7 +103,7 @@ inline std::uint32_t WholeCycles::place(std::uint32_t number, rc_value value) {
 }
 
 /// False where a reading leaves the finite ones.
-inline bool WholeCycles::shorten(const rc_signal* inputs, Key& key) {
+inline bool CycleCache::shorten(const rc_signal* inputs, Key& key) {
     std::uint64_t present = 0;
     for (const rc_signal* input = inputs; input != inputs + input_count_; ++input)
         present = present << 1U | std::uint64_t{input->present != 0};
@@ -119,28 +119,28 @@ inline bool WholeCycles::shorten(const rc_signal* inputs, Key& key) {
 }
 
 /// Multipliers of random bits; the upper bits of a product depend on all of its factor.
-inline WholeCycles::Slot& WholeCycles::slot(const Key& key) {
+inline CycleCache::Slot& CycleCache::slot(const Key& key) {
     const std::uint64_t mixed = key.head * 0x9E3779B97F4A7C15ULL + key.values * 0xC2B2AE3D27D4EB4FULL;
     static_assert(slots == std::size_t{1} << 11U);
     return slots_[mixed >> 53U];
 }
 
 /// Most by a look at their bits; numbers that are only passed on by what stands for them.
-inline bool WholeCycles::same(const Done& done, const rc_action& action) {
+inline bool CycleCache::same(const Done& done, const rc_action& action) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &action.argument[0], sizeof bits);
     if ((((bits ^ done.bits) & done.mask) | (action.output ^ done.output) | done.many) == 0) return true;
     return action.output == done.output && column(action) == done.column;
 }
 
-inline bool WholeCycles::same(const Slot& known, const rc_actions& outputs) {
+inline bool CycleCache::same(const Slot& known, const rc_actions& outputs) {
     if (known.count != outputs.count) return false;
     for (std::uint32_t a = 0; a < outputs.count; ++a)
         if (!same(known.done[a], outputs.action[a])) return false;
     return true;
 }
 
-void WholeCycles::remember(Slot& known, const Key& key, const rc_actions& outputs, std::uint16_t next) {
+void CycleCache::remember(Slot& known, const Key& key, const rc_actions& outputs, std::uint16_t next) {
     known.key = key;
     known.count = outputs.count;
     known.next = next;
@@ -156,7 +156,7 @@ void WholeCycles::remember(Slot& known, const Key& key, const rc_actions& output
     }
 }
 
-void WholeCycles::tell(Monitor& monitor, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result result) {
+void CycleCache::tell(Monitor& monitor, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result result) {
     Key key;
     key.head = monitor.state();
     const bool has_key = has_keys_ && result == RC_DRIVE_QUIESCENT && monitor.verdict() == MonitorVerdict::allowed &&
@@ -171,8 +171,8 @@ void WholeCycles::tell(Monitor& monitor, const rc_signal* inputs, const rc_actio
 }
 
 /// Two outcomes are kept in a pair of slots, the latest first.
-[[gnu::noinline]] void WholeCycles::tell_again(Slot& first, const Key& key, Monitor& monitor, const rc_signal* inputs,
-                                               const rc_actions& outputs) {
+[[gnu::noinline]] void CycleCache::tell_again(Slot& first, const Key& key, Monitor& monitor, const rc_signal* inputs,
+                                              const rc_actions& outputs) {
     Slot& second = slots_[static_cast<std::size_t>(&first - slots_.data()) ^ 1U];
     if (second.key == key && same(second, outputs)) {
         ++remembered_;
@@ -184,8 +184,8 @@ void WholeCycles::tell(Monitor& monitor, const rc_signal* inputs, const rc_actio
     remember(first, key, outputs, monitor.state());
 }
 
-[[gnu::noinline]] void WholeCycles::tell_events(Monitor& monitor, const rc_signal* inputs, const rc_actions& outputs,
-                                                rc_drive_result result) const {
+[[gnu::noinline]] void CycleCache::tell_events(Monitor& monitor, const rc_signal* inputs, const rc_actions& outputs,
+                                               rc_drive_result result) const {
     for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
         if (inputs[i].present == 0)
             monitor.absent(i);

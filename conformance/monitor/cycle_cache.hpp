@@ -14,16 +14,16 @@ namespace robochart::conformance {
 /// Exact: an answer is given only for the same state, the same readings and the same columns of outputs in the same
 /// order. What is done seldom changes while state and readings are the same, so few outcomes of each are kept. Not for
 /// several threads.
-class WholeCycles {
+class CycleCache {
 public:
     /// `inputs` and `outputs` as in the tables.
-    WholeCycles(const MonitorTables&, const std::vector<cpp_emit::Port>& inputs,
-                const std::vector<cpp_emit::Port>& outputs);
+    CycleCache(const MonitorTables&, const std::vector<cpp_emit::Port>& inputs,
+               const std::vector<cpp_emit::Port>& outputs);
 
     /// Tells a monitor of these tables what its controller read and did in a cycle.
     void tell(Monitor&, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result);
 
-    [[nodiscard]] std::uint64_t remembered() const { return remembered_; }  ///< cycles told by one look-up
+    [[nodiscard]] std::uint64_t remembered() const { return remembered_; }  ///< cycles answered by one look-up
 
 private:
     /// What arguments of one type range over.

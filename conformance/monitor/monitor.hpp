@@ -44,7 +44,7 @@ private:
     MonitorTables tables_{};
 };
 
-/// The tables as a header that stands alone with robochart/monitor.hpp, and that header.
+/// The tables as a header that needs only robochart/monitor.hpp, and that header.
 [[nodiscard]] std::vector<cpp_emit::OutputFile> monitor_files(const MonitorTables&, const std::string& name);
 
 }  // namespace robochart::conformance

@@ -1,4 +1,4 @@
-// See cycle_automaton.hpp.
+// Explores NF_c(M) cycle by cycle over all valuations, and minimises the automaton (Moore 1956).
 #include "conformance/testgen/cycle_automaton.hpp"
 
 #include <fmt/format.h>
@@ -41,8 +41,8 @@ public:
     Builder(CyclicModel& model, const refine::Limits& limits)
         : model_(model), budget_(limits), form_(model.normal_form(), budget_) {}
 
-    MachineOfChoices build() {
-        MachineOfChoices machine;
+    ChoiceAutomaton build() {
+        ChoiceAutomaton machine;
         machine.inputs = valuations(model_.interface());
         number(form_.initial());
         for (std::size_t at = 0; at < nodes_.size(); ++at) {
@@ -72,7 +72,7 @@ private:
         return branches;
     }
 
-    /// A node on the way through a cycle.
+    /// A node on a path through a cycle.
     struct Place {
         Node node;
         std::uint32_t tocks;
@@ -81,11 +81,11 @@ private:
         std::size_t next = 0;
     };
 
-    /// Every way to the end of the cycle. A way that comes back to a node without time passing has no end.
+    /// Every path to the end of the cycle. A path that returns to a node without time passing has no end.
     void act(Node from, std::vector<CycleStep>& branches) {
         std::vector<Place> way;
         std::vector<process::Event> writes;
-        std::set<std::pair<Node, std::uint32_t>> open;  // what is on the way
+        std::set<std::pair<Node, std::uint32_t>> open;  // the nodes on the current path
         const auto enter = [&](Node node, std::uint32_t tocks) {
             budget_.charge();
             if (tocks == model_.cycle_length()) {
@@ -109,7 +109,7 @@ private:
             }
             const process::Event event = at.events[at.next++];
             if (event == process::tick) {
-                add({writes, MachineOfCycles::over}, branches);
+                add({writes, CycleAutomaton::over}, branches);
             } else if (event == model_.alphabet().tock()) {
                 enter(*form_.after(at.node, event), at.tocks + 1);
             } else {
@@ -124,8 +124,8 @@ private:
         branches.push_back(std::move(step));
     }
 
-    /// Moore 1956: states are told apart by longer and longer words. Numbered in the order of the search.
-    MachineOfChoices minimal(const MachineOfChoices& machine) {
+    /// Moore 1956: states are distinguished by words of increasing length. Numbered in the order of the search.
+    ChoiceAutomaton minimal(const ChoiceAutomaton& machine) {
         std::vector<std::uint32_t> classes(machine.states(), 0);
         for (std::size_t count = 0;;) {
             std::map<std::vector<std::uint64_t>, std::uint32_t> known;
@@ -136,7 +136,7 @@ private:
                     budget_.charge();
                     signature.push_back(branches.size());
                     for (const CycleStep& step : branches) {
-                        signature.push_back(step.target == MachineOfCycles::over ? step.target : classes[step.target]);
+                        signature.push_back(step.target == CycleAutomaton::over ? step.target : classes[step.target]);
                         signature.push_back(step.writes.size());
                         signature.insert(signature.end(), step.writes.begin(), step.writes.end());
                     }
@@ -148,14 +148,14 @@ private:
             if (known.size() == count) break;
             count = known.size();
         }
-        MachineOfChoices result;
+        ChoiceAutomaton result;
         result.inputs = machine.inputs;
         for (std::size_t state = 0; state < machine.states(); ++state) {
             if (classes[state] != result.states()) continue;
             result.branches.push_back(machine.branches[state]);
             for (auto& branches : result.branches.back())
                 for (CycleStep& step : branches)
-                    if (step.target != MachineOfCycles::over) step.target = classes[step.target];
+                    if (step.target != CycleAutomaton::over) step.target = classes[step.target];
         }
         return result;
     }
@@ -168,33 +168,33 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// Where two ways through a cycle part, for people.
+/// Where two paths through a cycle differ, as text.
 std::string parting(const CyclicModel& model, const CycleStep& a, const CycleStep& b) {
-    const auto told = [&](const CycleStep& step, std::size_t at) -> std::string {
+    const auto text_of = [&](const CycleStep& step, std::size_t at) -> std::string {
         if (at < step.writes.size()) return model.alphabet().tell(step.writes[at]);
-        return step.target == MachineOfCycles::over ? "termination" : "end of cycle";
+        return step.target == CycleAutomaton::over ? "termination" : "end of cycle";
     };
     std::size_t at = 0;
     while (at < a.writes.size() && at < b.writes.size() && a.writes[at] == b.writes[at]) ++at;
-    return fmt::format("{} and {}", told(a, at), told(b, at));
+    return fmt::format("{} and {}", text_of(a, at), text_of(b, at));
 }
 
 }  // namespace
 
-bool MachineOfChoices::deterministic() const {
+bool ChoiceAutomaton::deterministic() const {
     for (const auto& symbols : branches)
         for (const auto& each : symbols)
             if (each.size() > 1) return false;
     return true;
 }
 
-MachineOfChoices machine_of_choices(CyclicModel& model, const refine::Limits& limits) {
+ChoiceAutomaton choice_automaton(CyclicModel& model, const refine::Limits& limits) {
     return Builder(model, limits).build();
 }
 
-MachineOfCycles machine_of_cycles(CyclicModel& model, const refine::Limits& limits) {
-    MachineOfChoices choices = machine_of_choices(model, limits);
-    MachineOfCycles machine;
+CycleAutomaton cycle_automaton(CyclicModel& model, const refine::Limits& limits) {
+    ChoiceAutomaton choices = choice_automaton(model, limits);
+    CycleAutomaton machine;
     machine.inputs = std::move(choices.inputs);
     for (auto& symbols : choices.branches) {
         std::vector<CycleStep>& steps = machine.steps.emplace_back();

@@ -17,7 +17,7 @@ struct CycleStep {
     friend bool operator==(const CycleStep&, const CycleStep&) = default;
 };
 
-struct MachineOfCycles {
+struct CycleAutomaton {
     static constexpr std::uint32_t over = 0xffffffffU;
 
     std::vector<std::vector<std::uint32_t>> inputs;  ///< symbol -> a reading of each register
@@ -26,8 +26,8 @@ struct MachineOfCycles {
     [[nodiscard]] std::size_t states() const { return steps.size(); }
 };
 
-struct MachineOfChoices {
-    std::vector<std::vector<std::uint32_t>> inputs;             ///< as in MachineOfCycles
+struct ChoiceAutomaton {
+    std::vector<std::vector<std::uint32_t>> inputs;             ///< as in CycleAutomaton
     std::vector<std::vector<std::vector<CycleStep>>> branches;  ///< [state][symbol], at least one
 
     [[nodiscard]] std::size_t states() const { return branches.size(); }
@@ -36,8 +36,8 @@ struct MachineOfChoices {
 };
 
 /// Throws std::length_error where it is too large, process::Interrupted at a limit.
-[[nodiscard]] MachineOfChoices machine_of_choices(CyclicModel&, const refine::Limits&);
+[[nodiscard]] ChoiceAutomaton choice_automaton(CyclicModel&, const refine::Limits&);
 /// Throws std::length_error where it is too large or the model leaves a choice, process::Interrupted at a limit.
-[[nodiscard]] MachineOfCycles machine_of_cycles(CyclicModel&, const refine::Limits&);
+[[nodiscard]] CycleAutomaton cycle_automaton(CyclicModel&, const refine::Limits&);
 
 }  // namespace robochart::conformance

@@ -1,4 +1,4 @@
-// See test_suite.hpp.
+// The HSI method: a state cover, all words of M + 1 symbols from each state, and harmonised identifiers.
 #include "conformance/testgen/test_suite.hpp"
 
 #include <fmt/format.h>
@@ -15,12 +15,12 @@ namespace robochart::conformance {
 
 namespace {
 
-constexpr std::uint32_t over = MachineOfCycles::over;
+constexpr std::uint32_t over = CycleAutomaton::over;
 constexpr std::uint32_t none = 0xfffffffeU;
 
 class Suite {
 public:
-    Suite(const MachineOfCycles& machine, std::size_t most_cycles) : machine_(machine), most_(most_cycles) {}
+    Suite(const CycleAutomaton& machine, std::size_t most_cycles) : machine_(machine), most_(most_cycles) {}
 
     std::vector<TestWord> make(std::uint32_t extra_states) {
         cover();
@@ -139,7 +139,7 @@ private:
         return result;
     }
 
-    const MachineOfCycles& machine_;
+    const CycleAutomaton& machine_;
     std::size_t most_;
     std::vector<TestWord> cover_;
     std::vector<std::uint32_t> first_;
@@ -150,7 +150,7 @@ private:
 
 }  // namespace
 
-std::vector<TestWord> complete_suite(const MachineOfCycles& machine, std::uint32_t extra_states,
+std::vector<TestWord> complete_suite(const CycleAutomaton& machine, std::uint32_t extra_states,
                                      std::size_t most_cycles) {
     return Suite(machine, most_cycles).make(extra_states);
 }

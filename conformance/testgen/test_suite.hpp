@@ -16,15 +16,15 @@ namespace robochart::conformance {
 using TestWord = std::vector<std::uint32_t>;
 
 /// Ordered; none is the beginning of another. Throws std::length_error beyond `most_cycles` together.
-[[nodiscard]] std::vector<TestWord> complete_suite(const MachineOfCycles&, std::uint32_t extra_states,
+[[nodiscard]] std::vector<TestWord> complete_suite(const CycleAutomaton&, std::uint32_t extra_states,
                                                    std::size_t most_cycles = 2'000'000);
 
 /// The suite as a log of runs (docs/traces.md): what the model does is what an implementation must do.
-[[nodiscard]] std::string suite_log(const MachineOfCycles&, const std::vector<TestWord>&, const CyclicModel&,
+[[nodiscard]] std::string suite_log(const CycleAutomaton&, const std::vector<TestWord>&, const CyclicModel&,
                                     const std::string& component, std::uint32_t extra_states);
 /// The machine of a model that leaves a choice, for tests that follow what an implementation does
 /// (cpp_emit/runtime/adaptive.hpp), and GoogleTest that does so.
-[[nodiscard]] std::string choice_graph(const MachineOfChoices&, const CyclicModel&, const std::string& component,
+[[nodiscard]] std::string choice_graph(const ChoiceAutomaton&, const CyclicModel&, const std::string& component,
                                        std::uint32_t extra_states);
 [[nodiscard]] std::vector<cpp_emit::OutputFile> adaptive_sources(const std::string& name);
 /// GoogleTest that reads such a log and replays it against an implementation of its reader's (docs/conformance.md).

@@ -17,12 +17,12 @@ std::vector<std::string> shown_names(const std::vector<Channel>& channels) {
 }
 
 /// "a, b" outside of brackets and quotes as "a!b". Quotes inside a string are octal escapes here as in logs.
-std::string arguments(const std::string& told) {
+std::string arguments(const std::string& text) {
     std::string result;
     int depth = 0;
     bool quoted = false;
-    for (std::size_t i = 0; i < told.size(); ++i) {
-        const char c = told[i];
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
         if (c == '"') quoted = !quoted;
         if (quoted) {
             result += c;
@@ -31,7 +31,7 @@ std::string arguments(const std::string& told) {
         if (c == '(' || c == '{' || c == '<') ++depth;
         if (c == ')' || c == '}' || c == '>') --depth;
         const bool between = c == ',' && depth == 0;
-        if (between && i + 1 < told.size() && told[i + 1] == ' ') ++i;
+        if (between && i + 1 < text.size() && text[i + 1] == ' ') ++i;
         result += between ? '!' : c;
     }
     return result;
@@ -60,10 +60,10 @@ public:
 
     [[nodiscard]] std::string write(process::Event event) const {
         const std::uint32_t index = model_.alphabet().cycle_role(event).index;
-        const std::string told = model_.alphabet().tell(event);
+        const std::string text = model_.alphabet().tell(event);
         const bool stored = model_.interface().outputs[index].name.starts_with("set_");
-        const std::size_t begin = stored ? told.find(" = ") + 3 : told.find('(') + 1;
-        const std::string values = told.substr(begin, stored ? std::string::npos : told.size() - begin - 1);
+        const std::size_t begin = stored ? text.find(" = ") + 3 : text.find('(') + 1;
+        const std::string values = text.substr(begin, stored ? std::string::npos : text.size() - begin - 1);
         return outputs_[index] + '!' + arguments(values);
     }
 
@@ -72,7 +72,7 @@ private:
     std::vector<std::string> inputs_, outputs_;
 };
 
-std::string run_text(const MachineOfCycles& machine, const Wording& wording, std::uint32_t cycle_length,
+std::string run_text(const CycleAutomaton& machine, const Wording& wording, std::uint32_t cycle_length,
                      std::size_t number, const TestWord& test) {
     std::string text = fmt::format("run {}\n", number);
     std::uint32_t state = 0;
@@ -81,7 +81,7 @@ std::string run_text(const MachineOfCycles& machine, const Wording& wording, std
         text += wording.reads(machine.inputs[symbol]);
         for (const process::Event event : step.writes) text += wording.write(event) + " ";
         state = step.target;
-        if (state == MachineOfCycles::over) return text + "terminate\n";
+        if (state == CycleAutomaton::over) return text + "terminate\n";
         for (std::uint32_t t = 0; t < cycle_length; ++t) text += t == 0 ? "tock" : " tock";
         text += '\n';
     }
@@ -250,7 +250,7 @@ std::string named(std::string text, const std::string& name) {
 
 }  // namespace
 
-std::string suite_log(const MachineOfCycles& machine, const std::vector<TestWord>& tests, const CyclicModel& model,
+std::string suite_log(const CycleAutomaton& machine, const std::vector<TestWord>& tests, const CyclicModel& model,
                       const std::string& component, std::uint32_t extra_states) {
     std::string text = fmt::format(
         "robochart-trace {}\n// A test suite: {} runs. Complete for deterministic implementations with at most {} "
@@ -265,7 +265,7 @@ std::string suite_log(const MachineOfCycles& machine, const std::vector<TestWord
     return text;
 }
 
-std::string choice_graph(const MachineOfChoices& machine, const CyclicModel& model, const std::string& component,
+std::string choice_graph(const ChoiceAutomaton& machine, const CyclicModel& model, const std::string& component,
                          std::uint32_t extra_states) {
     std::string text = fmt::format(
         "robochart-graph 1\n// What {0} may do in each control cycle: its inputs by number, then for each state and "
@@ -279,8 +279,8 @@ std::string choice_graph(const MachineOfChoices& machine, const CyclicModel& mod
         text += fmt::format("state {}\n", state);
         for (std::size_t symbol = 0; symbol < machine.inputs.size(); ++symbol)
             for (const CycleStep& step : machine.branches[state][symbol]) {
-                text += step.target == MachineOfCycles::over ? fmt::format("{} over", symbol)
-                                                             : fmt::format("{} {}", symbol, step.target);
+                text += step.target == CycleAutomaton::over ? fmt::format("{} over", symbol)
+                                                            : fmt::format("{} {}", symbol, step.target);
                 for (const process::Event event : step.writes) text += " " + wording.write(event);
                 text += '\n';
             }

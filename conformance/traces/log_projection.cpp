@@ -1,4 +1,4 @@
-// See log_projection.hpp.
+// NF_c(M) with unobserved events hidden, and with every beginning of a cycle as an initial state for late logs.
 #include "conformance/traces/log_projection.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ bool unknown(lts::StateView state) {
 
 std::vector<std::vector<lts::Word>> cycle_starts(NormalFormSystem& system, const refine::Limits& limits) {
     refine::Budget budget(limits);
-    const refine::Watch watch({&system}, budget);
+    const refine::PollGuard guard({&system}, budget);
     const lts::Exploration all = lts::explore(system, [&](std::size_t states) {
         budget.states(states);
         budget.charge();
@@ -35,7 +35,7 @@ std::vector<std::vector<lts::Word>> cycle_starts(NormalFormSystem& system, const
     return starts;
 }
 
-/// Hides on the way.
+/// Hides unobserved events.
 class ObservedSystem::Sink final : public lts::SuccessorSink {
 public:
     Sink(ObservedSystem& system, lts::SuccessorSink& out) : system_(system), out_(out) {}

@@ -1,4 +1,5 @@
-// See trace_alphabet.hpp.
+// Maps names and values of a log to events of NF_c(M), by the model's names or, where two share one, the generated
+// interface's.
 #include "conformance/traces/trace_alphabet.hpp"
 
 #include <fmt/format.h>
@@ -65,7 +66,7 @@ TraceAlphabet::TraceAlphabet(const CyclicModel& model) : model_(&model) {
     outputs_ = cpp_emit::trace_names(full_names(interface.outputs));
     input_ids_ = numbered(full_names(interface.inputs), inputs_);
     output_ids_ = numbered(full_names(interface.outputs), outputs_);
-    const Boundary& boundary = model.boundary();
+    const ModelInterface& boundary = model.boundary();
     const auto values = [&](ir::TypeId type) {
         return ValueReader(model.system(), model.instantiation(), type, boundary.passed_on);
     };

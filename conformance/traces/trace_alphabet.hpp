@@ -1,5 +1,5 @@
-// Words of a log as events of NF_c(M): `e?v` is a reading, `o!a!b` a write (docs/traces.md). Values that the finite
-// reading does not have are told apart from those it has.
+// Words of a log as events of NF_c(M): `e?v` is a reading, `o!a!b` a write (docs/traces.md). Values that the
+// finite instantiation does not have are distinguished from those it has.
 #pragma once
 
 #include <optional>

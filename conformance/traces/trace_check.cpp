@@ -228,8 +228,8 @@ private:
         return next;
     }
 
-    /// The event as NF_c(M) has it. A value outside the finite reading that the component only passes on stands for
-    /// some value inside; any other leaves the run undecided.
+    /// The event as NF_c(M) has it. A value outside the finite instantiation that the component only passes on stands
+    /// for some value inside; any other leaves the run undecided.
     std::optional<process::Event> in_carrier(const LoggedEvent& event, const TraceToken& token) {
         if (event.event != process::tau) return event.event;
         for (const LoggedValue& value : event.values) {
@@ -248,7 +248,7 @@ private:
         run_->verdict = RunVerdict::inconclusive;
         run_->what = token.text;
         run_->reason = fmt::format(
-            "{} is outside the finite reading of the model, which calculates with such values or tests them",
+            "{} is outside the finite instantiation of the model, which calculates with such values or tests them",
             value.text);
     }
 
@@ -328,7 +328,7 @@ private:
         return Next::stop;
     }
 
-    /// Of the states at the cycle's beginning that stand still; of all, where none does.
+    /// Of the stable states at the cycle's beginning; of all, if none is stable.
     void tell_elements() {
         const std::vector<lts::StateView> states = form_->normal_form.states(cycle_node_);
         for (const bool still : {true, false}) {

@@ -23,7 +23,7 @@ namespace robochart::conformance {
 enum class RunVerdict {
     accepted,
     rejected,
-    inconclusive,  ///< the run leaves the finite reading where that matters
+    inconclusive,  ///< the run leaves the finite instantiation where that matters
 };
 
 /// One run of a log.
@@ -32,7 +32,7 @@ struct RunReport {
     std::uint64_t line = 0;  ///< where it begins
     RunVerdict verdict = RunVerdict::accepted;
     std::uint64_t cycles = 0;    ///< whole cycles looked at
-    std::uint64_t replaced = 0;  ///< values outside the finite reading that the component only passes on
+    std::uint64_t replaced = 0;  ///< values outside the finite instantiation that the component only passes on
     // rejected, inconclusive:
     std::uint64_t at_line = 0;
     std::uint64_t cycle = 0;                ///< from 1

@@ -1,4 +1,4 @@
-// See trace_text.hpp.
+// Reads logs line by line: the header first, then the tokens of runs.
 #include "conformance/traces/trace_text.hpp"
 
 #include <fmt/format.h>

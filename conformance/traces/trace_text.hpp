@@ -12,7 +12,7 @@
 
 namespace robochart::conformance {
 
-/// A word of a line and where it stands, from 0, in bytes.
+/// A word of a line and its position in bytes, from 0.
 struct TraceToken {
     std::string_view text;
     std::uint32_t column = 0;

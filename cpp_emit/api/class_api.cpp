@@ -9,22 +9,23 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-class FaceMaker {
+class ClassApiMaker {
 public:
-    explicit FaceMaker(const Generation& generation) : system_(generation.system), component_(generation.component) {}
+    explicit ClassApiMaker(const Generation& generation)
+        : system_(generation.system), component_(generation.component) {}
 
-    Face make() {
+    ClassApi make() {
         NameScope classes(own_type_names());
         for (const std::string& name : own_member_names()) classes.take(name);
         classes.take(component_.cpp_name + "_core");
-        face_.name_space = package_namespace(component_.package);
-        face_.cpp_name = classes.unique(component_.composed() ? component_.name : component_.root().machine->name);
-        face_.own.cpp_name = face_.cpp_name;
+        api_.name_space = package_namespace(component_.package);
+        api_.cpp_name = classes.unique(component_.composed() ? component_.name : component_.root().machine->name);
+        api_.own.cpp_name = api_.cpp_name;
         for (const Unit& unit : component_.units)
             for (const std::string& interface : unit.machine->interfaces) add_base(interface, classes);
-        for (const FaceClass& base : face_.bases) members_.take(base.cpp_name);
-        members_.take(face_.cpp_name);
-        members_.take(face_.cpp_name + "Node");  // ros2_node.cpp
+        for (const ApiClass& base : api_.bases) members_.take(base.cpp_name);
+        members_.take(api_.cpp_name);
+        members_.take(api_.cpp_name + "Node");  // ros2_node.cpp
         members_.take(component_.cpp_name + "_core");
         operations();
         functions();
@@ -33,23 +34,23 @@ public:
         timers();
         machines();
         event_methods();
-        std::erase_if(face_.bases, [](const FaceClass& base) {
+        std::erase_if(api_.bases, [](const ApiClass& base) {
             return base.variables.empty() && base.events.empty() && base.operations.empty();
         });
-        return std::move(face_);
+        return std::move(api_);
     }
 
 private:
     void add_base(const std::string& interface, NameScope& classes) {
-        const auto same = [&](const FaceClass& base) { return base.interface == interface; };
-        if (std::none_of(face_.bases.begin(), face_.bases.end(), same))
-            face_.bases.push_back({interface, classes.unique(interface), {}, {}, {}});
+        const auto same = [&](const ApiClass& base) { return base.interface == interface; };
+        if (std::none_of(api_.bases.begin(), api_.bases.end(), same))
+            api_.bases.push_back({interface, classes.unique(interface), {}, {}, {}});
     }
 
-    FaceClass& home(const std::string& interface) {
-        const auto found = std::find_if(face_.bases.begin(), face_.bases.end(),
-                                        [&](const FaceClass& base) { return base.interface == interface; });
-        return found == face_.bases.end() ? face_.own : *found;
+    ApiClass& home(const std::string& interface) {
+        const auto found = std::find_if(api_.bases.begin(), api_.bases.end(),
+                                        [&](const ApiClass& base) { return base.interface == interface; });
+        return found == api_.bases.end() ? api_.own : *found;
     }
 
     /// The name itself where it is free; with `suffix` where an event and an operation, say, are called alike.
@@ -61,7 +62,7 @@ private:
 
     void functions() {
         for (const FunctionHook& hook : component_.functions)
-            face_.functions.push_back({&hook, member(system_.functions[hook.id.index].name, "_function")});
+            api_.functions.push_back({&hook, member(system_.functions[hook.id.index].name, "_function")});
     }
 
     void operations() {
@@ -75,7 +76,7 @@ private:
 
     void events() {
         for (const EventPort& port : component_.events) {
-            FaceClass& target = home(port.interface);
+            ApiClass& target = home(port.interface);
             for (const bool sent : {false, true}) {
                 if (sent ? port.output.empty() : !port.received) continue;
                 const std::string flag = member(port.model_name, sent && port.received ? "_sent" : "_event");
@@ -86,12 +87,12 @@ private:
 
     /// Last, so that they take no other member's name.
     void event_methods() {
-        const auto name = [&](FaceClass& part) {
-            for (FaceEvent& event : part.events)
+        const auto name = [&](ApiClass& part) {
+            for (ApiEvent& event : part.events)
                 event.method = member((event.sent ? "on_" : "raise_") + event.port->model_name, "_event");
         };
-        for (FaceClass& base : face_.bases) name(base);
-        name(face_.own);
+        for (ApiClass& base : api_.bases) name(base);
+        name(api_.own);
     }
 
     void variables() {
@@ -117,7 +118,7 @@ private:
             for (std::size_t i = 0; i < root.clock_fields.size(); ++i) {
                 const ir::Clock& clock = root.machine->clocks[i];
                 if (root.clock_read[i] && !clock.entry_of.valid())
-                    face_.timers.push_back({member(clock.name, "_timer"), prefix + root.clock_fields[i], &clock});
+                    api_.timers.push_back({member(clock.name, "_timer"), prefix + root.clock_fields[i], &clock});
             }
         }
     }
@@ -125,25 +126,25 @@ private:
     void machines() {
         for (const Part& part : component_.parts) {
             const std::string suffix = part.tag.empty() ? "" : "_" + part.tag;
-            FaceMachine machine{
+            ApiMachine machine{
                 "state" + suffix, "States" + suffix, part.tag.empty() ? "at" : part.tag + ".at", part.root, {}};
             NameScope scope(std::set<std::string>{"none"});
             for (const ir::Node& node : component_.units[part.root].machine->nodes)
                 machine.states.push_back(node.kind == ir::NodeKind::state ? scope.unique(node.path) : "");
-            face_.machines.push_back(std::move(machine));
+            api_.machines.push_back(std::move(machine));
         }
     }
 
     const ir::System& system_;
     const Component& component_;
-    Face face_;
+    ClassApi api_;
     NameScope members_{own_member_names()};
 };
 
 }  // namespace
 
-Face make_face(const Generation& generation) {
-    return FaceMaker(generation).make();
+ClassApi make_class_api(const Generation& generation) {
+    return ClassApiMaker(generation).make();
 }
 
 Spelling deployed(const std::string& core) {

@@ -13,7 +13,7 @@
 namespace robochart::cpp_emit {
 
 /// A method of an interface class.
-struct FaceOperation {
+struct ApiOperation {
     const ir::OperationSignature* signature = nullptr;
     std::string method;       ///< of the class
     std::string core_method;  ///< of the core's platform
@@ -21,37 +21,37 @@ struct FaceOperation {
 };
 
 /// A received or sent event: a flag, and a value if it carries one.
-struct FaceEvent {
+struct ApiEvent {
     const EventPort* port = nullptr;
     std::string flag;
     std::string value;
     bool sent = false;
-    std::string method;  ///< raises it; of sent ones, is told of it
+    std::string method;  ///< raises it; of sent ones, is called for it
 };
 
-struct FaceVariable {
+struct ApiVariable {
     const StoredVariable* stored = nullptr;
     std::string member;
-    std::vector<std::string> copies;  ///< below State: those of other machines, which the class relays to
+    std::vector<std::string> copies;  ///< below State: those of other machines, to which the class propagates writes
 };
 
 /// A class made from an interface, or the machine's own part ("" as interface).
-struct FaceClass {
+struct ApiClass {
     std::string interface;
     std::string cpp_name;
-    std::vector<FaceVariable> variables;
-    std::vector<FaceEvent> events;
-    std::vector<FaceOperation> operations;
+    std::vector<ApiVariable> variables;
+    std::vector<ApiEvent> events;
+    std::vector<ApiOperation> operations;
 };
 
-struct FaceTimer {
+struct ApiTimer {
     std::string member;
     std::string field;  ///< below the core's state
     const ir::Clock* clock = nullptr;
 };
 
 /// What shows where one of the component's machines is.
-struct FaceMachine {
+struct ApiMachine {
     std::string method;               ///< "state"; of several machines "state_stm0"
     std::string enumeration;          ///< "States"
     std::string place;                ///< below the core's state: "at", "stm0.at"
@@ -60,35 +60,35 @@ struct FaceMachine {
 };
 
 /// A function that the model specifies by contract only.
-struct FaceFunction {
+struct ApiFunction {
     const FunctionHook* hook = nullptr;
     std::string method;
 };
 
-struct Face {
+struct ClassApi {
     std::string name_space;
     std::string cpp_name;          ///< of the machine's class
-    std::vector<FaceClass> bases;  ///< interfaces, in textual order
-    FaceClass own;
-    std::vector<FaceTimer> timers;
-    std::vector<FaceMachine> machines;
-    std::vector<FaceFunction> functions;
+    std::vector<ApiClass> bases;   ///< interfaces, in textual order
+    ApiClass own;
+    std::vector<ApiTimer> timers;
+    std::vector<ApiMachine> machines;
+    std::vector<ApiFunction> functions;
 };
 
-/// Parts of the class that face its users, of all interfaces and its own.
+/// The public parts of the class, of all interfaces and its own.
 template <class Visit>
-void each_class(const Face& face, const Visit& visit) {
-    for (const FaceClass& base : face.bases) visit(base);
-    visit(face.own);
+void each_class(const ClassApi& api, const Visit& visit) {
+    for (const ApiClass& base : api.bases) visit(base);
+    visit(api.own);
 }
 
-[[nodiscard]] Face make_face(const Generation&);
-[[nodiscard]] std::string interface_header(const Generation&, const Core&, const Face&, const FaceClass&);
-[[nodiscard]] std::string machine_header(const Generation&, const Core&, const Face&);
-[[nodiscard]] std::string machine_source(const Generation&, const Core&, const Face&);
+[[nodiscard]] ClassApi make_class_api(const Generation&);
+[[nodiscard]] std::string interface_header(const Generation&, const Core&, const ClassApi&, const ApiClass&);
+[[nodiscard]] std::string machine_header(const Generation&, const Core&, const ClassApi&);
+[[nodiscard]] std::string machine_source(const Generation&, const Core&, const ClassApi&);
 /// A program that reads the inputs of each cycle from a line of text and prints what the controller does.
-[[nodiscard]] std::string console_source(const Generation&, const Core&, const Face&);
-[[nodiscard]] std::string build_file(const Face&);
+[[nodiscard]] std::string console_source(const Generation&, const Core&, const ClassApi&);
+[[nodiscard]] std::string build_file(const ClassApi&);
 
 /// double, std::int64_t, bool, or a declared type of the core, whose namespace is given as seen from the user's.
 [[nodiscard]] Spelling deployed(const std::string& core);

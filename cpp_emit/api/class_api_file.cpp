@@ -30,7 +30,7 @@ std::string parameters(const Generation& generation, const Core& core, const ir:
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-void write_operation(const Generation& generation, const Core& core, CodeWriter& out, const FaceOperation& operation) {
+void write_operation(const Generation& generation, const Core& core, CodeWriter& out, const ApiOperation& operation) {
     out.gap();
     const diagnostics::ForeignText place = generation.place(operation.signature->origin);
     const std::string list = parameters(generation, core, *operation.signature, true);
@@ -53,8 +53,8 @@ std::string function_parameters(const Generation& generation, const Core& core, 
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-void write_functions(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
-    for (const FaceFunction& each : face.functions) {
+void write_functions(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {
+    for (const ApiFunction& each : api.functions) {
         const ir::Function& function = generation.system.functions[each.hook->id.index];
         const ir::Value value = ir::default_value(generation.system, generation.inst, function.result);
         out.gap();
@@ -66,8 +66,8 @@ void write_functions(const Generation& generation, const Core& core, const Face&
     }
 }
 
-void write_function_hooks(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
-    for (const FaceFunction& each : face.functions) {
+void write_function_hooks(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {
+    for (const ApiFunction& each : api.functions) {
         const ir::Function& function = generation.system.functions[each.hook->id.index];
         const std::vector<std::string> arguments = parameter_identifiers(function.parameter_names);
         out.gap();
@@ -79,7 +79,7 @@ void write_function_hooks(const Generation& generation, const Core& core, const 
 }
 
 /// `raise_e(value)` for events received, `on_e(value)`, to be overridden, for those sent.
-void write_event_method(const Generation& generation, const Core& core, CodeWriter& out, const FaceEvent& event) {
+void write_event_method(const Generation& generation, const Core& core, CodeWriter& out, const ApiEvent& event) {
     const std::string type = event.port->type ? deployed_type(generation, core.relative, *event.port->type) : "";
     out.gap();
     if (event.sent) {
@@ -95,33 +95,33 @@ void write_event_method(const Generation& generation, const Core& core, CodeWrit
     out.close();
 }
 
-void write_members(const Generation& generation, const Core& core, CodeWriter& out, const FaceClass& face) {
-    for (const FaceVariable& variable : face.variables) {
+void write_members(const Generation& generation, const Core& core, CodeWriter& out, const ApiClass& api) {
+    for (const ApiVariable& variable : api.variables) {
         const ir::Variable& declared = *variable.stored->variable;
         out.line_with_doc(
             fmt::format("{} {} = {};", deployed_type(generation, core.relative, declared.type), variable.member,
                         deployed_value(generation, core, declared.type, variable.stored->initial)),
             generation.place(declared.origin));
     }
-    for (const FaceEvent& event : face.events) {
+    for (const ApiEvent& event : api.events) {
         const char* use = event.sent ? "sent in the last cycle" : "raise it before a cycle, which lowers it again";
         out.line(fmt::format("bool {} = false;  ///< event {}: {}", event.flag, event.port->model_name, use));
         if (event.port->type)
             out.line(
                 fmt::format("{} {}{{}};", deployed_type(generation, core.relative, *event.port->type), event.value));
     }
-    for (const FaceEvent& event : face.events) write_event_method(generation, core, out, event);
-    for (const FaceOperation& operation : face.operations) write_operation(generation, core, out, operation);
+    for (const ApiEvent& event : api.events) write_event_method(generation, core, out, event);
+    for (const ApiOperation& operation : api.operations) write_operation(generation, core, out, operation);
 }
 
-std::string base_list(const Face& face) {
+std::string base_list(const ClassApi& api) {
     std::vector<std::string> bases;
-    for (const FaceClass& base : face.bases) bases.push_back("public " + base.cpp_name);
+    for (const ApiClass& base : api.bases) bases.push_back("public " + base.cpp_name);
     return bases.empty() ? "" : fmt::format(" : {}", fmt::join(bases, ", "));
 }
 
-void write_states(const Face& face, CodeWriter& out) {
-    for (const FaceMachine& machine : face.machines) {
+void write_states(const ClassApi& api, CodeWriter& out) {
+    for (const ApiMachine& machine : api.machines) {
         out.doc("The states; none before the first cycle and at the end.");
         std::vector<std::string> names = {"none"};
         for (const std::string& state : machine.states)
@@ -131,11 +131,11 @@ void write_states(const Face& face, CodeWriter& out) {
     }
 }
 
-void write_platform(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
+void write_platform(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {
     out.doc("What the core asks of its platform, done by the object's methods and members.");
-    out.open(fmt::format("struct {}::Platform {{", face.cpp_name));
-    out.line(fmt::format("{}& machine;", face.cpp_name));
-    write_function_hooks(generation, core, face, out);
+    out.open(fmt::format("struct {}::Platform {{", api.cpp_name));
+    out.line(fmt::format("{}& machine;", api.cpp_name));
+    write_function_hooks(generation, core, api, out);
     if (generation.component.probabilistic) {
         out.gap();
         out.open("std::size_t choose(const double* chances, std::size_t count) const noexcept {");
@@ -146,8 +146,8 @@ void write_platform(const Generation& generation, const Core& core, const Face& 
         out.gap();
         out.line("std::size_t pick(std::size_t count) const noexcept { return machine.pick(count); }");
     }
-    each_class(face, [&](const FaceClass& part) {
-        for (const FaceOperation& operation : part.operations) {
+    each_class(api, [&](const ApiClass& part) {
+        for (const ApiOperation& operation : part.operations) {
             const auto& signature = *operation.signature;
             const std::vector<std::string> arguments = parameter_identifiers(signature.parameter_names);
             out.gap();
@@ -157,7 +157,7 @@ void write_platform(const Generation& generation, const Core& core, const Face& 
                                  fmt::join(arguments, ", ")));
             out.close();
         }
-        for (const FaceEvent& event : part.events) {
+        for (const ApiEvent& event : part.events) {
             if (!event.sent) continue;
             out.gap();
             const bool valued = event.port->type.has_value();
@@ -169,7 +169,7 @@ void write_platform(const Generation& generation, const Core& core, const Face& 
             out.line(fmt::format("machine.{}({});", event.method, valued ? "value" : ""));
             out.close();
         }
-        for (const FaceVariable& variable : part.variables) {
+        for (const ApiVariable& variable : part.variables) {
             if (!variable.stored->visible) continue;
             out.gap();
             const std::string type = deployed_type(generation, core.relative, variable.stored->variable->type);
@@ -181,29 +181,29 @@ void write_platform(const Generation& generation, const Core& core, const Face& 
 }
 
 /// Variables that others write are members here: a log has those that have changed.
-void write_outside_writes(const Core& core, const Face& face, CodeWriter& out) {
-    std::vector<const FaceVariable*> written;
-    each_class(face, [&](const FaceClass& part) {
-        for (const FaceVariable& variable : part.variables)
+void write_outside_writes(const Core& core, const ClassApi& api, CodeWriter& out) {
+    std::vector<const ApiVariable*> written;
+    each_class(api, [&](const ApiClass& part) {
+        for (const ApiVariable& variable : part.variables)
             if (!variable.stored->input.empty()) written.push_back(&variable);
     });
     if (written.empty()) return;
     out.line("#if ROBOCHART_TRACE");
     out.line("if (tracer_ != nullptr) {");
-    for (const FaceVariable* variable : written)
+    for (const ApiVariable* variable : written)
         out.line(fmt::format("    {}::log_write_of_{}(*tracer_, core_, {});", core.relative, variable->stored->input,
                              variable->member));
     out.line("}");
     out.line("#endif");
 }
 
-void write_cycle(const Core& core, const Face& face, CodeWriter& out) {
-    out.open(fmt::format("robochart::StepResult {}::MakeTransition() noexcept {{", face.cpp_name));
+void write_cycle(const Core& core, const ClassApi& api, CodeWriter& out) {
+    out.open(fmt::format("robochart::StepResult {}::MakeTransition() noexcept {{", api.cpp_name));
     out.line("CheckInEvent();");
     out.line(fmt::format("{}::Inputs<robochart::Deployment> inputs;", core.relative));
     std::vector<std::string> before, after;
-    each_class(face, [&](const FaceClass& part) {
-        for (const FaceEvent& event : part.events) {
+    each_class(api, [&](const ApiClass& part) {
+        for (const ApiEvent& event : part.events) {
             const std::string lower = event.flag + " = false;";
             if (event.sent) {
                 before.push_back(lower);
@@ -214,7 +214,7 @@ void write_cycle(const Core& core, const Face& face, CodeWriter& out) {
                 before.push_back(fmt::format("inputs.{}.value = {};", event.port->input, event.value));
             after.push_back(lower);
         }
-        for (const FaceVariable& variable : part.variables) {
+        for (const ApiVariable& variable : part.variables) {
             for (const std::string& copy : variable.copies)
                 before.push_back(fmt::format("core_.{} = {};", copy, variable.member));
             if (!variable.stored->stored()) continue;
@@ -223,11 +223,11 @@ void write_cycle(const Core& core, const Face& face, CodeWriter& out) {
                 after.push_back(fmt::format("{} = core_.{};", variable.member, variable.stored->path));
         }
     });
-    for (const FaceTimer& timer : face.timers) {
+    for (const ApiTimer& timer : api.timers) {
         before.push_back(fmt::format("core_.{} = {}.counter;", timer.field, timer.member));
         after.push_back(fmt::format("{}.counter = core_.{};", timer.member, timer.field));
     }
-    write_outside_writes(core, face, out);
+    write_outside_writes(core, api, out);
     for (const std::string& line : before) out.line(line);
     out.line("Platform platform{*this};");
     out.line("#if ROBOCHART_TRACE");
@@ -246,28 +246,28 @@ void write_cycle(const Core& core, const Face& face, CodeWriter& out) {
     out.close();
 }
 
-void write_reset(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
-    out.open(fmt::format("void {}::reset() noexcept {{", face.cpp_name));
+void write_reset(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {
+    out.open(fmt::format("void {}::reset() noexcept {{", api.cpp_name));
     out.line("core_ = {};");
     out.line("terminated_ = false;");
-    each_class(face, [&](const FaceClass& part) {
-        for (const FaceVariable& variable : part.variables)
+    each_class(api, [&](const ApiClass& part) {
+        for (const ApiVariable& variable : part.variables)
             out.line(fmt::format(
                 "{} = {};", variable.member,
                 deployed_value(generation, core, variable.stored->variable->type, variable.stored->initial)));
-        for (const FaceEvent& event : part.events) out.line(event.flag + " = false;");
+        for (const ApiEvent& event : part.events) out.line(event.flag + " = false;");
     });
-    for (const FaceTimer& timer : face.timers) out.line(timer.member + ".ResetTimer();");
+    for (const ApiTimer& timer : api.timers) out.line(timer.member + ".ResetTimer();");
     out.line("#if ROBOCHART_TRACE");
     out.line("if (tracer_ != nullptr) tracer_->begin();");
     out.line("#endif");
     out.close();
 }
 
-void write_state(const Core& core, const Face& face, const FaceMachine& machine, CodeWriter& out) {
+void write_state(const Core& core, const ClassApi& api, const ApiMachine& machine, CodeWriter& out) {
     const Enumeration& places = core.machines[machine.unit].enumerations.front();
     const std::string& type = machine.enumeration;
-    out.open(fmt::format("{0}::{1} {0}::{2}() const noexcept {{", face.cpp_name, type, machine.method));
+    out.open(fmt::format("{0}::{1} {0}::{2}() const noexcept {{", api.cpp_name, type, machine.method));
     out.open(fmt::format("switch (core_.{}) {{", machine.place));
     for (const Enumerator& place : places.values) {
         const std::string state = place.state.valid() ? machine.states[place.state.index] : "none";
@@ -277,7 +277,7 @@ void write_state(const Core& core, const Face& face, const FaceMachine& machine,
     out.line(fmt::format("return {}::none;", type));
     out.close();
     out.gap();
-    out.open(fmt::format("const char* {}::name({} state) noexcept {{", face.cpp_name, type));
+    out.open(fmt::format("const char* {}::name({} state) noexcept {{", api.cpp_name, type));
     out.open("switch (state) {");
     out.line(fmt::format("case {}::none: return \"none\";", type));
     for (const std::string& state : machine.states)
@@ -289,9 +289,10 @@ void write_state(const Core& core, const Face& face, const FaceMachine& machine,
 
 }  // namespace
 
-std::string interface_header(const Generation& generation, const Core& core, const Face& face, const FaceClass& base) {
+std::string interface_header(const Generation& generation, const Core& core, const ClassApi& api,
+                             const ApiClass& base) {
     CodeWriter out;
-    out.comment(fmt::format("Interface {} as {} uses it.", base.interface, face.cpp_name));
+    out.comment(fmt::format("Interface {} as {} uses it.", base.interface, api.cpp_name));
     out.comment("Generated by robochart-verify; change the model, not this file.");
     out.line("#pragma once");
     out.gap();
@@ -299,7 +300,7 @@ std::string interface_header(const Generation& generation, const Core& core, con
     out.gap();
     if (!generation.component.enumerations.empty()) out.line(fmt::format("#include \"{}\"", core.header));
     out.gap();
-    out.line(fmt::format("namespace {} {{", face.name_space));
+    out.line(fmt::format("namespace {} {{", api.name_space));
     out.gap();
     out.open(fmt::format("class {} {{", base.cpp_name));
     out.label("public:");
@@ -308,34 +309,34 @@ std::string interface_header(const Generation& generation, const Core& core, con
     write_members(generation, core, out, base);
     out.close("};");
     out.gap();
-    out.line(fmt::format("}}  // namespace {}", face.name_space));
+    out.line(fmt::format("}}  // namespace {}", api.name_space));
     return out.text();
 }
 
-std::string machine_header(const Generation& generation, const Core& core, const Face& face) {
+std::string machine_header(const Generation& generation, const Core& core, const ClassApi& api) {
     CodeWriter out;
     file_comment(generation, out, "Controller");
     out.line("#pragma once");
     out.gap();
     out.line("#include <cstdint>");
     out.gap();
-    for (const FaceClass& base : face.bases) out.line(fmt::format("#include \"{}.hpp\"", base.cpp_name));
+    for (const ApiClass& base : api.bases) out.line(fmt::format("#include \"{}.hpp\"", base.cpp_name));
     out.line(fmt::format("#include \"{}\"", core.header));
-    if (!face.timers.empty()) out.line("#include \"robochart/timer.hpp\"");
+    if (!api.timers.empty()) out.line("#include \"robochart/timer.hpp\"");
     out.line("#if ROBOCHART_TRACE");
     out.line("#include \"robochart/trace.hpp\"");
     out.line("#endif");
     out.gap();
-    out.line(fmt::format("namespace {} {{", face.name_space));
+    out.line(fmt::format("namespace {} {{", api.name_space));
     out.gap();
     const Component& component = generation.component;
     out.doc(component.composed() ? "The machines of " + generation.place(component.origin) + ", side by side"
                                  : "State machine " + generation.place(component.root().machine->origin));
-    out.open(fmt::format("class {}{} {{", face.cpp_name, base_list(face)));
+    out.open(fmt::format("class {}{} {{", api.cpp_name, base_list(api)));
     out.label("public:");
-    write_states(face, out);
+    write_states(api, out);
     out.gap();
-    if (face.bases.empty()) out.line(fmt::format("virtual ~{}() = default;", face.cpp_name));
+    if (api.bases.empty()) out.line(fmt::format("virtual ~{}() = default;", api.cpp_name));
     out.gap();
     out.doc(
         "One control cycle: reads the events raised, makes every transition that they and time enable, lowers the "
@@ -346,7 +347,7 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.line("virtual void CheckInEvent() {}");
     out.doc("Back to the beginning.");
     out.line("void reset() noexcept;");
-    for (const FaceMachine& machine : face.machines) {
+    for (const ApiMachine& machine : api.machines) {
         out.doc("The innermost active state, or the one whose action is running.");
         out.line(fmt::format("[[nodiscard]] {} {}() const noexcept;", machine.enumeration, machine.method));
         out.line(fmt::format("[[nodiscard]] static const char* name({} state) noexcept;", machine.enumeration));
@@ -359,12 +360,12 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.line("[[nodiscard]] static const robochart::RunHeader& RunHeader() noexcept;");
     out.line("#endif");
     out.gap();
-    for (const FaceTimer& timer : face.timers)
+    for (const ApiTimer& timer : api.timers)
         out.line_with_doc(fmt::format("robochart::Timer {};", timer.member),
                           "clock " + generation.place(timer.clock->origin));
     out.gap();
-    write_members(generation, core, out, face.own);
-    write_functions(generation, core, face, out);
+    write_members(generation, core, out, api.own);
+    write_functions(generation, core, api, out);
     if (generation.component.probabilistic) {
         out.gap();
         out.doc("Which way a probabilistic junction takes, by the chances of its ways; override it to draw one.");
@@ -388,36 +389,36 @@ std::string machine_header(const Generation& generation, const Core& core, const
     out.line("#endif");
     out.close("};");
     out.gap();
-    out.line(fmt::format("}}  // namespace {}", face.name_space));
+    out.line(fmt::format("}}  // namespace {}", api.name_space));
     return out.text();
 }
 
-std::string machine_source(const Generation& generation, const Core& core, const Face& face) {
+std::string machine_source(const Generation& generation, const Core& core, const ClassApi& api) {
     CodeWriter out;
     file_comment(generation, out, "Controller");
-    out.line(fmt::format("#include \"{}.hpp\"", face.cpp_name));
+    out.line(fmt::format("#include \"{}.hpp\"", api.cpp_name));
     out.line("#if ROBOCHART_TRACE");
     out.line(fmt::format("#include \"{}_trace.hpp\"", generation.component.cpp_name));
     out.line("#endif");
     out.gap();
-    out.line(fmt::format("namespace {} {{", face.name_space));
+    out.line(fmt::format("namespace {} {{", api.name_space));
     out.gap();
-    write_platform(generation, core, face, out);
+    write_platform(generation, core, api, out);
     out.gap();
-    write_cycle(core, face, out);
+    write_cycle(core, api, out);
     out.gap();
-    write_reset(generation, core, face, out);
+    write_reset(generation, core, api, out);
     out.gap();
-    for (const FaceMachine& machine : face.machines) {
-        write_state(core, face, machine, out);
+    for (const ApiMachine& machine : api.machines) {
+        write_state(core, api, machine, out);
         out.gap();
     }
     out.line("#if ROBOCHART_TRACE");
     out.line(fmt::format("const robochart::RunHeader& {}::RunHeader() noexcept {{ return {}::run_header; }}",
-                         face.cpp_name, core.relative));
+                         api.cpp_name, core.relative));
     out.line("#endif");
     out.gap();
-    out.line(fmt::format("}}  // namespace {}", face.name_space));
+    out.line(fmt::format("}}  // namespace {}", api.name_space));
     return out.text();
 }
 

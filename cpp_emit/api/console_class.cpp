@@ -1,4 +1,4 @@
-// See console_class.hpp.
+// Writes the class `Console` of main.cpp: raising inputs by name, printing outputs, asking for choices.
 #include "cpp_emit/api/console_class.hpp"
 
 #include <fmt/format.h>
@@ -85,14 +85,14 @@ private:
 
 class ConsoleClassWriter {
 public:
-    ConsoleClassWriter(const Generation& generation, const Core& core, const Face& face, CodeWriter& out)
-        : generation_(generation), core_(core), face_(face), out_(out), asks_(console_asks(generation)) {}
+    ConsoleClassWriter(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out)
+        : generation_(generation), core_(core), api_(api), out_(out), asks_(console_asks(generation)) {}
 
     void write() {
-        out_.open(fmt::format("class Console final : public ::{}::{} {{", face_.name_space, face_.cpp_name));
+        out_.open(fmt::format("class Console final : public ::{}::{} {{", api_.name_space, api_.cpp_name));
         out_.label("public:");
-        each_class(face_, [&](const FaceClass& part) {
-            for (const FaceOperation& operation : part.operations)
+        each_class(api_, [&](const ApiClass& part) {
+            for (const ApiOperation& operation : part.operations)
                 if (!operation.modelled) print_call(operation);
         });
         if (asks_) pick_functions();
@@ -100,8 +100,8 @@ public:
         print_function();
         if (asks_) {
             out_.gap();
-            out_.line(fmt::format("robochart::ConsoleChoices console_choices{{\"{}\", \"{}\"}};", face_.cpp_name,
-                                  pick_word(face_)));
+            out_.line(fmt::format("robochart::ConsoleChoices console_choices{{\"{}\", \"{}\"}};", api_.cpp_name,
+                                  pick_word(api_)));
         }
         out_.close("};");
     }
@@ -118,7 +118,7 @@ private:
         out_.gap();
     }
 
-    void print_call(const FaceOperation& operation) {
+    void print_call(const ApiOperation& operation) {
         std::string parameters, shown;
         for (std::size_t i = 0; i < operation.signature->parameters.size(); ++i) {
             parameters +=
@@ -135,8 +135,8 @@ private:
     void raise_function() {
         out_.doc("Raises an event; false if there is none of that name, or the value is wrong.");
         out_.open("bool raise([[maybe_unused]] const std::string& event, [[maybe_unused]] const std::string& value) {");
-        each_class(face_, [&](const FaceClass& part) {
-            for (const FaceEvent& event : part.events) {
+        each_class(api_, [&](const ApiClass& part) {
+            for (const ApiEvent& event : part.events) {
                 if (event.sent) continue;
                 out_.open(fmt::format("if (event == \"{}\") {{", event.port->model_name));
                 out_.line(event.port->type
@@ -155,19 +155,19 @@ private:
     void print_function() {
         out_.doc("What can be seen from outside after a cycle.");
         out_.open("void print() const {");
-        for (const FaceMachine& machine : face_.machines)
+        for (const ApiMachine& machine : api_.machines)
             out_.line(fmt::format("std::cout << \"  {} \" << name({}());", machine.method, machine.method));
-        each_class(face_, [&](const FaceClass& part) {
-            for (const FaceVariable& variable : part.variables)
+        each_class(api_, [&](const ApiClass& part) {
+            for (const ApiVariable& variable : part.variables)
                 out_.line(fmt::format("std::cout << \" {} = \" << robochart::show_value({});",
                                       variable.stored->variable->name, variable.member));
-            for (const FaceEvent& event : part.events)
+            for (const ApiEvent& event : part.events)
                 if (event.sent)
                     out_.line(
                         fmt::format("if ({}) std::cout << \" {}\"{};", event.flag, event.port->model_name,
                                     event.port->type ? " << '!' << robochart::show_value(" + event.value + ")" : ""));
         });
-        for (const FaceTimer& timer : face_.timers)
+        for (const ApiTimer& timer : api_.timers)
             out_.line(fmt::format("std::cout << \" since({}) = \" << {}.counter;", timer.clock->name, timer.member));
         out_.line("std::cout << '\\n';");
         out_.close();
@@ -175,7 +175,7 @@ private:
 
     const Generation& generation_;
     const Core& core_;
-    const Face& face_;
+    const ClassApi& api_;
     CodeWriter& out_;
     bool asks_;
 };
@@ -186,12 +186,12 @@ bool console_asks(const Generation& generation) {
     return generation.options.choices || generation.component.probabilistic;
 }
 
-std::string pick_word(const Face& face) {
+std::string pick_word(const ClassApi& api) {
     std::string word = "pick";
     const auto taken = [&] {
         bool found = false;
-        each_class(face, [&](const FaceClass& part) {
-            for (const FaceEvent& event : part.events) found = found || (!event.sent && event.port->model_name == word);
+        each_class(api, [&](const ApiClass& part) {
+            for (const ApiEvent& event : part.events) found = found || (!event.sent && event.port->model_name == word);
         });
         return found;
     };
@@ -203,8 +203,8 @@ void console_reading(const Generation& generation, const Core& core, CodeWriter&
     ReadingWriter(generation, core, out).write();
 }
 
-void console_class(const Generation& generation, const Core& core, const Face& face, CodeWriter& out) {
-    ConsoleClassWriter(generation, core, face, out).write();
+void console_class(const Generation& generation, const Core& core, const ClassApi& api, CodeWriter& out) {
+    ConsoleClassWriter(generation, core, api, out).write();
 }
 
 }  // namespace robochart::cpp_emit

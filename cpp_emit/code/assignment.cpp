@@ -10,8 +10,8 @@ namespace robochart::cpp_emit {
 std::string store(const Generation& generation, const Unit& unit, ir::VariableId id, const std::string& value) {
     const StoredVariable* stored = generation.component.stored(unit, id);
     if (stored != nullptr && stored->visible) return fmt::format("{}({});", stored->writer, value);
-    const bool relayed = stored != nullptr && stored->shared && generation.component.composed();
-    if (relayed && generation.mutation.hits(Fault::write_not_relayed)) return {};
+    const bool propagated = stored != nullptr && stored->shared && generation.component.composed();
+    if (propagated && generation.mutation.hits(Fault::write_not_relayed)) return {};
     const std::string place = ExpressionWriter(generation, unit).variable(id);
     return place.empty() ? "" : fmt::format("{} = {};", place, value);
 }

@@ -1,4 +1,4 @@
-// See carriers.hpp.
+// Writes the functions that enumerate the carrier of a type, for quantifiers and comprehensions.
 #include "cpp_emit/code/carriers.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The event-driven face of a component: `Event` and `dispatch(state, event, platform)`, beside `step`.
+// The event API of a component: `Event` and `dispatch(state, event, platform)`, beside `step`.
 #pragma once
 
 #include <string>

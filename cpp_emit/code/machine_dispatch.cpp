@@ -1,4 +1,4 @@
-// The event-driven face of a machine whose programs never wait: what a state does on an event is one case, chosen by a
+// The event API of a machine whose programs never wait: what a state does on an event is one case, chosen by a
 // nested switch or, from five states on, by a dense table. Each case tries the transitions as step() does: inner states
 // first, then textual order (semantics 3.4); then what needs no event, until nothing is enabled.
 #include <fmt/format.h>
@@ -24,7 +24,8 @@ constexpr std::size_t leaves_for_table = 5;
 
 }  // namespace
 
-/// Every transition is one straight effect, so control rests in states only (or where a junction has no way).
+/// Every transition is one straight effect, so control rests in states only (or in a junction without an enabled
+/// transition).
 bool MachineWriter::direct() const {
     const auto& nodes = plan_.machine().nodes;
     for (std::uint32_t index = 0; index < nodes.size(); ++index)
@@ -164,7 +165,7 @@ CppExpr MachineWriter::case_condition(const ir::Transition& transition, NodeId l
     return conjunction(wanted, holds);
 }
 
-/// Where control is before it rests in a state: the beginning, or a junction without an open way.
+/// Where control is before it rests in a state: the beginning, or a junction without an enabled transition.
 void MachineWriter::place_body(NodeId place, CodeWriter& out) {
     out.comment("from " + generation_.place(plan_.node(place).origin));
     if (place == plan_.machine().initial) {

@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const std::string& enter_label(ir::NodeId id) const { return enter_[id.index]; }
     [[nodiscard]] const std::string& exit_label(ir::NodeId id) const { return exit_[id.index]; }
     [[nodiscard]] const std::string& take_label(ir::TransitionId id) const { return take_[id.index]; }
-    /// There is something to do on the way into the node before control rests or chooses there.
+    /// There is something to do when the node is entered, before control rests or chooses there.
     [[nodiscard]] bool needs_entry(ir::NodeId) const;
     /// Control gets into the node, as far as the node's own program goes, in one go: a function does it. Otherwise the
     /// program has places where it may wait, or the junction is part of a loop, which takes a step a round.
@@ -32,14 +32,14 @@ public:
     [[nodiscard]] bool straight_exits(ir::NodeId id) const { return straight_exits_[id.index]; }
     /// An exit action somewhere below the composite state.
     [[nodiscard]] bool exits_below(ir::NodeId) const;
-    /// The only way on from an initial node, which asks for nothing: who enters takes it.
+    /// The only transition of an initial node, without trigger and guard: whoever enters takes it.
     [[nodiscard]] bool passes(ir::NodeId) const;
 
     /// Control rests here between transitions.
     [[nodiscard]] bool settles(ir::NodeId id) const {
         return node(id).kind == ir::NodeKind::final || (node(id).kind == ir::NodeKind::state && !node(id).composite());
     }
-    /// The state has an exit place that several transitions share: some exit on the way may wait.
+    /// The state has an exit place that several transitions share: some exit action may wait.
     [[nodiscard]] bool shared_exit(ir::NodeId) const;
     /// Frame::leaving says which transition of the state goes on after the exits.
     [[nodiscard]] bool notes_leaving(ir::NodeId id) const { return shared_exit(id) && !straight_exits(id); }

@@ -1,4 +1,4 @@
-// See transition_numbers.hpp.
+// Numbers transitions machine by machine in textual order, for the trace hook.
 #include "cpp_emit/code/transition_numbers.hpp"
 
 namespace robochart::cpp_emit {

@@ -267,7 +267,7 @@ private:
         out_.close();
     }
 
-    /// The event-driven face, where there is one.
+    /// The event API, where there is one.
     void event_functions() {
         const std::size_t events = input_events(generation_.component).size();
         if (events == 0) return;

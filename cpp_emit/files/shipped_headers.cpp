@@ -1,4 +1,4 @@
-// See shipped_headers.hpp.
+// All headers of cpp_emit/runtime for the conformance check, and those that the values of a component need.
 #include "cpp_emit/files/shipped_headers.hpp"
 
 #include "cpp_emit/files/files.hpp"

@@ -59,7 +59,7 @@ private:
     void transition_table() {
         const std::vector<TransitionName> names = transition_names(generation_);
         transitions_ = names.size();
-        out_.doc("The transitions by number, which is what the platform's method `taken` is told.");
+        out_.doc("The transitions by number, the argument of the platform's method `taken`.");
         if (names.empty()) return out_.line("inline constexpr const robochart::TransitionName* transitions = nullptr;");
         out_.open("inline constexpr robochart::TransitionName transitions[] = {");
         for (const TransitionName& name : names)
@@ -220,7 +220,7 @@ private:
 
     void traced_step() {
         out_.gap();
-        out_.doc("One control cycle that a tracer is told of: what is read, what is done, how it ends.");
+        out_.doc("One control cycle reported to a tracer: what is read, what is done, how it ends.");
         out_.line("template <class Types, class Platform>");
         out_.line(
             "robochart::StepResult traced_step(State<Types>& state, const Inputs<Types>& inputs, "

@@ -1,4 +1,4 @@
-// See trace_names.hpp.
+// The short name of each input and output (`e` for `e.in`), unless two share it.
 #include "cpp_emit/files/trace_names.hpp"
 
 #include <algorithm>

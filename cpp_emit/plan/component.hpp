@@ -15,7 +15,7 @@
 
 namespace robochart::cpp_emit {
 
-/// An event at the component's boundary: what the platform raises, what it is told.
+/// An event at the component's boundary: raised by the platform or sent to it.
 struct EventPort {
     std::string outside;     ///< at the boundary
     std::string model_name;  ///< in the machine; with several machines: at the boundary
@@ -62,10 +62,10 @@ struct EventUse {
 
 inline constexpr std::size_t no_part = static_cast<std::size_t>(-1);
 
-/// A variable of a machine or one that machines share. The semantics gives each machine a copy and relays writes
-/// (semantics 3.7); relaying at once keeps all copies equal, so there is one. Where the outside relays (the variable is
-/// declared outside of the component), a machine does not see the others' writes before the outside tells them: then
-/// each machine has its copy, and all take what is written from outside.
+/// A variable of a machine or one that machines share. The semantics gives each machine a copy and propagates writes
+/// (semantics 3.7); immediate propagation keeps all copies equal, so there is one. Where the environment propagates
+/// (the variable is declared outside of the component), a machine does not see the others' writes before the outside
+/// tells them: then each machine has its copy, and all take what is written from outside.
 struct StoredVariable {
     const ir::Variable* variable = nullptr;
     std::size_t home = no_part;   ///< the part whose frame holds it; no_part: State
@@ -113,7 +113,7 @@ struct ModelledCall {
     std::string method;  ///< of the platform: true if it has done the operation itself
 };
 
-/// Whose variable or clock stands behind a name: an operation works on what its caller means by the names that it
+/// Whose variable or clock a name refers to: an operation works on what its caller means by the names that it
 /// requires, which may be the caller's caller's (semantics 3.8).
 struct Owner {
     std::size_t unit = 0;     ///< Unit::number

@@ -1,4 +1,4 @@
-// See exploration_ports.hpp.
+// Lists registers and outputs of a component in the order of the exploration interface.
 #include "cpp_emit/plan/exploration_ports.hpp"
 
 namespace robochart::cpp_emit {

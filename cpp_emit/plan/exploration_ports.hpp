@@ -1,5 +1,5 @@
 // The component's boundary as the exploration interface and logs see it: registers read in a cycle, outputs made in it,
-// under their names in the CSP alphabet (semantics 3.2 "visible alphabet per level"). Private to the room.
+// under their names in the CSP alphabet (semantics 3.2 "visible alphabet per level"). Private to this component.
 #pragma once
 
 #include <optional>

@@ -99,7 +99,7 @@ enum class Fault {
     field_dropped,
     quantifier_wrong,
     set_operation_wrong,
-    // the event-driven face
+    // the event API
     dispatch_shifted,
     dispatch_guard_dropped,
     dispatch_guard_ends,
@@ -132,8 +132,8 @@ struct FaultKind {
 /// All kinds but `none`, in the order of the enumeration.
 [[nodiscard]] std::span<const FaultKind> all_faults();
 
-/// The fault is in the event-driven face only: the cycle is as it should be.
-[[nodiscard]] constexpr bool in_event_face(Fault fault) {
+/// The fault is in the event API only: the cycle is as it should be.
+[[nodiscard]] constexpr bool in_event_api(Fault fault) {
     return fault >= Fault::dispatch_shifted && fault <= Fault::pass_timeless;
 }
 

@@ -53,7 +53,7 @@ struct Options {
 
 /// What a cycle does is as it should be.
 [[nodiscard]] constexpr bool faultless_cycle(const Options& options) {
-    return options.fault == Fault::none || in_event_face(options.fault);
+    return options.fault == Fault::none || in_event_api(options.fault);
 }
 
 struct Emission {

@@ -548,23 +548,23 @@ private:
         }
     }
 
-    /// Another machine's copy of a variable that the outside relays.
+    /// Another machine's copy of a variable whose writes the environment propagates.
     void name_copy(StoredVariable& entry, NameScope& state, NameScope& writers) {
         const std::string& name = entry.variable->name;
         const auto first = std::find_if(component_.variables.begin(), component_.variables.end(),
-                                        [&](const StoredVariable& other) { return relayed(other, name); });
+                                        [&](const StoredVariable& other) { return propagated(other, name); });
         if (entry.stored()) entry.field = entry.path = state.unique(name);
         entry.input = first->input;
         entry.output = first->output;
         entry.writer = writers.unique("write_" + name);
     }
 
-    static bool relayed(const StoredVariable& entry, const std::string& name) {
+    static bool propagated(const StoredVariable& entry, const std::string& name) {
         return entry.external && entry.variable->name == name;
     }
     [[nodiscard]] bool some_copy_read(const std::string& name) const {
         return std::any_of(component_.variables.begin(), component_.variables.end(),
-                           [&](const StoredVariable& entry) { return relayed(entry, name) && entry.read; });
+                           [&](const StoredVariable& entry) { return propagated(entry, name) && entry.read; });
     }
 
     void name_channels() {

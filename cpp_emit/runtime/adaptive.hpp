@@ -1,8 +1,8 @@
 // Tests that follow what an implementation does, where its model leaves a choice (docs/conformance.md, "Test suites").
 // The model is a graph over control cycles: for each reading of the inputs what may be written, and where that leads.
-// The implementation is explored as in black box checking (Peled, Vardi, Yannakakis 1999): its states are told apart by
-// what they answer, and what it does is compared with the model at every step; what the model does not have there is a
-// forbidden continuation (Cavalcanti, Gaudel 2007). Ships with generated tests. Copyright: see LICENSE (Apache-2.0).
+// The implementation is explored as in black box checking (Peled, Vardi, Yannakakis 1999): its states are distinguished
+// by what they answer, and what it does is compared with the model at every step; what the model does not have there is
+// a forbidden continuation (Cavalcanti, Gaudel 2007). Ships with generated tests. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_ADAPTIVE_HPP
 #define ROBOCHART_ADAPTIVE_HPP
 
@@ -96,7 +96,7 @@ struct AdaptiveVerdict {
     enum class Kind { passed, failed, inconclusive };
     Kind kind = Kind::passed;
     std::string reason;      ///< failed: the run and what was allowed; inconclusive: why
-    std::size_t states = 0;  ///< of the implementation, told apart
+    std::size_t states = 0;  ///< of the implementation, distinguished
     std::size_t cycles = 0;  ///< of it that were run
 };
 
@@ -246,7 +246,7 @@ private:
         return all;
     }
 
-    /// Words to all states that can be told apart, and the hypothesis over them. False: stopped.
+    /// Words to all states that can be distinguished, and the hypothesis over them. False: stopped.
     bool close() {
         std::map<std::vector<std::size_t>, std::size_t> rows;
         states_.assign(1, Word{});

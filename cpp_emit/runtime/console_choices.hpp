@@ -75,7 +75,7 @@ public:
     }
     /// A word raised an input.
     void raised(const std::string& word) { words_ += (words_.empty() ? "" : " ") + word; }
-    /// A word is no good: told, or the end of the repeated run.
+    /// A word is invalid: reported, or the end of the repeated run.
     void refuse(const std::string& told) {
         if (replaying_) return fail(told);
         std::cerr << told << '\n';
@@ -88,7 +88,7 @@ public:
         raised(prefix_ + std::to_string(picked) + "/" + std::to_string(count));
         return picked;
     }
-    /// The same where ways are drawn by their chances: those without one are not offered.
+    /// The same where alternatives are drawn by their chances: those without one are not offered.
     std::size_t choose(const double* chances, std::size_t count) {
         std::vector<std::size_t> ways;
         for (std::size_t way = 0; way < count; ++way)
@@ -144,7 +144,7 @@ private:
         ++line_;
         return static_cast<bool>(std::getline(replayed_, line));
     }
-    /// The first fault is told.
+    /// The first fault is reported.
     void fail(const std::string& what, bool with_line = true) {
         if (!fault_.empty()) return;
         fault_ = path_ + (with_line ? ":" + std::to_string(line_) : "") + ": " + what;

@@ -15,7 +15,7 @@
 
 namespace robochart {
 
-/// Keeps what it is told.
+/// Stores the values it is given.
 class WordTracer final : public Tracer {
 public:
     void text(const char* piece) noexcept override { said += piece; }

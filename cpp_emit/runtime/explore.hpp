@@ -95,7 +95,7 @@ void write_record(rc_log& log, std::uint32_t output, Values... values) noexcept 
     log.record[log.count++] = record;
 }
 
-/// The way that the explorer wants; beyond the log's end only the overflow is noted.
+/// The alternative that the explorer wants; beyond the log's end only the overflow is noted.
 inline std::size_t recorded_way(rc_log& log, std::size_t count) noexcept {
     if (log.asked == ROBOCHART_MAX_CHOICES) {
         log.overflow |= ROBOCHART_OVERFLOW_CHOICES;

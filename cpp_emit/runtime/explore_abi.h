@@ -80,7 +80,7 @@ typedef struct rc_interface {
     rc_result (*step)(void* state, const rc_register* registers, rc_log* log);
     /* Writes "state=S1 T=3 reached=true" (at most size bytes, terminated). */
     void (*print)(const void* state, char* buffer, size_t size);
-    /* The event-driven face of the same state; null where no event is received. The first `events` inputs are events.
+    /* The event API of the same state; null where no event is received. The first `events` inputs are events.
      * `dispatch` takes one, with the value that its register has, whatever the others hold; `event` = events: it begins,
      * or does what needs no event. `pass` is a cycle without inputs and adds to what the log has. */
     uint32_t events;

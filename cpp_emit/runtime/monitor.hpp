@@ -47,11 +47,11 @@ struct MonitorTables {
 enum class MonitorVerdict : std::uint8_t {
     allowed,   ///< all that was seen is a run of the model
     violated,  ///< the last event seen is not
-    unknown,   ///< a value outside the finite reading of the model, which depends on it: nothing is known from here on
+    unknown,   ///< a value outside the finite instantiation, on which the model depends: nothing is known from here on
 };
 
-/// Told of every cycle: each input in the order of the table, what was written in the order in which it was, then the
-/// time units. A value of a few bytes.
+/// Called in every cycle: with each input in the order of the table, the writes in their order, then the time units. A
+/// value of a few bytes.
 class Monitor {
 public:
     static constexpr std::uint16_t dead = 0xffff;
@@ -91,8 +91,8 @@ public:
         for (std::uint32_t t = 0; t < tables_->cycle_length; ++t) take(tables_->tock, 0, 't');
         if (verdict_ == MonitorVerdict::allowed) begun_ = state_;
     }
-    /// In place of all that is told of a cycle: it is allowed, and the next begins in `state` (as it did when the same
-    /// was told from the same state).
+    /// In place of all calls for a cycle: it is allowed, and the next begins in `state` (as it did when the same
+    /// was observed from the same state).
     constexpr void continue_at(std::uint16_t state) noexcept {
         state_ = state;
         begun_ = state;
@@ -119,7 +119,7 @@ public:
     [[nodiscard]] constexpr std::uint16_t state() const noexcept { return state_; }
 
     /// Where a value is among those of an argument, or the one that stands for it; `no_place`: outside of the finite
-    /// reading.
+    /// instantiation.
     static constexpr std::uint32_t no_place = 0xffffffffU;
     static constexpr std::uint32_t place_of(const MonitorValues& values, bool value) noexcept {
         return among(values, value ? 1 : 0, value ? 1U : 0U);

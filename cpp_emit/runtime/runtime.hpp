@@ -150,13 +150,13 @@ constexpr std::uint32_t duration(std::int64_t units) noexcept {
     return units > INT32_MAX ? static_cast<std::uint32_t>(INT32_MAX) : static_cast<std::uint32_t>(units);
 }
 
-/// The probability of a way as a number.
+/// The probability of an alternative as a number.
 template <class Number>
 constexpr double chance(Number probability) noexcept {
     return static_cast<double>(probability);
 }
 
-/// Which way a probabilistic junction takes if nobody says: the first that has a chance.
+/// The default alternative of a probabilistic junction: the first with a positive probability.
 constexpr std::size_t first_way(const double* chances, std::size_t count) noexcept {
     for (std::size_t way = 0; way < count; ++way)
         if (chances[way] > 0.0) return way;
@@ -169,8 +169,8 @@ template <class Platform>
 struct Chooses<Platform, std::void_t<decltype(std::declval<Platform&>().choose(static_cast<const double*>(nullptr),
                                                                                std::size_t{}))>> : std::true_type {};
 
-/// Which way a probabilistic junction takes: `platform.choose(chances, count)` if there is such a method, which may ask
-/// a source of random numbers; else the first that has a chance. Any answer is one that the model allows.
+/// The alternative that a probabilistic junction takes: `platform.choose(chances, count)` if there is such a
+/// method, which may ask a source of random numbers; else the first with a positive probability. The model allows any.
 template <class Platform, std::size_t count>
 constexpr std::size_t choose([[maybe_unused]] Platform& platform, const double (&chances)[count]) noexcept {
     std::size_t way = 0;

@@ -28,7 +28,7 @@ struct RunHeader {
     std::size_t transition_count;
 };
 
-/// Is told of everything.
+/// Receives all reports.
 class Tracer {
 public:
     virtual ~Tracer() = default;
@@ -153,7 +153,7 @@ inline void log_end(Tracer& tracer, StepResult result, std::uint32_t cycle_lengt
     tracer.end();
 }
 
-/// Which way the platform takes, for one that stands before it.
+/// The alternative that the platform takes, for a platform that forwards to it.
 template <class Platform>
 std::size_t passed_choice(Platform& platform, const double* chances, std::size_t count) noexcept {
     if constexpr (Chooses<Platform>::value) {

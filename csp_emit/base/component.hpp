@@ -40,7 +40,8 @@ struct ComponentEmission {
     bool large = false;  ///< it may have too many states to be worth compressing on its own
 };
 
-/// The channels of a component (semantics 3.2), declared one by one; what each event means is told to the provenance.
+/// The channels of a component (semantics 3.2), declared one by one; the meaning of each event is recorded in the
+/// provenance.
 class ChannelDeclarations {
 public:
     /// `owner`: qualified CSPM name of the component.

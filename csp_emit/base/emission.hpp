@@ -54,7 +54,7 @@ struct OfferMeaning {
     std::string name = {};    ///< of a transition: "t1"
     std::string target = {};  ///< of a transition: the element that it leads to
 };
-/// A process definition of the script: where a machine stands when it is in it.
+/// A process definition of the script: the control state of a machine in it.
 struct DefinitionMeaning {
     std::string text;  ///< "in S1", "in the action of t2"
     std::vector<std::string>
@@ -104,7 +104,7 @@ struct Emission {
     std::vector<Obligation> obligations;
     Provenance provenance;
     std::vector<ComponentProcesses> components;  ///< every one, nested ones too, by path
-    std::set<std::string> bounded;               ///< functions whose value the finite reading may choose (clipping.hpp)
+    std::set<std::string> bounded;  ///< functions whose value the finite instantiation may choose (clipping.hpp)
     std::set<std::string> captured;              ///< always empty, or the script is wrong (name_clashes.hpp)
 };
 
@@ -115,7 +115,7 @@ struct Options {
     /// memory processes of their own.
     double states_of_a_process = 50'000;
     bool share_modules = true;  ///< modules of equal text are written once (shared_modules.hpp)
-    bool share_calls = true;  ///< one definition of an operation for its calls; else each stands in its caller's place
+    bool share_calls = true;    ///< one definition of an operation for its calls; otherwise each call is inlined
 };
 
 /// A file to be written: path relative to the output folder, and its text.

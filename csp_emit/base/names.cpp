@@ -207,7 +207,8 @@ bool is_reserved(const std::string& name) {
 bool is_reserved_inside(const std::string& name) {
     if (!is_identifier(name) || library_names().contains(name)) return true;
     const cspm::BuiltinName* builtin = cspm::find_builtin(name);
-    if (builtin != nullptr && builtin->arguments < 0) return true;  // a value: it is told from an event by its name
+    if (builtin != nullptr && builtin->arguments < 0)
+        return true;  // a value: it is distinguished from an event by its name
     return relied_on(name) && std::find(only_at_top.begin(), only_at_top.end(), name) == only_at_top.end();
 }
 

@@ -1,4 +1,4 @@
-// What every part of the emitter works with: the model, its finite reading, where to report.
+// What every part of the emitter works with: the model, its finite instantiation, where to report.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// See script_library.hpp.
+// The library of emitted scripts, written in CSPM and read once: clipped arithmetic, time, toolkit functions that the
+// model calls.
 #include "csp_emit/base/script_library.hpp"
 
 #include <algorithm>

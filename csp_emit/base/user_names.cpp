@@ -1,4 +1,4 @@
-// See user_names.hpp.
+// Collects the names that CSPM declarations introduce: constructors, modules, and all others.
 #include "csp_emit/base/user_names.hpp"
 
 #include "checker/cspm/syntax/lookup.hpp"

@@ -39,9 +39,9 @@ private:
     ExprPtr part_process(std::size_t part, const std::string& variant) const;
     ExprPtr parts_process(const std::string& variant) const;
     b::Exprs joined_events() const;
-    void define_relays(const SharedVariable& variable);
+    void define_propagation(const SharedVariable& variable);
     void define_memory();
-    ExprPtr first_relay(const SharedVariable& variable, const ExprPtr& value) const;
+    ExprPtr first_propagation(const SharedVariable& variable, const ExprPtr& value) const;
     void define_buffers();
     ExprPtr with_memory(const ExprPtr& process) const;
     ExprPtr with_buffers(const ExprPtr& process) const;
@@ -59,7 +59,7 @@ bool Definer::has_variable(std::size_t part, const std::string& name) const {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// In time, waiting processes let it pass.
+/// Timed semantics: `branches [] tock -> self`, so that a waiting process lets time pass.
 ExprPtr Definer::tocked(const ExprPtr& branches, const ExprPtr& self) const {
     return timed() ? b::choice({branches, b::prefix(b::name("tock"), self)}) : branches;
 }
@@ -70,7 +70,8 @@ ExprPtr Definer::with_tock(b::Exprs events) const {
     return b::productions(events);
 }
 
-/// A part with its events renamed into the composition's; events without any connection are hidden (semantics 3.9).
+/// Semantics 3.9: `Part::V(...)[[own <- target]] \ {unconnected}`. Each event of the part is renamed to the channel of
+/// its connection (in and out swapped at the receiving end); events without any connection are hidden.
 ExprPtr Definer::part_process(std::size_t index, const std::string& variant) const {
     const Part& part = c_.parts[index];
     b::Exprs arguments{b::name("id__")};
@@ -112,7 +113,8 @@ b::Exprs Definer::joined_events() const {
     return result;
 }
 
-/// Parts side by side: all on terminate, each pair on the events that connect it.
+/// Semantics 3.9: `(P1 [| {terminate} u C1 |] (P2 [| {terminate} u C2 |] ...)) \ C`. All parts synchronise on terminate
+/// (and on tock), Pi with the later parts on the events Ci of connections between them; C is the union of the Ci.
 ExprPtr Definer::parts_process(const std::string& variant) const {
     ExprPtr result = part_process(c_.parts.size() - 1, variant);
     for (std::size_t i = c_.parts.size() - 1; i-- > 0;) {
@@ -126,8 +128,9 @@ ExprPtr Definer::parts_process(const std::string& variant) const {
     return joined.empty() ? result : b::hide(result, b::productions(joined));
 }
 
-/// `Relay_x_1(v) = stm1::set_EXT_x!v -> Relay_x_2(v)`: one part at a time, the writer included (semantics 3.7).
-void Definer::define_relays(const SharedVariable& variable) {
+/// Semantics 3.7, propagation: `Relay_x_i(v) = part_i::set_EXT_x!v -> Relay_x_i+1(v)`, the last one followed by Memory.
+/// A write of x reaches the parts that have x one after the other, the writer included.
+void Definer::define_propagation(const SharedVariable& variable) {
     std::vector<std::size_t> readers;
     for (std::size_t i = 0; i < c_.parts.size(); ++i)
         if (has_variable(i, variable.name)) readers.push_back(i);
@@ -138,30 +141,31 @@ void Definer::define_relays(const SharedVariable& variable) {
         b::Exprs arguments{b::name("id__")};
         if (!last) arguments.push_back(b::name("x__"));
         const ExprPtr event = b::name(channel(readers[i], "set_EXT_" + variable.name));
-        const ExprPtr relay = b::prefix(event, {b::output(b::name("x__"))}, b::call(next, arguments));
+        const ExprPtr step = b::prefix(event, {b::output(b::name("x__"))}, b::call(next, arguments));
         const ExprPtr self = b::call(name, {b::name("id__"), b::name("x__")});
-        decls_.push_back(b::function_decl(name, b::variables({"id__", "x__"}), tocked(relay, self)));
+        decls_.push_back(b::function_decl(name, b::variables({"id__", "x__"}), tocked(step, self)));
     }
 }
 
-ExprPtr Definer::first_relay(const SharedVariable& variable, const ExprPtr& value) const {
+ExprPtr Definer::first_propagation(const SharedVariable& variable, const ExprPtr& value) const {
     for (std::size_t i = 0; i < c_.parts.size(); ++i)
         if (has_variable(i, variable.name)) return b::call("Relay_" + variable.name + "_0__", {b::name("id__"), value});
     return b::call("Memory", {b::name("id__")});
 }
 
-/// One process for all variables: the next write waits until the last one has been told to every part.
+/// Semantics 3.7: `Memory = [] x @ set_x?v -> Relay_x_0(v)`. One process for all variables, so that the next write
+/// waits until the last one has been propagated to every part.
 void Definer::define_memory() {
     if (c_.variables.empty()) return;
     b::Exprs branches;
     for (const SharedVariable& variable : c_.variables) {
-        define_relays(variable);
+        define_propagation(variable);
         const std::string event = (variable.required ? "set_EXT_" : "set_") + variable.name;
-        branches.push_back(b::prefix(b::name(event), {b::input("x__")}, first_relay(variable, b::name("x__"))));
+        branches.push_back(b::prefix(b::name(event), {b::input("x__")}, first_propagation(variable, b::name("x__"))));
     }
     const ExprPtr self = b::call("Memory", {b::name("id__")});
     decls_.push_back(b::function_decl("Memory", b::variables({"id__"}), tocked(b::choice(branches), self)));
-    // Declared initial values of the platform's variables are told like writes at the start (semantics 3.7).
+    // Declared initial values of the platform's variables are propagated like writes at the start (semantics 3.7).
     ExprPtr next = self;
     std::vector<std::pair<std::string, ExprPtr>> chain;
     for (const SharedVariable& variable : c_.variables)
@@ -177,7 +181,10 @@ void Definer::define_memory() {
     decls_.push_back(b::function_decl("MemoryStart__", b::variables({"id__"}), next));
 }
 
-/// The writer never waits, the newest value wins, the reader consumes (semantics 3.9).
+/// Semantics 3.9, asynchronous connections:
+///     Buffer_empty   = from.out?y -> Buffer_full(y)
+///     Buffer_full(x) = from.out?y -> Buffer_full(y) [] to.in!x -> Buffer_empty
+/// The writer never waits, the newest value replaces the older one, and reading consumes it.
 void Definer::define_buffers() {
     for (std::size_t i = 0; i < c_.buffers.size(); ++i) {
         const Buffer& buffer = c_.buffers[i];
@@ -208,7 +215,7 @@ b::Exprs Definer::memory_sync() const {
     return result;
 }
 
-/// Relays, and the writes that the variant does not show.
+/// Propagation events, and the writes that the variant does not show.
 ExprPtr Definer::hidden_writes(Writes shown) const {
     b::Exprs result;
     for (const SharedVariable& variable : c_.variables) {
@@ -227,11 +234,13 @@ ExprPtr Definer::visible_writes() const {
     return b::productions(result);
 }
 
+/// `P [| writes and propagation events |] MemoryStart__`.
 ExprPtr Definer::with_memory(const ExprPtr& process) const {
     if (c_.variables.empty()) return process;
     return b::parallel(process, with_tock(memory_sync()), b::call("MemoryStart__", {b::name("id__")}));
 }
 
+/// `(P [| {from.out, to.in} |] Buffer_empty ...) \ {from, to}`, one buffer for each asynchronous connection.
 ExprPtr Definer::with_buffers(const ExprPtr& process) const {
     ExprPtr result = process;
     for (std::size_t i = 0; i < c_.buffers.size(); ++i) {
@@ -248,6 +257,9 @@ ExprPtr Definer::with_buffers(const ExprPtr& process) const {
     return ends.empty() ? result : b::hide(result, b::productions(ends));
 }
 
+/// Semantics 3.9 and 3.12: `((parts with buffers and memory) \ hidden writes) [| {terminate} |> SKIP`, so that the
+/// composition ends when its parts terminate together; a module hides `terminate`. In the timed semantics hidden
+/// events, and so propagation, have priority over tock (semantics 3.10).
 ExprPtr Definer::variant(const std::string& part_variant, Writes shown) const {
     const ExprPtr inside = b::hide(with_memory(with_buffers(parts_process(part_variant))), hidden_writes(shown));
     const ExprPtr terminate = b::productions({b::name("terminate")});
@@ -266,7 +278,7 @@ void Definer::define() {
     const auto define = [&](const std::string& name, const ExprPtr& process) {
         decls_.push_back(b::function_decl(name, b::variables(parameters), process));
     };
-    // RoboTool's optimised module tells writes to the platform's variables in AS_O__ only.
+    // RoboTool's optimised module shows writes of the platform's variables in AS_O__ only.
     const Writes optimised = c_.hides_termination ? Writes::none : Writes::provided;
     define("D__", variant(large(c_) ? "O__" : "D__", Writes::provided));
     define("VS__", variant("VS__", Writes::provided));

@@ -1,5 +1,5 @@
-// What controllers and modules share: parts side by side, connected events synchronised, shared variables relayed
-// (semantics 3.7, 3.9).
+// What controllers and modules share: parts side by side, connected events synchronised, writes of shared variables
+// propagated (semantics 3.7, 3.9).
 #pragma once
 
 #include <map>
@@ -25,9 +25,9 @@ struct Part {
 struct SharedVariable {
     std::string name;
     ir::TypeId type;
-    bool required = false;  ///< relayed from outside: set_EXT_x of the composition
+    bool required = false;  ///< written from outside: set_EXT_x of the composition
     bool visible = false;   ///< writes stay visible
-    cspm::ExprPtr pushed;   ///< initial value that is told to the parts at the start
+    cspm::ExprPtr pushed;   ///< initial value that is propagated to the parts at the start
 };
 
 /// An asynchronous connection between parts: a buffer of one place that the newest value overwrites.

@@ -12,7 +12,7 @@ struct ControllerContext {
     std::string name;  ///< of the CSPM module
     std::string path;  ///< qualified CSPM name
     NameManager names;
-    const ir::Module* module = nullptr;  ///< the module that the controller runs in; null: it stands alone
+    const ir::Module* module = nullptr;  ///< the module that the controller runs in; null: it is checked alone
 };
 
 [[nodiscard]] ComponentEmission emit_controller(const ControllerContext&, Emitted&);

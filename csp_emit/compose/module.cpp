@@ -1,5 +1,5 @@
-// Modules: platform events and calls are visible, platform variables are relayed, asynchronous connections between
-// controllers are buffers; termination is hidden.
+// Modules: platform events and calls are visible, writes of platform variables are propagated, asynchronous connections
+// between controllers are buffers; termination is hidden.
 #include "csp_emit/compose/module.hpp"
 
 #include <algorithm>
@@ -62,7 +62,8 @@ void ModuleEmitter::declare_channels(std::vector<DeclPtr>& decls) {
     for (const ir::OperationSignature& call : calls()) channels.call(call);
 }
 
-/// Provided variables are the platform's to see; an explicit initial value is told to the controllers at the start.
+/// Provided variables are the platform's to see; an explicit initial value is propagated to the controllers at the
+/// start.
 void ModuleEmitter::declare_variables(std::vector<DeclPtr>& decls) {
     ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
     for (const ir::Variable& variable : platform().variables) {

@@ -1,6 +1,6 @@
-// Where the finite reading of a model shows: arithmetic that leaves its type is clipped, functions without a body have
+// Where finite instantiation clips values: arithmetic that leaves its type is clipped, functions without a body have
 // a value chosen (semantics 3.13). The checker tells which calls of the functions behind it were evaluated while it
-// explored processes; this room knows what they mean.
+// explored processes; this component knows what they mean.
 #pragma once
 
 #include <optional>

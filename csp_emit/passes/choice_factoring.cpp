@@ -1,4 +1,4 @@
-// See choice_factoring.hpp.
+// Factors branches of a choice whose continuations are equal: one branch over the union of their events.
 #include "csp_emit/passes/choice_factoring.hpp"
 
 #include <algorithm>

@@ -22,7 +22,7 @@ struct Function {
     cspm::ExprPtr body;
 };
 
-/// Where each function of a family stands, by its name.
+/// The index of each function of a family, by its name.
 using FamilyIndex = std::unordered_map<std::string, std::size_t>;  // looked up only
 [[nodiscard]] FamilyIndex index_of(const std::vector<Function>& functions);
 /// The function that an expression calls, with arguments or without, if it is one of the family; else null.

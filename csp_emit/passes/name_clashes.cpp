@@ -93,7 +93,7 @@ private:
     cspm::NewNames common_;
 };
 
-/// Looks for names that what stands around them takes away from CSPM or the library.
+/// Looks for names of CSPM or the library that a surrounding declaration hides.
 class Capture {
 public:
     std::set<std::string> found;

@@ -2,7 +2,7 @@
 // gets a number on one side: a parameter called like a channel or constructor would be a pattern that matches only that
 // (checkers.md 3), a function called like one of the library, or like a predefined one, would do the other's work.
 //
-// The rule that holds everywhere: no declaration of a block stands at the top of the script under a name that CSPM
+// The rule that holds everywhere: no declaration of a block has at the top of the script a name that CSPM
 // predefines or that the library has. So the library and all that is generated mean what is written there, whatever
 // a block defines. What a block defines for the model, in its Instantiations, goes by the name that the model's element
 // has in the script. Each .assertions file is a scope of its own: RoboTool makes a script of each.

@@ -127,7 +127,7 @@ bool named(const ir::Function&) {
     return true;
 }
 
-/// Chooses new names for the elements whose own name would mean something else where it stands.
+/// Chooses new names for the elements whose own name would mean something else at that place.
 class Choice {
 public:
     Choice(const ir::System& system, diagnostics::Diagnostics& diagnostics)
@@ -262,16 +262,16 @@ private:
     }
 
     void tell_blocks(const ir::System& system) {
-        NamesForBlocks& told = names_.for_blocks;
+        NamesForBlocks& recorded = names_.for_blocks;
         visit_elements(system, [&](Bearer bearer, const std::string& name, bool top, diagnostics::Span) {
             const auto found = names_.all.find(name);
             if (bearer == Bearer::operation || found == names_.all.end()) return;
-            (top ? told.first : bearer == Bearer::event ? told.last : told.inside).insert(*found);
+            (top ? recorded.first : bearer == Bearer::event ? recorded.last : recorded.inside).insert(*found);
         });
-        for (const auto& [before, after] : names_.states) told.inside[before] = after;
-        for (auto* parts : {&told.first, &told.inside})
+        for (const auto& [before, after] : names_.states) recorded.inside[before] = after;
+        for (auto* parts : {&recorded.first, &recorded.inside})
             for (const auto& [before, after] : names_.operations) (*parts)["OP_" + before] = "OP_" + after;
-        for (const auto& [before, after] : names_.operations) told.last[before + "Call"] = after + "Call";
+        for (const auto& [before, after] : names_.operations) recorded.last[before + "Call"] = after + "Call";
     }
 
     void rename(std::map<std::string, std::string>& names, const std::string& name, diagnostics::Span span,
@@ -285,7 +285,7 @@ private:
         diagnostics_.report(rule, span, {name, chosen});
     }
 
-    /// What stands before the number: an identifier of CSPM begins with a letter.
+    /// The text before the number: an identifier of CSPM begins with a letter.
     static std::string stem(const std::string& name) {
         const auto letter = std::find_if(name.begin(), name.end(), [](char c) {
             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -409,7 +409,7 @@ private:
 
     NewNames names_;
     Names states_;  ///< all that states and parts are renamed by
-    Names tops_;    ///< and what stands outside components
+    Names tops_;    ///< and declarations outside components
 };
 
 /// Components and constants under one name in the script (RC-C10).

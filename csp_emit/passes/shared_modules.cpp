@@ -138,7 +138,7 @@ private:
         return depth;
     }
 
-    /// Whether all names mean the same where the shared module will stand.
+    /// Whether all names mean the same at the place of the shared module.
     static bool movable(const std::vector<Place>& places) {
         std::set<std::string> outside;
         used_names(*places.front().module, outside);

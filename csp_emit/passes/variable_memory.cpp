@@ -34,7 +34,7 @@ std::set<std::string> parameters_of(const std::vector<Remembered>& variables) {
 class Memories {
 public:
     Memories(const std::vector<Function>& functions, const std::vector<Remembered>& variables);
-    /// Where the caller stands: the variables it holds; at the start each memory has its initial value.
+    /// The caller: the variables it holds; at the start each memory has its initial value.
     struct Place {
         std::set<std::string> held;
         bool start = false;

@@ -29,7 +29,7 @@ void check_broadcast(const Connection& connection, const Event& from, const Even
     const Declaration* b = follow(connection.to.node_target);
     const bool parts =
         a != nullptr && b != nullptr && a->kind == b->kind && connection.from.node_target != connection.to.node_target;
-    if (from.broadcast && parts) out.report(rules::cn4_relay, connection.span, {std::string(to_text(a->kind))});
+    if (from.broadcast && parts) out.report(rules::cn4_levels, connection.span, {std::string(to_text(a->kind))});
 }
 
 void check_events(const Connection& connection, const Event& from, const Event& to, Diagnostics& out) {

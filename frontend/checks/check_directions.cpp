@@ -69,7 +69,7 @@ private:
     Traffic traffic_;
 };
 
-/// Cn9, Cn8: one-way connections of machines run the way the machines communicate.
+/// Cn9, Cn8: one-way connections of machines have the direction in which the machines communicate.
 void check_machine_end(TrafficReader& reader, const Connection& connection, const Connection::End& end, bool beginning,
                        Diagnostics& out) {
     const auto* machine = followed<Machine>(end.node_target);

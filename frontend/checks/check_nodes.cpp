@@ -133,17 +133,17 @@ void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out
 // ---------------------------------------------------------------- nodes and transitions
 
 void check_node(const Ways& ways, const State& node, Diagnostics& out) {
-    const std::size_t ways_out = outgoing(ways, node).size();
+    const std::size_t count = outgoing(ways, node).size();
     switch (node.kind) {
         case DeclKind::initial:
-            if (ways_out != 1)
-                out.report(rules::ij2, node.name_span, {node.name, ways_out == 0 ? "no" : std::to_string(ways_out)});
+            if (count != 1)
+                out.report(rules::ij2, node.name_span, {node.name, count == 0 ? "no" : std::to_string(count)});
             break;
         case DeclKind::junction:
         case DeclKind::probabilistic:
-            if (ways_out == 0) out.report(rules::j1, node.name_span, {node.name});
+            if (count == 0) out.report(rules::j1, node.name_span, {node.name});
             if (!has_incoming(ways, node)) out.report(rules::j2, node.name_span, {node.name});
-            if (node.kind == DeclKind::probabilistic && ways_out > 0) check_probability_sum(ways, node, out);
+            if (node.kind == DeclKind::probabilistic && count > 0) check_probability_sum(ways, node, out);
             break;
         case DeclKind::final:
             check_final(node, out);

@@ -160,7 +160,7 @@ struct Caller {
     }
 };
 
-/// The caller's event for an event of the operation: same name, and a type that may widen on the way out.
+/// The caller's event for an event of the operation: same name, and a type that may widen from operation to caller.
 bool event_fits(const Event& inner, const Event& outer) {
     const bool typed = inner.type_expr != nullptr;
     return (outer.type_expr != nullptr) == typed && (!typed || compatible(inner.type, outer.type));

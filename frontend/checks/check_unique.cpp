@@ -29,7 +29,7 @@ void report(std::string_view name, const Places& places, Diagnostics& out) {
             {places.back(), fmt::format("and at {} more places, last here", places.size() - max_shown)});
 }
 
-/// Names as they are declared; told once each, in the order of names.
+/// Names as they are declared; reported once each, in the order of names.
 class Seen {
 public:
     explicit Seen(Diagnostics& out) : out_(out) {}
@@ -87,7 +87,7 @@ void check_unique(const File& file, Diagnostics& out) {
 
 namespace {
 
-/// Declarations under one full name: each kind of them is told by itself.
+/// Declarations under one full name: each kind of them is reported separately.
 void check_entry(const Names& names, const std::string& full, const std::vector<const Declaration*>& declarations,
                  Diagnostics& out) {
     std::vector<std::vector<const Declaration*>> groups;

@@ -1,5 +1,5 @@
-// The house style of RoboChart and assertion text (docs/format.md). Only blanks and line ends change: words, comments,
-// CSP blocks and PRISM parts stay as they are written.
+// The standard layout of RoboChart and assertion text (docs/format.md). Only blanks and line ends change: words,
+// comments, CSP blocks and PRISM parts stay as they are written.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace robochart::frontend {
 
-/// The text in the house style; formatting it again changes nothing. Nothing if the text has syntax errors, which are
-/// reported. Throws std::logic_error if a word or comment would be lost: a fault of ours, never the text's.
+/// The text in the standard layout; formatting it again changes nothing. Nothing if the text has syntax errors, which
+/// are reported. Throws std::logic_error if a word or comment would be lost: an internal error, never the text's.
 [[nodiscard]] std::optional<std::string> format(const diagnostics::SourceManager&, diagnostics::SourceId,
                                                 bool is_assertions, diagnostics::Diagnostics&);
 

@@ -1,4 +1,4 @@
-// What stands between two words: a gap, and the comments in it at the places where people put them. A comment behind a
+// The text between two words: a gap, and the comments in it at the places where people put them. A comment behind a
 // word stays on its line; one that begins a line begins a line again, indented as the word that follows.
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// See format_document.hpp.
+// Builds and prints documents: a group is printed on one line if it fits, otherwise its breaks become line ends.
 #include "frontend/format/format_document.hpp"
 
 #include <algorithm>

@@ -29,7 +29,7 @@ public:
 
     /// A text that is written as it is; the view must outlive the document.
     Doc text(std::string_view text);
-    /// A comment: as a text, but what comes before need not make room for it.
+    /// A comment: as a text, but what comes before need not leave space for it.
     Doc comment(std::string_view text);
     /// `// …`: no group that holds it fits on one line.
     Doc line_comment(std::string_view text);

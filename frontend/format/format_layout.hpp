@@ -15,7 +15,7 @@
 
 namespace robochart::frontend {
 
-/// What stands between two words.
+/// The text between two words.
 enum class Gap : std::uint8_t {
     done,    ///< written already
     none,    ///< nothing

@@ -72,10 +72,10 @@ private:
 };
 
 /// Warnings about a component and what it refers to.
-void lint_component(const Component& component, Told& told, Diagnostics& out) {
-    for (const auto& part : component.controllers) lint_component(*part, told, out);
+void lint_component(const Component& component, ReportedCalls& reported, Diagnostics& out) {
+    for (const auto& part : component.controllers) lint_component(*part, reported, out);
     lint_events(component, out);
-    if (component.kind == DeclKind::controller) lint_operations(component, told, out);
+    if (component.kind == DeclKind::controller) lint_operations(component, reported, out);
 }
 
 }  // namespace
@@ -95,12 +95,12 @@ void lint_file(const File& file, const Names& names, const WrittenBy& written_by
 }
 
 void lint_project(const Model& model, Diagnostics& out) {
-    Told told;
+    ReportedCalls reported;
     for (const auto& file : model.files)
         for (const auto& declaration : file->declarations)
             if (const auto* component = dynamic_cast<const Component*>(declaration.get());
                 !file->is_library && component != nullptr)
-                lint_component(*component, told, out);
+                lint_component(*component, reported, out);
     lint_unused(model, out);
 }
 

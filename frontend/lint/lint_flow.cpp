@@ -68,7 +68,7 @@ public:
         const std::unordered_set<const Variable*> shared(required.begin(), required.end());
         for (const Variable* variable : visible_variables(machine))
             if (!shared.contains(variable)) track(*variable);
-        told_ = Bits(variables_.size());
+        reported_ = Bits(variables_.size());
     }
 
     void run() {
@@ -220,8 +220,8 @@ private:
     void read(const Expr& expr, const Bits& now) {
         walk(expr, [&](const Expr& part) {
             const auto found = part.kind == ExprKind::name ? index_.find(part.target) : index_.end();
-            if (found == index_.end() || now.contains(found->second) || told_.contains(found->second)) return;
-            told_.insert(found->second);
+            if (found == index_.end() || now.contains(found->second) || reported_.contains(found->second)) return;
+            reported_.insert(found->second);
             const Variable& variable = *variables_[found->second];
             out_.report(rules::w_unset, part.span, {variable.name, default_of(variable.type)})
                 .notes.push_back({variable.name_span, "declared here without an initial value"});
@@ -264,7 +264,7 @@ private:
     std::unordered_map<const Declaration*, std::size_t> index_;
     std::unordered_map<const State*, Point> points_;
     std::deque<const State*> open_;
-    Bits told_;
+    Bits reported_;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Guards that leave no way (semantics 3.4: a junction with no true guard is stuck for ever), that never hold or always.
+// Guards that leave no enabled transition (semantics 3.4: a junction with no true guard is stuck for ever), that never
+// hold or always.
 #include <fmt/format.h>
 
 #include "frontend/lint/lint_logic.hpp"
@@ -38,7 +39,8 @@ public:
         return logic::any_of(std::move(ways));
     }
 
-    /// What is known when control comes to a junction: the guards on the way, as far as no action after them spoils it.
+    /// What is known when control comes to a junction: the guards on the path, as far as no action after them spoils
+    /// it.
     Formula known_at(const State& junction, unsigned depth) {
         if (junction.kind != DeclKind::junction || graph_.in(junction).size() > max_ways) return logic::constant(true);
         std::vector<Formula> ways;

@@ -34,7 +34,7 @@ public:
 
     void check(Diagnostics& out) {
         for (const State* node : nodes_) {
-            if (told_.contains(node)) continue;
+            if (reported_.contains(node)) continue;
             const std::vector<const Transition*> cycle = shortest_cycle(*node);
             if (!cycle.empty() && goes_on(cycle)) report(cycle, out);
         }
@@ -107,7 +107,7 @@ private:
         std::vector<std::string> names;
         for (const Transition* way : cycle) {
             names.push_back(way->name);
-            told_.insert(way->source);
+            reported_.insert(way->source);
         }
         const std::string text = (names.size() == 1 ? "transition " : "transitions ") + listed(names);
         auto& finding = out.report(rules::w_loop, cycle.front()->name_span, {text, names.size() == 1 ? "s" : ""});
@@ -119,7 +119,7 @@ private:
     std::unordered_map<const State*, Effects> of_node_;
     std::unordered_map<const State*, std::vector<const Transition*>> out_;
     std::vector<const State*> nodes_;
-    std::unordered_set<const State*> told_;
+    std::unordered_set<const State*> reported_;
 };
 
 /// Writes of during actions of a state hold for everything inside it as well.

@@ -1,5 +1,5 @@
 // Calls that never return (semantics 3.8: a call returns when the operation reaches its final state). Only calls in
-// entry, exit and transition actions are told: what a during action calls may well run until the state is left.
+// entry, exit and transition actions are reported: what a during action calls may well run until the state is left.
 #include <map>
 
 #include "frontend/lint/lints.hpp"
@@ -30,8 +30,8 @@ bool can_end(const Machine& operation) {
 
 class Calls {
 public:
-    Calls(const std::map<std::string_view, const Machine*>& endless, Told& told, Diagnostics& out)
-        : endless_(endless), told_(told), out_(out) {}
+    Calls(const std::map<std::string_view, const Machine*>& endless, ReportedCalls& reported, Diagnostics& out)
+        : endless_(endless), reported_(reported), out_(out) {}
 
     void check(const NodeContainer& container) {
         for (const auto& node : container.nodes) {
@@ -48,14 +48,14 @@ private:
         walk(action, [&](const Stmt& statement) {
             if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
             const auto called = endless_.find(statement.declaration->name);
-            if (called == endless_.end() || !told_.insert(&statement).second) return;
+            if (called == endless_.end() || !reported_.insert(&statement).second) return;
             out_.report(rules::w_endless, statement.span, {statement.declaration->name})
                 .notes.push_back({called->second->name_span, "defined here, without a final state that is reached"});
         });
     }
 
     const std::map<std::string_view, const Machine*>& endless_;
-    Told& told_;
+    ReportedCalls& reported_;
     Diagnostics& out_;
 };
 
@@ -66,12 +66,12 @@ void lint_termination(const Machine& operation, Diagnostics& out) {
         out.report(rules::w_broken_promise, operation.name_span, {operation.name});
 }
 
-void lint_operations(const Component& controller, Told& told, Diagnostics& out) {
+void lint_operations(const Component& controller, ReportedCalls& reported, Diagnostics& out) {
     std::map<std::string_view, const Machine*> endless;
     for (const Machine* operation : defined_operations(controller))
         if (!operation->nodes.empty() && !can_end(*operation)) endless.emplace(operation->name, operation);
     if (endless.empty()) return;
-    Calls calls(endless, told, out);
+    Calls calls(endless, reported, out);
     for (const Declaration* part : controller.order)
         if (const auto* machine = followed<Machine>(part)) calls.check(*machine);
 }

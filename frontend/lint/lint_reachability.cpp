@@ -28,7 +28,7 @@ public:
             }
         if (!begins) return;
         for (const auto& node : container_.nodes)
-            if (!covered(*node) && cut_off(*node)) add_from(*node, told_);
+            if (!covered(*node) && cut_off(*node)) add_from(*node, reported_);
         // First those that nothing at all leads to, then islands that are only reached from themselves.
         for (const auto& node : container_.nodes)
             if (!covered(*node) && is_root(*node)) report(*node, out);
@@ -50,7 +50,9 @@ private:
         }
     }
 
-    [[nodiscard]] bool covered(const State& node) const { return reached_.contains(&node) || told_.contains(&node); }
+    [[nodiscard]] bool covered(const State& node) const {
+        return reached_.contains(&node) || reported_.contains(&node);
+    }
 
     [[nodiscard]] bool is_root(const State& node) const {
         for (const Transition* way : graph_.in(node))
@@ -58,7 +60,7 @@ private:
         return true;
     }
 
-    /// A transition that is never taken is told itself (RC-W04); that is enough.
+    /// A transition that is never taken is reported itself (RC-W04); that is enough.
     [[nodiscard]] bool cut_off(const State& node) const {
         const auto& ways = graph_.in(node);
         return std::any_of(ways.begin(), ways.end(), [&](const Transition* way) {
@@ -67,7 +69,7 @@ private:
     }
 
     void report(const State& node, Diagnostics& out) {
-        add_from(node, told_);
+        add_from(node, reported_);
         auto& finding = out.report(rules::w_unreachable, node.name_span, {std::string(to_text(node.kind)), node.name});
         for (const Transition* way : graph_.in(node)) {
             if (way->source == &node) continue;
@@ -79,7 +81,7 @@ private:
     const NodeContainer& container_;
     const Never& never_;
     const Graph graph_;
-    Nodes reached_, told_;
+    Nodes reached_, reported_;
 };
 
 void check(const NodeContainer& container, const Never& never, Diagnostics& out) {

@@ -85,8 +85,8 @@ void lint_unused(const Model& model, Diagnostics& out);
 void lint_events(const Component& component, Diagnostics& out);
 /// RC-W19.
 void lint_termination(const Machine& operation, Diagnostics& out);
-/// RC-W13. Machines that several controllers refer to are looked at in each; `told` are the calls reported so far.
-using Told = std::unordered_set<const Stmt*>;
-void lint_operations(const Component& controller, Told& told, Diagnostics& out);
+/// RC-W13. Machines that several controllers refer to are checked in each; `reported` are the calls reported so far.
+using ReportedCalls = std::unordered_set<const Stmt*>;
+void lint_operations(const Component& controller, ReportedCalls& reported, Diagnostics& out);
 
 }  // namespace robochart::frontend

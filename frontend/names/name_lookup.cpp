@@ -1,4 +1,4 @@
-// See name_lookup.hpp.
+// Resolves names through scopes and imports; an unknown name is reported once, with the nearest spelling.
 #include "frontend/names/name_lookup.hpp"
 
 #include <fmt/format.h>
@@ -75,8 +75,8 @@ std::vector<std::string> Finder::candidates(const Kinds& kinds) const {
 diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                          const std::vector<std::string>& candidates) {
     const std::string key = std::string(what) + "\n" + name.text() + "\n" + std::string(where);
-    const bool told = !told_.emplace(name.span.source, key).second;
-    if (told || names_.is_lost(name)) {
+    const bool reported = !reported_.emplace(name.span.source, key).second;
+    if (reported || names_.is_lost(name)) {
         untold_ = {};
         return untold_;
     }

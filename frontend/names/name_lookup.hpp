@@ -18,7 +18,7 @@ public:
 
     /// A name of the project; reported if there is none.
     const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds, std::string_view what);
-    /// Reports an unknown name with the nearest candidate as a mend, once in a file for each place that `where`
+    /// Reports an unknown name with the nearest candidate as a fix, once in a file for each place that `where`
     /// names. Nothing is
     /// reported where the declaration may have been in text that was not understood. `where` completes "there is no X
     /// `x` …".
@@ -42,7 +42,7 @@ public:
 private:
     const Names& names_;
     diagnostics::Diagnostics* out_;
-    std::set<std::pair<diagnostics::SourceId, std::string>> told_;  ///< unknown names reported: kind, name, place
+    std::set<std::pair<diagnostics::SourceId, std::string>> reported_;  ///< unknown names reported: kind, name, place
     diagnostics::Diagnostic untold_;                                ///< takes the notes of what is not reported
 };
 

@@ -1,4 +1,4 @@
-// See names.hpp.
+// The tables of declarations by name, filled file by file; nearer files come first.
 #include "frontend/names/names.hpp"
 
 #include <algorithm>
@@ -122,7 +122,7 @@ const File* Names::file_of(const Declaration& declaration) const {
     return owner != files_.end() ? owner->second : nullptr;
 }
 
-/// Does it stand in that declaration, at any depth? Any does where none is named.
+/// Whether it is inside that declaration, at any depth; true if none is named.
 bool stands_inside(const Declaration* declaration, const Declaration* around) {
     while (declaration != nullptr && declaration != around) declaration = declaration->parent;
     return declaration == around;

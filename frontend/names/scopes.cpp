@@ -1,4 +1,4 @@
-// See scopes.hpp.
+// Collects what components offer, require and use through their interfaces.
 #include "frontend/names/scopes.hpp"
 
 namespace robochart::frontend {

@@ -103,7 +103,7 @@ void report_again(const Findings& findings, Diagnostics& out) {
     }
 }
 
-/// Few enough that none was left out, nor any search for a mend.
+/// Few enough that none was left out, nor any search for a fix.
 bool are_few(const Diagnostics& findings) {
     return findings.errors() < Diagnostics::max_kept && findings.warnings() < Diagnostics::max_kept;
 }
@@ -151,7 +151,7 @@ void Resolution::State::replace(std::unique_ptr<File>& place, std::unique_ptr<Fi
     }
     known->second.changed = true;
     broken_changed_ = broken_changed_ || broken_in(*place) != broken_in(*fresh);
-    graft(*place, std::move(*fresh));
+    patch(*place, std::move(*fresh));
 }
 
 /// Is there a file that nothing is known of, or none that something is known of?

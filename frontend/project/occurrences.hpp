@@ -1,4 +1,5 @@
-// Where every name of a project stands and what it stands for: the ground of go-to-definition, references and renaming.
+// The occurrences of every name of a project with their targets: the basis of go-to-definition, references and
+// renaming.
 #pragma once
 
 #include <string>

@@ -107,7 +107,7 @@ bool needs(const Neighbour& chosen, const Neighbour& candidate, const std::set<s
 }
 
 /// The named file and, transitively, what it needs of its folder. Assertion files of the folder are about the project
-/// of a named model; a named assertion file stands alone.
+/// of a named model; a named assertion file is read alone.
 std::vector<fs::path> closure(const fs::path& named, Diagnostics& out) {
     std::vector<Neighbour> open;
     const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");

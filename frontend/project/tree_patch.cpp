@@ -1,4 +1,4 @@
-// See tree_patch.hpp.
+// Moves the declarations of the new tree into the nodes of the old one, so that references from other files stay valid.
 #include "frontend/project/tree_patch.hpp"
 
 #include <algorithm>
@@ -251,7 +251,7 @@ bool same_declarations(const File& old, const File& fresh) {
            old.is_library == fresh.is_library && all_same(old.declarations, fresh.declarations);
 }
 
-void graft(File& old, File&& fresh) {
+void patch(File& old, File&& fresh) {
     for (std::size_t i = 0; i < old.declarations.size(); ++i)
         move_declaration(*old.declarations[i], *fresh.declarations[i]);
     std::swap(old.declarations, fresh.declarations);

@@ -17,6 +17,6 @@ namespace robochart::frontend {
 
 /// Moves everything of the new tree into the old one; declarations that other files may point at (all but nodes,
 /// transitions, connections, expressions and statements) keep their addresses. Only for the same declarations.
-void graft(File& old, File&& fresh);
+void patch(File& old, File&& fresh);
 
 }  // namespace robochart::frontend

@@ -92,7 +92,7 @@ private:
         return {file.package.text(), std::string(declaration.name), declaration.kind};
     }
 
-    /// To those of the files that are nearest: which of them is meant cannot be told.
+    /// To those of the files that are nearest: it is ambiguous which of them is meant.
     void tie_nearest(std::size_t file, const std::vector<std::size_t>& others) {
         std::size_t near = 0;
         for (const std::size_t other : others) near = std::max(near, nearness(*model_.files[file], *model_.files[other]));

@@ -132,7 +132,7 @@ private:
     Finder& finder_;
     Typer& typer_;
     const File* file_ = nullptr;
-    std::set<const Declaration*> told_open_;  ///< RC-Q08 once for each component of a file
+    std::set<const Declaration*> reported_open_;  ///< RC-Q08 once for each component of a file
 };
 
 // ---------------------------------------------------------------- paths
@@ -148,8 +148,8 @@ Way AssertionResolver::walk(Way from, const QualifiedName& name, std::size_t at)
     return from;
 }
 
-/// The way that the longest beginning of a name leads, from the file's package, its imports, unnamed packages or a
-/// package that is written in front; else from any package, if there is one component of the name.
+/// The declarations that the longest beginning of a name leads to, from the file's package, its imports, unnamed
+/// packages or a package that is written in front; else from any package, if there is one component of the name.
 Way AssertionResolver::way(const QualifiedName& name) const {
     Way best;
     const auto try_top = [&](const Declaration* top, std::size_t parts) {
@@ -404,7 +404,7 @@ void AssertionResolver::report_open(const Assertion& assertion, const ComponentP
                                        [&](const auto& p) { return p.name.parts.back() == variable->name; });
         if (variable->kind == DeclKind::constant && !variable->initial && !given) open.push_back(variable);
     }
-    if (open.empty() || !told_open_.insert(definition).second) return;
+    if (open.empty() || !reported_open_.insert(definition).second) return;
     std::string names;
     for (const Variable* variable : open) names += (names.empty() ? "`" : ", `") + variable->name + "`";
     auto& finding =
@@ -436,7 +436,7 @@ void AssertionResolver::assertion(Assertion& assertion) {
 
 void AssertionResolver::run(File& file) {
     file_ = &file;
-    told_open_.clear();
+    reported_open_.clear();
     for (CspBlock& block : file.csp_blocks) {
         block.associated_paths.clear();
         for (const QualifiedName& name : block.associated) block.associated_paths.push_back(component(name, true));

@@ -85,7 +85,7 @@ void Resolver::transition(Transition& transition, const NodeNames& names, const 
     if (transition.action) typer_.statement(*transition.action, around);
 }
 
-/// A node of the transition's own container (T1); elsewhere it is told where.
+/// A node of the transition's own container (T1); otherwise the message says where it is.
 const State* Resolver::node(const QualifiedName& name, const Transition& transition, std::string_view role,
                             const NodeNames& names, const Machine& machine) {
     if (name.empty()) return nullptr;

@@ -20,7 +20,7 @@ extern const Rule s2, ij1, ij2, fs1, fs2, fs3, j1, j2, j3, t1, t2, pj1, pj2, pj3
 extern const Rule stm1, stm6, stm7, stm8, stm8_required, stm9, stm10, rp1, rp2, rp3, o1, i1, i2, i_mixed, c1, c2, c3,
     c4, c4_operation, c7, c8, c9, c10, c11, m1, m_controller, m_machine, m2_variables, m2_operations, dt;
 // rules_connections.cpp
-extern const Rule cn1, cn2, cn3, cn4, cn4_relay, cn_types, cn10, cn11, c6, m3, cn5, cn6, cn6_direction, cn7,
+extern const Rule cn1, cn2, cn3, cn4, cn4_levels, cn_types, cn10, cn11, c6, m3, cn5, cn6, cn6_direction, cn7,
     cn7_direction, cn8, cn9;
 // rules_time.cpp
 extern const Rule tt1, te1, te1_elsewhere, te2, te3, te4, te4_type, te5, ts1, untimed;

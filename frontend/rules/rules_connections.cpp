@@ -13,9 +13,9 @@ const Rule cn3{"Cn3", error, "`{}` is neither the controller `{}` nor one of its
                "A connection of a controller joins its machines with each other and with the controller itself."};
 const Rule cn4{"Cn4", error, "`{}` is a broadcast event and `{}` is not",
                "Both ends of a connection are broadcast events, or neither is."};
-const Rule cn4_relay{
+const Rule cn4_levels{
     "Cn4", error, "a broadcast connection joins two {}s; it must pass on between different levels",
-    "A broadcast event is relayed: from a machine to its controller, from a controller to the platform, or "
+    "A broadcast event is passed on from a machine to its controller, from a controller to the platform, or "
     "back. Parts of one level hear each other through what is around them."};
 const Rule cn_types{"RC-T32", error, "event `{}` carries {} but event `{}` carries {}",
                     "The events at the two ends of a connection carry values of compatible types, or both carry none."};
@@ -49,8 +49,8 @@ const Rule cn9{"Cn9", error, "a connection starts at `{}` of `{}`, but `{}` rece
                "The machine at the start of a connection sends. Turn the connection round, or let the machine send."};
 
 const std::vector<const Rule*>& of_connections() {
-    static const std::vector<const Rule*> rules = {&cn1,           &cn2, &cn3, &cn4, &cn4_relay, &cn_types,      &cn10,
-                                                   &cn11,          &c6,  &m3,  &cn5, &cn6,       &cn6_direction, &cn7,
+    static const std::vector<const Rule*> rules = {&cn1,           &cn2, &cn3, &cn4, &cn4_levels, &cn_types,      &cn10,
+                                                   &cn11,          &c6,  &m3,  &cn5, &cn6,        &cn6_direction, &cn7,
                                                    &cn7_direction, &cn8, &cn9};
     return rules;
 }

@@ -20,7 +20,7 @@ const Rule w_loose_platform{"RC-W01", warning, "{} of {} {} connected to nothing
                             "The platform declares the event, but the module connects it to no controller, so it never "
                             "happens. Connect it, or leave it out of the platform."};
 const Rule w_stuck{
-    "RC-W02", warning, "{} `{}` has no way out: {}{}",
+    "RC-W02", warning, "{} `{}` has no enabled transition: {}{}",
     "Control cannot rest in a junction: when no guard of its transitions holds, the machine is stuck "
     "there, and nothing outside can interrupt it. Add a transition with `condition else`, or guards that "
     "cover all cases."};

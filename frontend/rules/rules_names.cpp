@@ -16,7 +16,7 @@ const Rule not_unique{
     "Two declarations of the same kind share one name; a reference to it means the first. Published as RP3, I3, "
     "C5, STM5 and O1."};
 const Rule unknown_import{
-    "RC-N04", warning, "the import of `{}` brings nothing: there is {}",
+    "RC-N04", warning, "the import of `{}` has no effect: there is {}",
     "An import names a package of the project or a toolkit, or one declaration of these. What is not there is not "
     "missed before one of its names is used; often the package is misspelt, or its files lie in another folder."};
 

@@ -21,7 +21,7 @@ const Rule fs2{"FS2", error, "final state `{}` has actions",
 const Rule fs3{"FS3", error, "final state `{}` has {}",
                "A final state is a point: it contains no nodes and no transitions."};
 const Rule j1{"J1", error, "junction `{}` has no outgoing transition",
-              "Control never rests in a junction, so there must be a way out."};
+              "Control never rests in a junction, so there must be an outgoing transition."};
 const Rule j2{"J2", error, "junction `{}` has no incoming transition",
               "A junction that nothing leads to can never be passed; only initial junctions begin."};
 const Rule j3{
@@ -35,15 +35,15 @@ const Rule t1{
 const Rule t2{"T2", error, "the trigger of transition `{}` {} a value; a trigger only receives",
               "A trigger is written `e` or `e?x`. Outputs (`e!v`) and synchronisations (`e.v`) belong into actions."};
 const Rule pj1{"PJ1", error, "transition `{}` starts in the probabilistic junction `{}` but has no probability",
-               "Each way out of a probabilistic junction is taken with a stated probability."};
+               "Each outgoing transition of a probabilistic junction is taken with a stated probability."};
 const Rule pj2{"PJ2", error, "transition `{}` starts in the probabilistic junction `{}` and cannot have a condition",
                "The choice at a probabilistic junction is made by probability alone."};
 const Rule pj3{"PJ3", warning, "the probabilities of the transitions from `{}` add up to {}, not to 1",
-               "The ways out of a probabilistic junction must cover all cases."};
+               "The outgoing transitions of a probabilistic junction must cover all cases."};
 const Rule pj3_unknown{"PJ3", warning, "the probabilities of the transitions from `{}` cannot be added up here",
                        "Some of them are not constant; make sure that they add up to 1."};
 const Rule pt1{"PT1", error, "transition `{}` has a probability but starts in `{}`, which is no probabilistic junction",
-               "Only the ways out of a probabilistic junction carry probabilities."};
+               "Only outgoing transitions of a probabilistic junction have probabilities."};
 const Rule pt2{
     "PT2", error, "the probability {} is not between 0 and 1",
     "A probability is a number from 0 to 1, for example `probability 0.5`; those of one junction add up to 1."};

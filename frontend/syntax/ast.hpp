@@ -421,7 +421,7 @@ enum class AssertionModel { failures_divergences, traces, failures, tick_tock };
 
 struct CspBlock;
 
-/// Where the name of a component leads: the declarations on the way. References stand for themselves, so that the
+/// The target of a component's name: the declarations on the path to it. References stand for themselves, so that the
 /// names of the steps make the path `M::ctrl_ref::stm_ref`; what is behind them is the step's `Reference::target`.
 struct ComponentPath {
     std::vector<const Declaration*> steps;  ///< outermost first; empty: not found, or a csp process

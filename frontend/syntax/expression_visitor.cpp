@@ -1,4 +1,4 @@
-// See expression_visitor.hpp.
+// Pre-order traversal of expressions, statements and nodes.
 #include "frontend/syntax/expression_visitor.hpp"
 
 namespace robochart::frontend {

@@ -80,7 +80,7 @@ bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-/// The word of a mended token.
+/// The word of a corrected token.
 std::string_view word_at(std::size_t index) {
     const auto& reserved = reserved_words();
     return index < reserved.size() ? reserved[index] : symbols.at(index - reserved.size());
@@ -344,7 +344,7 @@ void TokenList::add(TokenKind kind, Span span, bool escaped, bool first_on_line)
     items_.push_back({span.begin, span.end, kind, escaped, first_on_line, 0});
 }
 
-void TokenList::mend(std::size_t index, TokenKind kind, std::string_view word) {
+void TokenList::correct(std::size_t index, TokenKind kind, std::string_view word) {
     items_[index].kind = kind;
     items_[index].escaped = false;
     items_[index].word = static_cast<std::uint16_t>(index_of(word) + 1);

@@ -58,7 +58,7 @@ public:
 
     void add(TokenKind kind, diagnostics::Span span, bool escaped, bool first_on_line);
     /// Puts a reserved word or symbol in place of what is written.
-    void mend(std::size_t index, TokenKind kind, std::string_view word);
+    void correct(std::size_t index, TokenKind kind, std::string_view word);
     /// Leaves out the word's first character (`<{` becomes `{`, `^b` becomes `b`).
     void drop_first_character(std::size_t index);
 
@@ -90,7 +90,7 @@ private:
         TokenKind kind;
         bool escaped : 1;
         bool first_on_line : 1;
-        std::uint16_t word;  ///< of a mended token: its index in the table of words, from 1
+        std::uint16_t word;  ///< of a corrected token: its index in the table of words, from 1
     };
     static_assert(sizeof(Packed) == 12);
 

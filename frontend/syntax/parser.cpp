@@ -210,7 +210,7 @@ std::string Parser::found() const {
 diagnostics::Diagnostic* Parser::report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {
     ++failures_;
     if (at_ < quiet_until_ || behind_strange_characters()) {
-        // What was put in did not help: the mend was none.
+        // What was inserted did not help: it was no correction.
         if (inserted_ != nullptr) inserted_->fixes.clear();
         inserted_ = nullptr;
         return nullptr;
@@ -338,15 +338,15 @@ void Parser::wrong_word(std::string_view what) {
     diagnostics::Diagnostic* finding = report(syntax::unexpected, span, {std::string(what), found()});
     if (finding == nullptr || meant.empty()) throw SyntaxError{};
     finding->fixes.push_back({span, std::string(meant), diagnostics::suggested(certain)});
-    tokens_.mend(at_, TokenKind::keyword, meant);
+    tokens_.correct(at_, TokenKind::keyword, meant);
     quiet_until_ = 0;
-    mended_ = true;
+    corrected_ = true;
     throw SyntaxError{};
 }
 
-bool Parser::mended() {
-    const bool result = mended_;
-    mended_ = false;
+bool Parser::corrected() {
+    const bool result = corrected_;
+    corrected_ = false;
     return result;
 }
 

@@ -1,10 +1,10 @@
 // Recursive descent over the words of one file (private to the front end). The productions are those of the public
 // RoboChart.xtext and Assertions.xtext; each method is named after what it reads.
 //
-// Recovery: a word that is missing is taken as if it stood there, a word too many is passed over, once per mistake.
+// Recovery: a missing word is assumed to be there, a superfluous word is skipped, once per mistake.
 // Where that does not help the mistake is thrown as SyntaxError to the nearest member list, which skips to the next
 // member. Elements enter their owner before their body is read, so that what was read is kept. Names in text that was
-// not understood are remembered: nobody is told that they are unknown.
+// not understood are remembered: they are not reported as unknown.
 #pragma once
 
 #include <memory>
@@ -84,7 +84,7 @@ private:
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[noreturn]] void too_deep(std::size_t limit);
     [[noreturn]] void expected(std::string_view what);
-    /// The same, but reading goes on as if it stood there; the second failure in a row is thrown.
+    /// The same, but reading continues as if it were there; the second failure in a row is thrown.
     diagnostics::Diagnostic* missing(std::string_view what);
     [[nodiscard]] Span missing_place() const;
     void needs_parentheses(std::string_view what, Span span);
@@ -94,10 +94,10 @@ private:
     [[nodiscard]] std::size_t indentation(std::size_t token) const;
     [[nodiscard]] bool stray_brace(std::size_t open) const;
     void pass_stray_brace();
-    /// Something else than a member: a misspelt word is mended in place, so that the member is read after all.
+    /// Something else than a member: a misspelt word is corrected in place, so that the member is read after all.
     [[noreturn]] void wrong_word(std::string_view what);
     [[nodiscard]] std::string_view meant_word();
-    [[nodiscard]] bool mended();
+    [[nodiscard]] bool corrected();
     template <class Body>
     bool guarded(Body body);
     template <class Read>
@@ -264,10 +264,10 @@ private:
     bool lost_declarations_ = false;
     bool orphans_ = false;  ///< the last member of the file belonged into a body
     long surplus_ = 0;  ///< opening braces without a closing one; negative: closing ones too many
-    diagnostics::Diagnostic* inserted_ = nullptr;  ///< the mistake that was mended by taking a word for written
+    diagnostics::Diagnostic* inserted_ = nullptr;  ///< the mistake that was corrected by inserting a word
     bool lexical_errors_ = false;
     std::vector<std::uint32_t> strange_;  ///< places of characters that belong to no word
-    bool mended_ = false;  ///< the word here was misspelt and is now right
+    bool corrected_ = false;              ///< the word here was misspelt and is now right
 };
 
 /// Runs one member; a mistake in it ends it. True if it was read to its end.
@@ -315,7 +315,7 @@ void Parser::braces(Member member, unsigned members) {
         const std::size_t start = at_;
         // Where all its words were missing a member is read without taking one: that is none.
         const bool taken = guarded(member) && at_ != start;
-        const bool read = taken || mended();
+        const bool read = taken || corrected();
         if (!read) {
             if (at_ == start && !at("{") && !at("<{")) advance();
             skip_to_member();

@@ -50,7 +50,7 @@ void Parser::top_level(File& file) {
         if (neural_construct()) return;
         if (auto declared = watched([&] { return declaration(); })) file.declarations.push_back(std::move(declared));
     });
-    if (read || mended()) return forget(start, at_);
+    if (read || corrected()) return forget(start, at_);
     if (at_ == start && !at("{")) advance();
     while (!at_end() && !at_member_word() && !at_top_level_word()) {
         if (at("{"))

@@ -151,7 +151,7 @@ bool Parser::repair_equality(int level) {
     const Span span = peek().span;
     if (diagnostics::Diagnostic* finding = report(syntax::single_equal, span))
         finding->fixes.push_back({span, "==", "write"});
-    tokens_.mend(at_, TokenKind::symbol, "==");
+    tokens_.correct(at_, TokenKind::symbol, "==");
     quiet_until_ = 0;
     return true;
 }
@@ -186,7 +186,7 @@ ExprPtr Parser::prefix(int level) {
     if (at("if")) return conditional(level);
     if (at("!") && peek(1).kind != TokenKind::end) {
         report_c_operator("not ");
-        tokens_.mend(at_, TokenKind::keyword, "not");
+        tokens_.correct(at_, TokenKind::keyword, "not");
         return logical_not(level);
     }
     if (!at_quantifier()) return negation();

@@ -243,7 +243,7 @@ void Parser::communication_predicate(Communication& communication) {
     expect("|]");
 }
 
-/// A CallExp. What people write beyond it is read as meant, after one message with the mend.
+/// A CallExp. What people write beyond it is read as meant, after one message with the fix.
 ExprPtr Parser::communicated_value() {
     const std::size_t start = at_;
     const bool negative = at("-");

@@ -18,7 +18,7 @@ const Rule open_comment{"RC-P03", error, "this comment is never closed",
 const Rule open_string{"RC-P04", error, "this string is never closed",
                        "A string ends with the quote it began with. Write `\\\"` for a quote inside it."};
 const Rule strange_character{
-    "RC-P05", error, "`{}` cannot stand here",
+    "RC-P05", error, "`{}` is not allowed here",
     "Names consist of the letters a-z and A-Z, digits and `_`. Other characters are fine in comments and strings."};
 const Rule huge_integer{"RC-P06", error, "the number {} is too large",
                         "Integers are at most 9223372036854775807 (64 bits)."};

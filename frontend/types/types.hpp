@@ -42,7 +42,7 @@ struct Type {
 
 /// `T` as RoboChart writes it, e.g. "Seq(nat)", "nat * boolean".
 [[nodiscard]] std::string to_string(const TypePtr&);
-/// compat(a, b): a value of type `from` may stand where `to` is expected.
+/// compat(a, b): a value of type `from` may be used where `to` is expected.
 [[nodiscard]] bool compatible(const TypePtr& from, const TypePtr& to);
 
 }  // namespace robochart::frontend

@@ -1,4 +1,4 @@
-// See capabilities.hpp.
+// Reads the client's capabilities from `initialize`, and states the server's.
 #include "lsp/features/capabilities.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Completion: the names and words that may stand at a place.
+// Completion: the names and words that are allowed at a place.
 #include <fmt/format.h>
 
 #include <algorithm>

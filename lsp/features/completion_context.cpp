@@ -1,4 +1,4 @@
-// See completion_context.hpp.
+// Determines from the words before the cursor what may be written there.
 #include "lsp/features/completion_context.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What could stand at a place of a text that is being written. Words before the place decide, not the tree: the text is
+// What is allowed at a place of a text that is being written. Words before the place decide, not the tree: the text is
 // broken most of the time.
 #pragma once
 

@@ -1,4 +1,4 @@
-// See completion_words.hpp.
+// The keywords for each context, and the snippets.
 #include "lsp/features/completion_words.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// See documents.hpp.
+// Applies the client's notifications to the workspace.
 #include "lsp/features/documents.hpp"
 
 #include "lsp/protocol/uri.hpp"

@@ -1,4 +1,4 @@
-// Formatting in the house style (docs/format.md).
+// Formatting in the standard layout (docs/format.md).
 #include <algorithm>
 
 #include "frontend/format/format.hpp"

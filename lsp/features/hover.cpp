@@ -1,4 +1,4 @@
-// What stands under the pointer: the declaration with its comment, and why a rule objects.
+// The name under the pointer: the declaration with its comment, and why a rule objects.
 #include <fmt/format.h>
 
 #include <set>
@@ -13,7 +13,7 @@ namespace {
 using frontend::NameKind;
 using frontend::Occurrence;
 
-/// The file that a declaration stands in, toolkits included.
+/// The file that contains a declaration, toolkits included.
 const frontend::File* file_of(Project& project, SourceId source) {
     for (const auto& file : project.model().files)
         if (file->source == source) return file.get();
@@ -58,10 +58,10 @@ std::string about(Project& project, const Occurrence& name, bool markdown) {
 
 std::string explanations(const Target& target, bool markdown) {
     std::string out;
-    std::set<std::string_view> told;
+    std::set<std::string_view> shown;
     for (const diagnostics::Diagnostic& finding : findings_about(target)) {
         const bool here = finding.span.begin <= target.offset && target.offset <= finding.span.end;
-        if (!here || !told.insert(finding.rule->explanation).second) continue;
+        if (!here || !shown.insert(finding.rule->explanation).second) continue;
         const auto* pattern = markdown ? "{}**{}** {}" : "{}{}: {}";
         out += fmt::format(fmt::runtime(pattern), out.empty() ? "" : "\n\n", finding.rule->code,
                            finding.rule->explanation);

@@ -157,7 +157,7 @@ Json workspace_edit(const Session& session, Project& project, const std::vector<
     return Json::object({{"changes", std::move(changes)}});
 }
 
-/// CSP text may speak of the name; that is for people to mend.
+/// CSP text may refer to the name; the user has to change it.
 void warn_of_csp_text(const Session& session, Project& project, std::string_view name) {
     for (const auto& file : project.model().files)
         for (const frontend::CspBlock& block : file->csp_blocks) {

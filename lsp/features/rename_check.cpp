@@ -56,7 +56,7 @@ struct Meaning {
     friend bool operator==(const Meaning&, const Meaning&) = default;
 };
 
-/// Files come in the same order in both, so their names do when told file by file.
+/// Files come in the same order in both, so their names do when listed file by file.
 struct Names {
     std::vector<const Occurrence*> list;
     std::vector<Meaning> meanings;

@@ -1,4 +1,4 @@
-// Colours that need the meaning of names. Words and literals are the grammar's business; only names are told here.
+// Colours that need the meaning of names. Words and literals are the grammar's business; only names are given here.
 #include "lsp/features/features.hpp"
 
 namespace robochart::lsp {

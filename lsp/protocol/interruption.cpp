@@ -1,4 +1,4 @@
-// See interruption.hpp.
+// State shared by the reading thread and the server: pending messages, cancelled requests, the end of input.
 #include "lsp/protocol/interruption.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// See transport.hpp.
+// Reads and writes frames; a faulty header is skipped up to the next one.
 #include "lsp/protocol/transport.hpp"
 
 #include <fmt/format.h>

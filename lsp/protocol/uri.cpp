@@ -1,4 +1,4 @@
-// See uri.hpp.
+// Percent decoding and encoding of file URIs.
 #include "lsp/protocol/uri.hpp"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// See describe.hpp.
+// Prints heads of declarations and finds the comments above them.
 #include "lsp/workspace/describe.hpp"
 
 #include <fmt/format.h>

@@ -9,7 +9,7 @@ namespace robochart::lsp {
 
 /// The declaration as it is written, without its body: `var x : nat = 1`, `function f(a : real) : real`.
 [[nodiscard]] std::string signature(const frontend::Declaration&);
-/// What stands behind the name in a list: a type, a target, what is enclosed. May be empty.
+/// The text after the name in a list: a type, a target, what is enclosed. May be empty.
 [[nodiscard]] std::string detail(const frontend::Declaration&);
 /// Where it is declared: "in stm `S`"; "" at package level.
 [[nodiscard]] std::string whereabouts(const frontend::Declaration&);

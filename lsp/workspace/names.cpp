@@ -1,4 +1,4 @@
-// See names.hpp.
+// Compares the targets of two occurrences.
 #include "lsp/workspace/names.hpp"
 
 namespace robochart::lsp {

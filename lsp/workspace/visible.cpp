@@ -1,4 +1,4 @@
-// See visible.hpp.
+// Enumerates the visible names: from the position outwards, then the package, imports, and qualified names.
 #include "lsp/workspace/visible.hpp"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 namespace robochart::lsp {
 
-/// The declaration whose name stands at a span; null if the tree has none.
+/// The declaration whose name has this span; null if the tree has none.
 [[nodiscard]] const frontend::Declaration* declared_at(const frontend::File&, Span name);
 /// Declarations of files that a file sees without qualifying them: of its package, of what it imports, of unnamed
 /// packages. Literals of visible enumerations are among them.

@@ -1,5 +1,5 @@
 // Which project a file belongs to. The folders of the workspace are projects, and so are folders in them that hold a
-// `.project` file (as Eclipse and RoboTool mark theirs); a file outside stands with the files beside it.
+// `.project` file (as Eclipse and RoboTool mark theirs); a file outside belongs to the files in its folder.
 #include "lsp/workspace/workspace.hpp"
 
 #include <algorithm>

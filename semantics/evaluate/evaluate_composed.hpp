@@ -1,4 +1,4 @@
-// Values with parts: building and taking apart (private to this room).
+// Values with parts: building and taking apart (private to this component).
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The class behind evaluate.hpp, by structural recursion: one member function per family of expressions, over four
-// sources. Private to this room.
+// sources. Private to this component.
 #pragma once
 
 #include <string>

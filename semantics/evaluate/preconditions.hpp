@@ -1,5 +1,5 @@
-// Preconditions of the functions that expressions call (semantics 3.5): whether they hold, and whether that can be told
-// without running the model.
+// Preconditions of the functions that expressions call (semantics 3.5): whether they hold, and whether that can be
+// decided without running the model.
 #pragma once
 
 #include <vector>

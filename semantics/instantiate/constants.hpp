@@ -1,4 +1,4 @@
-// Values of constants: options, defaults, and expressions that are constant (private to this room).
+// Values of constants: options, defaults, and expressions that are constant (private to this component).
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Texts of expressions, types and statements for dump (private to this room).
+// Texts of expressions, types and statements for dump (private to this component).
 #pragma once
 
 #include <string>

@@ -256,7 +256,7 @@ struct Clock {
     Origin origin;
 };
 
-/// An operation that a machine calls. Which definition stands behind it depends on the context
+/// An operation that a machine calls. Which definition it refers to depends on the context
 /// (controller, module, or none): see MachineInstance::definitions.
 struct OperationSignature {
     std::string name;
@@ -453,7 +453,7 @@ struct CspBlock {
     bool timed = true, untimed = true;
     std::vector<ComponentRef> associated;
     std::string text;
-    diagnostics::Span text_span;  ///< where `text` stands, so that CSPM diagnostics point into the .assertions file
+    diagnostics::Span text_span;  ///< the place of `text`, so that CSPM diagnostics point into the .assertions file
     std::string file;
 };
 

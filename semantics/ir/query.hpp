@@ -32,7 +32,7 @@ namespace robochart::ir {
 /// * any other required constant is the controller's of that name, and if the controller requires it too and runs in a
 ///   module, the platform's;
 /// * all others, and required ones that nobody provides, are the part's own: `const_P_C_part_c`.
-/// `controller` null: the machine stands alone, `const_P_S_c`. `module` null: the controller stands alone.
+/// `controller` null: the machine alone, `const_P_S_c`. `module` null: the controller alone.
 struct ConstantSource {
     std::string name;                    ///< as in Instantiation::constants
     const Constant* constant = nullptr;  ///< the declaration whose `value` counts if the instantiation has none

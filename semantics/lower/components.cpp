@@ -12,7 +12,7 @@ namespace {
 
 namespace ast = frontend;
 
-/// A part in its place: the declaration that connections name, and what stands behind it.
+/// A part in its place: the declaration that connections name, and the definition that it refers to.
 struct Part {
     const ast::Declaration* place;
     const ast::Declaration* definition;  ///< null: the reference leads nowhere

@@ -6,7 +6,7 @@
 namespace robochart::ir {
 
 /// Gives every machine, operation, controller and module its place in the System, in textual order of files by path;
-/// inline ones where they stand. Bodies follow.
+/// inline ones at their place. Bodies follow.
 void register_components(Lowering&);
 void lower_controller(Lowering&, const frontend::Component&, ControllerId);
 void lower_module(Lowering&, const frontend::Component&, std::size_t index);

@@ -230,7 +230,7 @@ ExprPtr Expressions::transpose(const ast::Expr& source) {
 
 namespace {
 
-/// The text between the quotes; a backslash stands before what would else end it, or for a line end or a tabulator.
+/// The text between the quotes; a backslash escapes what would otherwise end it, and denotes a line end or a tabulator.
 std::string unquoted(const std::string& written) {
     std::string text;
     for (std::size_t i = 1; i + 1 < written.size(); ++i) {

@@ -83,7 +83,7 @@ private:
 
     Lowering& lowering_;
     const ast::File& file_;
-    Blocks& blocks_;  ///< where each stands in System::csp_blocks
+    Blocks& blocks_;  ///< the index of each in System::csp_blocks
 };
 
 /// The component that name resolution found for a name, or the csp block.
@@ -108,7 +108,7 @@ std::string node_path(const ast::State& state) {
     return path;
 }
 
-/// The state below the subject: the way from the subject to the machine, then the node's path.
+/// The state below the subject: the path from the subject to the machine, then the node's path.
 void Properties::reachable(const ast::Assertion& source, Property& property) {
     const auto machine = component(source.other_path, source.other);
     if (!machine || source.state == nullptr) return;

@@ -10,7 +10,7 @@ namespace {
 
 using frontend::TypeForm;
 
-constexpr std::int64_t largest_size = 64;  // rows, columns: more has no finite reading worth exploring
+constexpr std::int64_t largest_size = 64;  // rows, columns: larger ones have no instantiation worth exploring
 
 std::string key_of(const Type& type) {
     std::string key = std::to_string(static_cast<int>(type.kind));

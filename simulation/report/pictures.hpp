@@ -13,7 +13,7 @@ namespace robochart::simulation {
 
 /// The trial at the scenario's picture times side by side, as in the founding paper's figures.
 [[nodiscard]] std::string snapshots_svg(const Scenario&, const std::vector<Frame>&);
-/// Every robot's way, pale at the start and dark at the end, and where the robots came to.
+/// Every robot's path, pale at the start and dark at the end, and where the robots came to.
 [[nodiscard]] std::string trajectories_svg(const Scenario&, const std::vector<Frame>&);
 /// The trial as an animation (SMIL), `speed` times as fast as in the world; robots are coloured by the state of their
 /// controller.

@@ -25,7 +25,7 @@ struct RunOptions {
     /// Makes what sees a trial's cycles; called from the trial's thread. Empty: nothing does.
     std::function<std::unique_ptr<Trace>(std::uint32_t trial)> trace;
     std::function<bool()> interrupted;                 ///< asked a few times a second
-    std::function<void(const RunProgress&)> progress;  ///< told a few times a second, from the caller's thread
+    std::function<void(const RunProgress&)> progress;  ///< called a few times a second, from the caller's thread
 };
 
 struct BandResult {

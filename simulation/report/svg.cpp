@@ -12,7 +12,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// Colours of the controller's states, told apart by people with colour blindness too (Okabe, Ito).
+/// Colours of the controller's states, distinguishable with colour blindness too (Okabe, Ito).
 constexpr std::array<const char*, 8> palette = {"#009e73", "#0072b2", "#d55e00", "#cc79a7",
                                                 "#e69f00", "#56b4e9", "#f0e442", "#999999"};
 
@@ -20,7 +20,7 @@ const char* colour(std::size_t state) {
     return palette.at(state % palette.size());
 }
 
-/// What is seen: the arena, or all the robots' ways where it has no walls.
+/// What is seen: the arena, or all the robots' paths where it has no walls.
 struct View {
     double left, top, width, height;
 };

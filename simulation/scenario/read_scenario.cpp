@@ -1,4 +1,4 @@
-// See read_scenario.hpp.
+// Reads a scenario and checks it against the component that it is for.
 #include "simulation/scenario/read_scenario.hpp"
 
 #include "simulation/scenario/scenario_reader.hpp"

@@ -1,4 +1,5 @@
-// The words of a scenario one after the other: private to the room. After the first syntax error nothing more is read.
+// The words of a scenario one after the other: private to this component. After the first syntax error nothing more is
+// read.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The table of what sensors and actuators report: private to the room.
+// The table of what sensors and actuators report: private to this component.
 #pragma once
 
 #include <optional>

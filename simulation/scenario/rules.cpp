@@ -41,7 +41,7 @@ const Rule wrong_type{
     "RC-M08", Severity::error, "'{}' carries {}, which {} cannot {}",
     "A reading that is there or not feeds an event without value, a truth value an event of type boolean, a "
     "measured quantity an event of type real; an actuator is driven by reals."};
-const Rule no_room{
+const Rule no_space{
     "RC-M09", Severity::error, "{} robots of radius {} cm do not fit in the region",
     "Robots are placed without overlap. Where they would cover more than two fifths of the region, or two "
     "thousand throws in a row find no place, the scenario has no start."};
@@ -72,9 +72,9 @@ const Rule not_there{
     "everything that scenarios can say."};
 
 std::span<const Rule* const> all() {
-    static constexpr std::array table = {&syntax,       &wrong_unit,   &out_of_range, &missing, &said_twice,
-                                         &unknown_part, &unknown_name, &wrong_type,   &no_room, &no_controller,
-                                         &not_compiled, &stopped,      &uneven_steps, &not_fed, &not_there};
+    static constexpr std::array table = {&syntax,       &wrong_unit,   &out_of_range, &missing,  &said_twice,
+                                         &unknown_part, &unknown_name, &wrong_type,   &no_space, &no_controller,
+                                         &not_compiled, &stopped,      &uneven_steps, &not_fed,  &not_there};
     return table;
 }
 

@@ -15,7 +15,7 @@ extern const diagnostics::Rule said_twice;     ///< RC-M05
 extern const diagnostics::Rule unknown_part;   ///< RC-M06
 extern const diagnostics::Rule unknown_name;   ///< RC-M07
 extern const diagnostics::Rule wrong_type;     ///< RC-M08
-extern const diagnostics::Rule no_room;        ///< RC-M09
+extern const diagnostics::Rule no_space;       ///< RC-M09
 extern const diagnostics::Rule no_controller;  ///< RC-M10
 extern const diagnostics::Rule not_compiled;   ///< RC-M11
 extern const diagnostics::Rule stopped;        ///< RC-M12

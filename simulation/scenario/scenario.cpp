@@ -1,4 +1,4 @@
-// See scenario.hpp.
+// The number of control steps of a scenario.
 #include "simulation/scenario/scenario.hpp"
 
 #include <cmath>

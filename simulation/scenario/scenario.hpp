@@ -16,7 +16,7 @@
 
 namespace robochart::simulation {
 
-/// A word of the text and where it stands.
+/// A word of the text and its place.
 struct Name {
     std::string text;
     diagnostics::Span span;

@@ -78,7 +78,7 @@ std::optional<World> start(const Scenario& scenario, std::uint32_t trial, diagno
     std::size_t regions = 0;
     for (const Placement& placement : scenario.placements) (placement.region ? regions : fixed) += 1;
     const auto refuse = [&](std::size_t robots, diagnostics::Span span) {
-        diagnostics.report(rules::no_room, span,
+        diagnostics.report(rules::no_space, span,
                            {std::to_string(robots), fmt::format("{}", scenario.world.body.radius)});
         return std::nullopt;
     };

@@ -1,4 +1,5 @@
-// The reader of scenarios: private to the room. One method an item; the files of its definitions are named below.
+// The reader of scenarios: private to this component. One method for each item; the files of its definitions are named
+// below.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// See trace_log.hpp.
+// Writes one log for each robot, buffered; the first failure is reported once.
 #include "simulation/trial/trace_log.hpp"
 
 #include <fmt/format.h>

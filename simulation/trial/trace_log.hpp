@@ -20,7 +20,7 @@ struct TraceLogOptions {
     std::string scenario;
     diagnostics::Budget* budget = nullptr;
     std::function<void(const std::string&)>
-        failed;  ///< told once why a log could not be written, by the trial's thread
+        failed;  ///< called once with the reason if a log could not be written, by the trial's thread
 };
 
 class TraceLog final : public Trace {

@@ -9,7 +9,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// How a turn by dead reckoning stands, radians still to go.
+/// The state of a turn by dead reckoning: radians still to go.
 struct Turn {
     double left = 0;
     double rate = 0;
@@ -24,7 +24,7 @@ const char* cause_of(rc_drive_result result) {
         case RC_DRIVE_DEADLINE:
             return "it missed a deadline";
         default:
-            return "it did more in one cycle than can be told";
+            return "it did more in one cycle than can be recorded";
     }
 }
 

@@ -35,7 +35,7 @@ struct RangeAndBearing {
 
 struct LightRing {
     std::uint32_t sensors = 8;  ///< evenly around the body, the first half a gap left of the heading
-    double leak = 0;            ///< how often a sensor that faces away is lit through its own body, about half in ARGoS
+    double leak = 0;  ///< how often a sensor that is turned away is lit through its own body, about half in ARGoS
 };
 
 struct ProximityRing {

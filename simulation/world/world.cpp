@@ -108,7 +108,8 @@ void World::advance() {
 }
 
 /// Unicycle, midpoint rule: in a physics step of length h the robot goes v*h along the heading it has after half of
-/// it. The speeds stay for the whole control step, so the way of each physics step is that of the last one, turned.
+/// it. The speeds stay for the whole control step, so the displacement of each physics step is that of the last one,
+/// turned.
 void World::begin_step() {
     const double h = options_.control_step / options_.physics_steps;
     const double noise = options_.body.noise;

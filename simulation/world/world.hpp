@@ -59,7 +59,8 @@ public:
 
     /// Puts a robot somewhere; overlaps are resolved as time passes.
     void place(const Pose&);
-    /// Puts robots at random places of a region, without overlap, with random headings. False where no room was found.
+    /// Puts robots at random places of a region, without overlap, with random headings. False if no free place was
+    /// found.
     [[nodiscard]] bool place_at_random(std::size_t count, const Region&);
 
     [[nodiscard]] std::size_t size() const { return x_.size(); }
@@ -100,7 +101,7 @@ private:
     std::uint64_t steps_ = 0;
     std::vector<double> x_, y_, heading_, cosine_, sine_;
     std::vector<double> left_, right_;                ///< wheel speeds asked for
-    std::vector<double> step_x_, step_y_;             ///< way of the next physics step
+    std::vector<double> step_x_, step_y_;             ///< displacement of the next physics step
     std::vector<double> turn_cos_, turn_sin_, turn_;  ///< rotation in a physics step; angle in a control step
     std::vector<double> listed_x_, listed_y_;         ///< positions when the pairs were found
     std::vector<Pair> pairs_;                         ///< may touch before the next look, in ascending order

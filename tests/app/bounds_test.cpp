@@ -49,7 +49,7 @@ protected:
     }
 };
 
-TEST_F(Bounds, AreToldWithElementAndPlace) {
+TEST_F(Bounds, AreReportedWithElementAndPlace) {
     const auto bounds = check("assertion A : S is divergence-free\n", {"--range", "nat=0..3"});
     ASSERT_EQ(bounds.size(), 2U) << bounds;
     const std::string all = bounds.dump();
@@ -61,8 +61,9 @@ TEST_F(Bounds, AreToldWithElementAndPlace) {
     for (const auto& bound : bounds) EXPECT_EQ(bound["time"], "untimed, timed");
 }
 
-TEST_F(Bounds, AreNotToldWhereNoneIsReached) {
-    // With room for 3 * 2 only the function remains; with a body for it in the instantiations, nothing does.
+TEST_F(Bounds, AreNotReportedWhereNoneIsReached) {
+    // With a carrier that includes 3 * 2 only the function remains; with a body for it in the instantiations, nothing
+    // does.
     const auto wide = check("untimed assertion A : S is divergence-free\n", {"--range", "nat=0..9"});
     ASSERT_EQ(wide.size(), 1U) << wide;
     EXPECT_EQ(wide[0]["element"], "S::B");

@@ -39,7 +39,7 @@ TEST(FormatVerb, WritesInPlaceWhatChanges) {
     EXPECT_EQ(contents(file.path()), tidy);
     const Ran again = run({"format", file.path()});
     EXPECT_EQ(again.out, "");
-    EXPECT_EQ(again.err, "1 file in the house style\n");
+    EXPECT_EQ(again.err, "1 file in the standard layout\n");
 }
 
 TEST(FormatVerb, KeepsPermissionsAndLinksAndLeavesNoOtherFile) {

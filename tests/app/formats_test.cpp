@@ -25,7 +25,7 @@ struct Form {
     const char* schema;   ///< of the document; "sarif" for that standard
 };
 
-/// What a program is told about the limit; "" if the document does not say so.
+/// What the document says about the limit; "" if the document does not say so.
 std::string limit_of(const json& document, const std::string& schema) {
     if (schema == "sarif") {
         const json& invocation = document.at("runs").at(0).at("invocations").at(0);

@@ -150,12 +150,14 @@ TEST(Project, NothingIsWrittenTwiceInARun) {
 
 /// A module `Mo` whose machine `S` counts what it is asked.
 std::string counter(const std::string& next) {
-    return "interface I { event ask event told : nat }\n"
+    return "interface I { event ask event reported : nat }\n"
            "module Mo { robotic platform P { uses I } cref c = C connection P on ask to c on ask (_async)\n"
-           " connection c on told to P on told (_async) }\n"
-           "controller C { uses I sref s = S connection C on ask to s on ask connection s on told to C on told }\n"
+           " connection c on reported to P on reported (_async) }\n"
+           "controller C { uses I sref s = S connection C on ask to s on ask connection s on reported to C on reported "
+           "}\n"
            "stm S { uses I var n : nat = 0 initial i state A { } transition t0 { from i to A }\n"
-           " transition t { from A to A trigger ask condition n < 1 action n = " + next + " ; told ! n } }\n";
+           " transition t { from A to A trigger ask condition n < 1 action n = " +
+           next + " ; reported ! n } }\n";
 }
 const std::string endless = counter("0");
 const std::string once = counter("n + 1");

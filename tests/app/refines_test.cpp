@@ -79,7 +79,7 @@ TEST(Refines, ResultsAreNumbersAsWorded) {
 
 // Parts that take no step, beside one that does, in every format: a compressed part has a run of its own, so the run's
 // last event is none of its.
-TEST(Refines, PartsThatTakeNoStepAreTold) {
+TEST(Refines, PartsThatTakeNoStepAreReported) {
     const TemporaryFile script("idle.csp", R"(transparent normal, sbisim
 channel a, b
 assert STOP [T= normal(STOP) [] a -> STOP
@@ -118,8 +118,8 @@ f(n) = f(n - 1) + f(n - 1)
 print f(60)
 print 2 + 2
 )");
-    const Json told = refines(prints.path(), {"--timeout", "1"});
-    EXPECT_EQ(told["print_statement_results"][0]["result"], "2");
+    const Json reported = refines(prints.path(), {"--timeout", "1"});
+    EXPECT_EQ(reported["print_statement_results"][0]["result"], "2");
     EXPECT_EQ(run({"cspm", prints.path(), "--timeout", "1"}).exit, 3);
     const TemporaryFile endless("endless.csp", R"(transparent normal
 channel a, b, c
@@ -138,10 +138,10 @@ TEST(Refines, ATraceCounterexampleIsSplit) {
     const TemporaryFile script("failing.csp", failing);
     const Json object = refines(script.path(), {"--assertion", "1", "--reveal-taus"});
     ASSERT_EQ(object["results"].size(), 1U);
-    const Json& told = object["results"][0]["counterexamples"][0];
-    EXPECT_EQ(told["type"], "trace");
-    EXPECT_EQ(told["replayed_by"], "terms");
-    const Json& implementation = told["implementation_behaviour"];
+    const Json& reported = object["results"][0]["counterexamples"][0];
+    EXPECT_EQ(reported["type"], "trace");
+    EXPECT_EQ(reported["replayed_by"], "terms");
+    const Json& implementation = reported["implementation_behaviour"];
     EXPECT_EQ(implementation["machine_name"], "SYSTEM");
     EXPECT_THAT(named(object, implementation["trace"]), ElementsAre("a", "τ", "b"));
     EXPECT_THAT(named(object, implementation["revealed_trace"]), ElementsAre("a", "h", "b"));
@@ -156,7 +156,7 @@ TEST(Refines, ATraceCounterexampleIsSplit) {
     EXPECT_EQ(p["error_event"], 0) << "P does not take part in c";
     EXPECT_EQ(q["trace"][0], 0);
     EXPECT_EQ(named(object, Json::array({q["error_event"]})).front(), "c");
-    const Json& specification = told["specification_behaviour"];
+    const Json& specification = reported["specification_behaviour"];
     EXPECT_EQ(specification["machine_name"], "SPEC");
     EXPECT_THAT(named(object, specification["trace"]), ElementsAre("a", "b"));
     EXPECT_THAT(named(object, specification["allowed"][0]), ElementsAre("a"));

@@ -93,7 +93,7 @@ TEST(Simulate, WrongScenariosAreExitTwoWithTheirPlace) {
     expect("for aggregation::Aggregation", "for aggregation::Segregation", "RC-M10");
 }
 
-TEST(Simulate, WhatCannotBeWrittenIsAnErrorToldOnce) {
+TEST(Simulate, WhatCannotBeWrittenIsAnErrorReportedOnce) {
     const testing::TemporaryFile file("file", "no folder");
     const std::vector<std::string> words{"simulate", repository("corpus/aggregation/aggregation.scenario"), "--out", file.path()};
     const auto text = run(words);

@@ -222,8 +222,8 @@ TEST(TraceHook, WithoutTheHookALogIsRefused) {
     ASSERT_EQ(ran.exit, 0) << ran.err;
     const std::string folder = model.path() + ".out/main/M";
     EXPECT_EQ(std::system(("cd '" + folder + "' && c++ -std=c++17 -O0 -I controller main.cpp controller/*.cpp -o console").c_str()), 0);
-    EXPECT_NE(std::system(("cd '" + folder + "' && ./console --log run.trace < /dev/null 2> told").c_str()), 0);
-    EXPECT_THAT(contents(folder + "/told"), HasSubstr("-DROBOCHART_TRACE=ON"));
+    EXPECT_NE(std::system(("cd '" + folder + "' && ./console --log run.trace < /dev/null 2> reported").c_str()), 0);
+    EXPECT_THAT(contents(folder + "/reported"), HasSubstr("-DROBOCHART_TRACE=ON"));
     EXPECT_FALSE(fs::exists(folder + "/run.trace"));
 }
 

@@ -54,7 +54,7 @@ TEST(Traces, ChangedControllersAreFoundOut) {
         const char* study;
         const char* what;
         const char* with;
-        const char* told;
+        const char* reported;
     };
     const std::vector<Change> changes = {
         {"aggregation", "from i to S1", "from i to S2", "aggregation.rct"},
@@ -70,7 +70,7 @@ TEST(Traces, ChangedControllersAreFoundOut) {
         const auto checked = run({"conform", repository(std::string("corpus/") + changed.study), "--traces", folder / "logs"});
         EXPECT_EQ(checked.exit, 1) << changed.with << checked.out << checked.err;
         EXPECT_THAT(checked.out, HasSubstr("rejected")) << changed.with;
-        EXPECT_THAT(checked.out, HasSubstr(changed.told)) << changed.with;
+        EXPECT_THAT(checked.out, HasSubstr(changed.reported)) << changed.with;
     }
 }
 
@@ -132,15 +132,16 @@ public:
 std::unique_ptr<Implementation> make_implementation() { return std::make_unique<Mine>(); }
 )";
     const auto tested = [&](const std::string& answer) {
-        const std::string build = "cd '" + tests + "' && c++ -std=c++17 -O0 -Wall -Wextra -Werror -DANSWER='\"" + answer +
-                                  "\"' M_adaptive_test.cpp mine.cpp -lgtest -lgtest_main -pthread -o tested && ./tested > told 2>&1";
+        const std::string build =
+            "cd '" + tests + "' && c++ -std=c++17 -O0 -Wall -Wextra -Werror -DANSWER='\"" + answer +
+            "\"' M_adaptive_test.cpp mine.cpp -lgtest -lgtest_main -pthread -o tested && ./tested > reported 2>&1";
         return std::system(build.c_str());
     };
-    EXPECT_EQ(tested("right!"), 0) << contents(tests + "/told");
-    EXPECT_THAT(contents(tests + "/told"), HasSubstr("it does what the model allows unless it has more than"));
+    EXPECT_EQ(tested("right!"), 0) << contents(tests + "/reported");
+    EXPECT_THAT(contents(tests + "/reported"), HasSubstr("it does what the model allows unless it has more than"));
     EXPECT_NE(tested("up!"), 0);
-    EXPECT_THAT(contents(tests + "/told"), HasSubstr("it did up!; the model allows one of\n"));
-    EXPECT_THAT(contents(tests + "/told"), HasSubstr("\n    left!\n"));
+    EXPECT_THAT(contents(tests + "/reported"), HasSubstr("it did up!; the model allows one of\n"));
+    EXPECT_THAT(contents(tests + "/reported"), HasSubstr("\n    left!\n"));
 }
 
 /// Two machines that send each other a token for ever, each time with an output, and no time passes.
@@ -172,7 +173,7 @@ TEST(Monitors, AreEmittedAndRefused) {
     EXPECT_THAT(endless.err, HasSubstr("RC-A04"));
 }
 
-TEST(Traces, AnUnreadableLogIsToldLikeAnyInput) {
+TEST(Traces, AnUnreadableLogIsReportedLikeAnyInput) {
     const testing::TemporaryFile log("run.trace",
                                      "robochart-trace 1\ncomponent Aggregation\n\nrun a\nseeNobody? tock\n");
     const auto ran = run({"conform", repository("corpus/aggregation"), "--traces", log.path()});

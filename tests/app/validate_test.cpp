@@ -1,4 +1,4 @@
-// The verb `validate` as a user runs it: outcomes, formats, mends.
+// The verb `validate` as a user runs it: outcomes, formats, fixes.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -50,7 +50,7 @@ TEST(Validate, ReportsInEveryFormat) {
     EXPECT_EQ(run({"validate", "/nowhere"}).exit, 2);
 }
 
-TEST(Validate, FixMendsWhatIsCertainAndReportsTheRest) {
+TEST(Validate, FixAppliesWhatIsCertainAndReportsTheRest) {
     const TemporaryFile file("m.rct", bad);
     auto ran = run({"validate", "--fix", file.path()});
     // What the syntax hid shows after the first round.

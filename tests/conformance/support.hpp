@@ -1,4 +1,4 @@
-// What the tests of the conformance room share: models written as graphs, and controllers written by hand.
+// What the tests of conformance share: models written as graphs, and controllers written by hand.
 #pragma once
 
 #include <memory>

@@ -96,7 +96,7 @@ int main() {
 }
 
 /// The classes: `pick` is a method to override.
-TEST(Choices, ThePapersFacePicks) {
+TEST(Choices, TheClassApiPicks) {
     const ir::System system = testing::model(text);
     Options options;
     options.choices = true;
@@ -182,7 +182,7 @@ TEST_F(ChoicesConsole, APersonIsAsked) {
     EXPECT_EQ(file("run.record"), std::string(recorded) + "go\ngo pick=0/3\n");  // the end of the input: the first
 }
 
-TEST_F(ChoicesConsole, WrongAnswersAreTold) {
+TEST_F(ChoicesConsole, WrongAnswersAreReported) {
     build(text);
     EXPECT_NE(drive("\ngo pick=3\n").find("not a choice: 3 of 0..2\n"), std::string::npos);
     EXPECT_NE(drive("\ngo pick=many\n").find("not a choice: pick=many\n"), std::string::npos);
@@ -195,11 +195,11 @@ TEST_F(ChoicesConsole, WrongAnswersAreTold) {
 }
 
 /// What is no record of this controller, and what did not happen, with its line.
-TEST_F(ChoicesConsole, RecordsThatDoNotFitAreTold) {
+TEST_F(ChoicesConsole, RecordsThatDoNotFitAreReported) {
     build(text);
     EXPECT_EQ(drive("", "--replay missing", false), "missing: cannot be read\n");
     const std::string head = "robochart-record 1\ncontroller M\n";
-    for (const auto& [contents, told] : std::vector<std::pair<std::string, std::string>>{
+    for (const auto& [contents, reported] : std::vector<std::pair<std::string, std::string>>{
              {"", "run.record:1: expected `robochart-record 1`, found ``\n"},
              {"robochart-record 2\n", "run.record:1: expected `robochart-record 1`, found `robochart-record 2`\n"},
              {"robochart-record 1\n", "run.record:2: expected `controller M`, found ``\n"},
@@ -212,8 +212,8 @@ TEST_F(ChoicesConsole, RecordsThatDoNotFitAreTold) {
              {head + "\ngone\n", "run.record:4: not an input: gone\n"}}) {
         file("run.record", contents);
         const std::string output = drive("", "--replay run.record", false);
-        EXPECT_TRUE(output.size() >= told.size() && output.substr(output.size() - told.size()) == told)
-            << output << "expected " << told;
+        EXPECT_TRUE(output.size() >= reported.size() && output.substr(output.size() - reported.size()) == reported)
+            << output << "expected " << reported;
     }
     file("run.record", head + "\ngo pick=1/3\n");
     drive("", "--replay run.record");

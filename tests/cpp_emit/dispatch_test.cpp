@@ -1,4 +1,4 @@
-// The event-driven face: from every state that a controller can reach, each event dispatched and then a cycle without
+// The event API: from every state that a controller can reach, each event dispatched and then a cycle without
 // inputs do what one cycle with that event does; begin() and then a cycle without inputs what one without events does.
 // Both strategies, over all states and inputs of the compiled code.
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ namespace {
 using Registers = std::vector<rc_register>;
 
 /// Writes and result, as text.
-std::string told(const rc_log& log, rc_result result) {
+std::string reported(const rc_log& log, rc_result result) {
     std::string text = std::to_string(result);
     for (std::uint32_t i = 0; i < log.count; ++i) {
         text += " " + std::to_string(log.record[i].output) + ":";
@@ -54,7 +54,7 @@ std::string dispatched(State& state, std::size_t event, const Registers& registe
     if (core::begin(state, platform) != result) std::printf("beginning again gives another result\n");
     if (DIRECT && result == robochart::StepResult::quiescent) result = core::pass(state, platform);
     if (log.count != writes) std::printf("the cycle without inputs writes\n");
-    return told(log, robochart::to_abi(result));
+    return reported(log, robochart::to_abi(result));
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ int main() {
         const std::string other = dispatched(state, event, registers);
         ++compared;
         if (!DIRECT && result == RC_DEADLINE) return true;
-        return other == told(log, result) && (!DIRECT || bytes(state) == once);
+        return other == reported(log, result) && (!DIRECT || bytes(state) == once);
     };
     while (!open.empty()) {
         const std::string image = open.back();
@@ -148,8 +148,8 @@ INSTANTIATE_TEST_SUITE_P(BothWays, Dispatch,
                          ::testing::Combine(::testing::ValuesIn(cases),
                                             ::testing::Values(Strategy::nested_switch, Strategy::table)));
 
-/// Code that asks its platform does so in both faces: `dispatch` runs as a cycle, and there is nothing for a strategy
-/// to decide. tests/conformance/check/dispatch_equivalence_test.cpp has both faces compared for every answer.
+/// Code that asks its platform does so in both APIs: `dispatch` runs as a cycle, and there is nothing for a strategy
+/// to decide. tests/conformance/check/dispatch_equivalence_test.cpp compares both APIs for every answer.
 TEST(Strategies, CodeThatAsksRunsAsInACycle) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;

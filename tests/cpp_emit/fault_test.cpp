@@ -90,12 +90,12 @@ protected:
 };
 
 std::vector<std::string> run(Controller& controller, const std::vector<Registers>& script) {
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     for (const Registers& inputs : script) {
-        for (const auto& text : controller.cycle(inputs)) told.push_back(text);
-        told.push_back("result " + std::to_string(controller.result()));
+        for (const auto& text : controller.cycle(inputs)) reported.push_back(text);
+        reported.push_back("result " + std::to_string(controller.result()));
     }
-    return told;
+    return reported;
 }
 
 TEST_P(Faults, ChangeBehaviour) {
@@ -119,7 +119,7 @@ TEST_P(Faults, HaveOneTextForEachSite) {
                             [](const OutputFile& file) { return file.path == "M_core.hpp"; })
             ->text;
     };
-    // The event-driven face of code with a fault of the cycle is that of all machines, so it is another fault's code,
+    // The event API of code with a fault of the cycle is that of all machines, so it is another fault's code,
     // at a site that is not there either, that it has to be.
     Options other = options;
     other.fault = options.fault == Fault::wait_dropped ? Fault::wait_late : Fault::wait_dropped;

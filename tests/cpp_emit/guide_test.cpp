@@ -1,5 +1,5 @@
 // docs/cpp.md: its programs are taken out, compiled with the generated code as C++17 and C++20, and print what stands
-// below them. The layout table is held against states of every kind.
+// below them. The layout table is compared with states of every kind.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -46,11 +46,11 @@ void run(const std::string& program, const std::string& model, const std::string
     }
 }
 
-TEST(Guide, ThePapersFace) {
+TEST(Guide, TheClassApi) {
     run("paper", "swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM.cpp");
 }
 
-TEST(Guide, TheLeanFace) {
+TEST(Guide, TheCoreApi) {
     run("lean", "aggregation", "Aggregation", "");
 }
 
@@ -62,7 +62,7 @@ TEST(Guide, TheTraceHook) {
     run("traced", "aggregation", "Aggregation", "AggregationFSM.cpp -DROBOCHART_TRACE=1");
 }
 
-/// A platform that lacks a method, or whose method may throw, is told by its name in C++20.
+/// A platform that lacks a method, or whose method may throw, is reported by its name in C++20.
 TEST(Guide, ThePlatformIsAConcept) {
     const ir::System system = testing::corpus("aggregation");
     Folder folder;

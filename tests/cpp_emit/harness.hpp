@@ -1,4 +1,4 @@
-// Emits a component, compiles it as the conformance room does, loads it and drives it cycle by cycle.
+// Emits a component, compiles it as conformance does, loads it and drives it cycle by cycle.
 #pragma once
 
 #include <map>

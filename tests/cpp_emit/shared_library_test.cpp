@@ -36,27 +36,27 @@ TEST_F(Programs, TellHowTheyEnded) {
 // One that is ended leaves its temporary files behind: they are where the caller cleans up.
 TEST_F(Programs, HaveTheirTemporaryFilesBesideTheirLog) {
     EXPECT_EQ(run_program({"sh", "-c", "printf %s \"$TMPDIR\"; test -n \"$PATH\""}, log(), error_), 0);
-    std::string told;
-    std::ifstream(log()) >> told;
-    EXPECT_EQ(std::filesystem::path(told), std::filesystem::path(log()).parent_path());
+    std::string reported;
+    std::ifstream(log()) >> reported;
+    EXPECT_EQ(std::filesystem::path(reported), std::filesystem::path(log()).parent_path());
 }
 
 TEST_F(Programs, EndWithAllTheyStartedWhenInterrupted) {
-    const auto told = [this] {
+    const auto reported = [this] {
         pid_t process = 0;
         std::ifstream(log()) >> process;
         return process;
     };
     const std::string endless = "sh -c 'echo $$; while :; do sleep 1; done'; exit 0";
     diagnostics::Limits limits;
-    limits.interrupted = [&] { return told() > 0; };
+    limits.interrupted = [&] { return reported() > 0; };
     diagnostics::Budget budget(limits);
     EXPECT_THROW(run_program({"sh", "-c", endless}, log(), error_, &budget), diagnostics::LimitReached);
     // Nobody waits for the orphan here; gone or not yet collected, it does not run.
     const auto runs = [&] {
         std::string skipped;
         std::string state;
-        std::ifstream("/proc/" + std::to_string(told()) + "/stat") >> skipped >> skipped >> state;
+        std::ifstream("/proc/" + std::to_string(reported()) + "/stat") >> skipped >> skipped >> state;
         return !state.empty() && state != "Z";
     };
     for (int i = 0; i < 500 && runs(); ++i) usleep(20'000);

@@ -22,13 +22,13 @@ protected:
 namespace core = aggregation::Aggregation_core;
 struct Wheels {
     double linear = 0, angular = 0;
-    unsigned told = 0;
+    unsigned reported = 0;
     bool replaces_MoveClockwise(double, double) noexcept { return false; }
     bool replaces_RotateClockwise(double) noexcept { return false; }
     void set_linearSpeed(double value) noexcept { linear = value; }
     void set_angularSpeed(double value) noexcept { angular = value; }
 #ifdef LISTENS
-    void taken(std::uint32_t transition) noexcept { told += transition; }
+    void taken(std::uint32_t transition) noexcept { reported += transition; }
 #endif
 };
 robochart::StepResult cycle(core::State<robochart::Deployment>& state,
@@ -60,29 +60,29 @@ TEST_F(TraceHook, NothingIsLeftOfItWhereNobodyListens) {
 }
 
 /// i -> S1 with the first cycle, S1 -> S2 when a robot is in sight: numbers in the order of the table.
-TEST_F(TraceHook, ALeanPlatformIsToldOfTransitions) {
+TEST_F(TraceHook, ALeanPlatformIsNotifiedOfTransitions) {
     std::ofstream(folder_.path() + "/main.cpp") << R"(#include <cstring>
 #include <vector>
 #include "Aggregation_trace.hpp"
 namespace core = aggregation::Aggregation_core;
 struct Wheels {
-    std::vector<const char*> told;
+    std::vector<const char*> reported;
     bool replaces_MoveClockwise(double, double) noexcept { return true; }
     bool replaces_RotateClockwise(double) noexcept { return true; }
     void set_linearSpeed(double) noexcept {}
     void set_angularSpeed(double) noexcept {}
-    void taken(std::uint32_t transition) noexcept { told.push_back(core::transitions[transition].element); }
+    void taken(std::uint32_t transition) noexcept { reported.push_back(core::transitions[transition].element); }
 };
 int main() {
     core::State<robochart::Deployment> state{};
     Wheels wheels;
     core::Inputs<robochart::Deployment> inputs;
     core::step(state, inputs, wheels);
-    if (wheels.told.size() != 1 || std::strstr(wheels.told[0], "AggregationFSM::") == nullptr) return 1;
+    if (wheels.reported.size() != 1 || std::strstr(wheels.reported[0], "AggregationFSM::") == nullptr) return 1;
     inputs.seeRobot.present = true;
     core::step(state, inputs, wheels);
     core::step(state, core::Inputs<robochart::Deployment>{}, wheels);
-    return wheels.told.size() == 2 && std::strcmp(wheels.told[0], wheels.told[1]) != 0 ? 0 : 2;
+    return wheels.reported.size() == 2 && std::strcmp(wheels.reported[0], wheels.reported[1]) != 0 ? 0 : 2;
 }
 )";
     folder_.run("c++ -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Werror -I . main.cpp -o main && ./main");

@@ -559,9 +559,9 @@ TEST(Provenance, KeysAreWhatTheCheckerPrints) {
         })");
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     const Provenance provenance = m->emit(Time::untimed).provenance;
-    const auto told = testing::story(*m, Time::untimed, "S::D__(0)", "RUN({| S::set_EXT_x |})");
-    ASSERT_EQ(told.size(), 3U);
-    for (const testing::Told& step : told) {
+    const auto reported = testing::reported_steps(*m, Time::untimed, "S::D__(0)", "RUN({| S::set_EXT_x |})");
+    ASSERT_EQ(reported.size(), 3U);
+    for (const testing::ReportedStep& step : reported) {
         const auto event = std::find_if(provenance.events.begin(), provenance.events.end(), [&](const auto& entry) {
             return step.event == entry.first || step.event.compare(0, entry.first.size() + 1, entry.first + ".") == 0;
         });

@@ -147,9 +147,9 @@ TEST(Calls, ClocksOfTheCallerCountOnInside) {
         transition t2 { from B to A trigger b }
     )"),
                    Time::timed, "C::s::D__(0)", R"(
-        Told = C::s::a.out -> tock -> Wait [] tock -> Told
+        Reported = C::s::a.out -> tock -> Wait [] tock -> Reported
         Wait = C::s::b.in -> Spec [] tock -> Wait
-        Spec = tock -> tock -> tock -> Told)"),
+        Spec = tock -> tock -> tock -> Reported)"),
               "holds");
 }
 

@@ -179,8 +179,8 @@ controller C {
 }
 )";
 
-// R's copy is 0 until the relay reaches it, which is hidden; reading is one moment, saying what was read another.
-TEST(Memory, ReadersMaySeeStaleValuesUntilTheRelayIsDone) {
+// R's copy is 0 until the write reaches it, which is hidden; reading is one moment, saying what was read another.
+TEST(Memory, ReadersMaySeeStaleValuesUntilTheWriteIsPropagated) {
     EXPECT_EQ(same(shared, Time::untimed, "C::D__(0)", R"(
         Spec = (C::go.in -> Reading) [> New
         Reading = Saying |~| C::o.out.1 -> New
@@ -189,7 +189,7 @@ TEST(Memory, ReadersMaySeeStaleValuesUntilTheRelayIsDone) {
               "holds");
 }
 
-TEST(Memory, RelaysAreDoneBeforeTimePasses) {
+TEST(Memory, WritesArePropagatedBeforeTimePasses) {
     EXPECT_EQ(same(shared, Time::timed, "C::D__(0)", R"(
         Spec = (C::go.in -> Reading) [> New
         Reading = Saying |~| One
@@ -225,7 +225,7 @@ module M {
 }
 )";
 
-TEST(Memory, ThePlatformsInitialValuesAreToldLikeWrites) {
+TEST(Memory, ThePlatformsInitialValuesArePropagatedLikeWrites) {
     EXPECT_EQ(same(platform, Time::timed, "M::D__(0)", R"(
         Spec = (M::go.in -> Reading) [> New
         Reading = Saying |~| One

@@ -1,4 +1,4 @@
-// Data: what expressions are worth, in the script and for the evaluator of the semantics room. The values come from the
+// Data: what expressions are worth, in the script and for the evaluator of the semantics. The values come from the
 // contracts of the libraries (frontend/toolkits/library) and from the rules for finite types (semantics 3.13).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

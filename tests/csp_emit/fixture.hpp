@@ -38,10 +38,11 @@ struct Model {
 [[nodiscard]] std::vector<std::string> verdicts(Model&, Time, const std::string& cspm);
 /// The steps of the counterexample to `specification [T= process`: names of events (of the hidden ones too) and of
 /// states.
-struct Told {
+struct ReportedStep {
     std::string event, state;
 };
-[[nodiscard]] std::vector<Told> story(Model&, Time, const std::string& process, const std::string& specification);
+[[nodiscard]] std::vector<ReportedStep> reported_steps(Model&, Time, const std::string& process,
+                                                       const std::string& specification);
 /// Decides every assertion of a script.
 [[nodiscard]] std::vector<std::string> decide(const cspm::Script&);
 /// The verdict on each obligation of the model in this time: "holds", "fails", "no check: why" or another outcome.

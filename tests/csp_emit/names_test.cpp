@@ -329,10 +329,10 @@ TEST(Names, OfEventsMayBeThoseOfParameters) {
         const std::string question =
             "RECEIVED = (|~| e : diff(S::sem__events, {S::terminate}) @ e -> RECEIVED)\n"
             "assert RECEIVED [F= S::D__(0) \\ {S::terminate}\nassert STOP [T= S::D__(0)";
-        const auto told = testing::verdicts(*m, Time::untimed, question);
-        ASSERT_EQ(told.size(), 2U) << name;
-        EXPECT_EQ(told[0], "holds") << name;
-        EXPECT_NE(told[1], "holds") << name;
+        const auto reported = testing::verdicts(*m, Time::untimed, question);
+        ASSERT_EQ(reported.size(), 2U) << name;
+        EXPECT_EQ(reported[0], "holds") << name;
+        EXPECT_NE(reported[1], "holds") << name;
     }
 }
 

@@ -185,7 +185,7 @@ TEST(Liveness, GoesBackwardsAlongCalls) {
     EXPECT_EQ(cspm::print(family[1].body), "a -> R(y)");
 }
 
-TEST(Liveness, WhatNoCallGivesIsTold) {
+TEST(Liveness, WhatNoCallGivesIsReported) {
     namespace b = cspm::build;
     std::vector<Function> family{{"P", {}, b::prefix(b::name("c"), {b::output(b::name("x"))}, b::stop())}};
     auto initial = call_with("P", {});
@@ -424,7 +424,7 @@ TEST(Rules, TooManyCombinationsOfDuringActionsAreRefused) {
     EXPECT_THAT(m->codes(), ElementsAre("RC-C06"));
 }
 
-// Each pair of elements would be one name in CSPM; both are used, and what happens is still told apart.
+// Each pair of elements would be one name in CSPM; both are used, and their behaviours are still distinguished.
 TEST(Rules, NamesThatTwoElementsWouldShareGetANumber) {
     const auto m = model(R"(
         type K

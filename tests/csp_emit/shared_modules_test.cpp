@@ -20,14 +20,14 @@ using ::testing::Not;
 const std::string body = R"(
     datatype TIDS = TID_t0 | TID_t1 | TID_t2 | TID_t3 | TID_t4 | TID_t5 | TID_t6 | TID_t7 | TID_t8 | TID_t9
     channel internal__ : TIDS
-    channel told, heard : limit_type
+    channel reported, heard : limit_type
     module S
     exports
         channel entered
     endmodule
     first_state_of_the_machine__ = internal__.TID_t0 -> S::entered -> second_state_of_the_machine__(0)
     second_state_of_the_machine__(v) =
-        told!v -> second_state_of_the_machine__((v + 1) % 3)
+        reported!v -> second_state_of_the_machine__((v + 1) % 3)
         [] heard?x -> second_state_of_the_machine__(x)
         [] internal__.TID_t1 -> first_state_of_the_machine__
     D__(id__) = first_state_of_the_machine__ \ {| internal__ |}
@@ -89,7 +89,7 @@ TEST(SharedModules, KeepNamesAndProcesses) {
     after.decls.push_back(b::module_("before", {}, {}, old));
     for (const std::string path : {"M", "C::m"}) {
         std::vector<cspm::Link> links;
-        for (const std::string event : {"::told", "::heard", "::S::entered"})
+        for (const std::string event : {"::reported", "::heard", "::S::entered"})
             links.push_back({b::name("before::" + path + event), b::name(path + event)});
         const auto mine = b::call(path + "::D__", {b::number(0)});
         const auto theirs = b::rename(b::call("before::" + path + "::D__", {b::number(0)}), links);

@@ -33,7 +33,7 @@ TEST(VariableMemory, IsAskedForWhatTheNextFunctionEvaluates) {
     EXPECT_THAT(family[1].parameters, IsEmpty());
 }
 
-TEST(VariableMemory, IsToldWhatChangesUnlessTheEventTellsIt) {
+TEST(VariableMemory, IsGivenWhatChangesUnlessTheEventTellsIt) {
     const auto next = b::binary(cspm::ExprKind::plus, b::name("v_x"), b::number(1));
     std::vector<Function> own{{"P", {"v_x"}, b::prefix(b::name("a"), b::call("P", {next}))}};
     std::vector<Function> shared = own;
@@ -60,10 +60,10 @@ TEST(VariableMemory, KeepsTheMeaningOfStateAndOperation) {
     const auto m = testing::model(R"(
         interface I { var shared : nat }
         interface O { op(p : nat) }
-        operation op(p : nat) { requires I event told : nat var local : nat = 1
-            initial i final f state A { entry local = local + p; send told!local; shared = local }
+        operation op(p : nat) { requires I event reported : nat var local : nat = 1
+            initial i final f state A { entry local = local + p; send reported!local; shared = local }
             transition t0 { from i to A } transition t1 { from A to f condition shared > 0 } }
-        stm S { requires I requires O var x : nat event inp : nat event told : nat
+        stm S { requires I requires O var x : nat event inp : nat event reported : nat
             initial i final f
             state A { during x = x + 1 } state B { entry op(x) }
             transition t0 { from i to A }
@@ -80,7 +80,7 @@ TEST(VariableMemory, KeepsTheMeaningOfStateAndOperation) {
             if (decl->kind == cspm::DeclKind::module) modules.push_back(decl);
         script.decls.push_back(b::module_("inline__", {}, {}, modules));
         std::vector<cspm::Link> links;
-        for (const char* event : {"terminate", "inp", "told", "set_shared", "set_EXT_shared"})
+        for (const char* event : {"terminate", "inp", "reported", "set_shared", "set_EXT_shared"})
             links.push_back({b::name(std::string("inline__::C::s::") + event), b::name(std::string("C::s::") + event)});
         const auto with = b::call("C::s::D__", {b::number(0)});
         const auto without = b::rename(b::call("inline__::C::s::D__", {b::number(0)}), links);

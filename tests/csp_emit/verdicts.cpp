@@ -73,19 +73,20 @@ std::vector<std::string> claims(Model& model, Time time) {
     return result;
 }
 
-std::vector<Told> story(Model& model, Time time, const std::string& process, const std::string& specification) {
+std::vector<ReportedStep> reported_steps(Model& model, Time time, const std::string& process,
+                                         const std::string& specification) {
     Emission emission = model.emit(time);
-    const auto source = model.sources.add("story.csp", "assert " + specification + " [T= " + process + "\n");
+    const auto source = model.sources.add("reported_steps.csp", "assert " + specification + " [T= " + process + "\n");
     const cspm::Script more = cspm::read(model.sources, source, model.diagnostics);
     emission.script.decls.insert(emission.script.decls.end(), more.decls.begin(), more.decls.end());
     cspm::Session session(emission.script);
     const auto result = session.check(*session.assertions().back(), {});
-    std::vector<Told> told;
-    if (!result.verdict.counterexample) return told;
+    std::vector<ReportedStep> reported;
+    if (!result.verdict.counterexample) return reported;
     for (const refine::Step& step : result.verdict.counterexample->steps)
-        told.push_back(
+        reported.push_back(
             {session.event_table().name(step.event == process::tau ? step.revealed : step.event), step.state});
-    return told;
+    return reported;
 }
 
 std::string equal(Model& model, Time time, const std::string& process, const std::string& specification,

@@ -1,4 +1,4 @@
-// Choosing and applying mends.
+// Choosing and applying fixes.
 #include "diagnostics/fixes.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ protected:
         findings_.report(rule, {source_, begin, end})
             .fixes.push_back({{source_, begin, end}, std::move(text), certain ? "write" : "did you mean"});
     }
-    [[nodiscard]] std::string mended() const {
+    [[nodiscard]] std::string fixed() const {
         return apply_fixes(sources_.text(source_), certain_fixes(findings_, source_));
     }
 
@@ -29,40 +29,40 @@ TEST_F(Fixes, ReplaceInsertAndRemoveInTheOrderOfTheText) {
     add(4, 5, "");
     add(0, 1, "AA");
     add(6, 6, "!");
-    EXPECT_EQ(mended(), "AAbcdf!");
+    EXPECT_EQ(fixed(), "AAbcdf!");
 }
 
 TEST_F(Fixes, ThoseThatOverlapWaitForTheNextRun) {
     add(1, 4, "x");
     add(3, 5, "y");
-    EXPECT_EQ(mended(), "axef");
+    EXPECT_EQ(fixed(), "axef");
 }
 
 TEST_F(Fixes, TwoInsertionsAtOnePlaceAreNotBothMade) {
     add(2, 2, "x");
     add(2, 2, "y");
-    EXPECT_EQ(mended(), "abxcdef");
+    EXPECT_EQ(fixed(), "abxcdef");
 }
 
 TEST_F(Fixes, NeighboursAreFreeOfEachOther) {
     add(0, 2, "x");
     add(2, 4, "y");
-    EXPECT_EQ(mended(), "xyef");
+    EXPECT_EQ(fixed(), "xyef");
 }
 
 TEST_F(Fixes, SuggestionsAreNotApplied) {
     add(0, 1, "x", false);
-    EXPECT_EQ(mended(), "abcdef");
+    EXPECT_EQ(fixed(), "abcdef");
 }
 
 TEST_F(Fixes, OfOneFindingTheFirstAloneCounts) {
     Diagnostic& finding = findings_.report(rule, {source_, 0, 1});
     finding.fixes.push_back({{source_, 0, 1}, "x", "write"});
     finding.fixes.push_back({{source_, 3, 4}, "y", "or write"});
-    EXPECT_EQ(mended(), "xbcdef");
+    EXPECT_EQ(fixed(), "xbcdef");
 }
 
-TEST_F(Fixes, ShowTheMendedLine) {
+TEST_F(Fixes, ShowTheFixedLine) {
     add(2, 4, "XYZ");
     EXPECT_NE(render_text(sources_, findings_).find(" 1 | abXYZef\n   |   +++\n"), std::string::npos)
         << render_text(sources_, findings_);

@@ -8,7 +8,7 @@
 namespace robochart::diagnostics {
 namespace {
 
-const Rule junction_rule{"J1", Severity::error, "junction `{}` has no way out", "…"};
+const Rule junction_rule{"J1", Severity::error, "junction `{}` has no transition", "…"};
 const Rule odd_rule{"W9", Severity::warning, "odd", "…"};
 
 TEST(RenderText, ShowsExcerptCaretNotesAndFix) {
@@ -20,7 +20,7 @@ TEST(RenderText, ShowsExcerptCaretNotesAndFix) {
     finding.notes.push_back({{}, "junctions pass control on"});
     finding.fixes.push_back({{id, 18, 19}, "k", "rename it"});
     EXPECT_EQ(render_text(sources, out),
-              "error[J1]: junction `j` has no way out\n"
+              "error[J1]: junction `j` has no transition\n"
               "  --> m.rct:2:11\n"
               "   |\n"
               " 2 |     junction j\n"
@@ -92,7 +92,7 @@ TEST(RenderJson, EscapesAndPlaces) {
     EXPECT_EQ(
         render_json(sources, out),
         R"({"schema":"robochart-verify/diagnostics/1","errors":1,"warnings":0,"dropped":0,"diagnostics":[)"
-        R"({"code":"J1","severity":"error","message":"junction `q\"\n` has no way out","file":"a\"b.rct",)"
+        R"({"code":"J1","severity":"error","message":"junction `q\"\n` has no transition","file":"a\"b.rct",)"
         R"("line":2,"column":1,"endLine":2,"endColumn":2,)"
         R"("notes":[{"message":"here","file":"a\"b.rct","line":1,"column":1,"endLine":1,"endColumn":2}],"fixes":[]}]})"
         "\n");

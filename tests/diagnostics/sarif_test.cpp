@@ -83,7 +83,7 @@ json expect_sarif(const std::string& text) {
     return run;
 }
 
-TEST(Sarif, HasRulesPlacesNotesAndMends) {
+TEST(Sarif, HasRulesPlacesNotesAndFixes) {
     SourceManager sources;
     const SourceId id = sources.add("a folder/m.rct", "\xC3\xA9\xC3\xA9 x\ntwo\n");
     Diagnostics out;

@@ -69,7 +69,7 @@ Words parts(const Words& words) {
 TEST(GrammarWords, AssertionsAreTheWordsOfTheirParser) {
     Words expected = parts(assertion_words());
     ASSERT_THAT(expected, ::testing::IsSupersetOf({"assertion", "deadlock", "timelock", "csp", "rewards"}));
-    // The RoboChart grammar, included there, colours the first two; the third is the title of a mend.
+    // The RoboChart grammar, included there, colours the first two; the third is the title of a fix.
     for (const char* word : {"import", "package", "write"}) expected.erase(word);
     const auto scope = [](const std::string& name) { return starts_with_any(name, {"keyword", "storage", "support"}); };
     EXPECT_EQ(parts(grammar_words(load_json("syntaxes/robochart-assertions.tmLanguage.json"), scope)), expected);

@@ -45,7 +45,7 @@ TEST(Dictionaries, WordsOfAssertions) {
     EXPECT_TRUE(std::is_sorted(table.begin(), table.end()));
     for (const std::string& joined : editors::assertion_words()) {
         std::istringstream parts(joined);
-        if (joined == "write") continue;  // the title of a mend
+        if (joined == "write") continue;  // the title of a fix
         for (std::string word; std::getline(parts, word, '-');)
             EXPECT_TRUE(frontend::is_reserved(word) || std::binary_search(table.begin(), table.end(), word)) << word;
     }

@@ -1,4 +1,4 @@
-// Every rule has a page (docs/rules/CODE.md), and every page keeps its word: its wrong example gives exactly what the
+// Every rule has a page (docs/rules/CODE.md), and every page is correct: its wrong example gives exactly what the
 // comments in it say (`// expect: CODE`), its right example gives nothing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path fixtures = tests::source_folder() / "tests/frontend/fixtures";
 
-/// Rules about things that no short example can show; the room's own tests name them.
+/// Rules about things that no short example can show; the component's own tests name them.
 const std::set<std::string_view> without_example = {
     "RC-P02", "RC-P08", "RC-P14", "RC-P23", "RC-S03", "RC-S04", "RC-S05", "RC-C02",   "RC-C03",  "RC-C06",
     "RC-G01", "RC-G03", "RC-G07", "RC-G08", "RC-G10", "RC-G12", "RC-G13", "RC-G14",   "RC-G15",  "RC-L01",

@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 
 /// The counterexample to the script's assertion: of each step "NAME of COMPONENT, …", then where the components are.
-std::vector<std::string> told(const std::string& text) {
+std::vector<std::string> reported(const std::string& text) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     const auto source = sources.add("script.csp", text);
@@ -41,7 +41,7 @@ std::vector<std::string> told(const std::string& text) {
 }
 
 TEST(Timeline, ARenamedAndPrioritisedEventKeepsTheNameThatItsComponentGivesIt) {
-    const auto lines = told(R"(
+    const auto lines = reported(R"(
         external prioritise
         channel tock, tock', a
         A(0) = a -> STOP
@@ -54,11 +54,12 @@ TEST(Timeline, ARenamedAndPrioritisedEventKeepsTheNameThatItsComponentGivesIt) {
 }
 
 TEST(Timeline, AHiddenEventKeepsItsName) {
-    EXPECT_THAT(told("channel a, b\nP = a -> Q\nQ = b -> P\nassert STOP [T= P \\ {a}"), ElementsAre("a/0 | Q", "b/0 | P"));
+    EXPECT_THAT(reported("channel a, b\nP = a -> Q\nQ = b -> P\nassert STOP [T= P \\ {a}"),
+                ElementsAre("a/0 | Q", "b/0 | P"));
 }
 
 TEST(Timeline, WhoTakesOverBeginsAndWhoIsLeftEnds) {
-    EXPECT_THAT(told(R"(
+    EXPECT_THAT(reported(R"(
         channel a, b, stop
         P = a -> stop -> P
         Q = b -> Q
@@ -70,7 +71,7 @@ TEST(Timeline, WhoTakesOverBeginsAndWhoIsLeftEnds) {
 }
 
 TEST(Timeline, StepsInsideACompressionAreMomentsOfTheirOwn) {
-    const auto lines = told(R"(
+    const auto lines = reported(R"(
         transparent dbisim
         channel a, b, hid
         P = hid -> P1

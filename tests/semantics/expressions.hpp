@@ -1,4 +1,4 @@
-// Expressions built by hand for the tests of this room.
+// Expressions built by hand for the tests of this component.
 #pragma once
 
 #include "semantics/ir/ir.hpp"

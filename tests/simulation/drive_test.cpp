@@ -119,7 +119,7 @@ TEST(Drive, BearsAnyNameOfTheModelsFile) {
     EXPECT_STREQ(controller->drive().place_of(one[0]), "Echo::i (a \"strange\\ name.rct:13)");
 }
 
-/// Events that nothing feeds are told (RC-M14); a number feeds nat by a stimulus.
+/// Events that nothing feeds are reported (RC-M14); a number feeds nat by a stimulus.
 TEST_F(Echo, ScenarioIsBoundWithWarnings) {
     EXPECT_EQ(experiment_.codes(), "RC-M14 RC-M14 RC-M14 RC-M14") << experiment_.messages();
 }

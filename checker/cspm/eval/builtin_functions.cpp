@@ -188,7 +188,7 @@ Value Evaluator::part_before(Value part, Value rest) {
 
 namespace {
 
-// Where a key stands among k1, v1, k2, v2..., or where it would.
+// The position of a key in k1, v1, k2, v2..., or the position to insert it at.
 std::size_t key_place(const Values& items, Value key) {
     std::size_t at = 0;
     while (at < items.size() && compare(items[at], key) < 0) at += 2;
@@ -268,7 +268,7 @@ Value Evaluator::relation_builtin(Builtin which, const Values& arguments, Span s
 }
 
 // mtransclose(R, S): the classes of R's symmetric and transitive closure, as pairs (representative, x) of members of S,
-// without (x, x). Which member of a class represents it is nowhere laid down: ours is the least one in S.
+// without (x, x). The manual does not define the representative of a class: ours is the least one in S.
 Value Evaluator::representatives(Value relation, Value set, Span span) {
     std::map<Value, Values> related;
     for (const Value pair : elements(relation, span)) {

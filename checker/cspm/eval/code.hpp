@@ -91,7 +91,7 @@ struct Function {
     std::vector<FunctionClause> clauses;
     std::vector<bool> unread;          ///< one group only: per argument, whether nothing reads it
     std::size_t environment = 0;       ///< captured items before the arguments
-    mutable std::int8_t watched = -1;  ///< whether somebody is told of its calls; -1: not yet known
+    mutable std::int8_t watched = -1;  ///< whether its calls are observed; -1: not yet known
     mutable std::int8_t process = -1;  ///< whether its result is plainly a process; -1: not yet known
 };
 

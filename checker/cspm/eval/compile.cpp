@@ -81,7 +81,7 @@ const Code* Resolver::literal(const Expr& expr) {
     return &code;
 }
 
-// Clauses bind variables in the frame of the expression they stand in.
+// Clauses bind variables in the frame of the expression that contains them.
 std::vector<ClauseCode> Resolver::clauses(const std::vector<Clause>& clauses) {
     std::vector<ClauseCode> result;
     for (const Clause& each : clauses) {
@@ -99,7 +99,7 @@ std::vector<ClauseCode> Resolver::clauses(const std::vector<Clause>& clauses) {
 
 namespace {
 
-// Arguments that stand outside the scope of the clauses: the first process of a renaming, both of a linked
+// Arguments outside the scope of the clauses: the first process of a renaming, both of a linked
 // parallel, the interface of a replicated parallel.
 bool outside_clauses(ExprKind kind, std::size_t arg) {
     if (kind == ExprKind::rename || kind == ExprKind::linked) return true;

@@ -91,7 +91,7 @@ bool Evaluator::complete(Value value) {
     return value->items.size() - 1 == arity && complete(value->items.back());
 }
 
-// base.more: the fields of `more` go where `base` has room for them.
+// base.more: the fields of `more` are appended where `base` lacks fields.
 Value Evaluator::combine(Value base, Value more, Span span) {
     if (more->kind != Kind::dot || is_named(more)) return add_field(base, more, span);
     for (const Value item : more->items) base = combine(base, item, span);

@@ -35,7 +35,7 @@ public:
         store_.watch(poll);
         poll_ = std::move(poll);
     }
-    /// Who is told of calls of some functions, before anything is evaluated.
+    /// The observer of calls of some functions; set before anything is evaluated.
     void observe(CallObserver observer) { observer_ = std::move(observer); }
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
     [[nodiscard]] process::TermId process(const Code& code, const Unit& unit);

@@ -44,7 +44,7 @@ private:
     };
     struct Module {
         const Decl* decl = nullptr;  // the module's own declaration
-        Scope* outer = nullptr;      // where that declaration stands
+        Scope* outer = nullptr;      // the scope of that declaration
         Scope exported;
         const Decl* instance = nullptr;  // set: to be made when first asked for
         Scope* instance_scope = nullptr;

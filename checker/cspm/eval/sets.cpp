@@ -368,8 +368,8 @@ bool Evaluator::subset(Value a, Value b, Span span) {
     if (a->kind == Kind::maps_over && b->kind == Kind::maps_over)
         return subset(a->items[0], b->items[0], span) && subset(a->items[1], b->items[1], span);
     const auto size = size_of(a, span);
-    const auto room = size_of(b, span);
-    if (room && (!size || *size > *room)) return false;
+    const auto space = size_of(b, span);
+    if (space && (!size || *size > *space)) return false;
     if (!size && (a->kind == Kind::integers || a->kind == Kind::integers_from)) return false;
     return std::ranges::all_of(elements(a, span), [&](Value each) {
         count_step(span);

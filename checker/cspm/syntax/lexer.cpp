@@ -326,7 +326,7 @@ private:
         emit(Tok::property, from, more ? both_sides : before);
     }
 
-    // Tokens that depend on what stands around them.
+    // Tokens that depend on their neighbours.
     bool special() {
         const std::size_t from = at_;
         if (looking_at("(|") && (is_blank(peek(2)) || peek(2) == '\n')) {
@@ -385,7 +385,7 @@ private:
     std::size_t at_ = 0;
     bool line_end_ = false;      // a line end was skipped since the last token
     bool soaking_ = true;        // the last token lets line ends after it vanish
-    bool blank_before_ = false;  // white space stands before the token
+    bool blank_before_ = false;  // white space precedes the token
     std::vector<Token> tokens_;
 };
 

@@ -1,4 +1,5 @@
-// See lookup.hpp.
+// Looks up qualified names in the syntax tree of a script: modules by name, instances by the module that they
+// instantiate.
 #include "checker/cspm/syntax/lookup.hpp"
 
 #include <algorithm>

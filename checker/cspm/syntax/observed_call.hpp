@@ -20,7 +20,7 @@ struct ObservedCall {
     std::optional<std::int64_t> result;               ///< if it is a number
 };
 
-/// Top-level functions to be watched, and who is told.
+/// Top-level functions to be observed, and the callback.
 struct CallObserver {
     std::set<std::string> functions;
     std::function<void(const ObservedCall&)> tell;

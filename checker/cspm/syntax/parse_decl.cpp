@@ -1,4 +1,4 @@
-// Declarations, assertions, and what may stand where.
+// Declarations, assertions, and the lists in which each kind is allowed.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -379,7 +379,7 @@ void Parser::assertion_options(Assertion& assertion) {
     }
 }
 
-// ---------------------------------------------------------------- what may stand where
+// ---------------------------------------------------------------- allowed kinds of declarations
 
 namespace {
 

@@ -117,7 +117,7 @@ ExprPtr Parser::parenthesis() {
     return node(kind, from, std::move(parts));
 }
 
-// What stands in { } or < >: kinds are plain, range, comprehension, range comprehension.
+// The contents of { } or < >: kinds are plain, range, comprehension, range comprehension.
 ExprPtr Parser::collection(ExprNode result, Span from, Tok close, const ExprKind (&kinds)[4]) {
     result.kind = kinds[0];
     if (!at(close) && !at(Tok::pipe)) result.args.push_back(expression());

@@ -229,7 +229,7 @@ void Printer::binary_value(const Expr& expr, int level, std::string_view op) {
     out_.close();
 }
 
-// Names, calls, bracketed forms, prefixes and guards stand by themselves beside a process operator.
+// Names, calls, bracketed forms, prefixes and guards need no parentheses beside a process operator.
 void Printer::process_operand(const ExprPtr& given) {
     const Expr* expr = &bare(given);
     const bool alone = expr->kind == ExprKind::prefix || expr->kind == ExprKind::guard;

@@ -75,7 +75,7 @@ void Unifier::constrain_variable(Constraint constraint, TypeId variable) {
     store_.constrain(variable, constraint);
 }
 
-// Whether the type's own shape allows the constraint; its parts are constrained on the way.
+// Whether the type's own shape allows the constraint; its parts are constrained too.
 bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
     const TypeNode node = store_.node(type);
     const auto all = [&](Constraint wanted) {

@@ -32,7 +32,7 @@ private:
         std::map<std::string, TypeVariable*, std::less<>> type_variables;
         std::map<std::string, const Decl*, std::less<>> annotations;  // by the name annotated
     };
-    // Where a declaration stands.
+    // The list that contains a declaration.
     struct Place {
         Scope* scope = nullptr;
         DeclarationList* list = nullptr;

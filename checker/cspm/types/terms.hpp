@@ -135,7 +135,7 @@ struct Declaration {
     const Term* tau_priority = nullptr;
     DeclarationList* list = nullptr;
     std::size_t index = 0;
-    Declaration* enclosing = nullptr;  ///< the declaration whose body or module it stands in
+    Declaration* enclosing = nullptr;  ///< the declaration whose body or module contains it
 };
 
 struct DeclarationList {
@@ -155,7 +155,7 @@ struct Module {
     Symbol* symbol = nullptr;  ///< its type is the tuple of its parameters
     bool parametrised = false;
     std::size_t parameters = 0;
-    const Module* outer = nullptr;     ///< the module it stands in
+    const Module* outer = nullptr;     ///< the module that contains it
     const Module* original = nullptr;  ///< instances and copies: what they are made from
     Names exported;
     Names hidden;

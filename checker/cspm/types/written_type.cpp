@@ -49,7 +49,7 @@ private:
         return left;
     }
 
-    // (A, B) -> C: what stands in the parentheses are the arguments.
+    // (A, B) -> C: the types in the parentheses are the arguments.
     WrittenType function(WrittenType arguments, bool grouped) {
         WrittenType result{TypeKind::function, "", {}};
         if (grouped && arguments.kind == TypeKind::tuple) {

@@ -25,7 +25,7 @@ bool Antichain::covers(lts::StateIndex state, Monitor::Node node, Monitor& monit
     return std::any_of(nodes.begin(), end, [&](Monitor::Node smaller) { return monitor.includes(node, smaller); });
 }
 
-bool Antichain::outdoes(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const {
+bool Antichain::is_subsumed(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const {
     const std::vector<Monitor::Node>& nodes = nodes_[state];
     const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(std::min(nodes.size(), most_compared));
     return std::any_of(nodes.begin(), end,

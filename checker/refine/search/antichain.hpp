@@ -2,7 +2,7 @@
 // the larger set allows the smaller one allows or forbids too, so that a violation of the larger one's runs is one of
 // the smaller one's, and no longer. Laveaux, Groote and Willemse, "Correct and efficient antichain algorithms for
 // refinement checking" (LMCS 17(1), 2021): the test is made before a pair is entered. A pair once entered is expanded,
-// unless one that covers it stands on its own level or before. So the pair that covers another was reached by a run
+// unless one that covers it is on its own level or before. So the pair that covers another was reached by a run
 // that is no longer, and shortest violations are those of the search of all pairs.
 #pragma once
 
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] bool covers(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const;
     void enter(lts::StateIndex state, Monitor::Node node, lts::StateIndex pair);
     /// Whether one of the state's pairs has a node that is included in `node`, but not `node` itself.
-    [[nodiscard]] bool outdoes(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const;
+    [[nodiscard]] bool is_subsumed(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const;
     [[nodiscard]] lts::StateIndex first_pair(lts::StateIndex state) const { return first_pair_[state]; }
     [[nodiscard]] std::size_t size() const { return states_.size(); }
 

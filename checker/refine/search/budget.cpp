@@ -19,11 +19,11 @@ Budget::Budget(const Limits& limits, Progress::Phase phase)
       run_(limits, phase == Progress::Phase::compiling ? "compiling" : ""),
       phase_(phase),
       start_(std::chrono::steady_clock::now()),
-      told_(start_),
+      reported_(start_),
       resident_at_start_(diagnostics::resident_bytes()) {}
 
 void Budget::states(std::uint64_t count) const {
-    constexpr std::uint64_t most_numbers = 4'000'000'000;  // states have numbers of 32 bits, with room to spare
+    constexpr std::uint64_t most_numbers = 4'000'000'000;  // states have numbers of 32 bits, with a margin
     const std::uint64_t most = std::min(limits_.max_states, most_numbers);
     if (count > most) throw LimitReached(fmt::format("the limit of {} states was reached{}", most, phase_ == Progress::Phase::compiling ? " while compiling" : ""));
 }
@@ -37,7 +37,7 @@ unsigned Budget::threads() const {
 }
 
 void Budget::tell(Time now) {
-    told_ = now;
+    reported_ = now;
     Progress progress;
     progress.phase = phase_;
     progress.seconds = std::chrono::duration<double>(now - start_).count();
@@ -50,7 +50,7 @@ void Budget::tell(Time now) {
 void Budget::poll() {
     run_.check();
     const Time now = std::chrono::steady_clock::now();
-    if (limits_.progress && now - told_ >= between_reports) tell(now);
+    if (limits_.progress && now - reported_ >= between_reports) tell(now);
 }
 
 }  // namespace robochart::refine

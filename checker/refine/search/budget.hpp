@@ -30,7 +30,7 @@ public:
     [[nodiscard]] double seconds() const;
     [[nodiscard]] std::uint64_t work() const { return work_; }
     [[nodiscard]] const Limits& limits() const { return limits_; }
-    /// Who fills in the figures when progress is told; empty: nobody.
+    /// Fills in the figures when progress is reported; may be empty.
     void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
     /// How many may work on the check, at least one.
     [[nodiscard]] unsigned threads() const;
@@ -46,7 +46,7 @@ private:
     diagnostics::Budget run_;
     Progress::Phase phase_;
     Time start_;
-    Time told_;
+    Time reported_;
     std::uint64_t resident_at_start_;
     std::uint64_t work_ = 0;
     std::function<void(Progress&)> source_;

@@ -31,7 +31,7 @@ struct Limits : diagnostics::Limits {
     unsigned threads = 0;  ///< at most so many, where a space is wide; 0: one a core. Verdicts do not depend on it
     std::size_t wide_level =
         2048;  ///< levels of fewer states are done by one thread, as it is sooner done than others woken
-    /// Told a few times a second, by the thread that called the check.
+    /// Called a few times a second, by the thread that called the check.
     std::function<void(const Progress&)> progress;
 };
 

@@ -25,7 +25,7 @@ public:
     /// The same answer every time.
     virtual Advance advance(Node node, process::Event event) = 0;
     /// What is wrong with a run that ends in this node and can go on like this. Of an unstable state the events come in
-    /// no order; a monitor that watches states only is told one event for all.
+    /// no order; a monitor that observes states only is given one event for all.
     virtual std::optional<ViolationKind> examine(Node node, const Offer& offer) = 0;
     /// Every event keeps the one node: runs are not watched, only states are.
     [[nodiscard]] virtual bool watches_states_only() const { return false; }

@@ -11,20 +11,21 @@ using lts::StateIndex;
 namespace {
 
 constexpr std::size_t most_parts = 128;
-static_assert(most_parts * Claims::most == lts::StateStore::most_claims);
+static_assert(most_parts * ProvisionalStates::most == lts::StateStore::most_claims);
 /// Fewer new states than this are not worth a call.
-constexpr std::uint64_t least_room = 4096;
+constexpr std::uint64_t min_space = 4096;
 /// So long at most before limits are looked at.
 constexpr std::chrono::milliseconds longest{20};
 
 }  // namespace
 
 /// The claims of one part, as the store sees them.
-class WideLevel::Claiming {
+class ParallelLevel::Claiming {
 public:
     Claiming(std::vector<Part>& parts, std::size_t number) : parts_(parts), own_(parts[number]), number_(number) {}
     [[nodiscard]] StateIndex next() const {
-        return lts::StateStore::first_claim + static_cast<StateIndex>(number_ * Claims::most) + own_.claims.size();
+        return lts::StateStore::first_claim + static_cast<StateIndex>(number_ * ProvisionalStates::most) +
+               own_.claims.size();
     }
     [[nodiscard]] const lts::Word* row(StateIndex claim) const { return part(claim).claims.row(place(claim)); }
     void keep(lts::StateView state) { own_.claims.keep(state); }
@@ -34,17 +35,19 @@ public:
     }
 
 private:
-    static std::uint32_t place(StateIndex claim) { return (claim - lts::StateStore::first_claim) % Claims::most; }
+    static std::uint32_t place(StateIndex claim) {
+        return (claim - lts::StateStore::first_claim) % ProvisionalStates::most;
+    }
     [[nodiscard]] Part& part(StateIndex claim) const {
-        return parts_[(claim - lts::StateStore::first_claim) / Claims::most];
+        return parts_[(claim - lts::StateStore::first_claim) / ProvisionalStates::most];
     }
     std::vector<Part>& parts_;
     Part& own_;
     std::size_t number_;
 };
 
-std::unique_ptr<WideLevel> WideLevel::make(const lts::TransitionSystem& system, Monitor& monitor,
-                                           lts::StateStore& pairs, unsigned threads) {
+std::unique_ptr<ParallelLevel> ParallelLevel::make(const lts::TransitionSystem& system, Monitor& monitor,
+                                                   lts::StateStore& pairs, unsigned threads) {
     std::vector<Member> members(threads);
     for (Member& member : members) {
         member.system = system.another();
@@ -52,14 +55,14 @@ std::unique_ptr<WideLevel> WideLevel::make(const lts::TransitionSystem& system, 
         if (!member.system || !member.monitor) return nullptr;
         member.expander = std::make_unique<Expander>(*member.system, *member.monitor, pairs);
     }
-    return std::unique_ptr<WideLevel>(new WideLevel(pairs, std::move(members)));
+    return std::unique_ptr<ParallelLevel>(new ParallelLevel(pairs, std::move(members)));
 }
 
-WideLevel::WideLevel(lts::StateStore& pairs, std::vector<Member> members)
+ParallelLevel::ParallelLevel(lts::StateStore& pairs, std::vector<Member> members)
     : pairs_(pairs), members_(std::move(members)), team_(static_cast<unsigned>(members_.size())), parts_(most_parts) {}
 
 /// Numbers from 0 on to whoever has time, as long as there has not been enough.
-void WideLevel::share(std::size_t count, const std::function<void(unsigned, std::size_t)>& work) {
+void ParallelLevel::share(std::size_t count, const std::function<void(unsigned, std::size_t)>& work) {
     next_ = 0;
     enough_ = false;
     team_.run([&](unsigned member) {
@@ -71,18 +74,17 @@ void WideLevel::share(std::size_t count, const std::function<void(unsigned, std:
     });
 }
 
-void WideLevel::make_room() {
-    pairs_.reserve(pairs_.size() + least_room,
-                   [this](std::size_t count, const std::function<void(std::size_t)>& piece) {
-                       share(count, [&piece](unsigned, std::size_t number) { piece(number); });
-                   });
+void ParallelLevel::make_space() {
+    pairs_.reserve(pairs_.size() + min_space, [this](std::size_t count, const std::function<void(std::size_t)>& piece) {
+        share(count, [&piece](unsigned, std::size_t number) { piece(number); });
+    });
 }
 
-StateIndex WideLevel::run(StateIndex first, StateIndex end, Work work) {
+StateIndex ParallelLevel::run(StateIndex first, StateIndex end, Work work) {
     work_ = work;
-    make_room();
+    make_space();
     claimed_ = 0;
-    const std::uint64_t room = pairs_.room();
+    const std::uint64_t space = pairs_.space();
     const auto begun = std::chrono::steady_clock::now();
     const std::size_t count = std::min<std::size_t>(most_parts, (end - first + pairs_at_once - 1) / pairs_at_once);
     share(count, [&](unsigned member, std::size_t number) {
@@ -90,7 +92,7 @@ StateIndex WideLevel::run(StateIndex first, StateIndex end, Work work) {
         begin(parts_[number], from);
         fill(members_[member], parts_[number], number, std::min(end - from, pairs_at_once) + from);
         claimed_ += parts_[number].claims.size();
-        if (parts_[number].stopped || claimed_ >= room || std::chrono::steady_clock::now() - begun > longest)
+        if (parts_[number].stopped || claimed_ >= space || std::chrono::steady_clock::now() - begun > longest)
             enough_ = true;
     });
     const std::size_t done = std::min<std::size_t>(next_, count);
@@ -104,12 +106,12 @@ StateIndex WideLevel::run(StateIndex first, StateIndex end, Work work) {
         parts_[i].first_number = static_cast<StateIndex>(next);
         next += parts_[i].claims.size() - parts_[i].lost;
     }
-    pairs_.make_room(next);
+    pairs_.make_space(next);
     if (work_ != Work::examine) share(size_, [&](unsigned, std::size_t number) { publish(parts_[number]); });
     return size_ == 0 ? first : parts_[size_ - 1].first + parts_[size_ - 1].pairs;
 }
 
-void WideLevel::begin(Part& part, StateIndex first) {
+void ParallelLevel::begin(Part& part, StateIndex first) {
     part.first = first;
     part.pairs = 0;
     part.transitions = 0;
@@ -118,30 +120,30 @@ void WideLevel::begin(Part& part, StateIndex first) {
     part.stopped = false;
 }
 
-void WideLevel::fill(Member& member, Part& part, std::size_t number, StateIndex end) {
+void ParallelLevel::fill(Member& member, Part& part, std::size_t number, StateIndex end) {
     Expansion& expansion = member.expansion;
     while (!part.stopped && part.first + part.pairs != end) {
         member.expander->expand(part.first + part.pairs, end, rows_at_once, expansion);
         if (work_ == Work::examine)
             part.stopped = expansion.faulty();
         else
-            part.stopped = expansion.eventful() || !has_room(part, expansion) || !enter(expansion, part, number);
+            part.stopped = expansion.eventful() || !has_space(part, expansion) || !enter(expansion, part, number);
         for (const Expansion::Pair& pair : expansion.pairs) part.transitions += pair.transitions;
         part.pairs += static_cast<StateIndex>(expansion.pairs.size());
     }
 }
 
-bool WideLevel::has_room(Part& part, const Expansion& expansion) {
+bool ParallelLevel::has_space(Part& part, const Expansion& expansion) {
     try {
         part.back_targets.reserve(part.back_targets.size() + expansion.size());
-        return part.claims.make_room(expansion.size());
+        return part.claims.make_space(expansion.size());
     } catch (const std::bad_alloc&) {
         return false;
     }
 }
 
-/// False if there is no room in the table.
-bool WideLevel::enter(const Expansion& expansion, Part& part, std::size_t number) {
+/// False if the table is full.
+bool ParallelLevel::enter(const Expansion& expansion, Part& part, std::size_t number) {
     Claiming claiming(parts_, number);
     std::uint32_t pair = 0;
     for (std::size_t row = 0; row < expansion.size(); ++row) {
@@ -159,7 +161,7 @@ bool WideLevel::enter(const Expansion& expansion, Part& part, std::size_t number
 }
 
 /// Enters the states that are new by the part's claims for good.
-void WideLevel::publish(Part& part) {
+void ParallelLevel::publish(Part& part) {
     constexpr std::uint32_t ahead = 8;
     StateIndex number = part.first_number;
     std::uint32_t next = 0;
@@ -176,7 +178,7 @@ void WideLevel::publish(Part& part) {
     part.lost = 0;
 }
 
-void WideLevel::give_up(Part& part) {
+void ParallelLevel::give_up(Part& part) {
     for (std::uint32_t i = 0; i < part.claims.size(); ++i)
         if (!part.claims[i].lost) lts::StateStore::give_up(part.claims[i].slot);
     part.lost = 0;

@@ -1,10 +1,10 @@
-// A part of a wide level, expanded and entered by several threads, with the outcome of one. Pairs are shared out in
-// stretches. Whoever has a stretch expands some pairs, looks their targets up in the one table while they are near, and
-// claims those that are new: claims are numbered in the order of stretches and rows, and of equal states the lowest
-// claim stays. Once all stretches are done, each one's new states are counted, so that it is known where the numbers of
-// the next one's begin, and they are entered for good. So states have the same numbers and the same parents whatever
-// the number of threads. (Laarman, van de Pol and Weber, FMCAD 2010, share a table between threads like this, but
-// number nothing.)
+// A part of a wide level, expanded and entered by several threads, with the outcome of one. Its pairs are divided into
+// blocks. A thread expands pairs of a block, looks their targets up in the shared table while they are in its cache,
+// and gives new states provisional numbers, in the order of blocks and rows; of duplicates, the smallest provisional
+// number wins. Once all blocks are done, the new states of each are counted, which gives the first final number of each
+// block, and the final numbers are entered. So states have the same numbers and the same parents for any number of
+// threads. (Laarman, van de Pol and Weber, FMCAD 2010, share a table between threads in this way, but do not number
+// states.)
 #pragma once
 
 #include <atomic>
@@ -19,11 +19,11 @@
 
 namespace robochart::refine {
 
-class WideLevel {
+class ParallelLevel {
 public:
     /// Null where system or monitor serve one thread only.
-    static std::unique_ptr<WideLevel> make(const lts::TransitionSystem& system, Monitor& monitor,
-                                           lts::StateStore& pairs, unsigned threads);
+    static std::unique_ptr<ParallelLevel> make(const lts::TransitionSystem& system, Monitor& monitor,
+                                               lts::StateStore& pairs, unsigned threads);
 
     enum class Work {
         enter,            ///< targets are entered
@@ -31,23 +31,23 @@ public:
         examine           ///< the first forbidden event is known: only pairs themselves are still looked at
     };
     /// Does some pairs from `first` on, before `end`, and returns where it has stopped: that pair, or one soon after
-    /// it, is at fault or has met an error or something forbidden, or needs more room than there is, or there has been
+    /// it, is at fault or has met an error or something forbidden, or needs more space than is left, or there has been
     /// enough for one call.
     lts::StateIndex run(lts::StateIndex first, lts::StateIndex end, Work work);
     /// Whether the last call stopped because a pair is not for it. One thread then does so many pairs, or to the end.
     [[nodiscard]] bool stopped() const { return stopped_; }
     static constexpr lts::StateIndex pairs_at_once = 128;
 
-    /// What stretches of pairs have given, in order.
-    struct Stretch {
+    /// What blocks of pairs have given, in order.
+    struct Block {
         lts::StateIndex first = 0;
         lts::StateIndex pairs = 0;
         std::uint64_t transitions = 0;
-        Lineage found;                              ///< unless only examined
+        ParentIndex found;                          ///< unless only examined
         std::vector<lts::StateIndex> back_targets;  ///< of taus
     };
     [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] const Stretch& operator[](std::size_t number) const { return parts_[number]; }
+    [[nodiscard]] const Block& operator[](std::size_t number) const { return parts_[number]; }
 
 private:
     struct Member {
@@ -56,27 +56,27 @@ private:
         std::unique_ptr<Expander> expander;
         Expansion expansion;
     };
-    struct Part : Stretch {
-        Claims claims;
+    struct Part : Block {
+        ProvisionalStates claims;
         alignas(64) std::atomic<std::uint32_t> lost = 0;  // counted by other threads: on a cache line of its own
         bool stopped = false;
         lts::StateIndex first_number = 0;
     };
     class Claiming;
 
-    WideLevel(lts::StateStore& pairs, std::vector<Member> members);
+    ParallelLevel(lts::StateStore& pairs, std::vector<Member> members);
     void share(std::size_t count, const std::function<void(unsigned member, std::size_t number)>& work);
-    void make_room();
+    void make_space();
     void begin(Part& part, lts::StateIndex first);
     void fill(Member& member, Part& part, std::size_t number, lts::StateIndex end);
-    static bool has_room(Part& part, const Expansion& expansion);
+    static bool has_space(Part& part, const Expansion& expansion);
     bool enter(const Expansion& expansion, Part& part, std::size_t number);
     void publish(Part& part);
     void give_up(Part& part);
 
     lts::StateStore& pairs_;
     std::vector<Member> members_;
-    Team team_;
+    ThreadTeam team_;
     std::vector<Part> parts_;
     std::size_t size_ = 0;
     Work work_ = Work::enter;

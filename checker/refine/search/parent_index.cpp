@@ -17,13 +17,13 @@ std::uint64_t place_of_one(std::uint64_t word, std::uint64_t number) {
 
 }  // namespace
 
-void Lineage::begin_word() {
+void ParentIndex::begin_word() {
     if (words_.size() % block_words == 0) ones_before_.push_back(ones_);
     words_.push_back(0);
 }
 
 /// The lowest `count` of the bits, at most a word of them; the others are zero.
-void Lineage::append(std::uint64_t bits, std::uint32_t count) {
+void ParentIndex::append(std::uint64_t bits, std::uint32_t count) {
     const auto shift = static_cast<std::uint32_t>(size_ % word_bits);
     if (shift == 0) begin_word();
     words_.back() |= bits << shift;
@@ -38,25 +38,25 @@ void Lineage::append(std::uint64_t bits, std::uint32_t count) {
     size_ += count;
 }
 
-void Lineage::expanded(std::uint32_t found) {
+void ParentIndex::expanded(std::uint32_t found) {
     constexpr std::uint32_t at_once = 32;
     for (; found > at_once; found -= at_once) append((std::uint64_t{1} << at_once) - 1, at_once);
     append((std::uint64_t{1} << found) - 1, found + 1);
 }
 
-void Lineage::append(const Lineage& next) {
+void ParentIndex::append(const ParentIndex& next) {
     for (std::uint64_t done = 0; done < next.size_; done += word_bits)
         append(next.words_[done / word_bits], static_cast<std::uint32_t>(std::min(word_bits, next.size_ - done)));
 }
 
-void Lineage::clear() {
+void ParentIndex::clear() {
     words_.clear();
     ones_before_.clear();
     size_ = 0;
     ones_ = 0;
 }
 
-lts::StateIndex Lineage::parent(lts::StateIndex state) const {
+lts::StateIndex ParentIndex::parent(lts::StateIndex state) const {
     const std::uint64_t one = state - 1U;  // counted from 0
     const auto block = std::upper_bound(ones_before_.begin(), ones_before_.end(), one) - ones_before_.begin() - 1;
     std::uint64_t left = one - ones_before_[static_cast<std::size_t>(block)];

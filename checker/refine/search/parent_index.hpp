@@ -1,6 +1,6 @@
-// Who was found from whom, in two bits a state. States are numbered in the order in which they are found and expanded
-// in the same order, so it is enough to know how many each one found: a one for each state found, a zero after each
-// state expanded. The parent of a state is the number of zeros before its one.
+// The BFS parents of states as a succinct bit vector (rank/select), two bits a state. States are numbered in the order
+// of discovery and expanded in the same order, so it is enough to know how many each one found: a one for each state
+// found, a zero after each state expanded. The parent of a state is the number of zeros before its one.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace robochart::refine {
 
-class Lineage {
+class ParentIndex {
 public:
     /// The next state has been expanded and has found so many new ones.
     void expanded(std::uint32_t found);
     /// Appends what another has noted of the states that come next.
-    void append(const Lineage& next);
+    void append(const ParentIndex& next);
     void clear();
     /// Of any state that was found, that is, of all but state 0.
     [[nodiscard]] lts::StateIndex parent(lts::StateIndex state) const;

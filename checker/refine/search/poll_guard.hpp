@@ -9,14 +9,14 @@
 namespace robochart::refine {
 
 /// The systems poll the budget while this lives; both outlive it.
-class Watch {
+class PollGuard {
 public:
-    Watch(std::vector<lts::TransitionSystem*> systems, Budget& budget) : systems_(std::move(systems)) {
+    PollGuard(std::vector<lts::TransitionSystem*> systems, Budget& budget) : systems_(std::move(systems)) {
         for (lts::TransitionSystem* system : systems_) system->watch([&budget] { budget.charge(); });
     }
-    Watch(const Watch&) = delete;
-    Watch& operator=(const Watch&) = delete;
-    ~Watch() {
+    PollGuard(const PollGuard&) = delete;
+    PollGuard& operator=(const PollGuard&) = delete;
+    ~PollGuard() {
         for (lts::TransitionSystem* system : systems_) system->watch({});
     }
 

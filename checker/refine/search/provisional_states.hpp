@@ -1,5 +1,5 @@
-// New states that one stretch of a wide level has met (parallel_level.hpp), in the order in which it met them. They stay
-// where they are while more come, so that other threads can compare with them.
+// The new states of one block of a wide level (parallel_level.hpp), in the order of discovery. Their addresses are
+// stable while more are added, so that other threads can compare with them.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 
 namespace robochart::refine {
 
-class Claims {
+class ProvisionalStates {
 public:
     struct Claim {
         lts::IndexTable::Slot slot;
-        std::uint32_t pair = 0;  ///< by which it was met, counted from the stretch's first
+        std::uint32_t pair = 0;  ///< by which it was met, counted from the block's first
         bool lost = false;       ///< a lower claim has taken its place
     };
     static constexpr std::uint32_t most = std::uint32_t{1} << 20U;
@@ -36,7 +36,7 @@ public:
         return chunks_[place.chunk].words.get() + place.offset * width_;
     }
     /// Memory for so many more. False if they would be too many.
-    bool make_room(std::size_t more) {
+    bool make_space(std::size_t more) {
         if (size_ + more > most) return false;
         for (std::size_t chunk = 0; chunk <= place_of(static_cast<std::uint32_t>(size_ + more)).chunk; ++chunk) {
             if (chunks_[chunk].words != nullptr) continue;

@@ -1,4 +1,4 @@
-// Runs of a system as exact states, before they are told as counterexamples.
+// Runs of a system as exact states, from which counterexamples are made.
 #pragma once
 
 #include <vector>

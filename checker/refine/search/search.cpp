@@ -72,12 +72,13 @@ std::optional<Finding> Search::search_antichain_level(StateIndex first, StateInd
     std::vector<bool> needed;
     for (StateIndex pair = first; pair != end; ++pair) {
         const StateIndex number = antichain_->number(state(pair));
-        needed.push_back(antichain_->first_pair(number) == pair || !antichain_->outdoes(number, node(pair), monitor_));
+        needed.push_back(antichain_->first_pair(number) == pair ||
+                         !antichain_->is_subsumed(number, node(pair), monitor_));
     }
     for (StateIndex pair = first; pair != end; ++pair) {
         if (!needed[pair - first]) {
             ++expanded_;
-            lineage_.expanded(0);
+            parents_.expanded(0);
             continue;
         }
         expander_.expand(pair, pair + 1, 1, expansion_);
@@ -89,19 +90,19 @@ std::optional<Finding> Search::search_antichain_level(StateIndex first, StateInd
 /// Threads are started when the first wide level is met.
 bool Search::several_threads() {
     if (!wide_ && !one_thread_ && budget_.threads() > 1)
-        wide_ = WideLevel::make(system_, monitor_, pairs_, budget_.threads());
+        wide_ = ParallelLevel::make(system_, monitor_, pairs_, budget_.threads());
     one_thread_ = !wide_;
     return !one_thread_;
 }
 
 std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex end) {
     while (first != end) {
-        const auto entering = note_taus_ ? WideLevel::Work::enter_note_taus : WideLevel::Work::enter;
-        first = wide_->run(first, end, forbidden_ ? WideLevel::Work::examine : entering);
+        const auto entering = note_taus_ ? ParallelLevel::Work::enter_note_taus : ParallelLevel::Work::enter;
+        first = wide_->run(first, end, forbidden_ ? ParallelLevel::Work::examine : entering);
         for (std::size_t i = 0; i < wide_->size(); ++i) note((*wide_)[i]);
         budget_.states(pairs_.size());
         if (!wide_->stopped()) continue;
-        const StateIndex next = std::min(end - first, WideLevel::pairs_at_once) + first;
+        const StateIndex next = std::min(end - first, ParallelLevel::pairs_at_once) + first;
         if (const std::optional<Finding> finding = search_alone(first, next)) return finding;
         first = next;
     }
@@ -109,12 +110,12 @@ std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex en
 }
 
 /// What `take` notes of the rows that it enters.
-void Search::note(const WideLevel::Stretch& stretch) {
-    budget_.charge(stretch.pairs);
-    expanded_ += stretch.pairs;
-    transitions_ += stretch.transitions;
-    if (!forbidden_) lineage_.append(stretch.found);
-    for (const StateIndex target : stretch.back_targets) back_taus_.add(target);
+void Search::note(const ParallelLevel::Block& block) {
+    budget_.charge(block.pairs);
+    expanded_ += block.pairs;
+    transitions_ += block.transitions;
+    if (!forbidden_) parents_.append(block.found);
+    for (const StateIndex target : block.back_targets) back_taus_.add(target);
 }
 
 /// Enters what the pairs from `first` on have given.
@@ -148,7 +149,7 @@ void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t fir
         if (insertion.fresh) ++found;
         if (vertex && expansion.by_tau(i)) back_taus_.note(*vertex, insertion.index);
     }
-    lineage_.expanded(found);
+    parents_.expanded(found);
 }
 
 /// The number is the pair's, or with an antichain its state's: a state diverges whatever the node.
@@ -251,7 +252,7 @@ std::vector<StateIndex> Search::tau_cycle(StateIndex pair) {
 
 std::vector<StateIndex> Search::path_to(StateIndex pair) const {
     std::vector<StateIndex> path;
-    for (; pair != 0; pair = lineage_.parent(pair)) path.push_back(pair);
+    for (; pair != 0; pair = parents_.parent(pair)) path.push_back(pair);
     path.push_back(0);
     std::reverse(path.begin(), path.end());
     return path;

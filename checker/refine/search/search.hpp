@@ -71,14 +71,14 @@ private:
     [[nodiscard]] std::optional<lts::StateIndex> tau_vertex(lts::StateIndex pair);
     [[nodiscard]] GraphView tau_graph();
     void tau_targets(lts::StateIndex pair, std::vector<lts::StateIndex>& targets);
-    void note(const WideLevel::Stretch& stretch);
+    void note(const ParallelLevel::Block& block);
 
     lts::TransitionSystem& system_;
     Monitor& monitor_;
     Budget& budget_;
     const bool nodes_;  // pairs begin with the monitor's node
     lts::StateStore pairs_;
-    Lineage lineage_;
+    ParentIndex parents_;
     bool note_taus_;
     BackTargets back_taus_;  // all that a cycle of taus needs to have been seen
     std::uint64_t expanded_ = 0;
@@ -88,7 +88,7 @@ private:
     Expander expander_;
     Expansion expansion_;
     std::unique_ptr<Antichain> antichain_;  // if there is one, vertices of the tau graph are its states
-    std::unique_ptr<WideLevel> wide_;
+    std::unique_ptr<ParallelLevel> wide_;
     bool one_thread_ = false;
     bool ahead_ = false;                // several pairs may be expanded before the first one's targets are known
     std::optional<Finding> forbidden_;  // the first forbidden event, while its level is finished

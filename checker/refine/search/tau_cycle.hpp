@@ -31,7 +31,7 @@ private:
 };
 
 /// The least vertex that lies on a cycle (a self-loop is one). `entrances`: the targets of edges that do not lead
-/// forward, all of them, ascending; what no such edge leads to by whatever way is not looked at.
+/// forward, all of them, ascending; pairs that no such edge leads to, directly or indirectly, are skipped.
 [[nodiscard]] std::optional<lts::StateIndex> least_on_cycle(const GraphView& graph,
                                                             std::vector<lts::StateIndex> entrances);
 /// A shortest cycle through the vertex: the vertices after it, ending with itself. Empty if there is none.

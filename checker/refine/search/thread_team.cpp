@@ -17,18 +17,18 @@ void await_change(const std::atomic<unsigned>& value, unsigned old) {
 
 }  // namespace
 
-Team::Team(unsigned size) {
+ThreadTeam::ThreadTeam(unsigned size) {
     for (unsigned member = 1; member < size; ++member) helpers_.emplace_back([this, member] { help(member); });
 }
 
-Team::~Team() {
+ThreadTeam::~ThreadTeam() {
     over_ = true;
     round_.fetch_add(1);
     round_.notify_all();
     for (std::thread& helper : helpers_) helper.join();
 }
 
-void Team::run(const std::function<void(unsigned)>& work) {
+void ThreadTeam::run(const std::function<void(unsigned)>& work) {
     work_ = &work;
     busy_.store(static_cast<unsigned>(helpers_.size()));
     round_.fetch_add(1);
@@ -37,7 +37,7 @@ void Team::run(const std::function<void(unsigned)>& work) {
     for (unsigned busy = busy_.load(); busy != 0; busy = busy_.load()) await_change(busy_, busy);
 }
 
-void Team::help(unsigned member) {
+void ThreadTeam::help(unsigned member) {
     for (unsigned seen = 0;;) {
         await_change(round_, seen);
         ++seen;

@@ -9,13 +9,13 @@
 
 namespace robochart::refine {
 
-class Team {
+class ThreadTeam {
 public:
     /// `size` counts the caller's thread too.
-    explicit Team(unsigned size);
-    Team(const Team&) = delete;
-    Team& operator=(const Team&) = delete;
-    ~Team();
+    explicit ThreadTeam(unsigned size);
+    ThreadTeam(const ThreadTeam&) = delete;
+    ThreadTeam& operator=(const ThreadTeam&) = delete;
+    ~ThreadTeam();
 
     [[nodiscard]] unsigned size() const { return static_cast<unsigned>(helpers_.size()) + 1; }
     /// Calls `work` with every member's number, 0 by the caller itself, and returns when all have come back. What one

@@ -21,7 +21,7 @@ Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits&
                const std::function<void(Budget&, Verdict&)>& question) {
     Verdict verdict;
     Budget budget(limits);
-    const Watch watch(systems, budget);
+    const PollGuard guard(systems, budget);
     const auto leave_open = [&](const char* reason) {
         verdict.outcome = Outcome::inconclusive;
         verdict.counterexample.reset();
@@ -63,11 +63,11 @@ std::vector<process::EventSet> required_after(NormalForm& specification, const V
     return {specification.initials(node)};
 }
 
-Counterexample told_violation(NormalForm& normal, const Confirmed& confirmed) {
-    Counterexample told = tell(confirmed);
-    told.required = required_after(normal, confirmed.violation);
-    if (told.kind == ViolationKind::trace) told.event = told.steps.back().event;
-    return told;
+Counterexample violation_counterexample(NormalForm& normal, const Confirmed& confirmed) {
+    Counterexample counterexample = tell(confirmed);
+    counterexample.required = required_after(normal, confirmed.violation);
+    if (counterexample.kind == ViolationKind::trace) counterexample.event = counterexample.steps.back().event;
+    return counterexample;
 }
 
 void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
@@ -91,7 +91,7 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
         confirm_refinement_violation(by_reference ? *specification.reference() : specification, system, model, shown,
                                      own);
     };
-    fail(verdict, told_violation(normal, confirmed(implementation, *violation, budget, judge)));
+    fail(verdict, violation_counterexample(normal, confirmed(implementation, *violation, budget, judge)));
 }
 
 void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence, Budget& budget,
@@ -149,10 +149,10 @@ std::optional<std::size_t> refused_in(lts::TransitionSystem& system, const std::
 }
 
 /// FDR's manual does not say what the failures models add to `has trace`. Where the system neither refuses nor diverges
-/// on the way they can add nothing, and where it cannot perform the trace they can mend nothing; else it stays open.
+/// on the way they add nothing, and if it cannot perform the trace they do not help; otherwise the answer is open.
 void doubt_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, Budget& budget,
                  Verdict& verdict) {
-    const std::string open = "; what that means for 'has trace' outside the traces model is not laid down: ask for [T]";
+    const std::string open = "; what that means for 'has trace' outside the traces model is not defined: use [T]";
     if (model == Model::failures_divergences && diverges_along(system, trace, budget))
         verdict.reason = "the process can diverge along the trace" + open;
     else if (verdict.outcome == Outcome::fails)
@@ -178,9 +178,9 @@ void decide_trace(lts::TransitionSystem& system, const std::vector<Event>& trace
     const auto judge = [&](lts::TransitionSystem& judged, const Violation& shown, Budget& own) {
         confirm_missing_trace(judged, trace, shown.run, own);
     };
-    Counterexample told = tell(confirmed(system, {ViolationKind::no_trace, run, {}, {}}, budget, judge));
-    told.event = trace[monitor.furthest()];
-    fail(verdict, std::move(told));
+    Counterexample counterexample = tell(confirmed(system, {ViolationKind::no_trace, run, {}, {}}, budget, judge));
+    counterexample.event = trace[monitor.furthest()];
+    fail(verdict, std::move(counterexample));
 }
 
 }  // namespace

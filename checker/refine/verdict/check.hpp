@@ -17,7 +17,7 @@ namespace robochart::refine {
 [[nodiscard]] Verdict divergence_free(lts::TransitionSystem&, const Limits&);
 [[nodiscard]] Verdict deterministic(lts::TransitionSystem&, Model, const Limits&);
 /// :[has trace [M]]: the process can perform these visible events in order. In the other models than T inconclusive
-/// where it could also refuse one of them, or in FD diverge, since what they ask then is laid down nowhere.
+/// where it could also refuse one of them, or in FD diverge, since the manual does not define these cases.
 [[nodiscard]] Verdict has_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, Model, const Limits&);
 
 }  // namespace robochart::refine

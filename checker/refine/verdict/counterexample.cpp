@@ -24,21 +24,21 @@ std::vector<process::TermId> terms_of(const Run& run) {
 Counterexample tell(const Confirmed& confirmed) {
     lts::TransitionSystem& system = *confirmed.system;
     const Violation& violation = confirmed.violation;
-    Counterexample told;
-    told.kind = violation.kind;
-    told.initial = system.describe(violation.run.initial);
-    told.steps = steps_of(system, violation.run);
-    told.loop = steps_of(system, violation.loop);
-    told.event = violation.event;
-    told.replayed_by_terms = confirmed.by_terms;
+    Counterexample result;
+    result.kind = violation.kind;
+    result.initial = system.describe(violation.run.initial);
+    result.steps = steps_of(system, violation.run);
+    result.loop = steps_of(system, violation.loop);
+    result.event = violation.event;
+    result.replayed_by_terms = confirmed.by_terms;
     if (system.states_are_terms()) {
-        told.terms = terms_of(violation.run);
-        told.loop_terms = terms_of(violation.loop);
+        result.terms = terms_of(violation.run);
+        result.loop_terms = terms_of(violation.loop);
     }
     const bool stops = violation.kind == ViolationKind::refusal || violation.kind == ViolationKind::deadlock ||
                        violation.kind == ViolationKind::nondeterminism;
-    if (stops) told.offered = offer_of(steps_from(system, violation.run.last())).events;
-    return told;
+    if (stops) result.offered = offer_of(steps_from(system, violation.run.last())).events;
+    return result;
 }
 
 }  // namespace robochart::refine

@@ -1,4 +1,4 @@
-// Runs told as counterexamples.
+// Counterexamples from runs.
 #pragma once
 
 #include "checker/refine/verdict/reference.hpp"

@@ -1,8 +1,8 @@
 // Determinism after its definition (UCS 10.5): P is deterministic if it is divergence free [FD only] and there are no
-// trace s and event a such that s^<a> is a trace of P and P can refuse {a} after s. Decided in up to three ways:
+// trace s and event a such that s^<a> is a trace of P and P can refuse {a} after s. Decided in up to three steps:
 //   * where every state that is met has neither a tau nor two transitions by one event, P is deterministic;
-//   * else by FDR's way (Lazic's; UCS 10.5 and 20): P' resolves every choice of P by the first transition, so P' is a
-//     deterministic process whose nodes are single states of P, and P is deterministic iff P refines P'. For let s be
+//   * else by FDR's method (Lazic's; UCS 10.5 and 20): P' resolves every choice of P by the first transition, so P' is
+//     a deterministic process whose nodes are single states of P, and P is deterministic iff P refines P'. For let s be
 //     a shortest trace after which P both accepts and refuses an event; up to there all stable states agree, so P' has
 //     a stable state after s, which another state of P after s contradicts, by an event too many or one too few;
 //   * in F, where the resolution runs into a divergence: on the normal form, every acceptance of every node contains
@@ -76,7 +76,7 @@ std::optional<Violation> divergence_of(lts::TransitionSystem& system, Budget& bu
     return first_divergence(search);
 }
 
-/// Nodes are counted, and told while they are made, also where a limit ends it.
+/// Nodes are counted and reported while they are made, also if a limit ends it.
 class Normalising {
 public:
     Normalising(const NormalForm& normal, Budget& budget, Statistics& statistics)

@@ -1,4 +1,4 @@
-// The frame all questions share: a budget, a clock, and limits told as an inconclusive verdict.
+// The frame that all checks share: a budget, a clock, and limits reported as an inconclusive verdict.
 #pragma once
 
 #include <functional>

@@ -93,7 +93,7 @@ std::vector<Action> actions_of(const Run& run) {
     return actions;
 }
 
-/// As many taus look alike without what they hide: where they stand in a row, most of a state space fits.
+/// Without the hidden events taus are not distinguished: along a row of taus most of a state space matches.
 std::vector<Action> revealed_actions_of(const Run& run) {
     std::vector<Action> actions;
     for (const RunStep& step : run.steps) actions.push_back({step.event, step.revealed});
@@ -216,7 +216,7 @@ Confirmed confirmed(lts::TransitionSystem& system, const Violation& violation, B
     lts::TransitionSystem& reference = *system.reference();
     const Limits share = share_of(budget.limits());
     Budget own(share);
-    const Watch watch({&reference}, own);
+    const PollGuard guard({&reference}, own);
     try {
         Violation again = found_again(system, reference, violation, own);
         judge(reference, again, own);

@@ -1,5 +1,5 @@
 // What a search has found in a compiled process, found again in the terms it was compiled from: the two engines check
-// each other. A violation that the terms do not have is a fault of the checker and throws std::logic_error.
+// each other. A violation that the terms do not have is an internal error and throws std::logic_error.
 #pragma once
 
 #include "checker/refine/verdict/replay.hpp"

@@ -51,7 +51,7 @@ public:
 
     /// A robot stands in the line of sight, before any wall.
     [[nodiscard]] bool sees_robot() const { return eye_.robot() < eye_.wall(); }
-    /// The way to what is in the line of sight.
+    /// The distance to what is in the line of sight.
     [[nodiscard]] double distance() const { return std::max(0.0, std::min(eye_.robot(), eye_.wall())); }
 
     /// Speeds of the wheels, cm/s.

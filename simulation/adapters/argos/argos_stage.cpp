@@ -281,8 +281,7 @@ std::unique_ptr<Stage> argos_stage(const Scenario& scenario, std::uint32_t trial
     const auto seed = static_cast<std::uint32_t>(scenario.seed + trial);
     argos::CRandom::CRNG* const random = Session::open(argos_experiment(scenario, *first), std::max(1U, seed));
     if (random == nullptr) {
-        diagnostics.report(rules::not_there, scenario.name.span,
-                           {"ARGoS", "room for a second experiment in a process"});
+        diagnostics.report(rules::not_there, scenario.name.span, {"ARGoS", "a second experiment in a process"});
         return nullptr;
     }
     return std::make_unique<ArgosStage>(scenario, *world, random);

@@ -1,5 +1,6 @@
-// Random scripts through the whole command against the naive checker: read from a file, decided, told as JSON; and told
-// once more in another format. Several processes are one script, each in a module of its own, written in several ways.
+// Random scripts through the whole command against the naive checker: read from a file, decided, reported as JSON; and
+// reported once more in another format. Several processes are one script, each in a module of its own, written in
+// several ways.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -133,10 +134,10 @@ TEST(RandomScripts, AreDecidedByTheCommandAsByDefinition) {
         const TemporaryFile file("random.csp", scripts.script);
         const Ran ran = run_on(file, {"--format", "json"});
         ASSERT_EQ(ran.exit, all_hold ? 0 : 1) << ran.err << scripts.script;
-        const Json told = Json::parse(ran.out);
-        ASSERT_EQ(told["results"].size(), scripts.asked.size()) << ran.out << scripts.script;
+        const Json reported = Json::parse(ran.out);
+        ASSERT_EQ(reported["results"].size(), scripts.asked.size()) << ran.out << scripts.script;
         for (std::size_t at = 0; at < scripts.asked.size(); ++at) {
-            const Json& result = told["results"][at];
+            const Json& result = reported["results"][at];
             const bool holds = scripts.asked[at].holds;
             ASSERT_EQ(result["result"], holds ? 1 : 0) << scripts.asked[at].text << "\n" << scripts.script;
             ASSERT_EQ(result["counterexamples"].size(), holds ? 0U : 1U) << scripts.asked[at].text << "\n" << scripts.script;

@@ -75,7 +75,7 @@ TEST(Bisimulation, LeavesOutWhatIsNotReached) {
     EXPECT_EQ(quotient.state_of, (std::vector<StateIndex>{0, no_state}));
 }
 
-/// The number of classes of the greatest bisimulation, by removing pairs that can be told apart.
+/// The number of classes of the greatest bisimulation, by removing pairs that can be distinguished.
 std::size_t classes_by_elimination(const Graph& graph) {
     const auto n = static_cast<StateIndex>(graph.size());
     std::set<std::pair<StateIndex, StateIndex>> related;

@@ -114,7 +114,7 @@ TEST(StateStore, OfEqualClaimsKeepsTheLowest) {
     EXPECT_EQ(claims - lost, lowest.size());
     EXPECT_GT(lowest.size(), 2900U);
 
-    store.make_room(1000 + lowest.size());
+    store.make_space(1000 + lowest.size());
     StateIndex number = 1000;
     for (const OwnClaims& own : all)
         for (const OwnClaims::Row& row : own.rows()) {
@@ -143,12 +143,12 @@ TEST(StateStore, IsMadeAnewByParts) {
     StateStore store(1);
     for (Word word = 0; word < 300000; ++word) store.insert(StateView(&word, 1));
     std::size_t pieces = 0;
-    store.reserve(store.size() + store.room() + 1,
+    store.reserve(store.size() + store.space() + 1,
                   [&pieces](std::size_t count, const std::function<void(std::size_t)>& piece) {
                       for (pieces = 0; pieces < count; ++pieces) piece(count - pieces - 1);
                   });
     EXPECT_GT(pieces, 1U);
-    EXPECT_GT(store.room(), 0U);
+    EXPECT_GT(store.space(), 0U);
     for (Word word = 0; word < 300000; ++word) ASSERT_EQ(store.find(StateView(&word, 1)), word);
 }
 

@@ -74,7 +74,7 @@ TEST_F(Classics, AShorterChainIsNotTheSameBuffer) {
     EXPECT_EQ(refines(three, chain, Model::traces, limits).outcome, Outcome::holds);
     const Verdict verdict = refines(three, chain, Model::failures, limits);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
-    // Two items, the first of which has moved on by a tau, and no room for a third.
+    // Two items, the first of which has moved on by a tau, and no space for a third.
     EXPECT_EQ(verdict.counterexample->kind, ViolationKind::refusal);
     EXPECT_EQ(verdict.counterexample->steps.size(), 3U);
     EXPECT_EQ(verdict.counterexample->offered.size(), 1U);

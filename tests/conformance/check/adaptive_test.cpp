@@ -24,7 +24,7 @@ using Verdict = AdaptiveVerdict::Kind;
 /// Generated code as an implementation in words.
 class Generated {
 public:
-    Generated(const rc_interface& code, const MachineOfChoices& machine, const AllowedCycles& graph,
+    Generated(const rc_interface& code, const ChoiceAutomaton& machine, const AllowedCycles& graph,
               const CyclicModel& model)
         : code_(code), machine_(machine), graph_(graph), model_(model), image_(code.state_size) {
         for (std::size_t s = 0; s < machine.states(); ++s)
@@ -57,7 +57,7 @@ public:
 
 private:
     const rc_interface& code_;
-    const MachineOfChoices& machine_;
+    const ChoiceAutomaton& machine_;
     const AllowedCycles& graph_;
     const CyclicModel& model_;
     std::vector<unsigned char> image_;
@@ -72,7 +72,7 @@ void kill(const std::string& folder, const std::vector<Fault>& faults, bool choi
     const auto model = CyclicModel::load(project.system, project.instantiation, component, 1, {}, project.sources,
                                          project.diagnostics, error);
     ASSERT_NE(model, nullptr) << error;
-    const MachineOfChoices machine = machine_of_choices(*model, {});
+    const ChoiceAutomaton machine = choice_automaton(*model, {});
     EXPECT_EQ(machine.deterministic(), !choices);
     AllowedCycles graph;
     std::istringstream text(choice_graph(machine, *model, "M", 1));

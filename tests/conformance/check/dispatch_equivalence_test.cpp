@@ -1,5 +1,5 @@
-// The event-driven face against the cycle, in all states and with all events: what is compared, and how a difference is
-// told. The expected states follow from tests/conformance/models/reacts by hand.
+// The event API against the cycle, in all states and with all events: what is compared, and how a difference is
+// reported. The expected states follow from tests/conformance/models/reacts by hand.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -14,67 +14,68 @@ using cpp_emit::Fault;
 const char* const reacts = "tests/conformance/models/reacts";
 
 /// A module with two events without values, code with five states: none and each event.
-TEST(EventFace, IsComparedInEveryStateWithEveryEvent) {
+TEST(EventApi, IsComparedInEveryStateWithEveryEvent) {
     test::Model model("corpus/aggregation");
     test::Bench bench(model, model.module());
     const Result result = bench.check();
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     EXPECT_EQ(result.code_states, 5U);
     EXPECT_EQ(result.dispatched, 5U * (1 + 2));
-    EXPECT_FALSE(result.faces);
+    EXPECT_FALSE(result.api_difference);
 }
 
 /// The first exits are those of A, for event `a`: `innerLeft = true`. One cycle leads to A, with `a` or
 /// with `v` of 1.
-TEST(EventFace, ADifferenceIsToldWithTheWayThereAndBothBehaviours) {
+TEST(EventApi, ADifferenceIsReportedWithTheWayThereAndBothBehaviours) {
     test::Model model(reacts);
     test::Bench bench(model, model.machine("Reacts"));
     const Result result = bench.check(Fault::dispatch_exits_dropped, 0);
     ASSERT_EQ(result.outcome, Outcome::differs) << result.reason;
-    EXPECT_EQ(result.reason, "the event-driven face differs from the cycle: `dispatch` of a: another state");
+    EXPECT_EQ(result.reason, "the event API differs from the cycle: `dispatch` of a: another state");
     ASSERT_EQ(result.cycles.size(), 1U);
     EXPECT_EQ(result.cycles[0].inputs.size(), 1U);
     EXPECT_EQ(result.cycles[0].outputs.size(), 1U);
     EXPECT_NE(result.cycles[0].state.find("state=Work_A "), std::string::npos) << result.cycles[0].state;
-    ASSERT_TRUE(result.faces);
-    EXPECT_EQ(result.faces->event, "a");
-    EXPECT_EQ(result.faces->cycle.ends, "at rest");
-    EXPECT_NE(result.faces->cycle.state.find("innerLeft=true"), std::string::npos) << result.faces->cycle.state;
-    EXPECT_NE(result.faces->dispatched.state.find("innerLeft=false"), std::string::npos)
-        << result.faces->dispatched.state;
+    ASSERT_TRUE(result.api_difference);
+    EXPECT_EQ(result.api_difference->event, "a");
+    EXPECT_EQ(result.api_difference->cycle.ends, "at rest");
+    EXPECT_NE(result.api_difference->cycle.state.find("innerLeft=true"), std::string::npos)
+        << result.api_difference->cycle.state;
+    EXPECT_NE(result.api_difference->dispatched.state.find("innerLeft=false"), std::string::npos)
+        << result.api_difference->dispatched.state;
 }
 
 /// Before the first cycle: `v` with 0 leads to Check, which is left without an event.
-TEST(EventFace, WhatIsStillEnabledIsTold) {
+TEST(EventApi, WhatIsStillEnabledIsReported) {
     test::Model model(reacts);
     test::Bench bench(model, model.machine("Reacts"));
-    bool told = false;
-    for (std::uint32_t site = 0; !told && site < bench.sites(Fault::dispatch_look_dropped); ++site) {
+    bool reported = false;
+    for (std::uint32_t site = 0; !reported && site < bench.sites(Fault::dispatch_look_dropped); ++site) {
         const Result result = bench.check(Fault::dispatch_look_dropped, site);
         if (result.reason.find("it leaves something enabled") == std::string::npos) continue;
-        told = true;
+        reported = true;
         EXPECT_EQ(result.outcome, Outcome::differs);
-        ASSERT_TRUE(result.faces);
-        EXPECT_NE(result.faces->dispatched.state.find("state=Check"), std::string::npos)
-            << result.faces->dispatched.state;
+        ASSERT_TRUE(result.api_difference);
+        EXPECT_NE(result.api_difference->dispatched.state.find("state=Check"), std::string::npos)
+            << result.api_difference->dispatched.state;
     }
-    EXPECT_TRUE(told);
+    EXPECT_TRUE(reported);
 }
 
 /// Without inputs time passes only once what needs no event is done: Wait is left two time units after it was entered.
-TEST(EventFace, PassIsACycleWithoutInputs) {
+TEST(EventApi, PassIsACycleWithoutInputs) {
     test::Model model(reacts);
     test::Bench bench(model, model.machine("Reacts"));
     const Result result = bench.check(Fault::pass_not_quiet, 0);
     ASSERT_EQ(result.outcome, Outcome::differs) << result.reason;
     EXPECT_NE(result.reason.find("`pass`"), std::string::npos) << result.reason;
-    ASSERT_TRUE(result.faces);
-    EXPECT_EQ(result.faces->event, "");
-    EXPECT_NE(result.faces->cycle.state, result.faces->dispatched.state);
+    ASSERT_TRUE(result.api_difference);
+    EXPECT_EQ(result.api_difference->event, "");
+    EXPECT_NE(result.api_difference->cycle.state, result.api_difference->dispatched.state);
 }
 
 /// `x` is made twice, at once, in a cycle and behind a dispatch.
-TEST(EventFace, AnOutputMadeTwiceIsMadeAtOnce) {
+TEST(EventApi, AnOutputMadeTwiceIsMadeAtOnce) {
     const test::TemporaryFolder folder(R"(
 stm Twice {
     event go
@@ -93,9 +94,10 @@ stm Twice {
     EXPECT_EQ(result.dispatched, 2U * 3);  // the beginning, A, B; `go` or none
 }
 
-/// Where the code asks, both faces ask the same and give the same for every answer: a face that takes the first way,
-/// here even by its table, is not that of code that asks. In Reacts `a` is for a transition of A and for one around it.
-TEST(EventFace, AsksWhatTheCycleAsks) {
+/// Where the code asks, both APIs ask the same and give the same for every answer: an API that takes the first
+/// alternative, here even by its table, is not that of code that asks. In Reacts `a` is for a transition of A and for
+/// one around it.
+TEST(EventApi, AsksWhatTheCycleAsks) {
     for (const auto& [folder, machine, event] :
          {std::tuple("tests/conformance/models/either", "M", "go"), std::tuple(reacts, "Reacts", "a")}) {
         test::Model model(folder);
@@ -112,8 +114,8 @@ TEST(EventFace, AsksWhatTheCycleAsks) {
         mixed.dispatch = takes_first->interface().dispatch;
         const Result result = bench.check(mixed);
         EXPECT_EQ(result.outcome, Outcome::differs);
-        EXPECT_EQ(result.reason, std::string("the event-driven face differs from the cycle: `dispatch` of ") + event +
-                                     ": other choices");
+        EXPECT_EQ(result.reason,
+                  std::string("the event API differs from the cycle: `dispatch` of ") + event + ": other choices");
     }
 }
 

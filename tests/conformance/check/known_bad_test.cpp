@@ -1,4 +1,4 @@
-// The checkers themselves under test: pairs known to be bad must be told bad, whatever was judged before them, and
+// The checkers themselves under test: pairs known to be bad must be reported bad, whatever was checked before them, and
 // pairs known to be good must stay good. All controllers are loaded at once: with shared symbols (g++'s default for
 // inline variables) every comparison would say "equal".
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ Outcome walked(const rc_interface& code) {
     return walk(graph, alphabet, code, 1, {}, WalkOptions{5'000, 10, 3}).outcome;
 }
 
-TEST(KnownBad, PairsAreToldBadInAnyOrder) {
+TEST(KnownBad, PairsAreReportedBadInAnyOrder) {
     Loaded loaded;
     for (const int fault : bad) (void)loaded[fault];
     for (const int fault : bad) {

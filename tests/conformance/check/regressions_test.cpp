@@ -52,13 +52,13 @@ TEST(Regressions, AnOperationMayBeCalledWhereNothingLeads) {
 TEST(Regressions, AWriteMayArriveAfterTheTriggerOfACallThatReadsIt) {
     expect_conforming(
         "interface Acts { go(v : nat) } interface Shared { var v : nat } interface Orders { event set : nat }\n"
-        "interface Wire { event told }\n"
+        "interface Wire { event reported }\n"
         "stm Source { requires Shared uses Orders uses Wire var n : nat initial i state A { }\n"
-        "transition t0 { from i to A } transition t1 { from A to A trigger set?n action v = n; told; wait(1) } }\n"
+        "transition t0 { from i to A } transition t1 { from A to A trigger set?n action v = n; reported; wait(1) } }\n"
         "stm Sink { requires Acts requires Shared uses Wire initial i state A { }\n"
-        "transition t0 { from i to A } transition t1 { from A to A trigger told action go(v); wait(1) } }\n"
+        "transition t0 { from i to A } transition t1 { from A to A trigger reported action go(v); wait(1) } }\n"
         "controller C { requires Acts requires Shared uses Orders sref a = Source sref b = Sink\n"
-        "connection C on set to a on set connection a on told to b on told }\n"
+        "connection C on set to a on set connection a on reported to b on reported }\n"
         "module M { robotic platform P { provides Acts uses Shared uses Orders } cref c = C\n"
         "connection P on set to c on set (_async) }\n");
 }

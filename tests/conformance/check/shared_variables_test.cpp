@@ -1,5 +1,5 @@
-// Variables that the outside relays (semantics 3.7): of the machines of a controller alone, each has its copy, which
-// the others' writes reach only through the outside.
+// Variables whose writes the environment propagates (semantics 3.7): of the machines of a controller alone, each has
+// its copy, which the others' writes reach only through the outside.
 #include <gtest/gtest.h>
 
 #include "conformance/check/conform.hpp"
@@ -35,7 +35,7 @@ stm Reader {
 module M { rref p = P cref c = C connection c on seen to p on seen ( _async ) }
 )";
 
-class Relay : public ::testing::Test {
+class SharedVariables : public ::testing::Test {
 protected:
     static std::string core(test::Model& model, const ir::ComponentRef& ref) {
         const cpp_emit::Emission code = cpp_emit::emit(model.system, model.instantiation, ref, {}, model.diagnostics);
@@ -47,7 +47,7 @@ protected:
     test::TemporaryFolder folder_{text};
 };
 
-TEST_F(Relay, EachMachineHasItsCopyWhereTheOutsideRelays) {
+TEST_F(SharedVariables, EachMachineHasItsCopyWhereTheEnvironmentPropagates) {
     test::Model model(folder_.path());
     diagnostics::Diagnostics found;
     const ir::ComponentRef controller = model.controller();
@@ -59,7 +59,7 @@ TEST_F(Relay, EachMachineHasItsCopyWhereTheOutsideRelays) {
     EXPECT_NE(code.find("= inputs_.external_v.value;"), std::string::npos);
 }
 
-TEST_F(Relay, ThereIsOneWhereTheModuleDoes) {
+TEST_F(SharedVariables, ThereIsOneWhereTheModuleDoes) {
     test::Model model(folder_.path());
     diagnostics::Diagnostics found;
     const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);

@@ -136,8 +136,8 @@ protected:
         if (excepted) seen_.insert(name);
         const Outcome expected = excepted ? row->outcome : Outcome::conforms;
         EXPECT_EQ(result.outcome, expected) << name << ": " << said.substr(0, 2000);
-        const bool told = !excepted || said.find(row->why) != std::string::npos;
-        EXPECT_TRUE(told) << name << ": " << said.substr(0, 2000);
+        const bool reported = !excepted || said.find(row->why) != std::string::npos;
+        EXPECT_TRUE(reported) << name << ": " << said.substr(0, 2000);
         if (result.outcome != Outcome::conforms) return;
         ++conforming_;
         in_registers_ += result.register_cycles && result.register_cycles->holds ? 1U : 0U;

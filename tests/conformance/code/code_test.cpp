@@ -1,5 +1,5 @@
 // What is done with compiled code besides judging it: compared with other code, stopped where it does not come back,
-// told of where it does not compile.
+// reported if it does not compile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -69,7 +69,7 @@ TEST(Watchdog, LeavesCodeThatReturnsAlone) {
 }
 
 /// Generated code that does not compile is the generator's fault, and `conform` shows the compiler's words.
-TEST(Uncompilable, IsToldWithTheCompilersWords) {
+TEST(Uncompilable, IsReportedWithTheCompilersWords) {
     test::Model model("tests/conformance/models/nested");
     for (const auto& [fault, words] : {std::pair(Fault::undeclared_member, "no member named"),
                                        std::pair(Fault::name_collision, "duplicate case value")}) {

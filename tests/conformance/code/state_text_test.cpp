@@ -22,7 +22,7 @@ constexpr const char* matrix_model =
     "initial i state A { } transition t0 { from i to A }\n"
     "transition t1 { from A to A trigger e?m action m[1, 2] = false; m[2, 1] = m[1, 1]; out!m } }\n";
 
-/// Every type that has parts, in variables of one machine; what `go` does to them is to be told. What it leaves has
+/// Every type that has parts, in variables of one machine; what `go` does to them is to be reported. What it leaves has
 /// the values of semantics 3.6, truth values true and numbers 0.
 constexpr const char* every_type =
     "enumeration Mode { slow fast } enumeration Colour { Red Put(boolean) }\n"
@@ -105,7 +105,7 @@ TEST(StateText, BatchesTellThemToo) {
     }
 }
 
-/// What waits between two machines is told like what is in variables.
+/// Values waiting between two machines are reported like those of variables.
 TEST(StateText, BuffersTellWhatTheyHold) {
     const test::TemporaryFolder folder(
         "datatype Pose { far : real lit : boolean }\n"
@@ -132,7 +132,7 @@ TEST(StateText, BuffersTellWhatTheyHold) {
 }
 
 /// Texts that are longer than the first guess at their length are whole.
-TEST(StateText, LongStatesAreToldWhole) {
+TEST(StateText, LongStatesAreReportedWhole) {
     rc_interface code{};
     code.print = [](const void*, char* buffer, std::size_t size) {
         for (std::size_t i = 0; i + 1 < size; ++i) buffer[i] = i < 10'000 ? 'x' : '\0';

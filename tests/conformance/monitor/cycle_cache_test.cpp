@@ -1,4 +1,4 @@
-// Cycles told as a whole: exactly what telling them event by event gives, runs and violations alike.
+// Cycles reported as a whole: the same results as event by event, runs and violations alike.
 #include "conformance/monitor/cycle_cache.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ struct Written {
     std::vector<double> arguments;  ///< whole ones of whole kinds
 };
 
-/// One component's tables, its ports, and two monitors: one told of whole cycles, one of events.
+/// One component's tables, its ports, and two monitors: one given whole cycles, one events.
 class Pair {
 public:
     Pair(const MonitorTables& tables, std::vector<Port> inputs, std::vector<Port> outputs)
@@ -60,7 +60,7 @@ public:
         monitor.end_of_cycle();
     }
 
-    /// Both are told; they must agree. The signals are gone afterwards.
+    /// Both are called; they must agree. The signals are gone afterwards.
     void cycle(const std::vector<Written>& written) {
         tell(single, written);
         rc_actions actions{};
@@ -100,7 +100,7 @@ private:
 
 public:
     std::vector<rc_signal> signals;
-    WholeCycles cycles;
+    CycleCache cycles;
     Monitor whole, single;
 };
 
@@ -142,7 +142,7 @@ private:
 
 /// Ten thousand cycles of swarm taxis: outcomes that its model allows (found by trying them on a copy) and some that it
 /// does not, headings that nobody has met before among them.
-TEST(WholeCycles, AreWhatTheirEventsAre) {
+TEST(CycleCache, AreWhatTheirEventsAre) {
     const Made made("corpus/swarm_taxis");
     const MonitorTables& tables = made.build->tables();
     std::vector<Port> inputs(tables.inputs);
@@ -191,7 +191,7 @@ TEST(WholeCycles, AreWhatTheirEventsAre) {
         ++violated;
         pair.reset();
     }
-    EXPECT_GT(pair.cycles.remembered(), 5000U) << "else only events were told";
+    EXPECT_GT(pair.cycles.remembered(), 5000U) << "else only events were reported";
     EXPECT_GT(violated, 50);
 }
 
@@ -240,7 +240,7 @@ TEST_F(ByHand, ValuesOutsideLeaveEverythingOpen) {
     }
 }
 
-TEST_F(ByHand, ReadingsAreToldApart) {
+TEST_F(ByHand, ReadingsAreDistinguished) {
     for (int i = 0; i < 3; ++i)
         for (const double value : {-1.0, 3.0}) {
             pair.read(0, value);

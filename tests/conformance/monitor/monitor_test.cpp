@@ -76,7 +76,8 @@ TEST(Monitors, StopAtTheFirstEventThatIsNot) {
     EXPECT_EQ(wrong.verdict(), MonitorVerdict::allowed);
 }
 
-/// The speeds of this model are tested (preconditions), so one outside of the finite reading leaves everything open.
+/// The speeds of this model are tested (preconditions), so one outside of the finite instantiation leaves everything
+/// open.
 TEST(Monitors, SayWhereTheyKnowNothing) {
     const Made made("corpus/aggregation");
     Monitor monitor(made.build->tables());

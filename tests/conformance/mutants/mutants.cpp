@@ -38,10 +38,10 @@ bool alike(const cpp_emit::Emission& a, const cpp_emit::Emission& b) {
                       [](const auto& one, const auto& other) { return one.text == other.text; });
 }
 
-/// What told a mutant from the model.
+/// What distinguished a mutant from the model.
 std::string means(const Result& result) {
     constexpr std::pair<const char*, const char*> words[] = {
-        {"event-driven face", "the event-driven face"},
+        {"event API", "the event API"},
         {"does not return", "watchdog"},
         {"step bound", "step bound"},
         {"misses a deadline", "deadline"},
@@ -95,10 +95,10 @@ Result Study::refined(const rc_interface& code) {
     return refined_by(*graph_, *alphabet_, code, 1, limits());
 }
 
-std::vector<Study::Seeded> Study::seed(std::size_t sites, bool event_face_only) {
+std::vector<Study::Seeded> Study::seed(std::size_t sites, bool event_api_only) {
     std::vector<Seeded> all;
     for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
-        if (event_face_only && !cpp_emit::in_event_face(kind.fault)) continue;
+        if (event_api_only && !cpp_emit::in_event_api(kind.fault)) continue;
         const std::uint32_t there = emit(kind.fault, 0).fault_sites;
         const auto wanted = static_cast<std::uint32_t>(std::min<std::size_t>(there, sites));
         for (std::uint32_t n = 0; n < wanted; ++n) {
@@ -110,9 +110,9 @@ std::vector<Study::Seeded> Study::seed(std::size_t sites, bool event_face_only) 
     return all;
 }
 
-std::vector<Mutant> Study::mutants(std::size_t sites, bool event_face_only) {
+std::vector<Mutant> Study::mutants(std::size_t sites, bool event_api_only) {
     if (original_code_ == nullptr) return {};
-    std::vector<Seeded> all = seed(sites, event_face_only);
+    std::vector<Seeded> all = seed(sites, event_api_only);
     for (std::size_t first = 0; first < all.size(); first += at_once) {
         std::vector<Seeded*> together;
         for (std::size_t i = first; i < std::min(first + at_once, all.size()); ++i) together.push_back(&all[i]);
@@ -138,7 +138,7 @@ void Study::drop_uncompilable(std::vector<Seeded*>& together) {
         }
         together[i]->mutant.fate = Fate::killed;
         together[i]->mutant.by = "compiler";
-        together[i]->mutant.told = errors[i];
+        together[i]->mutant.reported = errors[i];
     }
     together = std::move(rest);
 }
@@ -166,7 +166,7 @@ void Study::judge_together(std::vector<Seeded*> together) {
 void Study::judge(Mutant& mutant, const rc_interface& code) {
     try {
         const Result result = refined(code);
-        mutant.told = result.reason;
+        mutant.reported = result.reason;
         if (result.outcome == Outcome::conforms) return compare(mutant, code);
         if (result.outcome != Outcome::differs) return;
         mutant.fate = Fate::killed;
@@ -175,7 +175,7 @@ void Study::judge(Mutant& mutant, const rc_interface& code) {
     } catch (const AlphabetError& mismatch) {
         mutant.fate = Fate::killed;
         mutant.by = "interface";
-        mutant.told = mismatch.what();
+        mutant.reported = mismatch.what();
     }
 }
 
@@ -184,9 +184,9 @@ void Study::compare(Mutant& mutant, const rc_interface& code) {
         const CodeEquality equality = compare_code(*original_code_, code, *alphabet_, 1, limits());
         mutant.fate = equality.same ? Fate::equivalent : Fate::variant;
         mutant.cycles = equality.cycles;
-        mutant.told = equality.difference;
+        mutant.reported = equality.difference;
     } catch (const process::Interrupted& limit) {
-        mutant.told = limit.what();
+        mutant.reported = limit.what();
     }
 }
 

@@ -24,9 +24,9 @@ struct Mutant {
     cpp_emit::FaultKind kind;
     std::uint32_t site = 0;
     Fate fate = Fate::undecided;
-    std::string by;          ///< killed: what told it from the model
+    std::string by;          ///< killed: what distinguished it from the model
     std::size_t cycles = 0;  ///< killed, variant: of the shortest difference
-    std::string told;        ///< the difference
+    std::string reported;    ///< the difference
 };
 
 class Study {
@@ -36,8 +36,8 @@ public:
     /// What the unchanged code comes to: `conforms`, or the test is about something else.
     [[nodiscard]] Result original();
     /// Every mutant whose code differs from the original's, at most `sites` of each kind, spread evenly; of the
-    /// event-driven face only, or of all kinds.
-    [[nodiscard]] std::vector<Mutant> mutants(std::size_t sites = 1000, bool event_face_only = false);
+    /// event API only, or of all kinds.
+    [[nodiscard]] std::vector<Mutant> mutants(std::size_t sites = 1000, bool event_api_only = false);
 
 private:
     struct Seeded {
@@ -46,7 +46,7 @@ private:
     };
 
     [[nodiscard]] cpp_emit::Emission emit(cpp_emit::Fault, std::uint32_t site);
-    [[nodiscard]] std::vector<Seeded> seed(std::size_t sites, bool event_face_only);
+    [[nodiscard]] std::vector<Seeded> seed(std::size_t sites, bool event_api_only);
     void judge_together(std::vector<Seeded*> together);
     void drop_uncompilable(std::vector<Seeded*>& together);
     void judge(Mutant&, const rc_interface& code);

@@ -29,7 +29,8 @@ struct Open {
 constexpr Open open_choices[] = {
     {Fault::transitions_reversed, nullptr, "transitions of a state that are enabled together: the model takes any"},
     {Fault::outer_first, nullptr, "an inner and an outer transition enabled together: the model takes any"},
-    {Fault::junction_reversed, nullptr, "ways out of a junction that are open together: the model takes any"},
+    {Fault::junction_reversed, nullptr,
+     "outgoing transitions of a junction that are enabled together: the model takes any"},
     {Fault::way_exchanged, nullptr, "a probabilistic junction is a free choice of its ways"},
     {Fault::machines_reversed, nullptr, "machines act in any order within a cycle"},
     {Fault::statements_exchanged, "team",
@@ -80,16 +81,16 @@ protected:
         test::Model model(folder);
         study(folder, test::Study(model, model.machine(machine)), sites);
     }
-    /// Faults of the event-driven face only: the models show little of what a cycle does.
+    /// Faults of the event API only: the models show little of what a cycle does.
     void try_events(const std::string& folder, const std::string& machine, cpp_emit::Strategy strategy) {
         test::Model model(folder);
         study(folder, test::Study(model, model.machine(machine), strategy), 3, true);
     }
 
-    void study(const std::string& name, test::Study study, std::size_t sites, bool event_face_only = false) {
+    void study(const std::string& name, test::Study study, std::size_t sites, bool event_api_only = false) {
         const Result original = study.original();
         ASSERT_EQ(original.outcome, Outcome::conforms) << name << ": " << original.reason;
-        for (const Mutant& mutant : study.mutants(all() ? 1000 : sites, event_face_only)) {
+        for (const Mutant& mutant : study.mutants(all() ? 1000 : sites, event_api_only)) {
             look_at(name, mutant);
             by_kind_[mutant.kind.fault].add(mutant);
             by_model_[name].add(mutant);
@@ -100,13 +101,13 @@ protected:
 
     void look_at(const std::string& name, const Mutant& mutant) const {
         EXPECT_NE(mutant.fate, Fate::undecided)
-            << name << ": " << mutant.kind.name << " at " << mutant.site << ": " << mutant.told;
+            << name << ": " << mutant.kind.name << " at " << mutant.site << ": " << mutant.reported;
         if (mutant.fate != Fate::variant) return;
         const char* const why = reason(name, mutant);
         EXPECT_NE(why, nullptr) << name << ": " << mutant.kind.name << " at " << mutant.site
-                                << " conforms and does otherwise: " << mutant.told;
+                                << " conforms and does otherwise: " << mutant.reported;
         if (all() && why != nullptr)
-            fmt::print("variant: {}, {} at {}: {}\n", name, mutant.kind.name, mutant.site, mutant.told);
+            fmt::print("variant: {}, {} at {}: {}\n", name, mutant.kind.name, mutant.site, mutant.reported);
     }
 
     /// A checker that has gone blind kills nothing of some kind.

@@ -1,4 +1,4 @@
-// Which random models the code of the generator is held against.
+// Which random models the code of the generator is compared with.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,7 @@ namespace {
 using cpp_emit::Fault;
 using ::testing::HasSubstr;
 
-/// Deterministic: no state has two ways out at once.
+/// Deterministic: no state has two enabled transitions at once.
 constexpr const char* pump = R"(
 interface Ops { go(level : nat) halt() }
 interface Events { event level : nat event stop }
@@ -65,7 +65,7 @@ public:
         model = CyclicModel::load(project.system, project.instantiation, component, 1, limits, project.sources,
                                   project.diagnostics, error);
         EXPECT_NE(model, nullptr) << error;
-        machine = machine_of_cycles(*model, limits);
+        machine = cycle_automaton(*model, limits);
     }
 
     /// Whether the compiled code writes in every run of the suite what the model writes.
@@ -81,7 +81,7 @@ public:
                 CycleLog log;
                 const rc_result result = code.step(image.data(), registers.data(), &log);
                 const CycleStep& step = machine.steps[state][symbol];
-                const rc_result wanted = step.target == MachineOfCycles::over ? RC_TERMINATED : RC_QUIESCENT;
+                const rc_result wanted = step.target == CycleAutomaton::over ? RC_TERMINATED : RC_QUIESCENT;
                 if (result != wanted || log.overflow != 0 || writes(log) != step.writes) return false;
                 state = step.target;
             }
@@ -105,7 +105,7 @@ public:
     ir::ComponentRef component;
     refine::Limits limits;
     std::unique_ptr<CyclicModel> model;
-    MachineOfCycles machine;
+    CycleAutomaton machine;
 
 private:
     std::vector<process::Event> writes(const rc_log& log) const {
@@ -140,10 +140,10 @@ TEST(TestSuites, AreRunsOfTheModel) {
         const std::string log = suite_log(suites.machine, tests, *suites.model, "M", 0);
         TraceChecker checker(*suites.model, {"M"}, suites.limits, suites.project.sources);
         std::istringstream in(log);
-        std::string told;
-        const LogReport report = checker.check(in, [&](const RunReport& run) { told += run.what + "\n"; });
+        std::string reported;
+        const LogReport report = checker.check(in, [&](const RunReport& run) { reported += run.what + "\n"; });
         EXPECT_FALSE(report.fault.has_value()) << report.fault->text;
-        EXPECT_EQ(report.accepted, tests.size()) << told;
+        EXPECT_EQ(report.accepted, tests.size()) << reported;
         if (folder == stores.path()) {
             EXPECT_THAT(log, HasSubstr("\njob?Fetch(true) put!Fetch(true)!<(0.5,false)> tock\n"));
         }

@@ -1,5 +1,5 @@
-// Logs of runs against the model: what is accepted, what is rejected and how it is told, what a partial log may leave
-// out, and what a log must look like. Expectations follow from the models by hand.
+// Logs of runs against the model: what is accepted, what is rejected and how it is reported, what a partial log may
+// leave out, and what a log must look like. Expectations follow from the models by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,17 +29,17 @@ public:
         checker_ = std::make_unique<TraceChecker>(*model_, std::vector<std::string>{"M"}, limits_, project_.sources);
     }
 
-    /// The runs that are not accepted, as told; `header` stands below the first lines.
+    /// The runs that are not accepted, as reported; `header` comes after the first lines.
     LogReport check(const std::string& runs, const std::string& header = "") {
         return whole("robochart-trace 1\ncomponent M\n" + header + runs);
     }
     LogReport whole(const std::string& text) {
         std::istringstream in(text);
-        told.clear();
-        return checker_->check(in, [this](const RunReport& run) { told.push_back(run); });
+        reported.clear();
+        return checker_->check(in, [this](const RunReport& run) { reported.push_back(run); });
     }
 
-    std::vector<RunReport> told;
+    std::vector<RunReport> reported;
 
 private:
     test::Model project_;
@@ -64,7 +64,7 @@ TEST(Traces, WhatTheModelDoesIsAccepted) {
                                           "run b\nseeWall? angularSpeed!-0.75 linearSpeed!-10.88 tock\n");
     EXPECT_FALSE(report.fault.has_value());
     EXPECT_EQ(report.runs, 2U);
-    EXPECT_EQ(report.accepted, 2U) << (replay.told.empty() ? "" : replay.told.front().what);
+    EXPECT_EQ(report.accepted, 2U) << (replay.reported.empty() ? "" : replay.reported.front().what);
     EXPECT_EQ(report.cycles, 6U);
 }
 
@@ -73,7 +73,7 @@ TEST(Traces, AMissingOutputIsRejectedWhereTheCycleEnds) {
     Replay replay = aggregation();
     const LogReport report = replay.check(std::string(start) + "seeRobot? tock\ntock\n");
     ASSERT_EQ(report.rejected, 1U);
-    const RunReport& run = replay.told.at(0);
+    const RunReport& run = replay.reported.at(0);
     EXPECT_EQ(run.what, "the end of the cycle");
     EXPECT_EQ(run.cycle, 2U);
     EXPECT_EQ(run.at_line, 5U);
@@ -94,8 +94,8 @@ TEST(Traces, WrongExtraAndMisplacedOutputsAreRejected) {
              {"angularSpeed!-0.75 linearSpeed!-10.88 tock", "angularSpeed!-0.75"}}) {
         Replay replay = aggregation();
         EXPECT_EQ(replay.check(std::string(start) + cycle + "\n").rejected, 1U) << cycle;
-        ASSERT_EQ(replay.told.size(), 1U) << cycle;
-        EXPECT_EQ(replay.told[0].what, what);
+        ASSERT_EQ(replay.reported.size(), 1U) << cycle;
+        EXPECT_EQ(replay.reported[0].what, what);
     }
 }
 
@@ -103,7 +103,7 @@ TEST(Traces, WrongExtraAndMisplacedOutputsAreRejected) {
 TEST(Traces, ReadsComeFirstAndOnce) {
     Replay replay = aggregation();
     EXPECT_EQ(replay.check("run a\nangularSpeed!-0.75 seeWall? linearSpeed!-10.88 tock\n").rejected, 1U);
-    EXPECT_THAT(replay.told.at(0).allowed, ElementsAre(HasSubstr("before anything is written")));
+    EXPECT_THAT(replay.reported.at(0).allowed, ElementsAre(HasSubstr("before anything is written")));
     EXPECT_EQ(replay.check("run a\nseeWall? seeWall? angularSpeed!-0.75 linearSpeed!-10.88 tock\n").rejected, 1U);
 }
 
@@ -145,7 +145,8 @@ TEST(Traces, ALogMayStartLateAndLoseCycles) {
     EXPECT_TRUE(replay.check(std::string(start) + "late\n").fault.has_value()) << "late is for the beginning";
 }
 
-/// Headings are passed on and never looked at (PassedOn): those outside the finite reading stand for some inside.
+/// Headings are passed on and never looked at (DataIndependence): those outside the finite instantiation are replaced
+/// by some inside.
 TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
     Replay replay("corpus/swarm_taxis", "module");
     const std::string first = "run a\nMoveForward! CheckIlluminationStatus! tock\n";
@@ -154,17 +155,17 @@ TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
                " reached!false StartTurning!" + turned + " tock\n";
     };
     const LogReport good = replay.check(first + turn("-84.377682133819", "-84.377682133819"));
-    EXPECT_EQ(good.accepted, 1U) << (replay.told.empty() ? "" : replay.told[0].what);
+    EXPECT_EQ(good.accepted, 1U) << (replay.reported.empty() ? "" : replay.reported[0].what);
     EXPECT_EQ(good.replaced, 3U);
     // Another value comes out: each run has its own stand-ins, and few of them hide the difference.
     std::string many;
     for (int i = 0; i < 20; ++i) many += first + turn("-84.377682133819", "84.377682133819");
     EXPECT_GE(replay.check(many).rejected, 10U);
-    // A value that the finite reading has stays what it is.
+    // A value inside the finite instantiation is not replaced.
     EXPECT_EQ(replay.check(first + turn("0.1", "0.2")).rejected, 1U);
 }
 
-/// A value that is tested must be one of the finite reading, or nothing is known from there on.
+/// A value that is tested must be in the finite instantiation, or nothing is known from there on.
 TEST(Traces, ValuesThatMatterLeaveTheRunUndecided) {
     Replay replay(test::TemporaryFolder(R"(
 interface Ops { near() }
@@ -189,8 +190,8 @@ stm M {
     EXPECT_EQ(replay.check("run a\ntock\ndistance?1 near! tock\nname?Red tock\n").accepted, 1U);
     EXPECT_EQ(replay.check("run a\ntock\ndistance?2 near! tock\n").rejected, 1U);
     EXPECT_EQ(replay.check("run a\ntock\ndistance?1.5 near! tock\n").inconclusive, 1U);
-    EXPECT_THAT(replay.told.at(0).reason, HasSubstr("1.5 is outside the finite reading"));
-    EXPECT_EQ(replay.told.at(0).cycle, 2U);
+    EXPECT_THAT(replay.reported.at(0).reason, HasSubstr("1.5 is outside the finite instantiation"));
+    EXPECT_EQ(replay.reported.at(0).cycle, 2U);
 }
 
 const char* const carrier = R"(
@@ -231,18 +232,18 @@ TEST(Traces, ValuesWithPartsAreReadByTheirType) {
 
 /// Reals are only passed on: other ones stand for some of the carrier, the same wherever they are part of. A sequence
 /// longer than the model's is outside whatever its numbers are, and so is a function that is not total.
-TEST(Traces, PartsOutsideTheFiniteReading) {
+TEST(Traces, PartsOutsideTheFiniteInstantiation) {
     Replay replay(test::TemporaryFolder(carrier).path(), "M");
     const std::string first = "run a\ntock\n";
     const LogReport good = replay.check(first + "pose?(0.31,true) path?<0.31,7> go!(0.31,true) follow!<0.31,7> tock\n");
-    EXPECT_EQ(good.accepted, 1U) << (replay.told.empty() ? "" : replay.told[0].what);
+    EXPECT_EQ(good.accepted, 1U) << (replay.reported.empty() ? "" : replay.reported[0].what);
     EXPECT_EQ(good.replaced, 4U);
     std::string many;
     for (int i = 0; i < 20; ++i) many += first + "path?<0.31,7> follow!<7,0.31> tock\n";
     EXPECT_GE(replay.check(many).rejected, 10U);
     EXPECT_EQ(replay.check(first + "pose?(0.31,true) go!(0.31,false) tock\n").rejected, 1U);
     EXPECT_EQ(replay.check(first + "path?<0,0,0> follow!<0,0,0> tock\n").inconclusive, 1U);
-    EXPECT_THAT(replay.told.at(0).reason, HasSubstr("<0,0,0> is outside the finite reading"));
+    EXPECT_THAT(replay.reported.at(0).reason, HasSubstr("<0,0,0> is outside the finite instantiation"));
     EXPECT_EQ(replay.check(first + "kinds?{(true,Red)} label!{(true,Red)} tock\n").inconclusive, 1U);
 }
 
@@ -283,10 +284,10 @@ stm M {
                   "M");
     EXPECT_EQ(replay.check("run a\ntock\nstop? terminate\n").accepted, 1U);
     EXPECT_EQ(replay.check("run a\ntock\nstop? tock\n").rejected, 1U);
-    EXPECT_THAT(replay.told.at(0).allowed, ElementsAre("termination"));
+    EXPECT_THAT(replay.reported.at(0).allowed, ElementsAre("termination"));
     EXPECT_EQ(replay.check("run a\ntock\nterminate\n").rejected, 1U);
     EXPECT_EQ(replay.check("run a\nstop? terminate tock\n").rejected, 1U);
-    EXPECT_THAT(replay.told.at(0).allowed, ElementsAre("nothing: it has terminated"));
+    EXPECT_THAT(replay.reported.at(0).allowed, ElementsAre("nothing: it has terminated"));
 }
 
 /// Cycles of two time units have two tocks, and nothing between them.
@@ -304,7 +305,7 @@ std::string code_of(const LogReport& report) {
 }
 
 /// Each rule of logs by its fault, and a log next to it that is in order.
-TEST(Traces, LogsThatCannotBeReadAreToldWithTheirPlace) {
+TEST(Traces, LogsThatCannotBeReadAreReportedWithTheirPlace) {
     Replay replay = aggregation();
     EXPECT_EQ(code_of(replay.whole("")), "RC-L01");
     EXPECT_EQ(code_of(replay.whole("hello\n")), "RC-L01");
@@ -332,7 +333,7 @@ TEST(Traces, LogsThatCannotBeReadAreToldWithTheirPlace) {
 }
 
 /// RC-L03 says what the type has and points at the part that is none.
-TEST(Traces, PartsThatAreNoneOfTheirTypeAreToldWithTheirPlace) {
+TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
     Replay replay(test::TemporaryFolder(carrier).path(), "M");
     for (const auto& [word, wanted, column] : std::vector<std::tuple<const char*, const char*, unsigned>>{
              {"pose?(1,yes)", "true or false", 8},
@@ -374,7 +375,7 @@ TEST(Traces, TheInterfaceOfTheModelIsThatOfTheCode) {
         test::Bench bench(project, ref);
         const Interface code = bench.interface();
         const auto model =
-            boundary(project.system, project.instantiation, ref, bench.script().provenance, project.diagnostics);
+            model_interface(project.system, project.instantiation, ref, bench.script().provenance, project.diagnostics);
         ASSERT_TRUE(model.has_value()) << folder;
         EXPECT_EQ(model->interface.component, code.component);
         EXPECT_EQ(model->interface.scale, code.scale);

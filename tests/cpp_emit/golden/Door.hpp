@@ -10,7 +10,7 @@
 #include "robochart/trace.hpp"
 #endif
 
-namespace house {
+namespace building {
 
 /// State machine Door (door.rct:3)
 class Door {
@@ -68,4 +68,4 @@ private:
     #endif
 };
 
-}  // namespace house
+}  // namespace building

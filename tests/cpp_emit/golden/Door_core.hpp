@@ -8,7 +8,7 @@
 #include "robochart/composed.hpp"
 #include "robochart/runtime.hpp"
 
-namespace house::Door_core {
+namespace building::Door_core {
 
 /// Time units that pass between two cycles.
 inline constexpr std::uint32_t cycle_length = 1;
@@ -291,4 +291,4 @@ robochart::StepResult pass(State<Types>& state, Platform& platform) noexcept {
     return Step<Types, Platform>(state, Inputs<Types>{}, platform).pass();
 }
 
-}  // namespace house::Door_core
+}  // namespace building::Door_core

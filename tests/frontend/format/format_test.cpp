@@ -1,4 +1,4 @@
-// The house style: what it looks like (docs/format.md).
+// The standard layout: what it looks like (docs/format.md).
 #include <gtest/gtest.h>
 
 #include <sstream>

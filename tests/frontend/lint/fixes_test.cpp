@@ -1,4 +1,4 @@
-// Mends that are certain, applied as `validate --fix` applies them: the text is accepted afterwards.
+// Certain fixes, applied as `validate --fix` applies them: the text is accepted afterwards.
 #include <gtest/gtest.h>
 
 #include "diagnostics/fixes.hpp"
@@ -7,8 +7,8 @@
 namespace robochart::frontend {
 namespace {
 
-/// The text with every certain mend.
-std::string mended(const std::string& text) {
+/// The text with every certain fix.
+std::string fixed(const std::string& text) {
     const auto reading = testing::resolved(text);
     const diagnostics::SourceId source = reading->file().source;
     return diagnostics::apply_fixes(text, diagnostics::certain_fixes(reading->findings, source));
@@ -29,46 +29,46 @@ std::string module_with(const std::string& connection) {
 }
 
 /// Cn2: whatever follows the event, and whichever end the platform is at.
-TEST(Mends, MakeAConnectionWithThePlatformAsynchronous) {
+TEST(LintFixes, MakeAConnectionWithThePlatformAsynchronous) {
     for (const char* end : {"", " [mult]", " // by wire"}) {
         for (const char* ends : {"connection R on e to c on e", "connection c on e to R on e"}) {
             const std::string text = module_with(std::string(ends) + end + "\n");
             // Nothing inside the controller goes on to a bidirectional connection: Cn5 and Cn7 say so before and after.
             EXPECT_NE(codes(text).find("Cn2@2"), std::string::npos) << text;
-            EXPECT_EQ(mended(text), module_with(std::string(ends) + " (_async)" + end + "\n"));
-            EXPECT_EQ(codes(mended(text)).find("Cn2"), std::string::npos) << mended(text);
+            EXPECT_EQ(fixed(text), module_with(std::string(ends) + " (_async)" + end + "\n"));
+            EXPECT_EQ(codes(fixed(text)).find("Cn2"), std::string::npos) << fixed(text);
         }
     }
-    EXPECT_TRUE(testing::resolved(mended(module_with("connection R on e to c on e")))->findings.ok());
+    EXPECT_TRUE(testing::resolved(fixed(module_with("connection R on e to c on e")))->findings.ok());
 }
 
-/// A connection between controllers may be either, so nothing is mended there.
-TEST(Mends, LeaveOtherConnectionsAlone) {
+/// A connection between controllers may be either, so nothing is fixed there.
+TEST(LintFixes, LeaveOtherConnectionsAlone) {
     const std::string text = module_with("cref d = C connection R on e to c on e (_async) connection c on f to d on f");
-    EXPECT_EQ(mended(text), text);
+    EXPECT_EQ(fixed(text), text);
 }
 
-TEST(Mends, CallAFunctionThatWasOnlyNamed) {
+TEST(LintFixes, CallAFunctionThatWasOnlyNamed) {
     const std::string text =
         "function f():nat { } function g():Seq(nat) { } interface I { const c:nat = f + 1 const d:";
     EXPECT_EQ(codes(text + "Seq(nat) = g cat <f> }"), "RC-T35@1 RC-T35@1 RC-T35@1");
-    EXPECT_EQ(mended(text + "Seq(nat) = g cat <f> }"),
+    EXPECT_EQ(fixed(text + "Seq(nat) = g cat <f> }"),
               "function f():nat { } function g():Seq(nat) { } interface I { const c:nat = f() + 1 const d:Seq(nat) = "
               "g() cat <f()> }");
-    EXPECT_EQ(codes(mended(text + "Seq(nat) = g cat <f> }")), "");
+    EXPECT_EQ(codes(fixed(text + "Seq(nat) = g cat <f> }")), "");
 }
 
-TEST(Mends, CorrectAnImport) {
+TEST(LintFixes, CorrectAnImport) {
     const std::string text = "import sequence_tolkit::* interface I { const c:nat = size(<1>) }";
     EXPECT_NE(codes(text).find("RC-N04@1"), std::string::npos);
-    EXPECT_EQ(codes(mended(text)), "") << mended(text);
-    EXPECT_EQ(mended("import set_toolkit::subsett type A"), "import set_toolkit::subset type A");
+    EXPECT_EQ(codes(fixed(text)), "") << fixed(text);
+    EXPECT_EQ(fixed("import set_toolkit::subsett type A"), "import set_toolkit::subset type A");
     // Nothing is near.
-    EXPECT_EQ(mended("import nowhere::* type A"), "import nowhere::* type A");
+    EXPECT_EQ(fixed("import nowhere::* type A"), "import nowhere::* type A");
 }
 
 /// An element looked for in a sequence: what was meant is only likely.
-TEST(Mends, SuggestTheElementsOfASequence) {
+TEST(LintFixes, SuggestTheElementsOfASequence) {
     const auto reading = testing::resolved("interface I { const s:Seq(nat) = <1> const b:boolean = 1 in s }");
     EXPECT_EQ(reading->codes(), "RC-T23@1");
     ASSERT_EQ(reading->findings.sorted().front().fixes.size(), 1U);

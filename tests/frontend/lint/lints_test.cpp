@@ -247,7 +247,7 @@ TEST(GuardLogic, GivesUpInsteadOfRunningForEver) {
 TEST(Lints, SayForWhichValuesAJunctionIsStuck) {
     const auto reading =
         resolved(testing::slurp(tests::source_folder().string() + "/tests/frontend/fixtures/RC-W02/bad.rct"));
-    EXPECT_NE(reading->report().find("junction `j` has no way out: when `x` is 3, none of its guards holds"),
+    EXPECT_NE(reading->report().find("junction `j` has no enabled transition: when `x` is 3, none of its guards holds"),
               std::string::npos)
         << reading->report();
     EXPECT_NE(reading->report().find("`t2` needs this"), std::string::npos) << reading->report();
@@ -294,7 +294,7 @@ TEST(Lints, LookAtOtherFilesOfAProjectWithErrorsOneByOne) {
         reading.model.files.push_back(parse(reading.sources, id, false, reading.findings));
     }
     resolve(reading.model, reading.findings);
-    // Whether the variable is used cannot be told: the other file was not understood.
+    // Whether the variable is used is unknown: the other file was not understood.
     EXPECT_EQ(reading.codes(), "RC-W03@1 RC-N01@1") << reading.report();
 }
 

@@ -1,4 +1,4 @@
-// Names told once: what is declared several times, what leads along references to a part, what is nowhere.
+// Names reported once: what is declared several times, what leads along references to a part, what is nowhere.
 #include <gtest/gtest.h>
 
 #include "tests/frontend/fixture.hpp"
@@ -21,7 +21,7 @@ std::string notes(const testing::Reading& reading) {
     return out;
 }
 
-TEST(Duplicates, AreToldOnceWithAllPlaces) {
+TEST(Duplicates, AreReportedOnceWithAllPlaces) {
     const auto reading = resolved("interface I {\nevent e\nevent e\nevent f\nevent e\nevent e\n}");
     EXPECT_EQ(reading->codes(), "RC-N03@3");
     EXPECT_EQ(notes(*reading), "2: first declared here\n5: declared again here\n6: declared again here\n");
@@ -36,12 +36,12 @@ TEST(Duplicates, OfAThousandShowAFew) {
     EXPECT_NE(notes(*reading).find(": and at 992 more places, last here"), std::string::npos) << notes(*reading);
 }
 
-TEST(Duplicates, OfOneKindAreToldBesideAnotherKind) {
+TEST(Duplicates, OfOneKindAreReportedBesideAnotherKind) {
     // The interface is no duplicate of the types, but these are duplicates of each other.
     EXPECT_EQ(resolved("interface I { event e }\ntype I\ntype I\ndatatype I { f : nat }")->codes(), "RC-N03@3");
 }
 
-TEST(Duplicates, OfCspBlocksAreTold) {
+TEST(Duplicates, OfCspBlocksAreReported) {
     const std::string empty = " csp-begin csp-end\n";
     const auto reading = resolved("csp A" + empty + "csp B" + empty + "csp A" + empty + "csp A" + empty, true);
     EXPECT_EQ(reading->codes(), "RC-N03@3");
@@ -143,9 +143,9 @@ TEST(PathsThroughReferences, StopAtWhatIsNotThere) {
     EXPECT_NE(part->codes().find("RC-Q01"), std::string::npos) << part->report();
 }
 
-// ---------------------------------------------------------------- told once
+// ---------------------------------------------------------------- reported once
 
-TEST(Findings, AboutASharedMachineAreToldOnce) {
+TEST(Findings, AboutASharedMachineAreReportedOnce) {
     std::string text =
         "interface Ops { patrol() }\noperation patrol() { initial i state W { entry wait(1) } transition t0 { from i "
         "to "
@@ -156,7 +156,7 @@ TEST(Findings, AboutASharedMachineAreToldOnce) {
     EXPECT_EQ(resolved(text)->codes(), "RC-W13@4") << resolved(text)->report();
 }
 
-TEST(Findings, AboutAMissingTypeAreToldOnce) {
+TEST(Findings, AboutAMissingTypeAreReportedOnce) {
     EXPECT_EQ(resolved("interface I { var x : }")->codes(), "RC-P01@1");
     EXPECT_EQ(resolved("interface I { var x : var y : nat }")->codes(), "RC-P01@1");
     EXPECT_EQ(resolved("interface I { var x :\nvar y : nat }")->codes(), "RC-P01@1");

@@ -19,7 +19,7 @@ using diagnostics::SourceManager;
 using random_models::Project;
 using random_models::Random;
 
-/// The dump with targets and types, and every finding; mends too.
+/// The dump with targets and types, and every finding; fixes too.
 std::string said(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
     return dump(model, sources, true) + diagnostics::render_text(sources, findings);
 }

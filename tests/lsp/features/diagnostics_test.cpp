@@ -1,4 +1,4 @@
-// Diagnostics while typing, and the mends that go with them.
+// Diagnostics while typing, and the fixes that go with them.
 #include <gtest/gtest.h>
 
 #include "tests/lsp/client.hpp"
@@ -104,7 +104,7 @@ TEST(Published, WaitUntilTheEditorIsSilent) {
     EXPECT_NE(client.diagnostics()[0]["message"].text().find("lost19"), std::string::npos);
 }
 
-TEST(QuickFixes, MendTheText) {
+TEST(QuickFixes, CorrectTheText) {
     Client client;
     client.open(uri,
                 "stm S {\n  var speed : nat\n  initial i\n  state A { entry /*^slip*/spede = 1 }\n"
@@ -155,7 +155,7 @@ TEST(QuickFixes, AreThoseAskedFor) {
     EXPECT_EQ(count("refactor", 3), 0U);
 }
 
-TEST(Formatting, IsOneEditToTheHouseStyle) {
+TEST(Formatting, IsOneEditToTheStandardLayout) {
     Client client;
     client.open(uri, "// ä\ninterface   I {\nvar x:nat }\n");
     const Json params = Json::object({{"textDocument", Json::object({{"uri", uri}})},

@@ -181,11 +181,11 @@ TEST_F(Rename, SaysWhereCspTextSpeaksOfTheName) {
     open("package p\nstm S { initial i state /*^A*/Moving { } transition t { from i to Moving } }\n");
     open("import p::*\ncsp Spec csp-begin Spec = Moving -> STOP csp-end\n", "file:///p/c.assertions");
     renamed("A", "Going");
-    bool told = false;
+    bool reported = false;
     for (const Json& message : client.messages)
-        told = told || (message["method"].text() == "window/showMessage" &&
-                        message["params"]["message"].text().find("`Moving`") != std::string::npos);
-    EXPECT_TRUE(told);
+        reported = reported || (message["method"].text() == "window/showMessage" &&
+                                message["params"]["message"].text().find("`Moving`") != std::string::npos);
+    EXPECT_TRUE(reported);
 }
 
 TEST_F(Rename, Packages) {

@@ -12,7 +12,7 @@ std::int64_t code_of(const Json& response) {
     return response["error"]["code"].number();
 }
 
-/// A server alone, that was told nothing yet.
+/// A server alone, before any message.
 struct Bare {
     std::vector<Json> messages;
     Server server{[this](const std::string& text) {

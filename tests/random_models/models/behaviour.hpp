@@ -1,4 +1,4 @@
-// Machines and operations of random models: nodes, transitions, actions (private to the room).
+// Machines and operations of random models: nodes, transitions, actions (private to the component).
 #pragma once
 
 #include <string>

@@ -39,7 +39,7 @@ std::string Behaviour::target(const Nodes& nodes) {
     return random_.pick(nodes.states);
 }
 
-/// Guards of the ways out of a junction. One way is open, unless the shape lets them vary.
+/// Guards of the outgoing transitions of a junction. One of them is enabled, unless the shape lets them vary.
 std::vector<std::string> Behaviour::ways() {
     const std::string guard = expressions_.operand(*types_.boolean(), 4);
     const bool otherwise = shape_.else_conditions && random_.chance(50);
@@ -148,7 +148,8 @@ void Behaviour::state(Lines& out, const std::string& name, std::size_t depth) {
     out.close();
 }
 
-/// Clauses in the order of the grammar. A way out of a state waits for an event or for time where that is possible.
+/// Clauses in the order of the grammar. An outgoing transition of a state waits for an event or for time where that is
+/// possible.
 void Behaviour::step(Lines& out, const Nodes& nodes, const Step& step) {
     out.open("transition " + names_.local("t"));
     out.line("from " + step.from + " to " + step.to);

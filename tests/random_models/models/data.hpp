@@ -1,4 +1,4 @@
-// The types of a random model and expressions of a given type (private to the room). Expressions are well-typed by
+// The types of a random model and expressions of a given type (private to the component). Expressions are well-typed by
 // construction, after the rules of the type provider (language reference 2, Types).
 #pragma once
 

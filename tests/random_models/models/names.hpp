@@ -1,4 +1,4 @@
-// Names for random models (private to the room): unique in a project, pronounceable, sometimes reserved words.
+// Names for random models (private to the component): unique in a project, pronounceable, sometimes reserved words.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// One module and all that it consists of (private to the room): who offers, requires and connects what, after the
+// One module and all that it consists of (private to the component): who offers, requires and connects what, after the
 // rules for components and connections (language reference 2).
 #pragma once
 

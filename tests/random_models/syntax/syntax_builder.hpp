@@ -1,4 +1,4 @@
-// Builds random syntax trees (private to the room). Trees are in the form in which the parser gives them: operands
+// Builds random syntax trees (private to the component). Trees are in the form in which the parser gives them: operands
 // that bind less tightly than their place allows stand in parentheses.
 #pragma once
 

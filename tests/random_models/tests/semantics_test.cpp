@@ -1,4 +1,4 @@
-// Random models through the rooms behind the front end: each either takes a model or says by name why not.
+// Random models through the components after the front end: each either takes a model or says by name why not.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Finite readings of a model (semantics 3.6, 3.13).
+// Finite instantiations of a model (semantics 3.6, 3.13).
 
 #include <gtest/gtest.h>
 
@@ -199,7 +199,7 @@ TEST(Instantiate, ChosenSizes) {
     EXPECT_EQ(inst.sequence_bound, 3);
     EXPECT_EQ(inst.clock_bound, 4);
     EXPECT_EQ(inst.given_size, 5);
-    // since(C) < 25 needs 26 to be told from 25.
+    // since(C) < 25 needs 26 to be distinguished from 25.
     const auto system = with_guard(compare(ExprKind::less, since(0), nat(25)));
     EXPECT_EQ(instantiate_quietly(system, {{}, {{"clock", {0, 26}}}}).clock_bound, 26);
     EXPECT_EQ(codes(system, {{}, {{"clock", {0, 25}}}}), Codes{"RC-S13"});

@@ -14,7 +14,7 @@ using testing::Experiment;
 using ::testing::HasSubstr;
 using testing::replaced;
 
-/// Drives on until told, then turns by an angle that is measured, then drives on.
+/// Drives on until notified, then turns by an angle that is measured, then drives on.
 constexpr const char* model = R"(
 interface Ops { forward() turn(angle : real) ask() }
 interface Vars { var seen : real = 0.3 }
@@ -178,7 +178,7 @@ public:
     std::vector<std::pair<std::uint64_t, std::uint32_t>> done;
 };
 
-/// A trace is told every cycle of every robot, with what it heard and did.
+/// A trace receives every cycle of every robot, with what it heard and did.
 TEST(Trial, TellsATrace) {
     Experiment experiment(model, scenario);
     std::string error;
@@ -248,7 +248,7 @@ scenario World for Roam {
     EXPECT_NEAR(frames[100].poses[0].at.x, 26, 1e-9);
 }
 
-TEST(Controller, CompilerThatFailsIsTold) {
+TEST(Controller, CompilerThatFailsIsReported) {
     // RC-M11 carries these words.
     Experiment experiment(model, scenario);
     std::string error;

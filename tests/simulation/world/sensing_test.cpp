@@ -68,7 +68,7 @@ TEST(RangeAndBearing, HidesWhoStandsBehind) {
     EXPECT_EQ(scene.sensing.range_and_bearing(0, open, 80).size(), 2U);
 }
 
-TEST(RangeAndBearing, LosesTheShareOfMessagesItIsTold) {
+TEST(RangeAndBearing, LosesTheShareOfMessagesItIsGiven) {
     Scene scene({{{0, 0}, 0}, {{30, 0}, 0}});
     RangeAndBearing lossy;
     lossy.loss = 0.25;
@@ -91,7 +91,7 @@ TEST(RangeAndBearing, NoiseHasItsDeviation) {
     EXPECT_NEAR(std::sqrt(square / 4000), 2, 0.12);
 }
 
-TEST(LightRing, HalfOfItFacesAFarLight) {
+TEST(LightRing, HalfOfItIsTurnedToAFarLight) {
     LightRing ring;
     ring.leak = 0;
     Scene scene({{{0, 0}, 0}});
@@ -104,7 +104,7 @@ TEST(LightRing, LeaksAboutHalf) {
     Scene scene({{{0, 0}, 0}});
     double sum = 0;
     for (int i = 0; i < 2000; ++i) sum += scene.sensing.lit_sensors(0, {8, 0.5}, {120, 0});
-    EXPECT_NEAR(sum / 2000, 6, 5 * 1.0 / 44) << "four that face, four at one half (deviation 1)";
+    EXPECT_NEAR(sum / 2000, 6, 5 * 1.0 / 44) << "four turned to it, four at one half (deviation 1)";
 }
 
 TEST(LightRing, OthersThrowShadows) {

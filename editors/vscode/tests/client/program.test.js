@@ -38,7 +38,7 @@ test("paths: absolute, from the open folder, from home", () => {
     assert.deepStrictEqual(findProgram(`  ${program}\n`, undefined, {}), { program });
 });
 
-test("what is there but cannot be run is told apart from what is not there", () => {
+test("a program that cannot be run is distinguished from one that does not exist", () => {
     assert.match(findProgram(text, undefined, {}).problem, /is not a program that can be run/);
     assert.match(findProgram(path.dirname(program), undefined, {}).problem, /is not a program that can be run/);
     assert.match(findProgram(path.join(folder, "x"), undefined, {}).problem, /x, which does not exist/);

@@ -8,26 +8,26 @@
 namespace robochart::refine {
 namespace {
 
-TEST(Lineage, RemembersTheParentOfEveryState) {
+TEST(ParentIndex, RemembersTheParentOfEveryState) {
     std::mt19937 random(11);
-    Lineage lineage;
+    ParentIndex index;
     std::vector<lts::StateIndex> parents{lts::no_state};
     for (lts::StateIndex state = 0; state < 40000; ++state) {
         // Long stretches without children, others with many, always someone left to expand.
         std::uint32_t found = state % 1000 < 700 ? 0 : static_cast<std::uint32_t>(random() % 8);
         if (state + 1 == parents.size()) found += 150;
-        lineage.expanded(found);
+        index.expanded(found);
         parents.insert(parents.end(), found, state);
     }
     ASSERT_GT(parents.size(), 40000U);
-    for (lts::StateIndex state = 1; state < parents.size(); ++state) ASSERT_EQ(lineage.parent(state), parents[state]);
+    for (lts::StateIndex state = 1; state < parents.size(); ++state) ASSERT_EQ(index.parent(state), parents[state]);
 }
 
-TEST(Lineage, IsTheSameNotedInStretches) {
+TEST(ParentIndex, IsTheSameNotedInStretches) {
     std::mt19937 random(12);
-    Lineage whole;
-    Lineage together;
-    Lineage stretch;
+    ParentIndex whole;
+    ParentIndex together;
+    ParentIndex stretch;
     std::uint32_t states = 1;
     for (int i = 0; i < 3000; ++i) {
         const auto found = static_cast<std::uint32_t>(random() % 10 == 0 ? random() % 100 : random() % 3);

@@ -90,12 +90,12 @@ TEST_F(Checks, TerminationIsAutonomous) {
 TEST_F(Checks, ATraceViolationNamesTheEventAndWhatWasAllowed) {
     const Verdict verdict = check(s.prefix("a", choice(a, b)), s.prefix("a", choice(a, s.prefix("c", stop))), T);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
-    const Counterexample& told = *verdict.counterexample;
-    EXPECT_EQ(told.kind, ViolationKind::trace);
-    EXPECT_THAT(names(told.steps), ElementsAre("a", "c"));
-    EXPECT_EQ(told.event, s.event("c"));
-    EXPECT_THAT(told.required, ElementsAre(process::EventSet{s.event("a"), s.event("b")}));
-    EXPECT_EQ(told.steps.back().state, "STOP");
+    const Counterexample& reported = *verdict.counterexample;
+    EXPECT_EQ(reported.kind, ViolationKind::trace);
+    EXPECT_THAT(names(reported.steps), ElementsAre("a", "c"));
+    EXPECT_EQ(reported.event, s.event("c"));
+    EXPECT_THAT(reported.required, ElementsAre(process::EventSet{s.event("a"), s.event("b")}));
+    EXPECT_EQ(reported.steps.back().state, "STOP");
 }
 
 TEST_F(Checks, ARefusalShowsTheOfferAndTheMinimalAcceptances) {
@@ -103,26 +103,26 @@ TEST_F(Checks, ARefusalShowsTheOfferAndTheMinimalAcceptances) {
     const TermId specification = either(choice(a, b), either(c, choice(c, a)));
     const Verdict verdict = check(specification, a, F);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
-    const Counterexample& told = *verdict.counterexample;
-    EXPECT_EQ(told.kind, ViolationKind::refusal);
-    EXPECT_TRUE(told.steps.empty());
-    EXPECT_THAT(told.offered, ElementsAre(s.event("a")));
-    EXPECT_THAT(told.required,
+    const Counterexample& reported = *verdict.counterexample;
+    EXPECT_EQ(reported.kind, ViolationKind::refusal);
+    EXPECT_TRUE(reported.steps.empty());
+    EXPECT_THAT(reported.offered, ElementsAre(s.event("a")));
+    EXPECT_THAT(reported.required,
                 ElementsAre(process::EventSet{s.event("c")}, process::EventSet{s.event("a"), s.event("b")}));
 }
 
-TEST_F(Checks, ADivergenceIsToldWithItsLoopAndWhatWasHidden) {
+TEST_F(Checks, ADivergenceIsReportedWithItsLoopAndWhatWasHidden) {
     const TermId p = s.name("P");
     s.bind(p, s.menu({{"a", s.prefix("h", p)}, {"h", p}}));
     const Verdict verdict = check(s.over(Op::run, {}, {"a"}), s.over(Op::hide, {p}, {"h"}), FD);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
-    const Counterexample& told = *verdict.counterexample;
-    EXPECT_EQ(told.kind, ViolationKind::divergence);
-    EXPECT_TRUE(told.steps.empty());
-    EXPECT_EQ(told.initial, "P");
-    ASSERT_EQ(told.loop.size(), 1U);
-    EXPECT_EQ(told.loop[0].event, process::tau);
-    EXPECT_EQ(told.loop[0].revealed, s.event("h"));
+    const Counterexample& reported = *verdict.counterexample;
+    EXPECT_EQ(reported.kind, ViolationKind::divergence);
+    EXPECT_TRUE(reported.steps.empty());
+    EXPECT_EQ(reported.initial, "P");
+    ASSERT_EQ(reported.loop.size(), 1U);
+    EXPECT_EQ(reported.loop[0].event, process::tau);
+    EXPECT_EQ(reported.loop[0].revealed, s.event("h"));
 }
 
 TEST_F(Checks, DeadlockCountsTerminationAndDivergenceByModel) {

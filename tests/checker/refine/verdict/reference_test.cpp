@@ -1,5 +1,5 @@
-// The reference checks the engine: what it does not have is found out, what it does otherwise is told its way. And the
-// firing rules read backwards: every step of every operator has a derivation.
+// The reference checks the engine: what the engine invents is detected, and where it differs the reference's run is
+// reported. And the firing rules read backwards: every step of every operator has a derivation.
 #include "checker/refine/verdict/reference.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST_F(Reference, AnotherNumberOfTausIsNoDifference) {
     const Verdict verdict =
         deadlock_of(s.prefix("a", s.stop()), hidden(s.prefix("h", s.prefix("a", s.prefix("h", s.stop())))));
     ASSERT_EQ(verdict.outcome, Outcome::fails);
-    EXPECT_EQ(verdict.counterexample->steps.size(), 3U) << "told as the reference runs it";
+    EXPECT_EQ(verdict.counterexample->steps.size(), 3U) << "reported as the reference runs it";
 }
 
 TEST_F(Reference, AnEngineThatLiesIsFoundOut) {
@@ -55,7 +55,7 @@ TEST_F(Reference, AnEngineThatLiesIsFoundOut) {
     EXPECT_THROW((void)deadlock_of(s.prefix("a", s.stop()), s.prefix("b", s.stop())), std::logic_error);
 }
 
-TEST_F(Reference, DivergencesAndRefusalsAreHeldAgainstIt) {
+TEST_F(Reference, DivergencesAndRefusalsAreComparedWithIt) {
     const TermId loop = s.name("LOOP");
     s.bind(loop, s.prefix("h", loop));
     const auto diverges = [&](TermId engine, TermId reference) {

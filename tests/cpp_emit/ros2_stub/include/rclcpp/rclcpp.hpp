@@ -1,4 +1,4 @@
-// As much of rclcpp as generated nodes use, for tests: messages are delivered at once, timers fire when they are told
+// As much of rclcpp as generated nodes use, for tests: messages are delivered at once, timers fire when they are asked
 // to. ROS 2 is not in Debian 12; the names and signatures are those of its public interface.
 #pragma once
 

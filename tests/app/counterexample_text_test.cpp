@@ -39,36 +39,37 @@ stm Runs { event a initial i state A { } transition t0 { from i to A } transitio
 )";
 
 /// What the report says of this claim.
-std::string told(const std::string& claim) {
-    const TemporaryFile model("told.rct", machines);
+std::string reported(const std::string& claim) {
+    const TemporaryFile model("reported.rct", machines);
     const std::string folder = std::filesystem::path(model.path()).parent_path().string();
-    std::ofstream(folder + "/told.assertions") << claim << "\n";
+    std::ofstream(folder + "/reported.assertions") << claim << "\n";
     const Ran ran = run({"check", folder});
     EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
     return ran.out;
 }
 
-TEST(Told, ATimelockNamesTheDeadlineThatWasMissed) {
+TEST(CounterexampleText, ATimelockNamesTheDeadlineThatWasMissed) {
     EXPECT_THAT(
-        told("timed assertion A : Late is timelock-free"),
+        reported("timed assertion A : Late is timelock-free"),
         AllOf(HasSubstr("2 time units pass"), HasSubstr("why time cannot pass: the deadline of Late::t1 has run out ("),
-              HasSubstr("told.rct:5)")));
-    EXPECT_THAT(told("timed assertion A : Sends is timelock-free"),
+              HasSubstr("reported.rct:5)")));
+    EXPECT_THAT(reported("timed assertion A : Sends is timelock-free"),
                 AllOf(HasSubstr("at b (deadline left = 0)"), HasSubstr("the deadline of Sends::t1 has run out ("),
-                      HasSubstr("told.rct:8)")));
-    EXPECT_THAT(told("timed assertion A : Calls is timelock-free"),
+                      HasSubstr("reported.rct:8)")));
+    EXPECT_THAT(reported("timed assertion A : Calls is timelock-free"),
                 HasSubstr("time cannot pass: call go waits for the environment, which may refuse it ("));
-    EXPECT_THAT(told("timed assertion A : Ends is timelock-free"), HasSubstr("time cannot pass: it has terminated"));
+    EXPECT_THAT(reported("timed assertion A : Ends is timelock-free"),
+                HasSubstr("time cannot pass: it has terminated"));
 }
 
-TEST(Told, ADivergenceShowsItsLoop) {
-    EXPECT_THAT(told("untimed assertion A : Spins is divergence-free"),
+TEST(CounterexampleText, ADivergenceShowsItsLoop) {
+    EXPECT_THAT(reported("untimed assertion A : Spins is divergence-free"),
                 AllOf(HasSubstr("then for ever:"), HasSubstr("t2: B -> C"), HasSubstr("t3: C -> B"),
                       HasSubstr("go on internally for ever")));
 }
 
-TEST(Told, ADeadlockInTimeIsNoDivergence) {
-    EXPECT_THAT(told("timed assertion A : Stops is deadlock-free"),
+TEST(CounterexampleText, ADeadlockInTimeIsNoDivergence) {
+    EXPECT_THAT(reported("timed assertion A : Stops is deadlock-free"),
                 AllOf(HasSubstr("now at t=0: in B"), HasSubstr("why nothing is possible any more but that time passes"),
                       Not(HasSubstr("internally"))));
 }
@@ -104,7 +105,7 @@ nlohmann::json of_late(const std::string& claim, std::string* text = nullptr) {
 }
 
 // The check renames tock, so that deadlocks show: time passes all the same.
-TEST(Told, TimePassesWhateverTheCheckCallsIt) {
+TEST(CounterexampleText, TimePassesWhateverTheCheckCallsIt) {
     std::string text;
     const auto run = of_late("timed assertion A : M is deadlock-free", &text);
     EXPECT_THAT(text, AllOf(HasSubstr("t=20   slow    t1: S -> T"), HasSubstr("t=22   slow    write y = 1"),
@@ -120,7 +121,7 @@ TEST(Told, TimePassesWhateverTheCheckCallsIt) {
     EXPECT_EQ(run["steps"].back()["n"], run["loopStart"]);
 }
 
-TEST(Told, EveryStepNamesItsMachineItsElementAndItsPlace) {
+TEST(CounterexampleText, EveryStepNamesItsMachineItsElementAndItsPlace) {
     const auto run = of_late("timed assertion A : M is deadlock-free");
     const auto find = [&](const std::string& text, const std::string& component) {
         for (const auto& step : run["steps"])
@@ -154,7 +155,7 @@ TEST(Told, EveryStepNamesItsMachineItsElementAndItsPlace) {
 }
 
 // While nothing has happened, each of the machines could begin.
-TEST(Told, WhatElseWasPossibleIsThere) {
+TEST(CounterexampleText, WhatElseWasPossibleIsThere) {
     const auto run = of_late("timed assertion A : M is deadlock-free");
     std::set<std::string> begin{run["steps"][0]["component"]};
     for (const auto& offer : run["steps"][0]["offered"]) {
@@ -164,7 +165,7 @@ TEST(Told, WhatElseWasPossibleIsThere) {
     EXPECT_THAT(begin, ElementsAre("M::both::never", "M::both::other", "M::both::slow"));
 }
 
-TEST(Told, ATimelockHasItsCause) {
+TEST(CounterexampleText, ATimelockHasItsCause) {
     const auto run = of_late("timed assertion A : M is timelock-free");
     EXPECT_EQ(run["time"], 22);
     EXPECT_EQ(run["end"]["kind"], "timelock");
@@ -174,7 +175,7 @@ TEST(Told, ATimelockHasItsCause) {
     EXPECT_EQ(run["end"]["refused"][0]["kind"], "tock");
 }
 
-TEST(Told, UntimedRunsHaveNoTime) {
+TEST(CounterexampleText, UntimedRunsHaveNoTime) {
     std::string text;
     const auto run = of_late("untimed assertion A : M is deadlock-free", &text);
     EXPECT_THAT(text, Not(HasSubstr("t=")));
@@ -182,29 +183,29 @@ TEST(Told, UntimedRunsHaveNoTime) {
     for (const auto& step : run["steps"]) EXPECT_FALSE(step.contains("time"));
 }
 
-TEST(Told, ReachabilityShowsThePath) {
-    EXPECT_THAT(told("untimed assertion A : Ends::f is not reachable in Ends"),
+TEST(CounterexampleText, ReachabilityShowsThePath) {
+    EXPECT_THAT(reported("untimed assertion A : Ends::f is not reachable in Ends"),
                 AllOf(HasSubstr("t0: i -> A"), HasSubstr("input a"), HasSubstr("why the state has been reached")));
-    EXPECT_THAT(told("untimed assertion A : Late::B is reachable in Late\nassertion B : Runs does not refine Runs"),
+    EXPECT_THAT(reported("untimed assertion A : Late::B is reachable in Late\nassertion B : Runs does not refine Runs"),
                 HasSubstr("it refines the other"));
 }
 
-TEST(Told, TerminationIsSaid) {
-    EXPECT_THAT(told("untimed assertion A : Ends does not terminate"), HasSubstr("why it has terminated"));
-    EXPECT_THAT(told("timed assertion A : Runs terminates"),
+TEST(CounterexampleText, TerminationIsSaid) {
+    EXPECT_THAT(reported("untimed assertion A : Ends does not terminate"), HasSubstr("why it has terminated"));
+    EXPECT_THAT(reported("timed assertion A : Runs terminates"),
                 HasSubstr("no run terminates, and none ends in a deadlock"));
 }
 
-TEST(Told, ClaimsThatNothingBreaksSayWhatIsSo) {
-    EXPECT_THAT(told("untimed assertion A : Runs is not deadlock-free"), HasSubstr("it is deadlock-free"));
-    EXPECT_THAT(told("untimed assertion A : Runs is not deterministic"), HasSubstr("it is deterministic"));
-    EXPECT_THAT(told("untimed assertion A : Runs is not divergence-free"), HasSubstr("it is divergence-free"));
-    EXPECT_THAT(told("untimed assertion A : Runs is not equal to Runs"),
+TEST(CounterexampleText, ClaimsThatNothingBreaksSayWhatIsSo) {
+    EXPECT_THAT(reported("untimed assertion A : Runs is not deadlock-free"), HasSubstr("it is deadlock-free"));
+    EXPECT_THAT(reported("untimed assertion A : Runs is not deterministic"), HasSubstr("it is deterministic"));
+    EXPECT_THAT(reported("untimed assertion A : Runs is not divergence-free"), HasSubstr("it is divergence-free"));
+    EXPECT_THAT(reported("untimed assertion A : Runs is not equal to Runs"),
                 HasSubstr("each of the two refines the other"));
 }
 
-TEST(Told, TickTockNamesWhatWasRefused) {
-    EXPECT_THAT(told("timed assertion A : Stops refines Runs in the tick-tock model"),
+TEST(CounterexampleText, TickTockNamesWhatWasRefused) {
+    EXPECT_THAT(reported("timed assertion A : Stops refines Runs in the tick-tock model"),
                 AllOf(HasSubstr("refusal of input a"), HasSubstr("why refusal of input a is not allowed here")));
 }
 

@@ -1,4 +1,4 @@
-// How the report tells that the event-driven face of generated code differs from its cycle.
+// How the report tells that the event API of generated code differs from its cycle.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,20 +16,20 @@ Report differing() {
     one.component = "p::M";
     one.result.outcome = conformance::Outcome::differs;
     one.result.dispatched = 1234;
-    one.result.reason = "the event-driven face differs from the cycle: `dispatch` of v = 1: other outputs";
+    one.result.reason = "the event API differs from the cycle: `dispatch` of v = 1: other outputs";
     one.result.cycles.push_back({{"a"}, {"go()"}, "state=A"});
-    conformance::FaceDifference difference;
+    conformance::ApiDifference difference;
     difference.event = "v = 1";
     difference.what = "`dispatch` of v = 1: other outputs";
     difference.cycle = {{"x(1)", "y()"}, "at rest", "state=B"};
     difference.dispatched = {{"y()"}, "terminated", "state=C"};
-    one.result.faces = difference;
+    one.result.api_difference = difference;
     Report report;
     report.conformance.push_back(one);
     return report;
 }
 
-TEST(Faces, ADifferenceIsToldSideBySide) {
+TEST(ApiDifference, ADifferenceIsReportedSideBySide) {
     const Report report = differing();
     EXPECT_EQ(report.exit(), Exit::failed);
     const std::string text = render_text(report, {});
@@ -41,7 +41,7 @@ TEST(Faces, ADifferenceIsToldSideBySide) {
                                 "                   dispatch out <y()>  terminated  state=C\n"));
 }
 
-TEST(Faces, ADifferenceIsDataInJson) {
+TEST(ApiDifference, ADifferenceIsDataInJson) {
     const auto json = nlohmann::json::parse(render_json(differing())).at("conformance").at(0);
     EXPECT_EQ(json.at("outcome"), "differs");
     EXPECT_EQ(json.at("dispatched"), 1234);

@@ -12,7 +12,7 @@ namespace {
 
 using testing::Folder;
 
-class Face : public ::testing::Test {
+class GeneratedClasses : public ::testing::Test {
 protected:
     /// Compiles and runs a user's program with a component's classes.
     void run(const char* model, const char* name, const char* machine, const std::string& program,
@@ -30,7 +30,7 @@ protected:
     Folder folder_;
 };
 
-TEST_F(Face, OperationsOfAMachineAloneAreOverridden) {
+TEST_F(GeneratedClasses, OperationsOfAMachineAloneAreOverridden) {
     run("aggregation", "AggregationFSM", "AggregationFSM", R"(
 struct Robot : aggregation::AggregationFSM {
     void MoveClockwise(double angular, double linear) override { angularSpeed = angular; linearSpeed = linear; }
@@ -51,7 +51,7 @@ int main() {
 })");
 }
 
-TEST_F(Face, OperationsOfTheModelRunUnlessReplaced) {
+TEST_F(GeneratedClasses, OperationsOfTheModelRunUnlessReplaced) {
     run("aggregation", "Aggregation", "AggregationFSM", R"(
 struct Robot : aggregation::AggregationFSM {
     bool RotateClockwise(double) override { ++rotations; return true; }
@@ -72,7 +72,7 @@ int main() {
 })");
 }
 
-TEST_F(Face, SensorsAreReadInCheckInEvent) {
+TEST_F(GeneratedClasses, SensorsAreReadInCheckInEvent) {
     run("aggregation", "Aggregation", "AggregationFSM", R"(
 struct Robot : aggregation::AggregationFSM {
     void CheckInEvent() override { (sees ? seeRobot : seeWall) = true; }
@@ -90,7 +90,7 @@ int main() {
 })");
 }
 
-TEST_F(Face, TimersShowAndResetTheClock) {
+TEST_F(GeneratedClasses, TimersShowAndResetTheClock) {
     run("swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", R"(
 int main() {
     swarm_taxis::SwarmTaxisFSM robot;
@@ -107,7 +107,7 @@ int main() {
 })");
 }
 
-TEST_F(Face, ValuesComeWithTheirEvents) {
+TEST_F(GeneratedClasses, ValuesComeWithTheirEvents) {
     run("swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", R"(
 int main() {
     swarm_taxis::SwarmTaxisFSM robot;
@@ -124,7 +124,7 @@ int main() {
 })");
 }
 
-TEST_F(Face, EventsAreRaisedAndHeardByMethods) {
+TEST_F(GeneratedClasses, EventsAreRaisedAndHeardByMethods) {
     const ir::System system = testing::model(R"(package p
 interface I { event ask : int event answer : int event done var value : int }
 stm M { uses I var n : int initial i state S { }
@@ -151,7 +151,7 @@ int main() {
     folder_.run("c++ -std=c++17 -Wall -Wextra -Wshadow -Werror -I. user.cpp M.cpp -o user && ./user");
 }
 
-TEST_F(Face, PreconditionsGoToTheHook) {
+TEST_F(GeneratedClasses, PreconditionsGoToTheHook) {
     const ir::System system = testing::model(R"(package p
 interface I { op(a : int) }
 operation op(a : int) { precondition a < 0 }

@@ -1,0 +1,209 @@
+// The words that docs/glossary.md lists as not used are not used: not in documentation, comments, messages or
+// identifiers.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+#include "tests/sanity/source_tree.hpp"
+
+namespace robochart::sanity {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A word that must stay, where the line contains `text`.
+struct Allowed {
+    std::string_view word, file, text, reason;
+};
+
+constexpr std::string_view json_key = "a key of the JSON output, which programs read";
+constexpr std::string_view fault_kind = "the name of a seeded fault, which reports print";
+constexpr std::string_view script_name = "a name in emitted scripts, which users may have read or quoted";
+constexpr std::string_view shipped = "an identifier in a header that ships with generated code";
+
+constexpr Allowed allowed[] = {
+    {"told", "app/verbs/traces.cpp", R"("told":[)", json_key},
+    {"told", "tests/app/traces_test.cpp", R"(report["told"])", json_key},
+    {"told", "docs/traces.md", "`told[]`", json_key},
+    {"story", "app/report/report_json.cpp", R"({"story",)", json_key},
+    {"story", "docs/cli.md", "`story`", json_key},
+    {"faces", "app/report/report_json.cpp", R"(json["faces"])", json_key},
+    {"faces", "tests/app/api_difference_test.cpp", R"(json.at("faces"))", json_key},
+    {"faces", "docs/cli.md", "`faces`", json_key},
+    {"relayed", "cpp_emit/", "write_not_relayed", fault_kind},
+    {"relay", "csp_emit/compose/composition.cpp", "Relay_", script_name},
+    {"told", "cpp_emit/runtime/adaptive.hpp", "told(", shipped},
+    {"told", "cpp_emit/runtime/console_choices.hpp", "told", shipped},
+};
+
+using Words = std::vector<std::string>;
+
+/// A word with its line; `joins`: nothing but blanks, comment marks and underscores between it and the word before.
+struct Token {
+    std::string word;
+    std::size_t line;
+    bool joins;
+};
+
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+bool is_upper(char c) {
+    return std::isupper(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Words in lower case; identifiers in camel case are taken apart, those with underscores too.
+std::vector<Token> tokens(std::string_view text) {
+    constexpr std::string_view between = " \t\r\n/*#_";
+    std::vector<Token> result;
+    std::size_t line = 1;
+    bool joins = false;
+    for (std::size_t i = 0; i < text.size();) {
+        if (!is_letter(text[i])) {
+            if (between.find(text[i]) == std::string_view::npos) joins = false;
+            if (text[i++] == '\n') ++line;
+            continue;
+        }
+        std::size_t end = i + 1;
+        while (end < text.size() && is_letter(text[end])) {
+            const bool lower_follows = end + 1 < text.size() && is_letter(text[end + 1]) && !is_upper(text[end + 1]);
+            if (is_upper(text[end]) && (!is_upper(text[end - 1]) || lower_follows)) break;
+            ++end;
+        }
+        Token token{std::string(text.substr(i, end - i)), line, joins};
+        for (char& c : token.word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        result.push_back(std::move(token));
+        joins = true;
+        i = end;
+    }
+    return result;
+}
+
+Words words(std::string_view text) {
+    Words result;
+    for (Token& token : tokens(text)) result.push_back(std::move(token.word));
+    return result;
+}
+
+constexpr std::string_view heading = "## Words that are not used\n";
+
+/// The first column of the table below the heading: what stands between backquotes.
+std::vector<Words> words_not_used() {
+    const std::string glossary = contents(root() / "docs/glossary.md");
+    std::istringstream lines(glossary.substr(std::min(glossary.find(heading), glossary.size())));
+    std::vector<Words> result;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("| `")) continue;
+        std::istringstream column(line.substr(0, line.find(" | ", 2)));
+        std::string outside, inside;
+        while (std::getline(column, outside, '`') && std::getline(column, inside, '`')) result.push_back(words(inside));
+    }
+    return result;
+}
+
+/// Whether the words begin at this token.
+bool begin_at(const Words& wanted, const std::vector<Token>& text, std::size_t at) {
+    if (at + wanted.size() > text.size()) return false;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (text[at + i].word != wanted[i] || (i > 0 && !text[at + i].joins)) return false;
+    return true;
+}
+
+std::string joined(const Words& parts) {
+    std::string result;
+    for (const std::string& part : parts) result += (result.empty() ? "" : " ") + part;
+    return result;
+}
+
+/// (line, word) of every use.
+std::vector<std::pair<std::size_t, std::string>> uses(const std::string& text, const std::vector<Words>& not_used) {
+    std::vector<std::pair<std::size_t, std::string>> result;
+    const std::vector<Token> all = tokens(text);
+    for (std::size_t at = 0; at < all.size(); ++at)
+        for (const Words& wanted : not_used)
+            if (begin_at(wanted, all, at)) result.emplace_back(all[at].line, joined(wanted));
+    return result;
+}
+
+/// Texts of the project. CHANGELOG.md is history; inputs of the fuzzers are kept as they were found. Sources of
+/// csp_emit/machine are being rewritten; this file lists the exceptions.
+std::vector<std::string> texts() {
+    std::vector<std::string> result;
+    for (const fs::path& path : files(root(), {".cpp", ".hpp", ".h", ".txt", ".cmake", ".sh", ".py", ".js", ".md",
+                                               ".rct", ".assertions", ".scenario", ".csp"})) {
+        const std::string name = fs::relative(path, root()).string();
+        const bool left_out = name.ends_with("CHANGELOG.md") || name == "tests/sanity/words_test.cpp" ||
+                              name.starts_with("tests/fuzz/regressions/") || name.starts_with("csp_emit/machine/");
+        if (!left_out) result.push_back(name);
+    }
+    return result;
+}
+
+TEST(Words, OfTheGlossarysLastSectionAreNotUsed) {
+    const std::vector<Words> not_used = words_not_used();
+    ASSERT_GT(not_used.size(), 20U);
+    std::set<const Allowed*> needed;
+    for (const std::string& name : texts()) {
+        std::string text = contents(root() / name);
+        if (name == "docs/glossary.md") text.resize(text.find(heading));
+        std::vector<std::string> lines;
+        std::istringstream in(text);
+        for (std::string line; std::getline(in, line);) lines.push_back(line);
+        for (const auto& [line, word] : uses(text, not_used)) {
+            const auto found = std::find_if(std::begin(allowed), std::end(allowed),
+                                            [&, line = line, word = word](const Allowed& each) {
+                                                return each.word == word && name.starts_with(each.file) &&
+                                                       lines[line - 1].find(each.text) != std::string::npos;
+                                            });
+            if (found != std::end(allowed))
+                needed.insert(found);
+            else
+                ADD_FAILURE() << name << ":" << line << ": `" << word
+                              << "`; docs/glossary.md says what to write instead";
+        }
+    }
+    for (const Allowed& each : allowed)
+        EXPECT_TRUE(needed.contains(&each)) << each.file << ": `" << each.word << "` is not used there";
+}
+
+/// Places and types in the tables before: `checker/lts/event.hpp`, `ir::Machine`.
+TEST(Words, TheGlossaryNamesPlacesAndTypesThatExist) {
+    std::string glossary = contents(root() / "docs/glossary.md");
+    glossary.resize(glossary.find(heading));
+    const std::regex place("`([a-z_]+(?:/[a-z_]+)+(?:\\.[a-z]+)?)`"), type("`[a-z_]+::([A-Z][A-Za-z]+)`");
+    std::size_t found = 0;
+    for (auto at = std::sregex_iterator(glossary.begin(), glossary.end(), place); at != std::sregex_iterator();
+         ++at, ++found)
+        EXPECT_TRUE(fs::exists(root() / (*at)[1].str())) << (*at)[1];
+    std::string headers;
+    for (const std::string& name : program_files())
+        if (name.ends_with(".hpp")) headers += contents(root() / name);
+    for (auto at = std::sregex_iterator(glossary.begin(), glossary.end(), type); at != std::sregex_iterator();
+         ++at, ++found) {
+        const std::string name = (*at)[1].str();
+        const bool there = headers.find("struct " + name + " ") != std::string::npos ||
+                           headers.find("class " + name + " ") != std::string::npos;
+        EXPECT_TRUE(there) << name;
+    }
+    EXPECT_GT(found, 50U);
+}
+
+TEST(Words, AreFoundInTextAndIdentifiers) {
+    const std::vector<Words> not_used = {{"room"}, {"fault", "of", "ours"}};
+    using Found = std::vector<std::pair<std::size_t, std::string>>;
+    EXPECT_EQ(uses("no\nRoom", not_used), (Found{{2, "room"}}));
+    EXPECT_EQ(uses("make_room(HasRoomFor, classroom, ROOM)", not_used), (Found{{1, "room"}, {1, "room"}, {1, "room"}}));
+    EXPECT_EQ(uses("// a fault\n/// of ours", not_used), (Found{{1, "fault of ours"}}));
+    EXPECT_EQ(uses("a fault; of ours", not_used), Found{});
+}
+
+}  // namespace
+}  // namespace robochart::sanity
