@@ -8,9 +8,19 @@ namespace robochart::csp_emit {
 
 namespace b = cspm::build;
 
+void mean(Provenance& provenance, const std::string& component, const std::string& event, EventMeaning meaning) {
+    meaning.component = component;
+    provenance.events[component + "::" + event] = std::move(meaning);
+}
+
+cspm::ExprPtr call_of(const std::string& function, const std::vector<std::string>& parameters) {
+    b::Exprs arguments;
+    for (const std::string& parameter : parameters) arguments.push_back(b::name(parameter));
+    return b::call(function, arguments);
+}
+
 void ChannelDeclarations::mean(const std::string& event, EventMeaning meaning) {
-    meaning.component = owner_;
-    provenance_.events[owner_ + "::" + event] = std::move(meaning);
+    csp_emit::mean(provenance_, owner_, event, std::move(meaning));
 }
 
 void ChannelDeclarations::event(const ir::Event& event) {

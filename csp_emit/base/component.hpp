@@ -40,6 +40,11 @@ struct ComponentEmission {
     bool large = false;  ///< it may have too many states to be worth compressing on its own
 };
 
+/// Records what an event of a component, by its qualified CSPM name, means.
+void mean(Provenance&, const std::string& component, const std::string& event, EventMeaning);
+/// The call of a function with what has the names of its parameters here.
+[[nodiscard]] cspm::ExprPtr call_of(const std::string& function, const std::vector<std::string>& parameters);
+
 /// The channels of a component (semantics 3.2), declared one by one; the meaning of each event is recorded in the
 /// provenance.
 class ChannelDeclarations {

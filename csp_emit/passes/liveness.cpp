@@ -18,19 +18,12 @@ using cspm::ExprPtr;
 
 namespace {
 
-const char* const sparse = "with";
-const char* const sparse_after_tock = "with, after tock";
-const char* const any_value = "any value";
-
-bool is_sparse(const Expr& expr) {
-    return expr.kind == ExprKind::apply && (expr.text == sparse || expr.text == sparse_after_tock);
-}
-
 using Names = std::vector<std::size_t>;
 
 class Family {
 public:
-    Family(const std::vector<Function>& functions, const ExprPtr& initial, const Candidates& candidates);
+    Family(const std::vector<Function>& functions, const ExprPtr& initial, const FamilyCalls& sparse,
+           const Candidates& candidates);
 
     std::vector<std::string> parameters(std::size_t function) const;
     ExprPtr dense(const ExprPtr& expr) const;
@@ -46,7 +39,7 @@ private:
     using Live = std::vector<std::set<std::size_t>>;
 
     void survey(std::size_t caller, const Expr& expr);
-    void survey_call(std::size_t caller, const Expr& expr);
+    void survey_call(std::size_t caller, const Expr& expr, const SparseCall& sparse);
     std::vector<std::size_t> behind(const Expr& value) const;
     void names(const Expr& expr, std::set<std::size_t>& result) const;
     Names names(const Expr& expr) const;
@@ -56,9 +49,10 @@ private:
     void spread();
     void spread(const Call& call, std::size_t parameter);
     bool needed(const Call& call, std::size_t parameter) const;
-    ExprPtr dense_call(const Expr& expr) const;
-    ExprPtr argument(const Expr& expr, const Call& call, std::size_t parameter) const;
+    ExprPtr dense_call(const SparseCall& sparse, const Call& call) const;
+    ExprPtr argument(const SparseCall& sparse, const Call& call, std::size_t parameter) const;
 
+    const FamilyCalls& sparse_;
     const Candidates& candidates_;
     std::vector<ExprPtr> read_;  ///< each candidate's name: most arguments of most calls, so they are one tree
     FamilyIndex index_;
@@ -73,8 +67,10 @@ private:
     std::vector<std::pair<std::size_t, std::size_t>> work_;
 };
 
-Family::Family(const std::vector<Function>& functions, const ExprPtr& initial, const Candidates& candidates)
-    : candidates_(candidates),
+Family::Family(const std::vector<Function>& functions, const ExprPtr& initial, const FamilyCalls& sparse,
+               const Candidates& candidates)
+    : sparse_(sparse),
+      candidates_(candidates),
       index_(index_of(functions)),
       used_(functions.size() + 1),
       calls_to_(functions.size()),
@@ -104,7 +100,7 @@ Names Family::names(const Expr& expr) const {
 }
 
 void Family::survey(std::size_t caller, const Expr& expr) {
-    if (is_sparse(expr)) return survey_call(caller, expr);
+    if (const SparseCall* call = sparse_.find(expr)) return survey_call(caller, expr, *call);
     if (expr.kind == ExprKind::name)
         if (const auto found = number_.find(expr.text); found != number_.end()) used_[caller].push_back(found->second);
     for_each_part(expr, [&](const Expr& part) { survey(caller, part); });
@@ -119,14 +115,14 @@ std::vector<std::size_t> Family::behind(const Expr& value) const {
     return result;
 }
 
-void Family::survey_call(std::size_t caller, const Expr& expr) {
+void Family::survey_call(std::size_t caller, const Expr& expr, const SparseCall& sparse) {
     if (call_of_.count(&expr) != 0) return;  // one tree in several places of the same body
-    Call call{caller, index_.at(expr.args[0]->text), {}, expr.text == sparse_after_tock, {}};
-    for (std::size_t i = 1; i + 1 < expr.args.size(); i += 2) {
-        const auto found = number_.find(expr.args[i]->text);
+    Call call{caller, index_.at(sparse.function), {}, sparse.after_tock, {}};
+    for (const auto& [name, value] : sparse.changed) {
+        const auto found = number_.find(name);
         if (found == number_.end()) continue;
-        call.given[found->second] = names(*expr.args[i + 1]);
-        if (found->first == candidates_.returns) call.behind = behind(*expr.args[i + 1]);
+        call.given[found->second] = names(*value);
+        if (found->first == candidates_.returns) call.behind = behind(*value);
     }
     call_of_[&expr] = calls_.size();
     calls_to_[call.target].push_back(calls_.size());
@@ -197,25 +193,24 @@ std::vector<std::string> Family::parameters(std::size_t function) const {
     return result;
 }
 
-ExprPtr Family::argument(const Expr& expr, const Call& call, std::size_t parameter) const {
+ExprPtr Family::argument(const SparseCall& sparse, const Call& call, std::size_t parameter) const {
     const std::string& name = candidates_.names[parameter];
-    if (name != candidates_.returns && !needed(call, parameter)) return unneeded();
-    for (std::size_t i = 1; i + 1 < expr.args.size(); i += 2)
-        if (expr.args[i]->text == name) return expr.args[i + 1];
+    if (name != candidates_.returns && !needed(call, parameter)) return sparse_.unneeded();
+    for (const auto& [given, value] : sparse.changed)
+        if (given == name) return value;
     if (call.after_tock && ticking(parameter) != nullptr) return candidates_.ticking.at(name);
     return read_[parameter];
 }
 
-ExprPtr Family::dense_call(const Expr& expr) const {
-    const Call& call = calls_[call_of_.at(&expr)];
+ExprPtr Family::dense_call(const SparseCall& sparse, const Call& call) const {
     b::Exprs arguments;
-    for (const std::size_t parameter : live_[call.target]) arguments.push_back(argument(expr, call, parameter));
-    return b::call(expr.args[0]->text, arguments);
+    for (const std::size_t parameter : live_[call.target]) arguments.push_back(argument(sparse, call, parameter));
+    return b::call(sparse.function, arguments);
 }
 
 ExprPtr Family::dense(const ExprPtr& expr) const {
     if (!expr) return expr;
-    if (is_sparse(*expr)) return dense_call(*expr);
+    if (const SparseCall* call = sparse_.find(*expr)) return dense_call(*call, calls_[call_of_.at(expr.get())]);
     return with_parts(expr, [&](const ExprPtr& part) { return dense(part); });
 }
 
@@ -234,38 +229,32 @@ const std::size_t* called(const FamilyIndex& index, const Expr& expr) {
     return found == index.end() ? nullptr : &found->second;
 }
 
-ExprPtr call_with(const std::string& function, const Arguments& changed, bool after_tock) {
-    Expr result;
-    result.kind = ExprKind::apply;
-    result.text = after_tock ? sparse_after_tock : sparse;
-    result.args.push_back(b::name(function));
-    for (const auto& [parameter, value] : changed) {
-        result.args.push_back(b::name(parameter));
-        result.args.push_back(value);
-    }
-    return std::make_shared<const Expr>(std::move(result));
+ExprPtr FamilyCalls::add(std::string function, Arguments changed, bool after_tock) {
+    ExprPtr node = b::name(function);
+    calls_[node.get()] = {node, {std::move(function), std::move(changed), after_tock}};
+    return node;
 }
 
-const std::string* only_calls(const Expr& expr) {
-    if (!is_sparse(expr) || expr.text == sparse_after_tock) return nullptr;
-    for (std::size_t i = 1; i + 1 < expr.args.size(); i += 2) {
-        const Expr& value = *expr.args[i + 1];
-        if (value.kind != ExprKind::name || value.text != expr.args[i]->text) return nullptr;
-    }
-    return &expr.args[0]->text;
+const SparseCall* FamilyCalls::find(const Expr& expr) const {
+    const auto found = calls_.find(&expr);
+    return found == calls_.end() ? nullptr : &found->second.call;
 }
 
-ExprPtr unneeded() {
-    return b::name(any_value);
+const std::string* FamilyCalls::only_calls(const Expr& expr) const {
+    const SparseCall* call = find(expr);
+    if (call == nullptr || call->after_tock) return nullptr;
+    for (const auto& [parameter, value] : call->changed)
+        if (value->kind != ExprKind::name || value->text != parameter) return nullptr;
+    return &call->function;
 }
 
-bool is_unneeded(const Expr& expr) {
-    return expr.kind == ExprKind::name && expr.text == any_value;
+void FamilyCalls::redirect(const Expr& call, const std::string& function) {
+    calls_.at(&call).call.function = function;
 }
 
 std::vector<std::string> find_parameters(std::vector<Function>& functions, ExprPtr& initial,
-                                         const Candidates& candidates) {
-    const Family family(functions, initial, candidates);
+                                         const FamilyCalls& calls, const Candidates& candidates) {
+    const Family family(functions, initial, calls, candidates);
     initial = family.dense(initial);
     for (std::size_t i = 0; i < functions.size(); ++i) {
         functions[i].body = family.dense(functions[i].body);
@@ -277,23 +266,24 @@ std::vector<std::string> find_parameters(std::vector<Function>& functions, ExprP
 namespace {
 
 ExprPtr filled(const ExprPtr& expr, const std::vector<Function>& functions, const FamilyIndex& index,
-               const std::map<std::string, ExprPtr>& values) {
+               const FamilyCalls& calls, const std::map<std::string, ExprPtr>& values) {
     if (!expr) return expr;
     const std::size_t* target = called(index, *expr);
     std::size_t place = 0;
     return with_parts(expr, [&](const ExprPtr& part) {
         const std::size_t i = place++;
-        return part && target != nullptr && i > 0 && is_unneeded(*part)
+        return target != nullptr && i > 0 && calls.is_unneeded(part)
                    ? values.at(functions[*target].parameters.at(i - 1))
-                   : filled(part, functions, index, values);
+                   : filled(part, functions, index, calls, values);
     });
 }
 
 }  // namespace
 
-void fill_unneeded(std::vector<Function>& functions, const std::map<std::string, ExprPtr>& values) {
+void fill_unneeded(std::vector<Function>& functions, const FamilyCalls& calls,
+                   const std::map<std::string, ExprPtr>& values) {
     const FamilyIndex index = index_of(functions);
-    for (Function& function : functions) function.body = filled(function.body, functions, index, values);
+    for (Function& function : functions) function.body = filled(function.body, functions, index, calls, values);
 }
 
 }  // namespace robochart::csp_emit

@@ -53,10 +53,38 @@ template <class Change>
 
 /// Arguments by the name of the parameter.
 using Arguments = std::vector<std::pair<std::string, cspm::ExprPtr>>;
-/// A call whose other parameters keep the caller's values; `after_tock`: those that count time count on.
-[[nodiscard]] cspm::ExprPtr call_with(const std::string& function, const Arguments& changed, bool after_tock = false);
-/// The function that is called with nothing changed, if the expression is such a call; else null.
-[[nodiscard]] const std::string* only_calls(const cspm::Expr&);
+/// A call within a family that gives only some arguments: the other parameters keep the caller's values.
+struct SparseCall {
+    std::string function;
+    Arguments changed;
+    bool after_tock = false;  ///< parameters that count time count on
+};
+
+/// The calls within a family before its parameters are known, and the arguments that nobody needs. In the trees a node
+/// stands for each, which is known here by its address.
+class FamilyCalls {
+public:
+    /// The node for such a call.
+    [[nodiscard]] cspm::ExprPtr add(std::string function, Arguments changed = {}, bool after_tock = false);
+    /// The call that the node stands for; null if it stands for none.
+    [[nodiscard]] const SparseCall* find(const cspm::Expr&) const;
+    /// The function that is called with nothing changed, if the expression is such a call; else null.
+    [[nodiscard]] const std::string* only_calls(const cspm::Expr&) const;
+    /// Makes a call one of another function.
+    void redirect(const cspm::Expr& call, const std::string& function);
+
+    /// The argument for a parameter that nothing reads where this call returns to.
+    [[nodiscard]] const cspm::ExprPtr& unneeded() const { return unneeded_; }
+    [[nodiscard]] bool is_unneeded(const cspm::ExprPtr& argument) const { return argument == unneeded_; }
+
+private:
+    struct Known {
+        cspm::ExprPtr node;  ///< kept, so that no other gets its address
+        SparseCall call;
+    };
+    std::unordered_map<const cspm::Expr*, Known> calls_;  // looked up only
+    cspm::ExprPtr unneeded_ = std::make_shared<const cspm::Expr>();
+};
 
 /// What the functions of a family may have as parameters.
 struct Candidates {
@@ -71,15 +99,12 @@ struct Candidates {
     std::map<const cspm::Expr*, Entry> entries;
 };
 
-/// The argument for a parameter that nothing reads where this call returns to.
-[[nodiscard]] cspm::ExprPtr unneeded();
-[[nodiscard]] bool is_unneeded(const cspm::Expr&);
-
-/// Gives every function the parameters that matter, and every `call_with`, in `initial` too, arguments for them. What
-/// `initial` needs and is not given stays as a name there: its result is those names.
+/// Gives every function the parameters that matter, and every call of `calls`, in `initial` too, arguments for them.
+/// What `initial` needs and is not given stays as a name there: its result is those names.
 [[nodiscard]] std::vector<std::string> find_parameters(std::vector<Function>& functions, cspm::ExprPtr& initial,
-                                                       const Candidates&);
-/// Puts values of no interest for the unneeded arguments of all calls.
-void fill_unneeded(std::vector<Function>& functions, const std::map<std::string, cspm::ExprPtr>& values);
+                                                       const FamilyCalls& calls, const Candidates&);
+/// Puts values of no interest, by parameter, for the unneeded arguments of all calls.
+void fill_unneeded(std::vector<Function>& functions, const FamilyCalls& calls,
+                   const std::map<std::string, cspm::ExprPtr>& values);
 
 }  // namespace robochart::csp_emit

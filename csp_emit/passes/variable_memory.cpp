@@ -33,7 +33,8 @@ std::set<std::string> parameters_of(const std::vector<Remembered>& variables) {
 /// The functions with reads and writes of memories in the place of parameters.
 class Memories {
 public:
-    Memories(const std::vector<Function>& functions, const std::vector<Remembered>& variables);
+    Memories(const std::vector<Function>& functions, const FamilyCalls& calls,
+             const std::vector<Remembered>& variables);
     /// The caller: the variables it holds; at the start each memory has its initial value.
     struct Place {
         std::set<std::string> held;
@@ -53,14 +54,16 @@ private:
     };
 
     const std::vector<Function>& functions_;
+    const FamilyCalls& calls_;
     std::map<std::string, const Remembered*> variables_;
     FamilyIndex index_;
     std::vector<std::set<std::string>> held_;
     std::vector<std::vector<Parameter>> parameters_;  ///< by function
 };
 
-Memories::Memories(const std::vector<Function>& functions, const std::vector<Remembered>& variables)
-    : functions_(functions), index_(index_of(functions)) {
+Memories::Memories(const std::vector<Function>& functions, const FamilyCalls& calls,
+                   const std::vector<Remembered>& variables)
+    : functions_(functions), calls_(calls), index_(index_of(functions)) {
     for (const Remembered& variable : variables) variables_[variable.parameter] = &variable;
     held_ = Evaluations(functions, parameters_of(variables)).held(variables);
     for (std::size_t i = 0; i < functions.size(); ++i) {
@@ -90,7 +93,7 @@ ExprPtr Memories::rewritten_call(const Expr& expr, std::size_t target, const Pla
             arguments.push_back(expr.args[i]);
             continue;
         }
-        if (is_unneeded(*expr.args[i])) {
+        if (calls_.is_unneeded(expr.args[i])) {
             if (held) arguments.push_back(expr.args[i]);
             continue;
         }
@@ -177,9 +180,10 @@ std::vector<std::set<std::string>> Evaluations::held(const std::vector<Remembere
     return result;
 }
 
-void remember(std::vector<Function>& functions, ExprPtr& initial, const std::vector<Remembered>& variables) {
+void remember(std::vector<Function>& functions, ExprPtr& initial, const FamilyCalls& calls,
+              const std::vector<Remembered>& variables) {
     if (variables.empty()) return;
-    const Memories memories(functions, variables);
+    const Memories memories(functions, calls, variables);
     std::vector<ExprPtr> bodies;
     for (std::size_t i = 0; i < functions.size(); ++i)
         bodies.push_back(memories.rewritten(functions[i].body, {memories.held(i)}));

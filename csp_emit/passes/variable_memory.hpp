@@ -59,7 +59,8 @@ private:
 /// Takes the remembered variables out of the parameters of the functions, except where a function evaluates them.
 /// Termination becomes `end__ -> SKIP`, which ends the memories too. Expects that no parameter is dead
 /// (drop_dead_parameters), and that a shared variable changes by its events only.
-void remember(std::vector<Function>& functions, cspm::ExprPtr& initial, const std::vector<Remembered>& variables);
+void remember(std::vector<Function>& functions, cspm::ExprPtr& initial, const FamilyCalls& calls,
+              const std::vector<Remembered>& variables);
 
 /// The memories' definitions: `M_x(v) = get_x!v -> M_x(v) [] setL_x?v -> M_x(v) [] ... [] end__ -> SKIP`.
 [[nodiscard]] std::vector<cspm::DeclPtr> memory_definitions(const std::vector<Remembered>& variables, bool timed);

@@ -171,12 +171,13 @@ TEST(Script, LargeDefaultsAreWrittenOnce) {
 TEST(Liveness, GoesBackwardsAlongCalls) {
     namespace b = cspm::build;
     // P passes x to Q as y, which Q passes on to R, which outputs it; z goes nowhere.
+    FamilyCalls calls;
     std::vector<Function> family{
-        {"P", {}, b::prefix(b::name("a"), call_with("Q", {{"y", b::name("x")}, {"z", b::name("x")}}))},
-        {"Q", {}, b::prefix(b::name("a"), call_with("R", {{"z", b::number(3)}}))},
-        {"R", {}, b::prefix(b::name("c"), {b::output(b::name("y"))}, call_with("P", {{"x", b::name("y")}}))}};
-    auto initial = call_with("P", {{"x", b::number(1)}, {"y", b::number(2)}});
-    EXPECT_THAT(find_parameters(family, initial, {{"x", "y", "z"}, {}, {}, {}}), IsEmpty());
+        {"P", {}, b::prefix(b::name("a"), calls.add("Q", {{"y", b::name("x")}, {"z", b::name("x")}}))},
+        {"Q", {}, b::prefix(b::name("a"), calls.add("R", {{"z", b::number(3)}}))},
+        {"R", {}, b::prefix(b::name("c"), {b::output(b::name("y"))}, calls.add("P", {{"x", b::name("y")}}))}};
+    auto initial = calls.add("P", {{"x", b::number(1)}, {"y", b::number(2)}});
+    EXPECT_THAT(find_parameters(family, initial, calls, {{"x", "y", "z"}, {}, {}, {}}), IsEmpty());
     EXPECT_THAT(family[0].parameters, ElementsAre("x"));
     EXPECT_THAT(family[1].parameters, ElementsAre("y"));
     EXPECT_THAT(family[2].parameters, ElementsAre("y"));
@@ -187,19 +188,21 @@ TEST(Liveness, GoesBackwardsAlongCalls) {
 
 TEST(Liveness, WhatNoCallGivesIsReported) {
     namespace b = cspm::build;
+    FamilyCalls calls;
     std::vector<Function> family{{"P", {}, b::prefix(b::name("c"), {b::output(b::name("x"))}, b::stop())}};
-    auto initial = call_with("P", {});
-    EXPECT_THAT(find_parameters(family, initial, {{"x"}, {}, {}, {}}), ElementsAre("x"));
+    auto initial = calls.add("P", {});
+    EXPECT_THAT(find_parameters(family, initial, calls, {{"x"}, {}, {}, {}}), ElementsAre("x"));
 }
 
 TEST(Liveness, ClocksThatACallDoesNotSpeakOfCountOnWithTime) {
     namespace b = cspm::build;
+    FamilyCalls calls;
     std::vector<Function> family{
-        {"P", {}, b::prefix(b::name("tock"), call_with("Q", {}, true))},
-        {"Q", {}, b::guard(b::binary(cspm::ExprKind::equal, b::name("c"), b::name("n")), call_with("P", {}))}};
-    auto initial = call_with("P", {{"c", b::number(0)}, {"n", b::number(2)}});
+        {"P", {}, b::prefix(b::name("tock"), calls.add("Q", {}, true))},
+        {"Q", {}, b::guard(b::binary(cspm::ExprKind::equal, b::name("c"), b::name("n")), calls.add("P", {}))}};
+    auto initial = calls.add("P", {{"c", b::number(0)}, {"n", b::number(2)}});
     const cspm::ExprPtr step = b::call("clock_step", {b::name("c"), b::number(3)});
-    (void)find_parameters(family, initial, {{"c", "n"}, {{"c", step}}, {}, {}});
+    (void)find_parameters(family, initial, calls, {{"c", "n"}, {{"c", step}}, {}, {}});
     EXPECT_EQ(cspm::print(family[0].body), "tock -> Q(clock_step(c, 3), n)");
     EXPECT_EQ(cspm::print(family[1].body), "c == n & P(c, n)");
 }
@@ -211,23 +214,24 @@ TEST(Liveness, ASharedFunctionTakesFromEachCallOnlyWhatIsReadBehindIt) {
     const cspm::ExprPtr from_a = there(0);
     const cspm::ExprPtr from_b = there(1);
     const cspm::ExprPtr first = b::binary(cspm::ExprKind::equal, b::call("front", {b::name("r")}), b::number(0));
+    FamilyCalls calls;
     std::vector<Function> family{
-        {"A", {}, b::prefix(b::name("a"), call_with("O", {{"r", from_a}}))},
-        {"B", {}, b::prefix(b::name("b"), call_with("O", {{"r", from_b}}))},
-        {"O", {}, b::prefix(b::name("o"), call_with("End", {}))},
-        {"End", {}, b::if_(first, call_with("BehindA", {}), call_with("BehindB", {}))},
-        {"BehindA", {}, b::prefix(b::name("c"), {b::output(b::name("x"))}, call_with("B", {}))},
-        {"BehindB", {}, call_with("A", {{"x", b::number(5)}})}};
-    auto initial = call_with("A", {{"x", b::number(4)}});
+        {"A", {}, b::prefix(b::name("a"), calls.add("O", {{"r", from_a}}))},
+        {"B", {}, b::prefix(b::name("b"), calls.add("O", {{"r", from_b}}))},
+        {"O", {}, b::prefix(b::name("o"), calls.add("End", {}))},
+        {"End", {}, b::if_(first, calls.add("BehindA", {}), calls.add("BehindB", {}))},
+        {"BehindA", {}, b::prefix(b::name("c"), {b::output(b::name("x"))}, calls.add("B", {}))},
+        {"BehindB", {}, calls.add("A", {{"x", b::number(5)}})}};
+    auto initial = calls.add("A", {{"x", b::number(4)}});
     const Candidates candidates{
         {"x", "r"},
         {},
         "r",
         {{from_a.get(), {"BehindA", b::sequence({})}}, {from_b.get(), {"BehindB", b::sequence({})}}}};
-    EXPECT_THAT(find_parameters(family, initial, candidates), IsEmpty());
+    EXPECT_THAT(find_parameters(family, initial, calls, candidates), IsEmpty());
     EXPECT_EQ(cspm::print(family[0].body), "a -> O(x, <0>)");
     EXPECT_THAT(family[1].parameters, IsEmpty());
-    fill_unneeded(family, {{"x", b::number(0)}, {"r", b::number(0)}});
+    fill_unneeded(family, calls, {{"x", b::number(0)}, {"r", b::number(0)}});
     EXPECT_EQ(cspm::print(family[1].body), "b -> O(0, <1>)");
 }
 

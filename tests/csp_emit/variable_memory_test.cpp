@@ -25,7 +25,7 @@ TEST(VariableMemory, IsAskedForWhatTheNextFunctionEvaluates) {
         {"P", {"v_x"}, b::prefix(b::name("c"), {b::output(b::name("v_x"))}, b::call("Q", {b::name("v_x")}))},
         {"Q", {"v_x"}, b::prefix(b::name("a"), b::call("P", {b::name("v_x")}))}};
     auto initial = b::call("Q", {b::number(0)});
-    remember(family, initial, {remembered("x")});
+    remember(family, initial, {}, {remembered("x")});
     EXPECT_EQ(cspm::print(initial), "Q");
     EXPECT_EQ(cspm::print(family[0].body), "c!v_x -> Q");
     EXPECT_EQ(cspm::print(family[1].body), "a -> get_x?v_x -> P(v_x)");
@@ -38,18 +38,18 @@ TEST(VariableMemory, IsGivenWhatChangesUnlessTheEventTellsIt) {
     std::vector<Function> own{{"P", {"v_x"}, b::prefix(b::name("a"), b::call("P", {next}))}};
     std::vector<Function> shared = own;
     auto initial = b::call("P", {b::number(2)});
-    remember(own, initial, {remembered("x")});
+    remember(own, initial, {}, {remembered("x")});
     EXPECT_EQ(cspm::print(initial), "setL_x!2 -> P(2)");
     EXPECT_EQ(cspm::print(own[0].body), "a -> setL_x!(v_x + 1) -> P(v_x + 1)");
     initial = b::call("P", {b::number(0)});
-    remember(shared, initial, {remembered("x", "x")});
+    remember(shared, initial, {}, {remembered("x", "x")});
     EXPECT_EQ(cspm::print(shared[0].body), "a -> P");  // it evaluates x for nobody who needs it
 }
 
 TEST(VariableMemory, EndsWithTheMachine) {
     std::vector<Function> family{{"P", {"v_x"}, b::prefix(b::name("terminate"), b::skip())}};
     auto initial = b::call("P", {b::number(0)});
-    remember(family, initial, {remembered("x")});
+    remember(family, initial, {}, {remembered("x")});
     EXPECT_EQ(cspm::print(family[0].body), "terminate -> end__ -> SKIP");
     EXPECT_EQ(cspm::print(with_memories(initial, {remembered("x")}, true)),
               "(P [| {| end__, tock, get_x, setL_x |} |] Memory_x(0)) \\ {| end__, get_x, setL_x |}");

@@ -1,9 +1,8 @@
-// Where a machine stands, without its data: which nodes are active, what the control thread and the during threads
-// still have to do, which operations are being called. This is the state of the distilled operational semantics
+// The control state of a machine, without its data: which nodes are active, what the control thread and the during
+// threads still have to do, which operations are being called. This is the state of the distilled operational semantics
 // (semantics 3.14); data live in parameters (cells). Each reachable configuration becomes one CSPM function.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,7 +34,7 @@ struct Item {
     ir::NodeId node;
     ir::VariableId variable;
     std::vector<CellId> cells;
-    std::string label;  ///< where it stands, for names and reports: "entry action of S1"
+    std::string label;  ///< where it is in the model, for names and reports: "entry action of S1"
 };
 
 /// A program: a list that shares its tails.
@@ -46,6 +45,7 @@ struct Link {
     Program tail;
 };
 [[nodiscard]] Program push(Item head, Program tail);
+[[nodiscard]] Program program_of(const std::vector<Item>& items);
 
 struct Activation;
 
@@ -71,29 +71,46 @@ struct Activation {
     std::uint32_t clocks_read = 0;    ///< outermost, settled: how many clocks of the caller its guards know by now
 };
 
+/// Whether a running machine waits in a node: no transition runs.
+[[nodiscard]] bool settled(const Activation&);
 /// Equal keys mean equal configurations.
 [[nodiscard]] std::string key(const Activation&);
 
-/// A thread with something to do, and the whole configuration with another thread in its place.
-struct Place {
-    const Thread* thread = nullptr;
-    const Activation* owner = nullptr;
-    bool during = false;  ///< in a during action, or in an operation called from one
-    std::function<Activation(Thread)> put;
-    [[nodiscard]] const Item& head() const { return thread->rest->head; }
-};
-/// A running machine, and the whole configuration with another in its place.
-struct Spot {
+/// A running machine or operation within a configuration: a path of calls leads to it.
+struct RunningMachine {
     const Activation* activation = nullptr;
-    std::function<Activation(Activation)> put;
+    std::shared_ptr<const RunningMachine> caller;  ///< null: the machine itself, the whole configuration
+    std::size_t thread = 0;                        ///< of the caller: the one that called it
+    /// The whole configuration with another activation in this one's place.
+    [[nodiscard]] Activation replace(Activation) const;
+};
+/// A thread within a configuration.
+struct RunningThread {
+    std::shared_ptr<const RunningMachine> machine;  ///< that it belongs to
+    std::size_t number = 0;                         ///< 0: the control thread; i + 1: that of the i-th during action
+    bool during = false;                            ///< in a during action, or in an operation called from one
+    [[nodiscard]] const Activation& owner() const { return *machine->activation; }
+    [[nodiscard]] std::uint32_t frame() const { return owner().frame; }
+    [[nodiscard]] const Thread& thread() const;
+    [[nodiscard]] const Item& head() const { return thread().rest->head; }
+    /// What the thread has to do behind its head.
+    [[nodiscard]] const Program& tail() const { return thread().rest->tail; }
+    /// The whole configuration with another thread in this one's place; a during action that is done is dropped.
+    [[nodiscard]] Activation replace(Thread) const;
+    [[nodiscard]] Activation replace(Program rest) const { return replace(Thread{std::move(rest), nullptr}); }
 };
 /// All threads (those that call an operation are represented by the operation's own) and all running machines.
 struct View {
-    std::vector<Place> places;
-    std::vector<Spot> spots;
-    std::vector<Place> calls;  ///< threads that wait for an operation
+    std::vector<RunningThread> threads;
+    std::vector<RunningMachine> machines;
+    std::vector<RunningThread> calls;  ///< threads that wait for an operation
 };
 /// `config` must outlive the view.
 [[nodiscard]] View view(const Activation& config);
+
+/// The item at the head of the innermost control thread, which names and describes the configuration; null if none.
+[[nodiscard]] const Item* running_item(const Activation&);
+/// The machine or operation that the control thread is in.
+[[nodiscard]] const Activation& innermost(const Activation&);
 
 }  // namespace robochart::csp_emit

@@ -1,0 +1,46 @@
+// The machine's module: RoboTool's channels, event sets and process variants (semantics 3.2, 3.12) around our points.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csp_emit/machine/tables/machine_tables.hpp"
+#include "csp_emit/passes/variable_memory.hpp"
+
+namespace robochart::csp_emit {
+
+/// `id__`, the operation's parameters, then the constants in order of declaration (semantics 3.12), given by name.
+[[nodiscard]] std::vector<std::string> parameters_with(const MachineTables&, const std::vector<std::string>& constants);
+
+/// Owns what one declaration says and another needs: the calls and clock events that are in the alphabet.
+class ModuleDeclarations {
+public:
+    /// `remembered`: the variables that have memory processes.
+    ModuleDeclarations(MachineTables& tables, const std::vector<Remembered>& remembered)
+        : tables_(tables), remembered_(remembered) {}
+
+    /// The module around the definitions of the points; `initial`: the machine's process.
+    [[nodiscard]] cspm::DeclPtr module(const std::vector<cspm::DeclPtr>& points, const cspm::ExprPtr& initial);
+    /// Channels of `sem__events`, once the module is there.
+    [[nodiscard]] const std::vector<std::string>& visible() const { return visible_; }
+
+private:
+    void declare_channels(std::vector<cspm::DeclPtr>& decls);
+    void declare_mentioned(std::vector<cspm::DeclPtr>& decls) const;
+    void declare_clocks(std::vector<cspm::DeclPtr>& decls);
+    void declare_calls(std::vector<cspm::DeclPtr>& decls);
+    void declare_states(std::vector<cspm::DeclPtr>& decls);
+    void declare_sets(std::vector<cspm::DeclPtr>& decls);
+    void declare_variants(std::vector<cspm::DeclPtr>& decls, const cspm::ExprPtr& initial) const;
+    cspm::DeclPtr state_module(ir::NodeId);
+    std::vector<ir::NodeId> states() const;
+
+    MachineTables& tables_;
+    const std::vector<Remembered>& remembered_;
+    std::vector<std::string> calls_;           ///< operations that remain events
+    std::vector<std::string> visible_;         ///< channels of sem__events
+    std::vector<cspm::ExprPtr> clock_events_;  ///< of sem__events: readings and resets of the caller's clocks
+    bool local_resets_ = false;                ///< resets of own clocks are events: a CSP block speaks of them
+};
+
+}  // namespace robochart::csp_emit

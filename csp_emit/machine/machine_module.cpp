@@ -1,0 +1,125 @@
+// The phases of a machine's emission: explore, give parameters, choose memories, declare.
+#include "csp_emit/machine/machine_module.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/types.hpp"
+#include "csp_emit/machine/declarations.hpp"
+#include "csp_emit/machine/meanings.hpp"
+#include "csp_emit/machine/memories.hpp"
+#include "csp_emit/machine/processes.hpp"
+#include "csp_emit/machine/rules/shared_variables.hpp"
+#include "csp_emit/passes/choice_factoring.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::ExprPtr;
+
+namespace {
+
+/// Everything that points may have as parameters: constants, then cells in the order in which they came up.
+Candidates parameter_candidates(const MachineTables& tables) {
+    Candidates result;
+    result.names = tables.calls.constants_inside();
+    for (const Cell& cell : tables.cells.all()) {
+        result.names.push_back(cell.name);
+        if (cell.kind == CellKind::clock && cell.reading.empty())
+            result.ticking[cell.name] = b::call("clock_step", {b::name(cell.name), cell.limit});
+    }
+    tables.sharing.describe(result);
+    return result;
+}
+
+/// For arguments that nothing reads: the value that makes the fewest states.
+std::map<std::string, ExprPtr> placeholder_values(MachineTables& tables) {
+    std::map<std::string, ExprPtr> result;
+    for (const ConstantParameter& constant : tables.calls.constants())
+        result[constant.inside] = default_literal(tables.project(), constant.type);
+    for (const Cell& cell : tables.cells.all()) {
+        if (cell.kind == CellKind::clock)  // at its limit a clock stands still; one of constants may not be known there
+            result[cell.name] = cell.limit->kind == cspm::ExprKind::integer ? cell.limit : b::number(0);
+        else if (cell.kind == CellKind::variable && cell.type.valid())
+            result[cell.name] = tables.defaults.of(cell.type);
+        else
+            result[cell.name] = b::number(0);
+    }
+    if (const auto& watch = tables.watch.cell()) result[tables.cells[*watch].name] = b::boolean(false);
+    return result;
+}
+
+/// The initial process has values for everything but constants and an operation's parameters.
+void check_initial(const std::vector<std::string>& needed, const std::vector<std::string>& known) {
+    for (const std::string& name : needed)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw std::logic_error("csp_emit: parameter " + name + " has no value");
+}
+
+/// The definitions of the points, and what they use: memories, places that calls return to, sets of events.
+std::vector<cspm::DeclPtr> definitions(MachineTables& tables, std::vector<Function>& functions,
+                                       const std::vector<Remembered>& remembered) {
+    std::vector<cspm::DeclPtr> result = memory_definitions(remembered, tables.timed());
+    tables.sharing.declare(result);
+    std::vector<NamedSet> sets{{"shared_variable_events", b::productions(external_write_events(tables))}};
+    gather_alike_branches(functions, tables.context.names, sets);
+    for (std::size_t i = 1; i < sets.size(); ++i)
+        result.push_back(b::value(sets[i].name, sets[i].events, "events after which some point goes on alike"));
+    DefinitionMeanings meanings(tables);
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        const Point& point = tables.points.all()[i];
+        const Function& function = functions[i];
+        const DefinitionMeaning meaning = meanings.of(point, function);
+        result.push_back(
+            b::function_decl(function.name, b::variables(function.parameters), function.body, meaning.text));
+        tables.provenance.definitions[tables.context.path + "::" + point.name] = meaning;
+    }
+    return result;
+}
+
+/// The parameters of an operation on its own. Assertions name them like constants, with another prefix
+/// (ir::Property::constants).
+std::vector<ArgumentParameter> arguments_of(const ir::Machine& machine) {
+    std::vector<ArgumentParameter> result;
+    for (const ir::Variable& variable : machine.variables) {
+        if (variable.scope != ir::VariableScope::parameter) continue;
+        const std::string name = ir::constant_name(machine.package, machine.path, variable.name);
+        result.push_back({"param_" + name.substr(std::string("const_").size()), variable.type});
+    }
+    return result;
+}
+
+}  // namespace
+
+ComponentEmission machine_module(MachineContext context, Emitted& emitted) {
+    MachineTables tables(std::move(context), emitted.provenance);
+    Processes processes(tables);
+    ExprPtr initial = processes.initial();
+    std::vector<Function> functions = processes.all();
+    check_initial(find_parameters(functions, initial, tables.family_calls, parameter_candidates(tables)),
+                  parameters_with(tables, tables.calls.constants_inside()));
+    inline_continuations(functions, tables.points.all().size());
+    const std::vector<Remembered> remembered = choose_memories(tables, functions);
+    remember(functions, initial, tables.family_calls, remembered);
+    fill_unneeded(functions, tables.family_calls, placeholder_values(tables));
+    const std::vector<cspm::DeclPtr> points = definitions(tables, functions, remembered);
+    std::vector<cspm::DeclPtr> all = tables.defaults.declarations();
+    all.insert(all.end(), tables.limits.declarations().begin(), tables.limits.declarations().end());
+    all.insert(all.end(), points.begin(), points.end());
+
+    ModuleDeclarations declarations(tables, remembered);
+    ComponentEmission result;
+    result.module = declarations.module(all, initial);
+    result.constants = tables.calls.constants();
+    result.arguments = arguments_of(tables.machine());
+    result.visible = declarations.visible();
+    result.machine = &tables.machine();
+    result.definitions = tables.context.definitions;
+    result.reads_of_watched = tables.watch.reads();
+    result.large = !remembered.empty();
+    return emitted.components[tables.context.path] = result;
+}
+
+}  // namespace robochart::csp_emit

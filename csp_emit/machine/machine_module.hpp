@@ -1,0 +1,12 @@
+// The CSPM module of a machine in one place.
+#pragma once
+
+#include "csp_emit/base/component.hpp"
+#include "csp_emit/machine/tables/machine_context.hpp"
+
+namespace robochart::csp_emit {
+
+/// Makes the module and adds to the provenance and the components.
+[[nodiscard]] ComponentEmission machine_module(MachineContext, Emitted&);
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,35 @@
+// What the definitions of a machine mean to the reader of the model: the active states, what each parameter holds, and
+// which transition or statement each event comes from that the configuration offers.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "csp_emit/machine/tables/machine_tables.hpp"
+
+namespace robochart::csp_emit {
+
+/// Owns the meanings of offers, which definitions share.
+class DefinitionMeanings {
+public:
+    explicit DefinitionMeanings(const MachineTables& tables) : tables_(tables) {}
+
+    [[nodiscard]] DefinitionMeaning of(const Point&, const Function&);
+
+private:
+    using Offer = std::shared_ptr<const OfferMeaning>;
+    std::string describe(const Activation& config) const;
+    void add_parameters(const Function&, DefinitionMeaning&) const;
+    std::vector<ir::Origin> active_states(const View& now) const;
+    std::vector<Offer> offers(const View& now);
+    Offer offer(const RunningMachine&, ir::TransitionId);
+    Offer offer(const RunningThread&);
+
+    const MachineTables& tables_;
+    std::map<std::pair<std::uint32_t, std::string>, Offer> offers_;  ///< by frame
+};
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,209 @@
+// The work list of points, and the processes that the rules' answers are.
+#include "csp_emit/machine/processes.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/machine/rules/actions.hpp"
+#include "csp_emit/machine/rules/shared_variables.hpp"
+#include "csp_emit/machine/rules/states.hpp"
+#include "csp_emit/machine/rules/time.hpp"
+#include "csp_emit/machine/rules/transitions.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::ExprPtr;
+
+namespace {
+
+/// Statements done at once before a function of their own follows: bounds recursion and the size of expressions.
+constexpr std::size_t max_run = 100;
+
+/// An operation without a body: `SKIP |~| STOP`, with `terminates` `SKIP`. In time it may end at any time.
+ExprPtr without_body(const MachineTables& tables) {
+    const ExprPtr skip = tables.timed() ? b::name("SKIP_ANYTIME") : b::skip();
+    const ExprPtr stop = tables.timed() ? b::call("RUN", {b::set({b::name("tock")})}) : b::stop();
+    return tables.machine().terminates ? skip : b::internal_choice({skip, stop});
+}
+
+/// Parameters of a standalone operation keep the value that the caller gives.
+Values initial_values(MachineTables& tables) {
+    Values result;
+    const Frame& root = tables.frames.root();
+    for (std::size_t i = 0; i < root.machine->variables.size(); ++i) {
+        const CellId cell = root.variables[i];
+        result[cell] = tables.cells[cell].parameter ? tables.cells.parameter(cell)
+                                                    : initial_value(tables, 0, root.machine->variables[i]);
+    }
+    for (const auto& clock : root.clocks)
+        if (clock) result[*clock] = b::number(0);
+    if (const auto& watch = tables.watch.cell()) result[*watch] = b::boolean(false);
+    return result;
+}
+
+}  // namespace
+
+ExprPtr Processes::initial() {
+    const ir::Machine& machine = tables_.machine();
+    if (machine.kind == ir::MachineKind::operation && !machine.initial.valid()) return without_body(tables_);
+    Activation start;
+    start.at = machine.initial;
+    return at(start, initial_values(tables_));
+}
+
+std::vector<Function> Processes::all() {
+    const std::vector<Point>& points = tables_.points.all();
+    const std::vector<Continuation>& continuations = tables_.sharing.continuations();
+    std::vector<Function> behind_calls;
+    std::vector<Function> functions;
+    while (functions.size() < points.size() || behind_calls.size() < continuations.size()) {
+        if (functions.size() < points.size()) {
+            const Point point = points[functions.size()];  // others are added while its body is made
+            const bool wanted = !point.returns && !tables_.points.overflow();  // of too many points no bodies are made
+            functions.push_back({point.name, {}, wanted ? body(point.config) : point.returns ? nullptr : b::stop()});
+        } else {
+            const Continuation continuation = continuations[behind_calls.size()];
+            behind_calls.push_back({continuation.name, {}, behind(continuation)});
+        }
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i].returns) functions[i].body = tables_.sharing.dispatch(points[i].config.frame);
+    tables_.sharing.settle();
+    tables_.sharing.skip_returns(functions, behind_calls);
+    functions.insert(functions.end(), behind_calls.begin(), behind_calls.end());
+    return functions;
+}
+
+/// Whether the configuration is a shared operation at its end.
+bool Processes::returns(const Activation& config) const {
+    return config.frame != 0 && is_final(tables_, config);
+}
+
+/// The process in this configuration with these values: does what needs no event, then names the rest.
+ExprPtr Processes::at(const Activation& config, const Values& values) {
+    if (tables_.points.overflow()) return b::stop();  // reported
+    if (run_ >= max_run) return point(config, values);
+    if (returns(config)) return tables_.sharing.return_from(config.frame, values, after_tock_);
+    const auto next = silent(tables_, config, values, branching_ > 0);
+    if (!next) return point(config, values);
+    ++run_;
+    const ExprPtr result = of(*next);
+    --run_;
+    return result;
+}
+
+ExprPtr Processes::point(const Activation& config, const Values& values) {
+    const Point* point = tables_.points.at(config);
+    if (point == nullptr) return b::stop();  // too many, reported
+    const Values passed = with_monitors(tables_, config, values);
+    tables_.points.count_call(passed.size());
+    return tables_.family_calls.add(point->name, tables_.cells.arguments(passed), after_tock_);
+}
+
+ExprPtr Processes::of(const Next& next) {
+    switch (next.kind) {
+        case Next::Kind::configuration:
+            return at(next.config, next.values);
+        case Next::Kind::point:
+            return point(next.config, next.values);
+        case Next::Kind::conditional:
+        case Next::Kind::branching: {
+            const std::size_t more = next.kind == Next::Kind::branching ? 1 : 0;
+            branching_ += more;
+            const ExprPtr then = of(next.parts.at(0));
+            const ExprPtr otherwise = of(next.parts.at(1));
+            branching_ -= more;
+            return b::if_(next.expr, then, otherwise);
+        }
+        case Next::Kind::wait_over: {
+            const ExprPtr otherwise = of(next.parts.at(1));
+            return b::if_(next.expr, of(next.parts.at(0)), otherwise);
+        }
+        case Next::Kind::internal: {
+            b::Exprs parts;
+            for (const Next& part : next.parts) parts.push_back(of(part));
+            return b::internal_choice(parts);
+        }
+        case Next::Kind::interval: {
+            cspm::Expr chosen = *b::replicated(cspm::ExprKind::replicated_internal, {b::generator("d__", next.expr)},
+                                               of(next.parts.at(0)));
+            chosen.span = next.span;  // a report says where the interval is empty
+            return std::make_shared<const cspm::Expr>(std::move(chosen));
+        }
+        case Next::Kind::process:
+            break;
+    }
+    return next.expr;
+}
+
+ExprPtr Processes::of(const Branch& branch) {
+    after_tock_ = branch.tock;
+    const ExprPtr next = of(branch.next);
+    after_tock_ = false;
+    const ExprPtr event =
+        branch.fields.empty() ? b::prefix(branch.event, next) : b::prefix(branch.event, branch.fields, next);
+    return branch.guard ? b::guard(branch.guard, event) : event;
+}
+
+void Processes::add(const std::vector<Branch>& branches, std::vector<ExprPtr>& out) {
+    for (const Branch& branch : branches) out.push_back(of(branch));
+}
+
+ExprPtr Processes::body(const Activation& config) {
+    run_ = 0;
+    branching_ = 0;
+    if (returns(config)) return tables_.sharing.return_from(config.frame, {}, false);
+    if (const auto next = silent(tables_, config, {}, false)) return of(*next);
+    const bool ends = is_final(tables_, config) && tables_.machine().kind == ir::MachineKind::operation;
+    return tables_.watch.with_reset(ends ? b::skip() : b::choice(branches(config)));
+}
+
+/// The body of a continuation.
+ExprPtr Processes::behind(const Continuation& continuation) {
+    run_ = 0;
+    branching_ = 0;
+    return at(continuation.config, tables_.sharing.behind(continuation));
+}
+
+/// The value of a clock of the caller is read first; until then no guard is evaluated (clocks_needed).
+std::vector<ExprPtr> Processes::reading_branches(const Activation& config, const View& now, CellId clock) {
+    std::vector<ExprPtr> result;
+    Activation next = config;
+    ++next.clocks_read;
+    result.push_back(of(Branch{
+        nullptr, b::name(tables_.cells[clock].reading), {b::input("in__")}, go(next, {{clock, b::name("in__")}})}));
+    for (const RunningThread& running : now.threads)
+        if (const auto branch = head_branch(tables_, running, false)) result.push_back(of(*branch));
+    add(external_writes(tables_, config, now), result);
+    const bool alone = now.threads.size() == 1;
+    if (std::none_of(now.threads.begin(), now.threads.end(),
+                     [&](const RunningThread& running) { return stops_time(tables_, running, alone); }))
+        result.push_back(of(tock(tables_, config, now)));
+    return result;
+}
+
+std::vector<ExprPtr> Processes::branches(const Activation& settled) {
+    const View asking = view(settled);
+    const std::vector<CellId> clocks = tables_.timed() ? clocks_needed(tables_, asking) : std::vector<CellId>{};
+    if (settled.clocks_read < clocks.size()) return reading_branches(settled, asking, clocks[settled.clocks_read]);
+    Activation config = settled;
+    config.clocks_read = 0;
+    const View now = view(config);
+    std::vector<ExprPtr> result;
+    // Visible termination, then ✓ (semantics 3.9).
+    if (is_final(tables_, config)) result.push_back(b::prefix(b::name("terminate"), b::skip()));
+    for (const RunningMachine& running : now.machines)
+        for (const ir::TransitionId id : candidates(tables_, *running.activation))
+            result.push_back(of(fire(tables_, running, id)));
+    for (const RunningMachine& running : now.machines)
+        for (const ir::TransitionId id : candidates(tables_, *running.activation))
+            if (const ExprPtr unset = tables_.watch.read_unset(running.activation->frame, id)) result.push_back(unset);
+    for (const RunningThread& running : now.threads)
+        if (const auto branch = head_branch(tables_, running, now.threads.size() == 1)) result.push_back(of(*branch));
+    add(external_writes(tables_, config, now), result);
+    if (tables_.timed() && !urgent(tables_, now)) result.push_back(of(tock(tables_, config, now)));
+    return result;
+}
+
+}  // namespace robochart::csp_emit

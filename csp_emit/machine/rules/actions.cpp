@@ -1,0 +1,313 @@
+// What the heads of threads do, at once or by an event.
+#include "csp_emit/machine/rules/actions.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/types.hpp"
+#include "csp_emit/machine/rules/operations.hpp"
+#include "csp_emit/machine/rules/shared_variables.hpp"
+#include "csp_emit/machine/rules/states.hpp"
+#include "csp_emit/machine/rules/time.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::ExprPtr;
+using ir::CommKind;
+using ir::StmtKind;
+
+namespace {
+
+const char* const received = "in__";
+
+Item statement(const ir::StmtPtr& stmt, const std::string& label) {
+    Item item;
+    item.stmt = stmt.get();
+    item.label = label;
+    return item;
+}
+
+/// The statement is done, these values being changed.
+Next done(const RunningThread& running, Values values) {
+    return go(running.replace(running.tail()), std::move(values));
+}
+
+/// The clock starts anew, in the cell that counts it if this machine does.
+void reset(const MachineTables& tables, std::uint32_t index, ir::ClockId clock, Values& values) {
+    const Frame& frame = tables.frames[index];
+    tables.watch.note_reset(frame, clock, values);
+    const auto& cell = frame.clocks.at(clock.index);
+    if (tables.timed() && cell && tables.cells[*cell].reading.empty()) values[*cell] = b::number(0);
+}
+
+/// `S <{d}`: a counter beside the statement, which ends with it.
+Next start_deadline(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const Program& rest,
+                    const Values& values) {
+    const Item inner = statement(stmt.body.at(0), running.head().label);
+    if (!tables.timed()) return go(running.replace(push(inner, rest)), values);
+    const CellId cell = tables.cells.of_statement(running.frame(), stmt, 0, CellKind::deadline, "d__");
+    Item end = running.head();
+    end.kind = ItemKind::deadline_end;
+    end.cells = {cell};
+    Values changed = values;
+    changed[cell] = expression(tables.project(), tables.frames.scope(running.frame(), values), *stmt.value);
+    return go(running.replace(push(inner, push(end, rest))), changed);
+}
+
+Next choose(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const Program& rest,
+            const Values& values) {
+    const std::string& label = running.head().label;
+    const Program other = stmt.body.size() > 1 ? push(statement(stmt.body[1], label), rest) : rest;
+    return {Next::Kind::branching,
+            {},
+            {},
+            expression(tables.project(), tables.frames.scope(running.frame(), values), *stmt.condition),
+            {go(running.replace(push(statement(stmt.body.at(0), label), rest)), values),
+             go(running.replace(other), values)}};
+}
+
+/// The effect of the head statement, as if the functions that it uses had no preconditions.
+Next effect(MachineTables& tables, const RunningThread& running, const Values& values) {
+    const ir::Stmt& stmt = *running.head().stmt;
+    const Program& rest = running.tail();
+    switch (stmt.kind) {
+        case StmtKind::sequence: {
+            Program all = rest;
+            for (auto part = stmt.body.rbegin(); part != stmt.body.rend(); ++part)
+                all = push(statement(*part, running.head().label), all);
+            return go(running.replace(all), values);
+        }
+        case StmtKind::if_then_else:
+            return choose(tables, running, stmt, rest, values);
+        case StmtKind::assign: {
+            Values changed = values;
+            changed[tables.frames[running.frame()].variables.at(stmt.variable.index)] =
+                assigned(tables, running.frame(), stmt, values);
+            return done(running, changed);
+        }
+        case StmtKind::call:
+            return call(tables, running, stmt, rest, values);
+        case StmtKind::wait:
+        case StmtKind::wait_interval:
+            return start_wait(tables, running, stmt, rest, values);
+        case StmtKind::clock_reset: {
+            Values changed = values;
+            reset(tables, running.frame(), stmt.clock, changed);
+            return done(running, changed);
+        }
+        case StmtKind::deadline:
+            return start_deadline(tables, running, stmt, rest, values);
+        case StmtKind::skip:
+        case StmtKind::communicate:
+            break;
+    }
+    return done(running, values);
+}
+
+/// The effect of the head statement, which is no event of the alphabet, and what follows.
+Next perform(MachineTables& tables, const RunningThread& running, const Values& values) {
+    Next then = effect(tables, running, values);
+    const b::Exprs conditions = function_preconditions(tables, running.frame(), *running.head().stmt, values);
+    if (conditions.empty()) return then;
+    return if_(b::all_of(conditions), std::move(then), go(stuck(running), values));
+}
+
+std::optional<Next> silent_statement(MachineTables& tables, const RunningThread& running, const Activation& config,
+                                     const Values& values, bool alone, bool branching) {
+    const ir::Stmt& stmt = *running.head().stmt;
+    const bool changes = stmt.kind == StmtKind::assign || stmt.kind == StmtKind::clock_reset;
+    if (visible(tables, running, stmt)) return std::nullopt;
+    const bool about_time = stmt.kind == StmtKind::clock_reset || stmt.kind == StmtKind::wait ||
+                            stmt.kind == StmtKind::wait_interval || stmt.kind == StmtKind::deadline;
+    if (about_time && !tables.timed()) return perform(tables, running, values);  // dropped: semantics 3.11
+    if (changes && (running.during || !alone)) return std::nullopt;
+    if (!stable(tables, running.frame(), stmt, alone)) return std::nullopt;
+    // A second conditional after a first one would double the text each time: it gets a function of its own.
+    const bool again = stmt.kind == StmtKind::if_then_else && branching;
+    if (again || !reads_only_names(tables, running.frame(), stmt, values)) return at_point(config, values);
+    return perform(tables, running, values);
+}
+
+std::optional<Next> silent_head(MachineTables& tables, const RunningThread& running, const Activation& config,
+                                const Values& values, bool alone, bool branching) {
+    const Item& item = running.head();
+    switch (item.kind) {
+        case ItemKind::statement:
+            return silent_statement(tables, running, config, values, alone, branching);
+        case ItemKind::deadline_end:
+            return done(running, values);
+        case ItemKind::join: {
+            const auto& beside = running.owner().durings;
+            if (std::any_of(beside.begin(), beside.end(), [&](const During& d) { return d.node == item.node; }))
+                return std::nullopt;
+            return done(running, values);
+        }
+        case ItemKind::enter:
+            return enter(tables, running, values);
+        case ItemKind::entered:
+            // States of called operations are not seen outside.
+            if (running.frame() != 0) return entered(tables, running, values);
+            return std::nullopt;
+        case ItemKind::store: {
+            const CellId target = tables.frames[running.frame()].variables.at(item.variable.index);
+            if (tables.cells[target].shared || !alone || running.during) return std::nullopt;
+            Values changed = values;
+            changed[target] = tables.cells.value(item.cells.at(0), values);
+            return done(running, changed);
+        }
+        case ItemKind::frozen:
+        case ItemKind::waiting:
+        case ItemKind::left:
+        case ItemKind::stuck:
+            break;
+    }
+    return std::nullopt;
+}
+
+/// The values that the statement reads, as its channel carries them: what it assigns or sends, the arguments of a call.
+b::Exprs values_read(const MachineTables& tables, std::uint32_t index, const ir::Stmt& stmt) {
+    const Frame& frame = tables.frames[index];
+    b::Exprs result;
+    if (stmt.kind == StmtKind::assign) result.push_back(assigned(tables, index, stmt, {}));
+    if (stmt.kind == StmtKind::communicate && stmt.communication.value)
+        result.push_back(expression_as(tables.project(), tables.frames.scope(index, {}), *stmt.communication.value,
+                                       *frame.machine->events.at(stmt.communication.event.index).type));
+    for (std::size_t i = 0; i < stmt.args.size(); ++i)
+        result.push_back(expression_as(tables.project(), tables.frames.scope(index, {}), *stmt.args[i],
+                                       frame.machine->operations.at(stmt.operation.index).parameters.at(i)));
+    return result;
+}
+
+/// All expressions of the statement are read at one moment and kept.
+Branch freeze(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
+    const std::uint32_t frame = running.frame();
+    Item item = running.head();
+    item.kind = ItemKind::frozen;
+    Values values;
+    for (const ExprPtr& value : values_read(tables, frame, stmt)) {
+        item.cells.push_back(tables.cells.of_statement(frame, stmt, item.cells.size(), CellKind::frozen, "x__"));
+        values[item.cells.back()] = value;
+    }
+    Next then = go(running.replace(push(item, running.tail())), values);
+    const b::Exprs conditions = function_preconditions(tables, frame, stmt, {});
+    if (!conditions.empty()) then = if_(b::all_of(conditions), std::move(then), go(stuck(running), {}));
+    return {nullptr, step(tables, frame, stmt, "read "), {}, std::move(then)};
+}
+
+/// `e.out`, `e.out!v`.
+Branch sending(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const b::Exprs& value) {
+    const std::string& channel = tables.frames[running.frame()].events.at(stmt.communication.event.index);
+    std::vector<cspm::Field> fields;
+    if (!value.empty()) fields.push_back(b::output(value.front()));
+    return {nullptr, b::dot({b::name(channel), b::name("out")}), std::move(fields), done(running, {})};
+}
+
+/// `e.in?x`, then the value is stored (semantics 3.5).
+Branch reception(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
+    const std::uint32_t frame = running.frame();
+    const Project& project = tables.project();
+    const ir::Communication& input = stmt.communication;
+    const ir::TypeId type = *tables.frames[frame].machine->events.at(input.event.index).type;
+    const CellId cell = tables.cells.of_statement(frame, stmt, 0, CellKind::frozen, "x__");
+    Item store = running.head();
+    store.kind = ItemKind::store;
+    store.variable = input.variable;
+    store.cells = {cell};
+    ExprPtr from;
+    if (input.predicate) {
+        const Scope names = tables.frames.scope(frame, {}, b::name(received));
+        b::Exprs conditions = preconditions(project, names, *input.predicate);
+        conditions.push_back(expression(project, names, *input.predicate));
+        from = b::set_comprehension({b::name(received)}, {b::generator(received, type_set(project, type)),
+                                                          b::condition(b::all_of(conditions))});
+    }
+    return {nullptr,
+            b::dot({b::name(tables.frames[frame].events.at(input.event.index)), b::name("in")}),
+            {b::input(received, from)},
+            go(running.replace(push(store, running.tail())), {{cell, b::name(received)}})};
+}
+
+/// Writes a variable: `set_x!v` if it is shared, a hidden step otherwise (semantics 3.7).
+Branch write(MachineTables& tables, const RunningThread& running, CellId id, const ExprPtr& value) {
+    const Cell& cell = tables.cells[id];
+    Next next = done(running, {{id, value}});
+    if (cell.shared) return {nullptr, b::name("set_" + cell.channel), {b::output(value)}, std::move(next)};
+    if (const ir::Stmt* stmt = running.head().stmt)
+        return {nullptr, step(tables, running.frame(), *stmt, ""), {}, std::move(next)};
+    const EventMeaning meaning{MeaningKind::assignment, "store the received value in " + cell.meaning, {}, {}};
+    return {nullptr, tables.events.step("store " + cell.name, meaning), {}, std::move(next)};
+}
+
+/// The event of a statement that sends, calls or writes, with the values that it has read.
+Branch event_of(MachineTables& tables, const RunningThread& running, const b::Exprs& values) {
+    const ir::Stmt& stmt = *running.head().stmt;
+    if (stmt.kind == StmtKind::communicate) return sending(tables, running, stmt, values);
+    if (stmt.kind == StmtKind::call) return call_event(tables, running, stmt, values);
+    return write(tables, running, tables.frames[running.frame()].variables.at(stmt.variable.index), values.at(0));
+}
+
+Branch statement_branch(MachineTables& tables, const RunningThread& running, bool alone) {
+    const ir::Stmt& stmt = *running.head().stmt;
+    const std::uint32_t frame = running.frame();
+    if (!visible(tables, running, stmt)) {
+        Next then = perform(tables, running, {});
+        return {nullptr, step(tables, frame, stmt, ""), {}, std::move(then)};
+    }
+    if (stmt.kind == StmtKind::communicate && stmt.communication.kind == CommKind::input)
+        return reception(tables, running, stmt);
+    if (stmt.kind == StmtKind::clock_reset) {
+        Values changed;
+        reset(tables, frame, stmt.clock, changed);
+        const ExprPtr event = b::dot({b::name("clockReset"), b::name(*tables.frames.announced(frame, stmt.clock))});
+        return {nullptr, event, {}, done(running, changed)};
+    }
+    const bool steady = stable(tables, frame, stmt, alone) && !reads_in_turn(tables, running, stmt);
+    if (!steady) return freeze(tables, running, stmt);
+    Branch result = event_of(tables, running, values_read(tables, frame, stmt));
+    // `pre & process` for the functions that the statement uses.
+    if (const b::Exprs conditions = function_preconditions(tables, frame, stmt, {}); !conditions.empty())
+        result.guard = b::all_of(conditions);
+    return result;
+}
+
+}  // namespace
+
+std::optional<Next> silent(MachineTables& tables, const Activation& config, const Values& values, bool branching) {
+    const View now = view(config);
+    for (const RunningThread& waiting : now.calls)  // a called operation in its final state returns (semantics 3.8)
+        if (is_final(tables, *waiting.thread().callee)) return go(waiting.replace(waiting.thread().rest), values);
+    for (const RunningThread& running : now.threads)
+        if (auto result = silent_head(tables, running, config, values, now.threads.size() == 1, branching))
+            return result;
+    return std::nullopt;
+}
+
+std::optional<Branch> head_branch(MachineTables& tables, const RunningThread& running, bool alone) {
+    const Item& item = running.head();
+    switch (item.kind) {
+        case ItemKind::statement:
+            return statement_branch(tables, running, alone);
+        case ItemKind::frozen: {
+            b::Exprs values;
+            for (const CellId cell : item.cells) values.push_back(tables.cells.parameter(cell));
+            return event_of(tables, running, values);
+        }
+        case ItemKind::store:
+            return write(tables, running, tables.frames[running.frame()].variables.at(item.variable.index),
+                         tables.cells.parameter(item.cells.at(0)));
+        case ItemKind::entered:
+            return entered_branch(tables, running);
+        case ItemKind::left:
+            return left_branch(tables, running);
+        case ItemKind::waiting:  // moves with time
+        case ItemKind::deadline_end:
+        case ItemKind::enter:
+        case ItemKind::join:
+        case ItemKind::stuck:  // nothing more happens
+            break;
+    }
+    return std::nullopt;
+}
+
+}  // namespace robochart::csp_emit

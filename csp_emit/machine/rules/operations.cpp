@@ -1,0 +1,99 @@
+// Where an operation runs, and with which values.
+#include "csp_emit/machine/rules/operations.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/rules.hpp"
+#include "csp_emit/machine/rules/time.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::ExprPtr;
+
+namespace {
+
+/// Whether nothing runs concurrently with the call, so that the return address describes its caller.
+bool shares(const MachineTables& tables, const RunningThread& running, const Activation& returned) {
+    if (!tables.project().options.share_calls) return false;
+    if (running.during || returned.frame != running.frame()) return false;
+    if (!returned.durings.empty() || returned.control.callee) return false;
+    for (const Link* link = returned.control.rest.get(); link != nullptr; link = link->tail.get())
+        if (!link->head.cells.empty()) return false;
+    return monitors(tables, view(returned), {}).empty();
+}
+
+/// What the operation starts with: its parameters, its own variables and clocks.
+Values called_values(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, std::uint32_t callee,
+                     const Values& values) {
+    const Frame& frame = tables.frames[callee];
+    Values inside = values;
+    std::size_t parameter = 0;
+    for (std::size_t i = 0; i < frame.machine->variables.size(); ++i) {
+        const ir::Variable& variable = frame.machine->variables[i];
+        const CellId cell = frame.variables[i];
+        if (std::find(frame.own.begin(), frame.own.end(), cell) == frame.own.end()) continue;  // the caller's
+        const bool given = variable.scope == ir::VariableScope::parameter && parameter < stmt.args.size();
+        inside[cell] = given ? expression_as(tables.project(), tables.frames.scope(running.frame(), values),
+                                             *stmt.args[parameter++], variable.type)
+                             : initial_value(tables, callee, variable);
+    }
+    for (const CellId cell : frame.own)
+        if (tables.cells[cell].kind == CellKind::clock) inside[cell] = b::number(0);
+    return inside;
+}
+
+/// The preconditions of the operation, with those of the functions that they use.
+b::Exprs preconditions_of(const MachineTables& tables, const ir::Machine& operation, std::uint32_t frame,
+                          const Values& inside) {
+    const Scope names = tables.frames.scope(frame, inside);
+    b::Exprs result;
+    for (const auto& condition : operation.preconditions) {
+        for (auto& first : preconditions(tables.project(), names, *condition)) result.push_back(first);
+        result.push_back(expression(tables.project(), names, *condition));
+    }
+    return result;
+}
+
+}  // namespace
+
+Next call(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const Program& rest,
+          const Values& values) {
+    const std::uint32_t caller = running.frame();
+    const ir::Machine& operation = *tables.frames.definition(caller, stmt.operation);
+    const Activation returned = running.replace(rest);
+    if (!operation.initial.valid()) {  // no body: SKIP |~| STOP, with `terminates` SKIP
+        Next skip = go(returned, values);
+        if (operation.terminates) return skip;
+        return {Next::Kind::internal, {}, {}, {}, {std::move(skip), go(stuck(running), values)}};
+    }
+    const std::string chain = tables.calls.recursion(*tables.frames[caller].machine, operation);
+    if (!chain.empty()) {
+        tables.project().diagnostics.report(rules::recursive_call, stmt.origin.span, {operation.name, chain});
+        return process(b::stop());
+    }
+    const bool shared = shares(tables, running, returned);
+    const std::uint32_t index =
+        shared ? tables.frames.shared(caller, operation) : tables.frames.called(caller, stmt, operation);
+    Values inside = called_values(tables, running, stmt, index, values);
+    Activation body;
+    body.frame = index;
+    body.at = operation.initial;
+    if (shared) tables.sharing.push(index, returned, values, inside);
+    const b::Exprs conditions = preconditions_of(tables, operation, index, inside);
+    Next called =
+        go(shared ? body : running.replace(Thread{rest, std::make_shared<const Activation>(body)}), std::move(inside));
+    if (conditions.empty()) return called;
+    return if_(b::all_of(conditions), std::move(called), go(stuck(running), values));
+}
+
+Branch call_event(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt,
+                  const b::Exprs& arguments) {
+    const std::string& name = tables.frames[running.frame()].machine->operations.at(stmt.operation.index).name;
+    std::vector<cspm::Field> fields;
+    for (const ExprPtr& argument : arguments) fields.push_back(b::output(argument));
+    return {nullptr, b::name(name + "Call"), std::move(fields), go(running.replace(running.tail()), {})};
+}
+
+}  // namespace robochart::csp_emit

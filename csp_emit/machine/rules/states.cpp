@@ -1,0 +1,122 @@
+// Entering nodes.
+#include "csp_emit/machine/rules/states.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/syntax/build.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using ir::NodeId;
+using ir::NodeKind;
+
+namespace {
+
+/// Composite states around the node that have not been entered yet, innermost first.
+std::vector<NodeId> not_entered_around(const ir::Machine& machine, const Activation& activation, NodeId node) {
+    std::vector<NodeId> result;
+    for (NodeId above = machine.nodes[node.index].parent; above.valid(); above = machine.nodes[above.index].parent)
+        if (std::find(activation.entered.begin(), activation.entered.end(), above) == activation.entered.end())
+            result.push_back(above);
+    return result;
+}
+
+/// The running machine of that frame: a thread that has changed finds its owner again.
+const RunningMachine* machine_of(const View& view, std::uint32_t frame) {
+    const auto found = std::find_if(view.machines.begin(), view.machines.end(),
+                                    [&](const RunningMachine& running) { return running.activation->frame == frame; });
+    return found == view.machines.end() ? nullptr : &*found;
+}
+
+/// The state among those entered, its during action among those that run.
+void put_entered(const ir::Machine& machine, NodeId id, Activation& activation) {
+    const ir::Node& node = machine.nodes[id.index];
+    const auto outer = [&](NodeId other) {
+        for (NodeId above = node.parent; above.valid(); above = machine.nodes[above.index].parent)
+            if (above == other) return true;
+        return false;
+    };
+    activation.entered.insert(std::find_if_not(activation.entered.begin(), activation.entered.end(), outer), id);
+    if (node.kind != NodeKind::state || !node.during) return;
+    Item first;
+    first.stmt = node.during.get();
+    first.label = "during action of " + node.path;
+    const auto behind_outer = std::find_if_not(activation.durings.begin(), activation.durings.end(),
+                                               [&](const During& during) { return outer(during.node); });
+    activation.durings.insert(behind_outer, {id, {push(first, nullptr), nullptr}});
+}
+
+}  // namespace
+
+bool is_final(const MachineTables& tables, const Activation& activation) {
+    if (!settled(activation)) return false;
+    const ir::Node& node = tables.frames[activation.frame].machine->nodes[activation.at.index];
+    return node.kind == NodeKind::final && !node.parent.valid();
+}
+
+Next enter(const MachineTables& tables, const RunningThread& running, const Values& values) {
+    const Item& item = running.head();
+    const ir::Machine& machine = *tables.frames[running.frame()].machine;
+    const ir::Node& node = machine.nodes[item.node.index];
+    // The thread that enters is the activation's control thread, so the change of `at` goes with it. A composite
+    // state stands at its initial node once its entry action is done.
+    Program rest = running.tail();
+    const auto entered_item = [&](NodeId which) {
+        Item event = item;
+        event.kind = ItemKind::entered;
+        event.node = which;
+        event.label = "entering " + machine.nodes[which.index].path;
+        return event;
+    };
+    const bool stops_here = node.kind == NodeKind::final || (node.kind == NodeKind::state && !node.composite());
+    if (stops_here) {
+        const std::vector<NodeId> outer = not_entered_around(machine, running.owner(), item.node);
+        for (auto above = outer.rbegin(); above != outer.rend(); ++above) rest = push(entered_item(*above), rest);
+        rest = push(entered_item(item.node), rest);
+    }
+    if (node.kind == NodeKind::state && node.composite()) {
+        Item inside = item;
+        inside.node = node.initial;
+        rest = push(inside, rest);
+    }
+    if (node.kind == NodeKind::state && node.entry) {
+        Item entry;
+        entry.stmt = node.entry.get();
+        entry.label = "entry action of " + node.path;
+        rest = push(entry, rest);
+    }
+    const Activation changed = running.replace(rest);
+    const View now = view(changed);
+    const RunningMachine* owner = machine_of(now, running.frame());
+    if (owner == nullptr) return go(changed, values);
+    Activation moved = *owner->activation;
+    moved.at = item.node;
+    return go(owner->replace(moved), values);
+}
+
+Next entered(const MachineTables& tables, const RunningThread& running, const Values& values) {
+    const NodeId id = running.head().node;
+    const Frame& frame = tables.frames[running.frame()];
+    const Activation changed = running.replace(running.tail());
+    const View now = view(changed);
+    const RunningMachine* owner = machine_of(now, running.frame());
+    if (owner == nullptr) return go(changed, values);
+    Activation moved = *owner->activation;
+    put_entered(*frame.machine, id, moved);
+    Values after = values;
+    for (std::size_t i = 0; i < frame.clocks.size(); ++i)
+        if (frame.clocks[i] && frame.machine->clocks[i].entry_of == id) after[*frame.clocks[i]] = b::number(0);
+    for (const auto& [transition, cell] : frame.monitors)
+        if (frame.machine->transitions[transition].source == id)
+            after[cell] = expression(tables.project(), tables.frames.scope(running.frame(), values),
+                                     *frame.machine->transitions[transition].deadline);
+    return go(owner->replace(moved), after);
+}
+
+Branch entered_branch(const MachineTables& tables, const RunningThread& running) {
+    const std::string& path = tables.frames[running.frame()].machine->nodes[running.head().node.index].path;
+    return {nullptr, b::name(path + "::entered"), {}, entered(tables, running, {})};
+}
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,18 @@
+// States (semantics 3.3): entering runs the entry action, then the inner initial node, then `entered`, innermost
+// first; `entered` starts the during action and makes the state interruptible.
+#pragma once
+
+#include "csp_emit/machine/rules/statements.hpp"
+
+namespace robochart::csp_emit {
+
+/// Whether the machine or operation has reached its own final state.
+[[nodiscard]] bool is_final(const MachineTables&, const Activation&);
+/// The thread enters a node: what it has to do then, innermost last.
+[[nodiscard]] Next enter(const MachineTables&, const RunningThread&, const Values&);
+/// Puts a state among those entered, outermost first, starts its during action and its clock.
+[[nodiscard]] Next entered(const MachineTables&, const RunningThread&, const Values&);
+/// The same by the event that the alphabet has for it: `S::entered`.
+[[nodiscard]] Branch entered_branch(const MachineTables&, const RunningThread&);
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,276 @@
+// Opening frames: what an operation requires is its caller's, the rest gets cells of its own.
+#include "csp_emit/machine/tables/activation_records.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/rules.hpp"
+#include "semantics/evaluate/preconditions.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::ExprPtr;
+
+namespace {
+
+/// Index of the element of that name, if there is one.
+template <class Element>
+std::optional<std::size_t> find_named(const std::vector<Element>& elements, const std::string& name) {
+    const auto found = std::find_if(elements.begin(), elements.end(), [&](const Element& e) { return e.name == name; });
+    if (found == elements.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - elements.begin());
+}
+
+/// The element of that name among those of a caller, as text; "-" if there is none.
+template <class Element, class Meaning>
+std::string bound_to(const std::vector<Element>& elements, const std::string& name, const Meaning& meaning) {
+    const auto found = find_named(elements, name);
+    return found ? meaning(*found) : "-";
+}
+
+/// Whether a guard of the machine reads the clock.
+bool reads_clock(const ir::Machine& machine, std::uint32_t clock) {
+    const auto uses = [&](const ir::Expr& part) {
+        if (part.kind == ir::ExprKind::since) return part.clock.index == clock;
+        return part.kind == ir::ExprKind::since_entry && machine.clocks[clock].entry_of == part.node;
+    };
+    return std::any_of(machine.transitions.begin(), machine.transitions.end(),
+                       [&](const ir::Transition& t) { return t.guard && mentions(*t.guard, uses); });
+}
+
+}  // namespace
+
+bool is_callers(const ir::Machine& machine, const ir::Clock& clock) {
+    return machine.kind == ir::MachineKind::operation && clock.required;
+}
+
+ActivationRecords::ActivationRecords(const MachineContext& context, const CallGraph& calls, ParameterTable& cells,
+                                     ClockLimits& limits)
+    : context_(context), calls_(calls), cells_(cells), limits_(limits) {
+    open(*context.machine, 0, "");
+}
+
+std::uint32_t ActivationRecords::open(const ir::Machine& opened, std::uint32_t parent, const std::string& prefix) {
+    const bool root = frames_.empty();
+    Frame frame;
+    frame.machine = &opened;
+    frame.parent = parent;
+    frame.prefix = prefix;
+    add_variables(frame, root);
+    add_constants(frame);
+    add_events(frame, root);
+    if (project().timed()) {
+        add_clocks(frame, root);
+        add_monitors(frame);
+    } else {
+        frame.clocks.resize(opened.clocks.size());
+    }
+    find_watched(frame, root);
+    frames_.push_back(std::move(frame));
+    return static_cast<std::uint32_t>(frames_.size() - 1);
+}
+
+void ActivationRecords::add_variables(Frame& frame, bool root) {
+    for (const ir::Variable& variable : frame.machine->variables) {
+        if (!root && variable.scope == ir::VariableScope::required) {
+            const Frame& caller = frames_[frame.parent];
+            const auto found = find_named(caller.machine->variables, variable.name);
+            if (!found)
+                project().diagnostics.report(rules::missing_in_caller, frame.machine->origin.span,
+                                             {frame.machine->name, "variable", variable.name, caller.machine->name});
+            if (found) {
+                frame.variables.push_back(caller.variables[*found]);
+                continue;
+            }
+        }
+        Cell cell;
+        cell.name = "v_" + frame.prefix + variable.name;
+        cell.meaning = frame.prefix.empty() ? variable.name : frame.machine->name + "::" + variable.name;
+        cell.type = variable.type;
+        cell.shared = root && variable.scope == ir::VariableScope::required;
+        cell.parameter = variable.scope == ir::VariableScope::parameter;
+        cell.channel = variable.name;
+        frame.variables.push_back(cells_.add(std::move(cell)));
+        frame.own.push_back(frame.variables.back());
+    }
+}
+
+void ActivationRecords::add_clocks(Frame& frame, bool root) {
+    const bool all_announced = project().mentions("clockReset") || project().mentions("FVS_C__");
+    for (std::uint32_t i = 0; i < frame.machine->clocks.size(); ++i) {
+        const ir::Clock& clock = frame.machine->clocks[i];
+        frame.announced.emplace_back();
+        if (!root && clock.required) {
+            const Frame& caller = frames_[frame.parent];
+            if (const auto found = find_named(caller.machine->clocks, clock.name)) {
+                frame.clocks.push_back(caller.clocks[*found]);
+                frame.announced.back() = caller.announced[*found];
+                continue;
+            }
+        }
+        const bool outside = root && is_callers(*context_.machine, clock);
+        if (outside || (root && all_announced && !clock.entry_of.valid()))
+            frame.announced.back() = "CLID_" + flatten(clock.name);
+        add_clock(frame, {i}, outside);
+    }
+}
+
+/// A cell for the clock if something reads it; `outside`: it is a clock of the caller, read by an event.
+void ActivationRecords::add_clock(Frame& frame, ir::ClockId id, bool outside) {
+    const ir::Machine& opened = *frame.machine;
+    const ir::Clock& clock = opened.clocks[id.index];
+    if (!read_somewhere(opened, id)) {
+        frame.clocks.push_back(std::nullopt);
+        return;
+    }
+    Cell cell;
+    cell.kind = CellKind::clock;
+    cell.name = "c_" + frame.prefix + clock.name;
+    cell.meaning = clock.entry_of.valid() ? "sinceEntry(" + opened.nodes[clock.entry_of.index].path + ")"
+                                          : "since(" + clock.name + ")";
+    cell.limit = limits_.limit(opened, clock.name, clock.entry_of);
+    if (outside) cell.reading = "get_CLID_" + flatten(clock.name);
+    frame.clocks.push_back(cells_.add(std::move(cell)));
+    if (!outside) frame.own.push_back(*frame.clocks.back());
+}
+
+/// Whether the machine reads its clock, or an operation does that may be called and requires it.
+bool ActivationRecords::read_somewhere(const ir::Machine& opened, ir::ClockId id) const {
+    const auto below = calls_.callable();
+    const auto inherits = [&](const ir::Machine* operation) {
+        const auto found = find_named(operation->clocks, opened.clocks[id.index].name);
+        return found && operation->clocks[*found].required &&
+               reads_clock(*operation, static_cast<std::uint32_t>(*found));
+    };
+    return reads_clock(opened, id.index) || std::any_of(below.begin(), below.end(), inherits);
+}
+
+void ActivationRecords::add_constants(Frame& frame) const {
+    for (const ConstantParameter& constant : calls_.constants())
+        if (constant.owner == frame.machine) frame.constants.push_back(b::name(constant.inside));
+}
+
+void ActivationRecords::add_events(Frame& frame, bool root) const {
+    const ir::Machine& machine = *context_.machine;
+    for (const ir::Event& event : frame.machine->events) {
+        frame.events.push_back(event.name);
+        if (root || find_named(machine.events, event.name)) continue;
+        project().diagnostics.report(rules::missing_in_caller, frame.machine->origin.span,
+                                     {frame.machine->name, "event", event.name, machine.name});
+    }
+}
+
+void ActivationRecords::add_monitors(Frame& frame) {
+    for (std::uint32_t i = 0; i < frame.machine->transitions.size(); ++i) {
+        const ir::Transition& transition = frame.machine->transitions[i];
+        if (!transition.deadline) continue;
+        const auto outside = [&](const ir::Expr& part) {
+            if (part.kind != ir::ExprKind::since || !frame.clocks.at(part.clock.index)) return false;
+            return !cells_[*frame.clocks[part.clock.index]].reading.empty();
+        };
+        if (transition.guard && mentions(*transition.guard, outside))
+            project().refuse("the deadline of " + transition.name + " under a condition on the caller's clock",
+                             transition.origin.span);
+        // No source says whether such a deadline runs.
+        if (ir::preconditions_can_fail(project().system, project().instantiation, {}, *transition.deadline))
+            project().refuse("the deadline of " + transition.name + " by a function with a precondition",
+                             transition.origin.span);
+        Cell cell;
+        cell.kind = CellKind::monitor;
+        cell.name = "m_" + frame.prefix + transition.name;
+        cell.meaning = "time left for " + transition.name;
+        cell.deadline = transition.origin;
+        frame.monitors[i] = cells_.add(std::move(cell));
+    }
+}
+
+void ActivationRecords::find_watched(Frame& frame, bool root) const {
+    if (context_.watched.empty()) return;
+    const auto& clocks = frame.machine->clocks;
+    for (std::uint32_t i = 0; i < clocks.size(); ++i) {
+        const bool callers = clocks[i].required && !root && frames_[frame.parent].watched;
+        if (clocks[i].name == context_.watched && !clocks[i].entry_of.valid() && (root || callers))
+            frame.watched = ir::ClockId{i};
+    }
+}
+
+std::uint32_t ActivationRecords::called(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& operation) {
+    const auto key = std::make_pair(caller, &call);
+    if (const auto found = called_.find(key); found != called_.end()) return found->second;
+    // Deep chains of calls: names with all callers in front would make the script quadratic.
+    constexpr std::size_t longest = 40;
+    const std::string& above = frames_[caller].prefix;
+    const std::string prefix = (above.size() < longest ? above : "") + operation.name + "_";
+    return called_[key] = open(operation, caller, prefix);
+}
+
+std::uint32_t ActivationRecords::shared(std::uint32_t caller, const ir::Machine& operation) {
+    const Frame& outer = frames_[caller];
+    std::string key = operation.package + "::" + operation.path + (outer.watched ? " watched" : "");
+    for (const ir::Variable& variable : operation.variables)
+        if (variable.scope == ir::VariableScope::required)
+            key += " " + bound_to(outer.machine->variables, variable.name,
+                                  [&](std::size_t i) { return std::to_string(outer.variables[i]); });
+    for (const ir::Clock& clock : operation.clocks)
+        if (clock.required && project().timed())
+            key += " " + bound_to(outer.machine->clocks, clock.name, [&](std::size_t i) {
+                       const std::string cell = outer.clocks[i] ? std::to_string(*outer.clocks[i]) : "unread";
+                       return cell + outer.announced[i];
+                   });
+    if (const auto found = shared_.find(key); found != shared_.end()) return found->second;
+    return shared_[key] = open(operation, caller, operation.name + "_");
+}
+
+Scope ActivationRecords::scope(std::uint32_t index, const Values& values, ExprPtr trigger_value) const {
+    Scope result;
+    const auto values_now = std::make_shared<const Values>(values);  // a scope may outlive what it was made with
+    result.variable = [this, index, values_now](ir::VariableId id) {
+        return cells_.value(frames_[index].variables.at(id.index), *values_now);
+    };
+    result.constant = [this, index](ir::ConstantId id) { return frames_[index].constants.at(id.index); };
+    result.clock = [this, index, values_now](ir::ClockId id) {
+        return cells_.value(frames_[index].clocks.at(id.index).value(), *values_now);
+    };
+    result.entry_clock = [this, index, values_now](ir::NodeId node) {
+        const auto& clocks = frames_[index].machine->clocks;
+        const auto found =
+            std::find_if(clocks.begin(), clocks.end(), [&](const auto& c) { return c.entry_of == node; });
+        const auto number = static_cast<std::size_t>(found - clocks.begin());
+        return cells_.value(frames_[index].clocks.at(number).value(), *values_now);
+    };
+    result.trigger_value = std::move(trigger_value);
+    return result;
+}
+
+const ir::Machine* ActivationRecords::definition(std::uint32_t frame, ir::OperationId operation) const {
+    return calls_.definition(*frames_[frame].machine, operation);
+}
+
+const std::string* ActivationRecords::announced(std::uint32_t frame, ir::ClockId clock) const {
+    const auto& names = frames_[frame].announced;
+    return clock.index < names.size() && !names[clock.index].empty() ? &names[clock.index] : nullptr;
+}
+
+ExprPtr ActivationRecords::full_time(CellId cell, const Values& values) const {
+    for (std::uint32_t index = 0; index < frames_.size(); ++index)
+        for (const auto& [id, monitor] : frames_[index].monitors)
+            if (monitor == cell)
+                return expression(project(), scope(index, values), *frames_[index].machine->transitions[id].deadline);
+    return b::number(0);
+}
+
+const ir::Stmt* ActivationRecords::reset_statement(std::uint32_t frame, ir::TransitionId id, ir::ClockId clock) {
+    const auto [found, added] = reset_statements_.try_emplace({frame, id.index, clock.index});
+    if (added) {
+        const ir::Machine& owner = *frames_[frame].machine;
+        found->second.kind = ir::StmtKind::clock_reset;
+        found->second.clock = clock;
+        found->second.origin = owner.transitions[id.index].origin;
+        const auto clocks = static_cast<std::uint32_t>(owner.clocks.size());
+        found->second.point = owner.points + id.index * clocks + clock.index;  // none of the machine's own
+    }
+    return &found->second;
+}
+
+}  // namespace robochart::csp_emit

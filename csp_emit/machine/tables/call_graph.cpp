@@ -1,0 +1,98 @@
+// Reachability by calls, and cycles of calls.
+#include "csp_emit/machine/tables/call_graph.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "semantics/ir/query.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+/// The operations that each operation of a context calls, among those defined there.
+using Callees = std::map<const ir::Machine*, std::vector<const ir::Machine*>>;
+
+Callees callees(const std::vector<const ir::Machine*>& definitions) {
+    std::map<std::string, const ir::Machine*> by_name;
+    for (const ir::Machine* definition : definitions) by_name[definition->name] = definition;
+    Callees result;
+    for (const ir::Machine* definition : definitions)
+        for (const ir::OperationId called : ir::called_operations(*definition))
+            if (const auto found = by_name.find(definition->operations[called.index].name); found != by_name.end())
+                result[definition].push_back(found->second);
+    return result;
+}
+
+/// Whether the calls have a cycle: operations without callers are removed until none is left (Kahn 1962).
+bool has_cycle(const Callees& callees) {
+    std::map<const ir::Machine*, std::size_t> callers;
+    for (const auto& [caller, called] : callees)
+        for (const ir::Machine* operation : called) ++callers[operation];
+    std::vector<const ir::Machine*> work;
+    for (const auto& [caller, called] : callees)
+        if (callers.count(caller) == 0) work.push_back(caller);
+    for (std::size_t i = 0; i < work.size(); ++i) {
+        const auto found = callees.find(work[i]);
+        if (found == callees.end()) continue;
+        for (const ir::Machine* operation : found->second)
+            if (--callers[operation] == 0) work.push_back(operation);
+    }
+    return std::any_of(callers.begin(), callers.end(), [](const auto& left) { return left.second > 0; });
+}
+
+}  // namespace
+
+CallGraph::CallGraph(MachineContext& context) : context_(context) {
+    collect(*context.machine, context.names);
+    recursive_ = has_cycle(callees(callable()));
+}
+
+void CallGraph::collect(const ir::Machine& owner, NameManager& names) {
+    if (std::find(reached_.begin(), reached_.end(), &owner) != reached_.end()) return;
+    reached_.push_back(&owner);
+    for (std::uint32_t i = 0; i < owner.constants.size(); ++i) {
+        const ir::Constant& constant = owner.constants[i];
+        const std::string name = ir::constant_name(owner.package, owner.path, constant.name);
+        constants_.push_back(
+            {name, constant.name, name, &owner, {i}, constant.type, names.unique(flatten(constant.name))});
+    }
+    for (const ir::OperationId called : ir::called_operations(owner))
+        if (const ir::Machine* operation = definition(owner, called)) collect(*operation, names);
+}
+
+const ir::Machine* CallGraph::definition(const ir::Machine& caller, ir::OperationId operation) const {
+    const auto found = context_.definitions.find(caller.operations.at(operation.index).name);
+    return found == context_.definitions.end() ? nullptr : &context_.project->system.machine(found->second);
+}
+
+std::vector<const ir::Machine*> CallGraph::callable() const {
+    std::vector<const ir::Machine*> result;
+    for (const auto& [name, id] : context_.definitions) {
+        const ir::Machine* operation = &context_.project->system.machine(id);
+        if (std::find(reached_.begin(), reached_.end(), operation) != reached_.end()) result.push_back(operation);
+    }
+    return result;
+}
+
+std::string CallGraph::recursion(const ir::Machine& caller, const ir::Machine& operation) const {
+    if (!recursive_) return "";
+    const Callees calls = callees(callable());
+    std::map<const ir::Machine*, const ir::Machine*> before{{&operation, nullptr}};
+    std::vector<const ir::Machine*> work{&operation};
+    for (std::size_t i = 0; i < work.size() && before.count(&caller) == 0; ++i)
+        if (const auto found = calls.find(work[i]); found != calls.end())
+            for (const ir::Machine* next : found->second)
+                if (before.emplace(next, work[i]).second) work.push_back(next);
+    if (before.count(&caller) == 0) return "";
+    std::string chain = operation.name;
+    for (const ir::Machine* at = &caller; at != nullptr; at = before.at(at)) chain = at->name + " -> " + chain;
+    return chain;
+}
+
+std::vector<std::string> CallGraph::constants_inside() const {
+    std::vector<std::string> result;
+    for (const ConstantParameter& constant : constants_) result.push_back(constant.inside);
+    return result;
+}
+
+}  // namespace robochart::csp_emit

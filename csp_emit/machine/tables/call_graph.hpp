@@ -1,0 +1,39 @@
+// The machine and the operations that it calls, itself or through others, as far as they are defined where it runs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csp_emit/base/component.hpp"
+#include "csp_emit/machine/tables/machine_context.hpp"
+
+namespace robochart::csp_emit {
+
+/// Owns the list of operations reached by calls, and the constants of the machine and of these (semantics 3.12).
+class CallGraph {
+public:
+    /// Takes names for the constants from the context.
+    explicit CallGraph(MachineContext&);
+
+    /// The definition of an operation that a machine calls; null if the context has none: the call is an event.
+    [[nodiscard]] const ir::Machine* definition(const ir::Machine& caller, ir::OperationId) const;
+    /// The operations that the machine calls, itself or through others.
+    [[nodiscard]] std::vector<const ir::Machine*> callable() const;
+    /// The calls from `operation` to `caller` and back, if the operation can come to call its caller: `o -> p -> o`.
+    [[nodiscard]] std::string recursion(const ir::Machine& caller, const ir::Machine& operation) const;
+
+    /// Those of the machine in order of declaration, then those of the operations it calls.
+    [[nodiscard]] const std::vector<ConstantParameter>& constants() const { return constants_; }
+    /// Their names as parameters of the machine's functions.
+    [[nodiscard]] std::vector<std::string> constants_inside() const;
+
+private:
+    void collect(const ir::Machine& owner, NameManager& names);
+
+    const MachineContext& context_;
+    std::vector<const ir::Machine*> reached_;
+    std::vector<ConstantParameter> constants_;
+    bool recursive_ = false;  ///< whether some operation may call itself
+};
+
+}  // namespace robochart::csp_emit

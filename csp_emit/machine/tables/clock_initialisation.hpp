@@ -1,0 +1,43 @@
+// Whether a clock is initialised (assertions.md 4: RoboTool has no check for it). A clock starts with its machine, but
+// a guard that reads it before any reset reads a time that nobody has set. The machine remembers in one more parameter
+// whether the clock has been reset so far, and an event says where it is read before that.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "csp_emit/machine/tables/activation_records.hpp"
+
+namespace robochart::csp_emit {
+
+/// Owns that parameter and the numbers of the guards that read the clock; does nothing where no clock is watched.
+class ClockWatch {
+public:
+    ClockWatch(const MachineContext&, const ActivationRecords&, ParameterTable&, Provenance&);
+
+    /// The parameter: whether the clock has been reset.
+    [[nodiscard]] const std::optional<CellId>& cell() const { return cell_; }
+    /// Notes a reset of the watched clock.
+    void note_reset(const Frame&, ir::ClockId, Values&) const;
+    /// `not set__ & unset__.n -> STOP` if the transition's guard reads the watched clock, else null. Guards are read
+    /// where the machine is settled, of all transitions that could fire (semantics 3.4).
+    [[nodiscard]] cspm::ExprPtr read_unset(std::uint32_t frame, ir::TransitionId);
+    /// Offers `reset__` besides the process once the clock has been reset.
+    [[nodiscard]] cspm::ExprPtr with_reset(const cspm::ExprPtr& process) const;
+
+    void declare(std::vector<cspm::DeclPtr>& decls) const;
+    /// How many guards read the clock.
+    [[nodiscard]] std::size_t reads() const { return reads_.size(); }
+
+private:
+    const MachineContext& context_;
+    const ActivationRecords& frames_;
+    const ParameterTable& cells_;
+    Provenance& provenance_;
+    std::optional<CellId> cell_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> reads_;  ///< by frame and transition
+};
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,32 @@
+// Where clocks saturate (semantics 3.10): one above the largest value that any guard compares them with.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csp_emit/machine/tables/call_graph.hpp"
+
+namespace robochart::csp_emit {
+
+/// Owns the functions that compute limits from constants.
+class ClockLimits {
+public:
+    ClockLimits(const Project& project, const CallGraph& calls, NameManager& names)
+        : project_(project), calls_(calls), names_(names) {}
+
+    /// One above the largest value that the clock, or the clock of a state, is compared with: a number, or a call of a
+    /// function of the constants where other than literals occur.
+    [[nodiscard]] cspm::ExprPtr limit(const ir::Machine& opened, const std::string& clock, ir::NodeId entry_of);
+    [[nodiscard]] const std::vector<cspm::DeclPtr>& declarations() const { return declarations_; }
+
+private:
+    cspm::ExprPtr bound_in_units(const ir::Machine& checked, const ir::Expr& bound,
+                                 std::vector<cspm::Clause>& variables) const;
+
+    const Project& project_;
+    const CallGraph& calls_;
+    NameManager& names_;
+    std::vector<cspm::DeclPtr> declarations_;
+};
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,36 @@
+// Small defaults as they are, large ones under a name.
+#include "csp_emit/machine/tables/default_values.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/lookup.hpp"
+#include "csp_emit/base/types.hpp"
+
+namespace robochart::csp_emit {
+namespace {
+
+/// Nodes of a value that is written where it is used.
+constexpr std::size_t largest_inline = 40;
+
+/// Whether the expression has more nodes than that; the number counts down.
+bool larger_than(const cspm::Expr& expr, std::size_t& nodes) {
+    if (nodes == 0) return true;
+    --nodes;
+    return std::any_of(expr.args.begin(), expr.args.end(),
+                       [&](const cspm::ExprPtr& part) { return part && larger_than(*part, nodes); });
+}
+
+}  // namespace
+
+cspm::ExprPtr DefaultValues::of(ir::TypeId type) {
+    const auto [found, added] = known_.try_emplace(type.index);
+    if (!added) return found->second;
+    cspm::ExprPtr& value = found->second = default_literal(project_, type);
+    std::size_t nodes = largest_inline;
+    if (!larger_than(*value, nodes)) return value;
+    declarations_.push_back(cspm::build::value("default_" + std::to_string(declarations_.size()) + "__", value));
+    return value = cspm::build::name(cspm::declared_names(*declarations_.back()).front());
+}
+
+}  // namespace robochart::csp_emit

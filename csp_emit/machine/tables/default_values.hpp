@@ -1,0 +1,26 @@
+// The values that variables without an initial value start with (semantics 3.6).
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "csp_emit/base/project.hpp"
+
+namespace robochart::csp_emit {
+
+/// Owns the default value of each type asked for. A large one, such as a matrix, is written once, under a name.
+class DefaultValues {
+public:
+    explicit DefaultValues(const Project& project) : project_(project) {}
+
+    [[nodiscard]] cspm::ExprPtr of(ir::TypeId);
+    /// The definitions of the large ones.
+    [[nodiscard]] const std::vector<cspm::DeclPtr>& declarations() const { return declarations_; }
+
+private:
+    const Project& project_;
+    std::map<std::uint32_t, cspm::ExprPtr> known_;  ///< by TypeId
+    std::vector<cspm::DeclPtr> declarations_;
+};
+
+}  // namespace robochart::csp_emit

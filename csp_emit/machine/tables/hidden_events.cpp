@@ -1,0 +1,54 @@
+// Hidden events, named as they come up.
+#include "csp_emit/machine/tables/hidden_events.hpp"
+
+#include "checker/cspm/syntax/build.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::ExprPtr;
+
+ExprPtr HiddenEvents::step(const std::string& key, const EventMeaning& meaning) {
+    const auto [found, added] = steps_.try_emplace(key, steps_.size());
+    if (added) mean(provenance_, context_.path, "step__." + std::to_string(found->second), meaning);
+    return b::dot({b::name("step__"), b::number(static_cast<std::int64_t>(found->second))});
+}
+
+ExprPtr HiddenEvents::transition(std::uint32_t frame, ir::TransitionId id) {
+    const auto [found, added] = transitions_.try_emplace({frame, id.index});
+    const ir::Machine& owner = *frames_[frame].machine;
+    const ir::Transition& transition = owner.transitions[id.index];
+    if (added) {
+        found->second = context_.names.unique("TID_" + frames_[frame].prefix + flatten(transition.name));
+        EventMeaning meaning;
+        meaning.kind = MeaningKind::transition;
+        meaning.text = transition.name + ": " + owner.nodes[transition.source.index].path + " -> " +
+                       owner.nodes[transition.target.index].path;
+        meaning.origin = transition.origin;
+        // Constructors are printed with the module they belong to.
+        mean(provenance_, context_.path, "internal__." + context_.path + "::" + found->second, meaning);
+    }
+    return b::dot({b::name("internal__"), b::name(found->second)});
+}
+
+void HiddenEvents::declare(std::vector<cspm::DeclPtr>& decls) const {
+    if (!transitions_.empty()) {
+        std::vector<cspm::Constructor> constructors;
+        for (const auto& [key, name] : transitions_) constructors.push_back(b::constructor(name));
+        decls.push_back(b::datatype("TIDS", constructors, "transitions without trigger"));
+        decls.push_back(b::channel({"internal__"}, b::name("TIDS")));
+    }
+    if (!steps_.empty()) {
+        const auto last = static_cast<std::int64_t>(steps_.size()) - 1;
+        decls.push_back(b::channel({"step__"}, b::set_range(b::number(0), b::number(last)), "steps of actions"));
+    }
+}
+
+std::vector<ExprPtr> HiddenEvents::channels() const {
+    std::vector<ExprPtr> result;
+    if (!transitions_.empty()) result.push_back(b::name("internal__"));
+    if (!steps_.empty()) result.push_back(b::name("step__"));
+    return result;
+}
+
+}  // namespace robochart::csp_emit

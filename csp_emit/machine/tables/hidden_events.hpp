@@ -1,0 +1,37 @@
+// The hidden events of a machine: its steps, and its transitions without a trigger.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "csp_emit/machine/tables/activation_records.hpp"
+
+namespace robochart::csp_emit {
+
+/// Owns the numbers of steps and the names of transitions, and records what each means.
+class HiddenEvents {
+public:
+    HiddenEvents(MachineContext& context, const ActivationRecords& frames, Provenance& provenance)
+        : context_(context), frames_(frames), provenance_(provenance) {}
+
+    /// `step__.n`; equal keys are the same step.
+    [[nodiscard]] cspm::ExprPtr step(const std::string& key, const EventMeaning&);
+    /// `internal__.TID_t`, of a transition without trigger.
+    [[nodiscard]] cspm::ExprPtr transition(std::uint32_t frame, ir::TransitionId);
+
+    /// Their datatype and channels.
+    void declare(std::vector<cspm::DeclPtr>& decls) const;
+    /// Their channels, as far as they are there.
+    [[nodiscard]] std::vector<cspm::ExprPtr> channels() const;
+
+private:
+    MachineContext& context_;
+    const ActivationRecords& frames_;
+    Provenance& provenance_;
+    std::map<std::string, std::size_t> steps_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> transitions_;  ///< by frame and transition
+};
+
+}  // namespace robochart::csp_emit

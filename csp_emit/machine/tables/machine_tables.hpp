@@ -1,0 +1,45 @@
+// Everything that is known of a machine while its process is made. Each table owns its data and refers
+// to those before it only. The rules (../rules) read all of them, and add what they need for the first time.
+#pragma once
+
+#include "csp_emit/machine/tables/activation_records.hpp"
+#include "csp_emit/machine/tables/call_graph.hpp"
+#include "csp_emit/machine/tables/call_sharing.hpp"
+#include "csp_emit/machine/tables/clock_initialisation.hpp"
+#include "csp_emit/machine/tables/clock_limits.hpp"
+#include "csp_emit/machine/tables/default_values.hpp"
+#include "csp_emit/machine/tables/hidden_events.hpp"
+#include "csp_emit/machine/tables/machine_context.hpp"
+#include "csp_emit/machine/tables/parameters.hpp"
+#include "csp_emit/machine/tables/point_table.hpp"
+
+namespace robochart::csp_emit {
+
+struct MachineTables {
+    MachineTables(MachineContext of, Provenance& meanings) : context(std::move(of)), provenance(meanings) {}
+    MachineTables(const MachineTables&) = delete;  // the tables refer to each other
+    MachineTables& operator=(const MachineTables&) = delete;
+
+    [[nodiscard]] const ir::Machine& machine() const { return *context.machine; }
+    [[nodiscard]] const Project& project() const { return *context.project; }
+    [[nodiscard]] bool timed() const { return project().timed(); }
+    /// Records what an event of the machine means.
+    void mean(const std::string& event, EventMeaning meaning) {
+        csp_emit::mean(provenance, context.path, event, std::move(meaning));
+    }
+
+    MachineContext context;
+    Provenance& provenance;
+    FamilyCalls family_calls;  ///< between the points
+    CallGraph calls{context};
+    ParameterTable cells{context.names};
+    DefaultValues defaults{project()};
+    ClockLimits limits{project(), calls, context.names};
+    ActivationRecords frames{context, calls, cells, limits};
+    HiddenEvents events{context, frames, provenance};
+    ClockWatch watch{context, frames, cells, provenance};
+    PointTable points{context, frames};
+    CallSharing sharing{frames, cells, points, family_calls};
+};
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,70 @@
+// The parameters of a machine's functions: what its process carries from one configuration to the next.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "csp_emit/base/names.hpp"
+#include "csp_emit/machine/tables/control_state.hpp"
+#include "csp_emit/passes/liveness.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::csp_emit {
+
+enum class CellKind { variable, clock, deadline, waiting, frozen, monitor };
+
+/// A parameter, and what it holds.
+struct Cell {
+    std::string name;  ///< the CSPM parameter
+    CellKind kind = CellKind::variable;
+    std::string meaning;  ///< RoboChart name, "since(T)"
+    ir::TypeId type;
+    bool shared = false;     ///< a required variable: others write it, writes are events set_x
+    bool parameter = false;  ///< an operation's parameter: read-only
+    std::string channel;     ///< variable: its name in set_x
+    cspm::ExprPtr limit;     ///< clock: where it saturates
+    ir::Origin deadline;     ///< deadline, monitor: what it counts down for
+    std::string reading;     ///< clock of the caller of an operation on its own: the channel that reads it
+};
+
+/// The values of cells that differ from the parameter of the same name.
+using Values = std::map<CellId, cspm::ExprPtr>;
+
+/// Owns the cells of a machine and of the operations that it calls.
+class ParameterTable {
+public:
+    explicit ParameterTable(NameManager& names) : names_(names) {}
+
+    /// Adds a cell under a name that nothing else has.
+    CellId add(Cell cell);
+    /// The cell for the value of that number that a statement keeps while it runs.
+    CellId of_statement(std::uint32_t frame, const ir::Stmt& stmt, std::size_t number, CellKind kind,
+                        const std::string& name);
+    /// Where the value that a trigger brings waits for its store.
+    CellId of_trigger(std::uint32_t frame, ir::TransitionId);
+
+    [[nodiscard]] const Cell& operator[](CellId cell) const { return cells_[cell]; }
+    /// All of them, in the order in which they came up.
+    [[nodiscard]] const std::vector<Cell>& all() const { return cells_; }
+    [[nodiscard]] std::optional<CellId> named(const std::string& parameter) const;
+    /// The parameter as an expression.
+    [[nodiscard]] cspm::ExprPtr parameter(CellId) const;
+    /// What the cell holds.
+    [[nodiscard]] cspm::ExprPtr value(CellId, const Values&) const;
+    /// The values by the names of their parameters.
+    [[nodiscard]] Arguments arguments(const Values&) const;
+
+private:
+    NameManager& names_;
+    std::vector<Cell> cells_;
+    std::map<std::string, CellId> by_name_;
+    std::map<std::tuple<std::uint32_t, const ir::Stmt*, std::size_t>, CellId> of_statements_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, CellId> of_triggers_;  ///< by frame and transition
+};
+
+}  // namespace robochart::csp_emit
