@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -82,6 +83,14 @@ TEST(Sanity, NoShellIsStarted) {
     }
 }
 
+/// The code as a word of its own: `Cn10` is no `Cn1`.
+bool names_code(const std::string& text, std::string_view code) {
+    const auto in_word = [&](std::size_t at) { return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0; };
+    for (std::size_t at = text.find(code); at != std::string::npos; at = text.find(code, at + 1))
+        if ((at == 0 || !in_word(at - 1)) && !in_word(at + code.size())) return true;
+    return false;
+}
+
 TEST(Sanity, EveryRuleIsExplainedAndTested) {
     std::string tests;
     for (const fs::path& path : files(root() / "tests", {".cpp", ".hpp", ".rct", ".assertions", ".csp"}))
@@ -94,10 +103,29 @@ TEST(Sanity, EveryRuleIsExplainedAndTested) {
         EXPECT_GE(rule->explanation.size(), 40U) << rule->code << " is not explained";
         // tests/rules runs the examples of the rule's page.
         const bool shown = app::page_text(rule->code).find("\n## Wrong\n") != std::string_view::npos;
-        EXPECT_TRUE(shown || tests.find(rule->code) != std::string::npos)
+        EXPECT_TRUE(shown || names_code(tests, rule->code))
             << "no page shows and no test or fixture names rule " << rule->code;
     }
     EXPECT_GT(codes.size(), 50U);
+}
+
+/// Paths of files of the project, in documentation and in comments, with what they name relative to the top or to tests/.
+TEST(Sanity, PathsInTextsExist) {
+    const std::regex path(R"((?:^|[^\w/.-])((?:app|checker|conformance|corpus|cpp_emit|csp_emit|diagnostics|docs|editors|frontend|lsp|runs|scripts|semantics|simulation|tests)/[a-zA-Z0-9_/-]+\.(?:cpp|hpp|h|md|sh|py|txt|rct)\b))");
+    const std::set<std::string> examples = {"docs/rules/CODE.md"};
+    std::size_t found = 0;
+    for (const fs::path& file : files(root(), {".md", ".cpp", ".hpp", ".sh", ".txt", ".cmake"})) {
+        const std::string relative = fs::relative(file, root()).string();
+        if (relative == "CHANGELOG.md" || relative.find("/runtime/") != std::string::npos || relative.find("/reserved/") != std::string::npos) continue;
+        const std::string text = contents(file);
+        for (auto at = std::sregex_iterator(text.begin(), text.end(), path); at != std::sregex_iterator(); ++at) {
+            const std::string name = (*at)[1];
+            ++found;
+            EXPECT_TRUE(fs::exists(root() / name) || fs::exists(root() / "tests" / name) || examples.contains(name))
+                << relative << " names " << name;
+        }
+    }
+    EXPECT_GT(found, 1000U);
 }
 
 /// What stands between backquotes and matches.

@@ -2,7 +2,6 @@
 // formatting once, and blanks of the input do not matter. Over every text at hand and random ones.
 #include <gtest/gtest.h>
 
-#include <ctime>
 
 #include "formatting.hpp"
 #include "frontend/syntax/print.hpp"
@@ -122,26 +121,14 @@ std::string machines(std::size_t count) {
     return text;
 }
 
-/// Processor time, which other programs do not lengthen.
-double seconds_since(std::clock_t start) {
-    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-TEST(FormatLaws, TakesLinearTime) {
-    const auto seconds = [](const std::string& text) {
-        const std::clock_t start = std::clock();
-        EXPECT_FALSE(formatted(text).empty());
-        return seconds_since(start);
-    };
-    const double small = seconds(machines(1'000));  // 5,000 lines
-    const double large = seconds(machines(10'000));
-    EXPECT_LT(large, 20 * small + 0.5);
+/// What takes more than linear time here does not end within the time limit of the tests.
+TEST(FormatLaws, LongFilesTakeLinearTime) {
+    EXPECT_FALSE(formatted(machines(30'000)).empty());  // 150,000 lines
 }
 
 TEST(FormatLaws, LongRunsOfBlanksAndLongLinesTakeLinearTime) {
     const std::string blanks(1'000'000, ' ');
     const std::string lines(1'000'000, '\n');
-    const std::clock_t start = std::clock();
     EXPECT_EQ(formatted("// a" + blanks + "b" + blanks + "\ntype" + blanks + "A" + lines + "type B" + lines),
               "// a" + blanks + "b\ntype A\n\ntype B\n");
     EXPECT_EQ(formatted("/* a" + blanks + "b" + lines + "*/"), "/* a" + blanks + "b" + lines + "*/\n");
@@ -150,7 +137,6 @@ TEST(FormatLaws, LongRunsOfBlanksAndLongLinesTakeLinearTime) {
     std::string list = "interface I { const c : Seq(nat) = <1";
     for (int i = 0; i < 100'000; ++i) list += ",1";
     EXPECT_FALSE(formatted(list + "> }").empty());
-    EXPECT_LT(seconds_since(start), 20);
 }
 
 TEST(FormatLaws, DeepNestingIsFine) {

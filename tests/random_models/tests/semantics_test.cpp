@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <ctime>
 #include <map>
 #include <set>
 
@@ -74,11 +73,7 @@ void pass_through(std::uint64_t seed, const Shape& shape, csp_emit::Time time, T
 Tally pass_all_through(const Shape& shape, csp_emit::Time time, std::uint64_t count, std::uint64_t first = 0) {
     Tally tally;
     for (const std::uint64_t seed : seeds(count, first)) {
-        const std::clock_t start = std::clock();
         pass_through(seed, shape, time, tally);
-        const double took = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-        if (std::getenv("ROBOCHART_SHOW") != nullptr)
-            std::printf("seed %llu: %.2f s\n", static_cast<unsigned long long>(seed), took);
         if (::testing::Test::HasFatalFailure()) break;
     }
     std::printf("%zu of %zu models emitted\n", tally.emitted, tally.models);
