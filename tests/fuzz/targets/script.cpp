@@ -7,12 +7,12 @@ namespace robochart::fuzz {
 
 namespace {
 
-struct Reading {
+struct ScriptReading {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
     cspm::Script script;
 
-    explicit Reading(std::string_view text) {
+    explicit ScriptReading(std::string_view text) {
         const auto id = sources.add("t.csp", std::string(text));
         script = cspm::read(sources, id, findings);
     }
@@ -21,11 +21,11 @@ struct Reading {
 }  // namespace
 
 std::string run_script(std::string_view bytes) {
-    const Reading first(bytes);
+    const ScriptReading first(bytes);
     if (std::string complaint = check_findings(first.sources, first.findings); !complaint.empty()) return complaint;
     const std::string text = cspm::print(first.script);
     if (!first.findings.ok()) return {};
-    const Reading second(text);
+    const ScriptReading second(text);
     if (!second.findings.ok()) return "a printed script is not read back:\n" + text;
     if (!cspm::equal(first.script, second.script)) return "a printed script is read back as another:\n" + text;
     const std::string again = cspm::print(second.script);
