@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "diagnostics/control.hpp"
 #include "diagnostics/fixes.hpp"
 #include "diagnostics/render.hpp"
@@ -48,37 +51,40 @@ std::string_view severity_name(Severity severity) {
     return "error";
 }
 
-/// `"file":…,"line":…` of a span; nothing for a place that is not known.
-std::string place_members(const SourceManager& sources, Span span) {
-    if (!span.known()) return {};
+/// Adds the place of a span; nothing for a place that is not known.
+void add_place(Json& json, const SourceManager& sources, Span span) {
+    if (!span.known()) return;
     const Position begin = sources.position(span.source, span.begin);
     const Position end = sources.position(span.source, span.end);
-    return fmt::format(R"(,"file":{},"line":{},"column":{},"endLine":{},"endColumn":{})",
-                       json_string(sources.path(span.source)), begin.line, begin.column, end.line, end.column);
+    json["file"] = sources.path(span.source);
+    json["line"] = begin.line;
+    json["column"] = begin.column;
+    json["endLine"] = end.line;
+    json["endColumn"] = end.column;
 }
 
-template <class Items, class Write>
-std::string json_array(const Items& items, Write write) {
-    std::string out = "[";
-    for (const auto& item : items) {
-        if (out.size() > 1) out += ",";
-        out += write(item);
-    }
-    return out + "]";
+Json note_json(const SourceManager& sources, const Note& note) {
+    Json json{{"message", note.message}};
+    add_place(json, sources, note.span);
+    return json;
 }
 
-std::string json_diagnostic(const SourceManager& sources, const Diagnostic& diagnostic) {
-    const auto note = [&](const Note& n) {
-        return fmt::format(R"({{"message":{}{}}})", json_string(n.message), place_members(sources, n.span));
-    };
-    const auto fix = [&](const FixIt& f) {
-        return fmt::format(R"({{"title":{},"replacement":{},"certain":{}{}}})", json_string(f.title),
-                           json_string(f.replacement), is_certain(f), place_members(sources, f.span));
-    };
-    return fmt::format(R"({{"code":{},"severity":"{}","message":{}{},"notes":{},"fixes":{}}})",
-                       json_string(diagnostic.rule->code), severity_name(diagnostic.rule->severity),
-                       json_string(diagnostic.message()), place_members(sources, diagnostic.span),
-                       json_array(diagnostic.notes, note), json_array(diagnostic.fixes, fix));
+Json fix_json(const SourceManager& sources, const FixIt& fix) {
+    Json json{{"title", fix.title}, {"replacement", fix.replacement}, {"certain", is_certain(fix)}};
+    add_place(json, sources, fix.span);
+    return json;
+}
+
+Json diagnostic_json(const SourceManager& sources, const Diagnostic& diagnostic) {
+    Json json{{"code", diagnostic.rule->code},
+              {"severity", severity_name(diagnostic.rule->severity)},
+              {"message", diagnostic.message()}};
+    add_place(json, sources, diagnostic.span);
+    Json& notes = json["notes"] = Json::array();
+    for (const Note& note : diagnostic.notes) notes.push_back(note_json(sources, note));
+    Json& fixes = json["fixes"] = Json::array();
+    for (const FixIt& fix : diagnostic.fixes) fixes.push_back(fix_json(sources, fix));
+    return json;
 }
 
 }  // namespace
@@ -95,14 +101,24 @@ std::string json_string(std::string_view text) {
     return out + "\"";
 }
 
+std::string json_text(const Json& value, int indent) {
+    return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+double rounded(double value, int places) {
+    const double unit = std::pow(10.0, places);
+    return std::round(value * unit) / unit;
+}
+
 std::string render_json(const SourceManager& sources, const Diagnostics& diagnostics, std::string_view limit) {
-    const auto items =
-        json_array(diagnostics.sorted(), [&](const Diagnostic& d) { return json_diagnostic(sources, d); });
-    return fmt::format(
-        R"({{"schema":"robochart-verify/diagnostics/1","errors":{},"warnings":{},"dropped":{},{}"diagnostics":{}}})"
-        "\n",
-        diagnostics.errors(), diagnostics.warnings(), diagnostics.dropped(),
-        limit.empty() ? "" : fmt::format(R"("limit":{},)", json_string(limit)), items);
+    Json json{{"schema", "robochart-verify/diagnostics/1"},
+              {"errors", diagnostics.errors()},
+              {"warnings", diagnostics.warnings()},
+              {"dropped", diagnostics.dropped()}};
+    if (!limit.empty()) json["limit"] = limit;
+    Json& list = json["diagnostics"] = Json::array();
+    for (const Diagnostic& each : diagnostics.sorted()) list.push_back(diagnostic_json(sources, each));
+    return json_text(json) + "\n";
 }
 
 }  // namespace robochart::diagnostics

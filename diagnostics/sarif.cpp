@@ -1,8 +1,7 @@
 // Diagnostics as SARIF 2.1.0 (OASIS, 2020): one run, the rules that occur with their help, places with columns in code
 // points, fixes as replacements.
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
@@ -17,76 +16,64 @@ std::string_view level(Severity severity) {
     return severity == Severity::warning ? "warning" : "note";
 }
 
-template <class Items, class Write>
-std::string array(const Items& items, Write write) {
-    std::string out = "[";
-    for (const auto& item : items) out += (out.size() > 1 ? "," : "") + write(item);
-    return out + "]";
+Json text(std::string_view message) {
+    return {{"text", message}};
 }
 
-std::string region(const SourceManager& sources, Span span) {
+Json region(const SourceManager& sources, Span span) {
     const Position begin = sources.position(span.source, span.begin);
     const Position end = sources.position(span.source, span.end);
-    return fmt::format(R"({{"startLine":{},"startColumn":{},"endLine":{},"endColumn":{}}})", begin.line, begin.column,
-                       end.line, end.column);
+    return {{"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}};
 }
 
-std::string artifact(const SourceManager& sources, Span span) {
-    return fmt::format(R"({{"uri":{}}})", json_string(uri_of_path(sources.path(span.source))));
+Json artifact(const SourceManager& sources, Span span) {
+    return {{"uri", uri_of_path(sources.path(span.source))}};
 }
 
-std::string physical(const SourceManager& sources, Span span) {
-    return fmt::format(R"("physicalLocation":{{"artifactLocation":{},"region":{}}})", artifact(sources, span),
-                       region(sources, span));
+Json physical(const SourceManager& sources, Span span) {
+    return {{"artifactLocation", artifact(sources, span)}, {"region", region(sources, span)}};
 }
 
-std::string text(std::string_view message) {
-    return fmt::format(R"({{"text":{}}})", json_string(message));
+Json fix_object(const SourceManager& sources, const FixIt& fix) {
+    const Json replacement{{"deletedRegion", region(sources, fix.span)}, {"insertedContent", text(fix.replacement)}};
+    const Json change{{"artifactLocation", artifact(sources, fix.span)}, {"replacements", Json::array({replacement})}};
+    return {{"description", text(fix.title)}, {"artifactChanges", Json::array({change})}};
 }
 
-std::string fix(const SourceManager& sources, const FixIt& one) {
-    return fmt::format(
-        R"({{"description":{},"artifactChanges":[{{"artifactLocation":{},"replacements":[{{"deletedRegion":{},)"
-        R"("insertedContent":{}}}]}}]}})",
-        text(one.title), artifact(sources, one.span), region(sources, one.span), text(one.replacement));
-}
-
-std::string result(const SourceManager& sources, const Diagnostic& diagnostic, std::size_t rule) {
+/// Notes with a place are related locations, the others part of the message.
+Json result(const SourceManager& sources, const Diagnostic& diagnostic, std::size_t rule) {
     std::string message = diagnostic.message();
-    std::vector<Note> placed;
+    Json related = Json::array();
     for (const Note& note : diagnostic.notes) {
-        if (note.span.known()) placed.push_back(note);
-        if (!note.span.known()) message += "; " + note.message;
+        if (note.span.known())
+            related.push_back({{"id", related.size() + 1},
+                               {"physicalLocation", physical(sources, note.span)},
+                               {"message", text(note.message)}});
+        else
+            message += "; " + note.message;
     }
-    std::string out =
-        fmt::format(R"({{"ruleId":{},"ruleIndex":{},"level":"{}","message":{})", json_string(diagnostic.rule->code),
-                    rule, level(diagnostic.rule->severity), text(message));
-    if (diagnostic.span.known()) out += fmt::format(R"(,"locations":[{{{}}}])", physical(sources, diagnostic.span));
-    std::size_t id = 0;
-    const auto related = [&](const Note& note) {
-        return fmt::format(R"({{"id":{},{},"message":{}}})", ++id, physical(sources, note.span), text(note.message));
-    };
-    if (!placed.empty()) out += R"(,"relatedLocations":)" + array(placed, related);
-    if (!diagnostic.fixes.empty())
-        out += R"(,"fixes":)" + array(diagnostic.fixes, [&](const FixIt& one) { return fix(sources, one); });
-    return out + "}";
+    Json json{{"ruleId", diagnostic.rule->code},
+              {"ruleIndex", rule},
+              {"level", level(diagnostic.rule->severity)},
+              {"message", text(message)}};
+    if (diagnostic.span.known())
+        json["locations"] = Json::array({Json{{"physicalLocation", physical(sources, diagnostic.span)}}});
+    if (!related.empty()) json["relatedLocations"] = related;
+    for (const FixIt& fix : diagnostic.fixes) json["fixes"].push_back(fix_object(sources, fix));
+    return json;
 }
 
-std::string described(const Rule* rule) {
-    return fmt::format(R"({{"id":{},"shortDescription":{},"help":{},"defaultConfiguration":{{"level":"{}"}}}})",
-                       json_string(rule->code), text(rule->message), text(rule->explanation), level(rule->severity));
+Json described(const Rule& rule) {
+    return {{"id", rule.code},
+            {"shortDescription", text(rule.message)},
+            {"help", text(rule.explanation)},
+            {"defaultConfiguration", {{"level", level(rule.severity)}}}};
 }
-
-}  // namespace
-
-namespace {
 
 /// SARIF 2.1.0, 3.20: a run that was cut short says so here; its results are not all.
-std::string invocations(std::string_view limit) {
-    if (limit.empty()) return {};
-    return fmt::format(
-        R"("invocations":[{{"executionSuccessful":false,"toolExecutionNotifications":[{{"level":"error","message":{}}}]}}],)",
-        text(limit));
+Json invocation(std::string_view limit) {
+    const Json notification{{"level", "error"}, {"message", text(limit)}};
+    return {{"executionSuccessful", false}, {"toolExecutionNotifications", Json::array({notification})}};
 }
 
 }  // namespace
@@ -102,14 +89,17 @@ std::string render_sarif(const SourceManager& sources, const Diagnostics& diagno
         if (same == rules.end()) return rules.push_back(d.rule), rules.size() - 1;
         return static_cast<std::size_t>(same - rules.begin());
     };
-    const std::string results = array(findings, [&](const Diagnostic& d) { return result(sources, d, index(d)); });
-    return fmt::format(
-        R"({{"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0","runs":[{{"tool":{{"driver":{{)"
-        R"("name":"robochart-verify","version":{},"rules":{}}}}},{}"columnKind":"unicodeCodePoints","results":{},)"
-        R"("properties":{{"errors":{},"warnings":{},"dropped":{}}}}}]}})"
-        "\n",
-        json_string(version), array(rules, described), invocations(limit), results, diagnostics.errors(), diagnostics.warnings(),
-        diagnostics.dropped());
+    Json results = Json::array();
+    for (const Diagnostic& each : findings) results.push_back(result(sources, each, index(each)));
+    Json descriptions = Json::array();
+    for (const Rule* rule : rules) descriptions.push_back(described(*rule));
+    const Json driver{{"name", "robochart-verify"}, {"version", version}, {"rules", descriptions}};
+    Json run{{"tool", {{"driver", driver}}}};
+    if (!limit.empty()) run["invocations"] = Json::array({invocation(limit)});
+    run["columnKind"] = "unicodeCodePoints";
+    run["results"] = results;
+    run["properties"] = {{"errors", diagnostics.errors()}, {"warnings", diagnostics.warnings()}, {"dropped", diagnostics.dropped()}};
+    return json_text({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}}) + "\n";
 }
 
 }  // namespace robochart::diagnostics

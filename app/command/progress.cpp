@@ -1,5 +1,6 @@
 #include "app/command/progress.hpp"
 
+#include <nlohmann/json.hpp>
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -93,15 +94,20 @@ std::string progress_text(const refine::Progress& p, std::size_t width) {
 
 std::string progress_json(const refine::Progress& p, const std::string& subject) {
     const bool compiling = p.phase == refine::Progress::Phase::compiling;
-    std::string json = fmt::format(
-        R"({{"event":"progress","subject":{},"phase":"{}","seconds":{:.3f},"states":{},"transitions":{},"statesPerSecond":{:.0f},)"
-        R"("frontier":{},"depth":{},"residentBytes":{},"bytesPerState":{:.1f})",
-        diagnostics::json_string(subject), compiling ? "compiling" : "searching", p.seconds, p.states, p.transitions,
-        per_second(p.states, p.seconds), p.frontier, p.depth, p.resident_bytes, bytes_per_state(p));
-    if (compiling)
-        json += fmt::format(R"(,"part":{},"component":{},"components":{})", diagnostics::json_string(p.part),
-                            p.component, p.components);
-    return json + "}";
+    using diagnostics::rounded;
+    diagnostics::Json json{{"event", "progress"},
+                           {"subject", subject},
+                           {"phase", compiling ? "compiling" : "searching"},
+                           {"seconds", rounded(p.seconds, 3)},
+                           {"states", p.states},
+                           {"transitions", p.transitions},
+                           {"statesPerSecond", rounded(per_second(p.states, p.seconds), 0)},
+                           {"frontier", p.frontier},
+                           {"depth", p.depth},
+                           {"residentBytes", p.resident_bytes},
+                           {"bytesPerState", rounded(bytes_per_state(p), 1)}};
+    if (compiling) json.update({{"part", p.part}, {"component", p.component}, {"components", p.components}});
+    return diagnostics::json_text(json);
 }
 
 std::function<void(const refine::Progress&)> progress_of(const Options& options, const std::string& subject) {

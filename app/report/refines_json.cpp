@@ -6,11 +6,12 @@
 #include <optional>
 
 #include "app/report/script_report.hpp"
+#include "diagnostics/json.hpp"
 
 namespace robochart::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using diagnostics::Json;
 using process::Event;
 using refine::ViolationKind;
 
@@ -220,7 +221,7 @@ std::string refines_json(const ScriptReport& report, const process::EventTable& 
               {"event_map", events.json()},
               {"warnings", report.warnings},
               {"errors", report.errors}};
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return diagnostics::json_text(json) + "\n";
 }
 
 }  // namespace robochart::app

@@ -5,11 +5,12 @@
 #include "app/report/report.hpp"
 #include "runs/json.hpp"
 #include "runs/text.hpp"
+#include "diagnostics/json.hpp"
 
 namespace robochart::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using diagnostics::Json;
 
 Json statistics(const refine::Statistics& s) {
     return {{"states", s.states}, {"transitions", s.transitions}, {"depth", s.depth}, {"specNodes", s.spec_nodes}, {"seconds", s.seconds}};
@@ -99,7 +100,7 @@ std::string render_json(const Report& report) {
     for (const RefusedReport& each : report.refused)
         json["refused"].push_back({{"model", each.model}, {"diagnostics", Json::parse(each.diagnostics, nullptr, false)}});
     // Names come from the user's files: bytes that are not UTF-8 are replaced rather than refused.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return diagnostics::json_text(json, 2) + "\n";
 }
 
 }  // namespace robochart::app

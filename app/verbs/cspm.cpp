@@ -1,5 +1,6 @@
 // The verb `cspm`: any CSPM script's assertions, as FDR's `refines` would decide them.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -102,13 +103,12 @@ AssertionReport in_report(const ScriptAssertion& assertion, const process::Event
 
 /// `limit`: why the names are not known; "" where they are.
 std::string types_json(const std::string& path, const LoadedScript& loaded, const std::string& limit = "") {
-    std::vector<std::string> rows;
-    for (const cspm::NamedType& each : loaded.types) {
-        rows.push_back(fmt::format("{{\"name\":{},\"type\":{},\"place\":{}}}", diagnostics::json_string(each.name),
-                                   diagnostics::json_string(each.type), diagnostics::json_string(loaded.sources.place(each.span))));
-    }
-    return fmt::format("{{\"schema\":\"robochart-verify/types/1\",\"script\":{},{}\"names\":[{}]}}\n", diagnostics::json_string(path),
-                       limit.empty() ? "" : fmt::format("\"limit\":{},", diagnostics::json_string(limit)), fmt::join(rows, ","));
+    diagnostics::Json json{{"schema", "robochart-verify/types/1"}, {"script", path}};
+    if (!limit.empty()) json["limit"] = limit;
+    diagnostics::Json& names = json["names"] = diagnostics::Json::array();
+    for (const cspm::NamedType& each : loaded.types)
+        names.push_back({{"name", each.name}, {"type", each.type}, {"place", loaded.sources.place(each.span)}});
+    return diagnostics::json_text(json) + "\n";
 }
 
 /// The answer about a script. Where it is the run's, a limit has nothing more to say: that would be a second document.

@@ -2,6 +2,7 @@
 #include "app/verbs/simulate.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <cstdio>
@@ -73,9 +74,16 @@ std::string with_progress(const simulation::RunProgress& p) {
 std::function<void(const simulation::RunProgress&)> progress_of(const Options& options, const std::string& subject) {
     if (options.progress == ProgressMode::json)
         return [subject](const simulation::RunProgress& p) {
-            print_error_styled(fmt::format(R"({{"event":"progress","subject":{},"phase":"simulating","seconds":{:.3f},"trials":{},"trialsDone":{},"simulatedSeconds":{:.1f},"totalSeconds":{:.1f}}})"
-                       "\n",
-                       diagnostics::json_string(subject), p.seconds, p.trials, p.trials_done, p.simulated_seconds, p.total_seconds));
+            using diagnostics::rounded;
+            print_error_styled(diagnostics::json_text({{"event", "progress"},
+                                                       {"subject", subject},
+                                                       {"phase", "simulating"},
+                                                       {"seconds", rounded(p.seconds, 3)},
+                                                       {"trials", p.trials},
+                                                       {"trialsDone", p.trials_done},
+                                                       {"simulatedSeconds", rounded(p.simulated_seconds, 1)},
+                                                       {"totalSeconds", rounded(p.total_seconds, 1)}}) +
+                               "\n");
         };
     const bool seen = !options.quiet && isatty(STDERR_FILENO) == 1;
     if (options.progress == ProgressMode::never || !seen) return {};
@@ -94,9 +102,16 @@ Exit exit_of(const simulation::RunResult& result) {
 Exit before_trials(const Options& options, const std::string& why) {
     const std::string text = fmt::format("{} before the trials had ended: the bands are not judged\n", why);
     if (options.format == Format::json) {
-        print_exact(fmt::format("{{\"schema\":\"robochart-verify/simulation/1\",\"scenario\":{},\"trials\":[],\"interrupted\":true,"
-                                "\"limit\":{},\"bands\":[],\"files\":[],\"exit\":{}}}\n",
-                                diagnostics::json_string(options.inputs.front()), diagnostics::json_string(why), static_cast<int>(Exit::inconclusive)));
+        const diagnostics::Json none = diagnostics::Json::array();
+        print_exact(diagnostics::json_text({{"schema", "robochart-verify/simulation/1"},
+                                            {"scenario", options.inputs.front()},
+                                            {"trials", none},
+                                            {"interrupted", true},
+                                            {"limit", why},
+                                            {"bands", none},
+                                            {"files", none},
+                                            {"exit", static_cast<int>(Exit::inconclusive)}}) +
+                    "\n");
         print_error_text(text);
     } else {
         app::print_text(text);

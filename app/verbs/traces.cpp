@@ -1,5 +1,6 @@
 // `conform MODEL --traces FILE`: logs of runs against the model (docs/traces.md).
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -28,7 +29,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using conformance::RunVerdict;
-using diagnostics::json_string;
 
 /// A run worth telling, and the log it is in.
 struct ReportedRun {
@@ -209,27 +209,36 @@ void print_text(const Totals& totals, const Options& options) {
                with_commas(totals.cycles), with_commas(totals.accepted), with_commas(totals.rejected), with_commas(totals.inconclusive), totals.seconds);
 }
 
-std::string texts(const std::vector<std::string>& list) {
-    std::vector<std::string> quoted;
-    for (const std::string& text : list) quoted.push_back(json_string(text));
-    return fmt::format("[{}]", fmt::join(quoted, ","));
+diagnostics::Json run_json(const ReportedRun& reported) {
+    const conformance::RunReport& run = reported.run;
+    return {{"log", reported.path},
+            {"line", run.at_line},
+            {"run", run.name},
+            {"verdict", run.verdict == RunVerdict::rejected ? "rejected" : "inconclusive"},
+            {"cycle", run.cycle},
+            {"logged", run.what},
+            {"reason", run.reason},
+            {"sofar", run.cycle_so_far},
+            {"before", run.before},
+            {"allowed", run.allowed},
+            {"elements", run.elements}};
 }
 
 void print_json(const Totals& totals, Exit exit) {
-    std::vector<std::string> runs;
-    for (const ReportedRun& reported : totals.reported) {
-        const conformance::RunReport& run = reported.run;
-        runs.push_back(fmt::format(
-            R"({{"log":{},"line":{},"run":{},"verdict":"{}","cycle":{},"logged":{},"reason":{},"sofar":{},"before":{},"allowed":{},"elements":{}}})",
-            json_string(reported.path), run.at_line, json_string(run.name),
-            run.verdict == RunVerdict::rejected ? "rejected" : "inconclusive", run.cycle, json_string(run.what),
-            json_string(run.reason), texts(run.cycle_so_far), texts(run.before), texts(run.allowed),
-            texts(run.elements)));
-    }
-    print_exact(fmt::format(R"({{"schema":"robochart-verify/traces/1","logs":{},"runs":{},"cycles":{},"accepted":{},"rejected":{},"inconclusive":{},"replacedValues":{},"limit":{},"seconds":{:.3f},"exit":{},"told":[{}]}})"
-               "\n",
-               totals.logs, totals.runs, totals.cycles, totals.accepted, totals.rejected, totals.inconclusive, totals.replaced,
-               json_string(totals.limit), totals.seconds, static_cast<int>(exit), fmt::join(runs, ",")));
+    diagnostics::Json json{{"schema", "robochart-verify/traces/1"},
+                           {"logs", totals.logs},
+                           {"runs", totals.runs},
+                           {"cycles", totals.cycles},
+                           {"accepted", totals.accepted},
+                           {"rejected", totals.rejected},
+                           {"inconclusive", totals.inconclusive},
+                           {"replacedValues", totals.replaced},
+                           {"limit", totals.limit},
+                           {"seconds", diagnostics::rounded(totals.seconds, 3)},
+                           {"exit", static_cast<int>(exit)}};
+    diagnostics::Json& runs = json["told"] = diagnostics::Json::array();
+    for (const ReportedRun& reported : totals.reported) runs.push_back(run_json(reported));
+    print_exact(diagnostics::json_text(json) + "\n");
 }
 
 }  // namespace
