@@ -47,14 +47,18 @@ function(robochart_component name)
   unite(robochart_${name} ${COMPONENT_FOLDERS})
 endfunction()
 
-# robochart_tests(NAME FOLDERS ... [SOURCES more files ...] DEPENDS ...): a GoogleTest program, tests_NAME.
+# robochart_tests(NAME FOLDERS ... [ALONE folders ...] [SOURCES more files ...] DEPENDS ...): a GoogleTest program, tests_NAME.
+# ALONE: folders whose sources use the same names for different things; they are compiled one by one.
 function(robochart_tests name)
-  cmake_parse_arguments(TESTS "" "" "FOLDERS;SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(TESTS "" "" "FOLDERS;ALONE;SOURCES;DEPENDS" ${ARGN})
   set(sources "")
   if(TESTS_FOLDERS)
     sources_of(sources ${TESTS_FOLDERS})
   endif()
   add_executable(tests_${name} ${sources} ${TESTS_SOURCES})
+  set(united ${TESTS_FOLDERS})
+  list(REMOVE_ITEM united ${TESTS_ALONE})
+  unite(tests_${name} ${united})
   # Optimising tests took half of a cold build, and their own code takes little time to run.
   target_compile_options(tests_${name} PRIVATE -O0)
   target_link_libraries(tests_${name} PRIVATE ${TESTS_DEPENDS} robochart_source_folder GTest::gtest GTest::gmock GTest::gtest_main)

@@ -8,7 +8,7 @@ namespace robochart::conformance {
 namespace {
 
 /// The first module or, without one, the machine S conforms.
-void expect_conforming(const std::string& text) {
+void expect_conformance_of(const std::string& text) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path());
     const ir::ComponentRef component = model.system.modules.empty() ? model.machine("S") : model.module();
@@ -23,24 +23,24 @@ std::string machine(const std::string& declarations, const std::string& body) {
 }
 
 TEST(Regressions, AGuardThatIsAConditionalDoesNotReplaceItsTrigger) {
-    expect_conforming(machine("",
+    expect_conformance_of(machine("",
                               "state A { } state B { entry out }\n"
                               "transition t1 { from A to B trigger e condition if x then true else x end }"));
 }
 
 TEST(Regressions, AConditionalDecidesAnIfThatWaits) {
-    expect_conforming(
+    expect_conformance_of(
         machine("", "state A { entry if (if x then true else x end) then wait(1) else wait(2) end; out }"));
 }
 
 TEST(Regressions, ValuesAreComparedWithThemselvesWithoutAWarning) {
-    expect_conforming(machine("",
+    expect_conformance_of(machine("",
                               "state A { entry x = (x == x) iff (x != x) } state B { entry out }\n"
                               "transition t1 { from A to B condition x iff x }"));
 }
 
 TEST(Regressions, AnOperationMayBeCalledWhereNothingLeads) {
-    expect_conforming(
+    expect_conformance_of(
         "operation op() { initial i state A { } final f transition t0 { from i to A }\n"
         "transition t1 { from A to f } }\n"
         "interface Ops { op() }\n"
@@ -50,7 +50,7 @@ TEST(Regressions, AnOperationMayBeCalledWhereNothingLeads) {
 }
 
 TEST(Regressions, AWriteMayArriveAfterTheTriggerOfACallThatReadsIt) {
-    expect_conforming(
+    expect_conformance_of(
         "interface Acts { go(v : nat) } interface Shared { var v : nat } interface Orders { event set : nat }\n"
         "interface Wire { event reported }\n"
         "stm Source { requires Shared uses Orders uses Wire var n : nat initial i state A { }\n"
@@ -64,7 +64,7 @@ TEST(Regressions, AWriteMayArriveAfterTheTriggerOfACallThatReadsIt) {
 }
 
 TEST(Regressions, TheWatchOverADeadlineReadsAVariableThatNothingElseDoes) {
-    expect_conforming(
+    expect_conformance_of(
         "interface V { var v : boolean }\n"
         "controller C { requires V event e : boolean sref m = S connection C on e to m on e }\n"
         "stm S { requires V event e : boolean initial i state A { }\n"
@@ -75,7 +75,7 @@ TEST(Regressions, TheWatchOverADeadlineReadsAVariableThatNothingElseDoes) {
 }
 
 TEST(Regressions, AValueFromABufferThatNobodyReadsIsDropped) {
-    expect_conforming(
+    expect_conformance_of(
         "interface D { var d : nat }\n"
         "controller B { event o : nat stm T { event o : nat initial j state Z { } transition t0 { from j to Z } }\n"
         "connection T on o to B on o }\n"
@@ -87,14 +87,14 @@ TEST(Regressions, AValueFromABufferThatNobodyReadsIsDropped) {
 
 /// In the instant in which T is reset its guard has just been false.
 TEST(Regressions, ADeadlineBeginsAnewWhereAClockEndsItsGuard) {
-    expect_conforming(machine("event g clock T",
+    expect_conformance_of(machine("event g clock T",
                               "state A { initial j state B { } transition u0 { from j to B }\n"
                               "transition u1 { from B to B trigger e #T } }\n"
                               "final f transition t1 { from A to f trigger g <{1} condition since(T) < 1 }"));
 }
 
 TEST(Regressions, ADeadlineBeginsAnewWhereAnActionEndsItsGuard) {
-    expect_conforming(
+    expect_conformance_of(
         machine("event g",
                 "state A { entry x = true initial j state B { entry wait(1) } transition u0 { from j to B }\n"
                 "transition u1 { from B to B action x = false; out; x = true } }\n"
@@ -103,11 +103,11 @@ TEST(Regressions, ADeadlineBeginsAnewWhereAnActionEndsItsGuard) {
 
 /// A transition may leave the state before the during action repeats its call.
 TEST(Regressions, ADuringActionWaitsToRepeatACall) {
-    expect_conforming(machine("", "state A { during move(x); move(x) } state B { }\ntransition t1 { from A to B }"));
+    expect_conformance_of(machine("", "state A { during move(x); move(x) } state B { }\ntransition t1 { from A to B }"));
 }
 
 TEST(Regressions, ADuringActionWaitsToRepeatAWriteThatIsSeen) {
-    expect_conforming(
+    expect_conformance_of(
         "interface V { var v : nat }\n"
         "controller C { requires V sref m = S }\n"
         "stm S { requires V initial i state A { during v = 1; v = 2 } state B { }\n"
@@ -116,21 +116,21 @@ TEST(Regressions, ADuringActionWaitsToRepeatAWriteThatIsSeen) {
 }
 
 TEST(Regressions, AFunctionWithoutParametersHasOneValue) {
-    expect_conforming("function two() : nat { postcondition result == 2 }\n" +
+    expect_conformance_of("function two() : nat { postcondition result == 2 }\n" +
                       machine("", "state A { entry move(two() == 2) }"));
 }
 
 TEST(Regressions, AVariableOfLetNeedNotBeRead) {
-    expect_conforming(machine("", "state A { entry move(let b == x @ true) }"));
+    expect_conformance_of(machine("", "state A { entry move(let b == x @ true) }"));
 }
 
 TEST(Regressions, ANegatedNaturalNumberIsAnInteger) {
-    expect_conforming(machine("const k : nat = 2 var z : int", "state A { entry z = -k; move(z == -2) }"));
+    expect_conformance_of(machine("const k : nat = 2 var z : int", "state A { entry z = -k; move(z == -2) }"));
 }
 
 /// The operation's own variable is read inside alone, what is computed from it behind the call alone.
 TEST(Regressions, AnOperationComputesFromItsInitialValues) {
-    expect_conforming(
+    expect_conformance_of(
         "interface V { var v : boolean } interface Ops { op() }\n"
         "operation op() { requires V var own : boolean = false initial i final f\n"
         "transition t { from i to f action v = own } }\n"
@@ -142,7 +142,7 @@ TEST(Regressions, AnOperationComputesFromItsInitialValues) {
 
 /// Both places lead to an entry; the second is of the row that the first leads to.
 TEST(Regressions, EntriesOfMatricesAreAssigned) {
-    expect_conforming(
+    expect_conformance_of(
         "stm S { event e : matrix(boolean, 2, 2) event out : matrix(boolean, 2, 2) var m : matrix(boolean, 2, 2)\n"
         "initial i state A { } transition t0 { from i to A }\n"
         "transition t1 { from A to A trigger e?m action m[1, 2] = false; m[2, 1] = m[1, 1]; out!m } }\n");
@@ -150,7 +150,7 @@ TEST(Regressions, EntriesOfMatricesAreAssigned) {
 
 /// In CSPM a string is a sequence of characters, so the empty one is written as the empty sequence.
 TEST(Regressions, TheEmptyStringIsTheEmptySequence) {
-    expect_conforming(
+    expect_conformance_of(
         "stm S { event e : string event out : string var x : string initial i state A { } transition t0 { from i to A }\n"
         "transition t1 { from A to A trigger e?x action out!x } }\n");
 }
@@ -171,7 +171,7 @@ std::string machine_alone(const std::string& shared, const std::string& body) {
 
 /// The platform hears of the whole variable, so that the rest of it is needed.
 TEST(Regressions, APartOfAVariableThatNothingReadsIsWritten) {
-    expect_conforming(machine_alone(
+    expect_conformance_of(machine_alone(
         "var t : nat * boolean var s : Spot var q : Seq(boolean) = <true, true> var v : vector(boolean, 2)\n"
         "var m : matrix(boolean, 2, 2) var n : boolean * Spot var w : Seq(nat * boolean) = <(| 1, true |)>",
         "initial i state A { entry t[1] = 1; s.free = false; q[2] = false; v[1] = false; m[2, 1] = false;\n"
@@ -179,7 +179,7 @@ TEST(Regressions, APartOfAVariableThatNothingReadsIsWritten) {
 }
 
 TEST(Regressions, APartIsWrittenWhereverActionsStand) {
-    expect_conforming(with_platform(
+    expect_conformance_of(with_platform(
         "var a : boolean * boolean var b : boolean * boolean var c : boolean * boolean var d : boolean * boolean var f : boolean",
         "interface Ops { op() }\n"
         "operation op() { requires V initial i final o transition t { from i to o action d[1] = false } }\n"
@@ -203,13 +203,13 @@ TEST(Regressions, DurationsReadVariables) {
               "state A { } transition t0 { from i to A } transition t1 { from A to A trigger e?x <{ d + 1 } }",
               "state A { } transition t0 { from i to A } transition t1 { from A to A trigger e?x <{ 1 + f(r.a) } "
               "condition x }"})
-            expect_conforming(declared + machine_alone(shared, "var x : boolean var r : R initial i " + std::string(body)));
+            expect_conformance_of(declared + machine_alone(shared, "var x : boolean var r : R initial i " + std::string(body)));
     }
 }
 
 /// Conditionals, implications and sums in every place that C++ text is put together of them.
 TEST(Regressions, WhatBindsWeaklyKeepsTogether) {
-    expect_conforming(
+    expect_conformance_of(
         "record R { a : nat f : boolean }\n"
         "stm S { event e : boolean event o : boolean var b : boolean var c : boolean var n : nat\n"
         "var q : Seq(nat) = <1> var r : R initial i state A { } state B { entry\n"
@@ -249,7 +249,7 @@ TEST(Regressions, WhatBindsWeaklyKeepsTogether) {
 
 /// Text with commas that no parentheses enclose.
 TEST(Regressions, PreconditionsHoldAnyExpression) {
-    expect_conforming(
+    expect_conformance_of(
         "interface Ops { op(n : nat) }\n"
         "operation op(n : nat) { precondition n in {0, 1, 2} precondition n in {x : nat | x == n @ x}\n"
         "precondition (lambda x : nat, y : nat @ x + y)(n, 0) == n\n"
@@ -261,7 +261,7 @@ TEST(Regressions, PreconditionsHoldAnyExpression) {
 
 /// The code's names of values are the model's, also below packages of several names.
 TEST(Regressions, LiteralsOfNestedPackages) {
-    expect_conforming(
+    expect_conformance_of(
         "package a::b::c\nenumeration Mode { one two(boolean) }\n"
         "stm S { event e : Mode event out : Mode var x : Mode initial i state A { } transition t0 { from i to A }\n"
         "transition t1 { from A to A trigger e?x action out!x } }\n");
@@ -269,14 +269,14 @@ TEST(Regressions, LiteralsOfNestedPackages) {
 
 /// A namespace inside another hides one outside.
 TEST(Regressions, APackageInsideAnotherIsCalledLikeTheRuntime) {
-    expect_conforming("package a::robochart\n" + machine("clock T", "state A { entry wait(1) ; move(x) }"));
+    expect_conformance_of("package a::robochart\n" + machine("clock T", "state A { entry wait(1) ; move(x) }"));
 }
 
 /// States of operations are members that are called like them.
 TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
     const std::string body = " initial i state A { entry wait(1) } final f transition t { from i to A }\n"
                              "transition u { from A to f } }\n";
-    expect_conforming(
+    expect_conformance_of(
         "interface Ops { State(n : nat) Nat() Types() op() opFrame() }\n"
         "operation State(n : nat) {" + body + "operation Nat() {" + body + "operation Types() {" + body +
         "operation op() {" + body + "operation opFrame() {" + body +
@@ -289,7 +289,7 @@ TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
 /// Types that only calls of toolkit functions make have names of their own: of two tuples without, one took the other's
 /// place.
 TEST(Regressions, TuplesThatOnlyToolkitFunctionsNeed) {
-    expect_conforming(
+    expect_conformance_of(
         "import relation_toolkit::*\n" +
         machine("var v : Set(boolean) event go",
                 "state A { entry v = second((|true, {}|)) ; v = rimage({}, {3}) ; v = ran({(|3, false|), (|0, true|)}) }\n"

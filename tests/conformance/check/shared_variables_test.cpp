@@ -8,7 +8,7 @@
 namespace robochart::conformance {
 namespace {
 
-constexpr const char* text = R"(
+constexpr const char* shared_by_three = R"(
 interface V { var v : nat }
 interface E { event seen }
 robotic platform P { provides V uses E }
@@ -44,7 +44,7 @@ protected:
         return {};
     }
 
-    test::TemporaryFolder folder_{text};
+    test::TemporaryFolder folder_{shared_by_three};
 };
 
 TEST_F(SharedVariables, EachMachineHasItsCopyWhereTheEnvironmentPropagates) {

@@ -8,8 +8,8 @@ namespace {
 
 using testing::Client;
 
-constexpr const char* uri = "file:///p/a.rct";
-const Json document = Json::object({{"textDocument", Json::object({{"uri", uri}})}});
+constexpr const char* outlined_uri = "file:///p/a.rct";
+const Json document = Json::object({{"textDocument", Json::object({{"uri", outlined_uri}})}});
 
 /// "name(child child(…))" of symbols.
 std::string shape(const Json& symbols) {
@@ -35,7 +35,7 @@ void expect_nested(const Json& symbols) {
     }
 }
 
-constexpr const char* model =
+constexpr const char* outlined =
     "package p\n"
     "enumeration E { red green }\n"
     "datatype R { hue : E }\n"
@@ -52,7 +52,7 @@ constexpr const char* model =
 
 TEST(Outline, HasEverythingWithAName) {
     Client client;
-    client.open(uri, model);
+    client.open(outlined_uri, outlined);
     const Json symbols = client.request("textDocument/documentSymbol", document);
     EXPECT_EQ(shape(symbols), "E(red green) R(hue) I(x op e) C(K S(i A(B inner) t) s)");
     expect_nested(symbols);
@@ -62,10 +62,10 @@ TEST(Outline, HasEverythingWithAName) {
 
 TEST(Outline, OfBrokenTextIsStillThere) {
     Client client;
-    std::string text = model;
+    std::string text = outlined;
     text.replace(text.find("from i to A"), 11, "from i to");
     text += "stm Last { initial i state Z {\n";
-    client.open(uri, text);
+    client.open(outlined_uri, text);
     EXPECT_NE(client.codes(), "");
     const Json symbols = client.request("textDocument/documentSymbol", document);
     EXPECT_EQ(shape(symbols), "E(red green) R(hue) I(x op e) C(K S(i A(B inner) t) s) Last(i Z)");
@@ -74,10 +74,10 @@ TEST(Outline, OfBrokenTextIsStillThere) {
 
 TEST(Outline, OfAnyPrefixIsWellNested) {
     Client client;
-    const std::string text = model;
-    client.open(uri, "");
+    const std::string text = outlined;
+    client.open(outlined_uri, "");
     for (std::size_t length = 0; length <= text.size(); ++length) {
-        client.change(uri, text.substr(0, length));
+        client.change(outlined_uri, text.substr(0, length));
         const Json symbols = client.request("textDocument/documentSymbol", document);
         expect_nested(symbols);
         for (const Json& each : symbols.items()) EXPECT_NE(each["name"].text(), "");
@@ -86,7 +86,7 @@ TEST(Outline, OfAnyPrefixIsWellNested) {
 
 TEST(Outline, IsFlatForEditorsThatWantItSo) {
     Client client(Json::object({}));
-    client.open(uri, model);
+    client.open(outlined_uri, outlined);
     const Json symbols = client.request("textDocument/documentSymbol", document);
     EXPECT_EQ(symbols.items().size(), 18U);
     EXPECT_EQ(symbols[1]["name"].text(), "red");
@@ -119,7 +119,7 @@ TEST(Search, FindsNamesOverFiles) {
 
 TEST(Folds, AreBodiesCommentsAndImports) {
     Client client;
-    client.open(uri,
+    client.open(outlined_uri,
                 "import a::*\nimport b::*\n"  // 0, 1
                 "// one\n// two\n"            // 2, 3
                 "stm S {\n"                   // 4
@@ -139,7 +139,7 @@ TEST(Folds, AreBodiesCommentsAndImports) {
 
 TEST(Colours, FollowWhatNamesStandFor) {
     Client client;
-    client.open(uri, "interface I {\n  const k : nat = 1\n}\nstm S { requires I }\n");
+    client.open(outlined_uri, "interface I {\n  const k : nat = 1\n}\nstm S { requires I }\n");
     const Json legend = client.initialized()["capabilities"]["semanticTokensProvider"]["legend"];
     const Json data = client.request("textDocument/semanticTokens/full", document)["data"];
     std::string found;

@@ -43,7 +43,7 @@ std::string replaced(std::string text, const std::string& word, const std::strin
     return text;
 }
 
-constexpr const char* model =
+constexpr const char* renamed_text =
     "interface I { var /*^v*/speed : nat }\n"
     "stm S {\n  requires I\n  event e : nat\n  initial i\n"
     "  state A { entry speed = speed + 1 }\n"
@@ -51,12 +51,12 @@ constexpr const char* model =
     "  transition u { from A to A trigger e?speed condition speed > 3 }\n}\n";
 
 TEST_F(Rename, EveryPlace) {
-    open(model);
-    EXPECT_EQ(renamed("v", "velocity"), replaced(model, "speed", "velocity"));
+    open(renamed_text);
+    EXPECT_EQ(renamed("v", "velocity"), replaced(renamed_text, "speed", "velocity"));
 }
 
 TEST_F(Rename, IsPreparedWithTheName) {
-    open(model);
+    open(renamed_text);
     const Json found = client.request("textDocument/prepareRename", client.at("v"));
     EXPECT_EQ(found["placeholder"].text(), "speed");
     EXPECT_EQ(found["range"]["start"]["character"].number(), 24);
@@ -136,7 +136,7 @@ TEST_F(Rename, ExistingEscapesAreReplacedWhole) {
 }
 
 TEST_F(Rename, RefusesWhatIsNoName) {
-    open(model);
+    open(renamed_text);
     for (const char* name : {"", "1a", "a-b", "a b", "^", "ä", "a::b"})
         EXPECT_NE(refusal("v", name).find("no name"), std::string::npos) << name;
     EXPECT_NE(refusal("v", "end").find("reserved word"), std::string::npos);
@@ -195,8 +195,8 @@ TEST_F(Rename, Packages) {
 }
 
 TEST_F(Rename, WorksInBrokenText) {
-    open(std::string(model) + "stm Broken { initial\n");
-    EXPECT_EQ(renamed("v", "velocity"), replaced(std::string(model) + "stm Broken { initial\n", "speed", "velocity"));
+    open(std::string(renamed_text) + "stm Broken { initial\n");
+    EXPECT_EQ(renamed("v", "velocity"), replaced(std::string(renamed_text) + "stm Broken { initial\n", "speed", "velocity"));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ std::vector<cspm::DeclPtr> claims(const Machine& machine) {
             b::assert_refines(twin, cspm::Model::failures_divergences, shared)};
 }
 
-struct Tally {
+struct CallTally {
     std::size_t held = 0, undecided = 0, sharing = 0;
 };
 
@@ -85,7 +85,7 @@ std::string counterexample(const refine::Verdict& verdict, cspm::Session& sessio
     return result;
 }
 
-void compare(std::uint64_t seed, const Shape& shape, csp_emit::Time time, Tally& tally) {
+void compare(std::uint64_t seed, const Shape& shape, csp_emit::Time time, CallTally& tally) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto loaded = load(well_formed(seed, shape));
     diagnostics::Diagnostics findings;
@@ -135,7 +135,7 @@ Shape with_calls(Shape shape) {
 }
 
 TEST(SharedCalls, MeanWhatCallsInTheirPlacesMean) {
-    Tally tally;
+    CallTally tally;
     for (const std::uint64_t seed : seeds(16))
         compare(seed, with_calls(Shape::untimed_core()), csp_emit::Time::untimed, tally);
     for (const std::uint64_t seed : seeds(8))

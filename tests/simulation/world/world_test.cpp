@@ -9,7 +9,6 @@
 namespace robochart::simulation {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 
 WorldOptions open_field() {
     WorldOptions options;
@@ -19,7 +18,7 @@ WorldOptions open_field() {
 
 TEST(World, DrivesStraight) {
     World world(open_field(), 1);
-    world.place({{1, 2}, pi / 2});
+    world.place({{1, 2}, std::numbers::pi / 2});
     world.set_wheels(0, {10, 10});
     for (int i = 0; i < 20; ++i) world.advance();
     EXPECT_NEAR(world.position(0).x, 1, 1e-9);
@@ -74,7 +73,7 @@ TEST(World, StopsAtWalls) {
     options.arena.walls.push_back({{-20, 30}, {20, 30}});
     World world(options, 1);
     world.place({{100, 0}, 0});
-    world.place({{0, 0}, pi / 2});
+    world.place({{0, 0}, std::numbers::pi / 2});
     for (std::size_t i = 0; i < 2; ++i) world.set_wheels(i, {12.8, 12.8});
     for (int i = 0; i < 100; ++i) world.advance();
     EXPECT_NEAR(world.position(0).x, 125 - 3.7, 1e-9);
@@ -84,7 +83,7 @@ TEST(World, StopsAtWalls) {
 TEST(World, PushesMeetInTheMiddle) {
     World world(open_field(), 1);
     world.place({{-10, 0}, 0});
-    world.place({{10, 0}, pi});
+    world.place({{10, 0}, std::numbers::pi});
     for (std::size_t i = 0; i < 2; ++i) world.set_wheels(i, {5, 5});
     for (int i = 0; i < 50; ++i) world.advance();
     EXPECT_NEAR(world.position(0).x, -3.7, 1e-9);
