@@ -22,7 +22,7 @@ constexpr const char* version = "robochart-verify 0.1.0";
 
 constexpr const char* footer = R"(
 MODEL is a folder (a project: every .rct and .assertions file below it) or a file (with the .rct files of its
-folder that it needs); of several, what does not belong together is judged apart.
+folder that it needs); independent projects are processed separately.
 
 Exit status:
    0  everything as claimed: every assertion holds as worded, the code conforms

@@ -13,7 +13,7 @@ std::string literal(const char* text) {
     return text == nullptr ? "nullptr" : diagnostics::cpp_string(text);
 }
 
-/// "in S1 (corpus/a.rct:56)" without the folder: generated text does not depend on where the model lies.
+/// "in S1 (models/a.rct:56)" without the folder: generated text does not depend on where the model lies.
 std::string without_folders(const char* text) {
     std::string result;
     std::size_t bracket = std::string::npos;

@@ -10,7 +10,7 @@
 
 namespace robochart::frontend {
 
-/// A toolkit: its package and its text (frontend/toolkits/library/PACKAGE.rct).
+/// A toolkit: its package and its text (a file of frontend/toolkits/library).
 struct Toolkit {
     std::string_view package;
     std::string_view text;

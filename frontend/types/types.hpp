@@ -1,5 +1,5 @@
 // Semantic types of RoboChart expressions and the compatibility relation of RoboChartTypeProvider
-// (reference: RoboChart manual, type system; rules in docs/language.md).
+// (reference: RoboChart manual, type system; rules RC-T in docs/rules).
 #pragma once
 
 #include <memory>
