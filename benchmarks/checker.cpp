@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 
 namespace {
 
@@ -14,15 +14,28 @@ using namespace robochart;
 std::string philosophers(int n) {
     const std::string last = std::to_string(n - 1);
     const std::string count = std::to_string(n);
-    return "channel picks, puts : {0.." + last + "}.{0.." + last + "}\n"
-           "channel eats : {0.." + last + "}\n"
-           "Right(i) = if i == " + last + " then 0 else i + 1\n"
-           "First(i) = if i == " + last + " then Right(i) else i\n"
-           "Second(i) = if i == " + last + " then i else Right(i)\n"
-           "Phil(i) = picks!i!First(i) -> picks!i!Second(i) -> eats!i -> puts!i!First(i) -> puts!i!Second(i) -> Phil(i)\n"
+    return "channel picks, puts : {0.." + last + "}.{0.." + last +
+           "}\n"
+           "channel eats : {0.." +
+           last +
+           "}\n"
+           "Right(i) = if i == " +
+           last +
+           " then 0 else i + 1\n"
+           "First(i) = if i == " +
+           last +
+           " then Right(i) else i\n"
+           "Second(i) = if i == " +
+           last +
+           " then i else Right(i)\n"
+           "Phil(i) = picks!i!First(i) -> picks!i!Second(i) -> eats!i -> puts!i!First(i) -> puts!i!Second(i) -> "
+           "Phil(i)\n"
            "Fork(f) = picks?i!f -> puts!i!f -> Fork(f)\n"
-           "System = (||| i : {0.." + last + "} @ Phil(i)) [| {| picks, puts |} |] (||| f : {0.." + last + "} @ Fork(f))\n"
-           "assert System :[deadlock free [F]]\n-- " + count + "\n";
+           "System = (||| i : {0.." +
+           last + "} @ Phil(i)) [| {| picks, puts |} |] (||| f : {0.." + last +
+           "} @ Fork(f))\n"
+           "assert System :[deadlock free [F]]\n-- " +
+           count + "\n";
 }
 
 void deadlock_freedom(benchmark::State& state) {

@@ -5,14 +5,14 @@
 
 #include <iterator>
 
-#include "cpp_emit/api/console_class.hpp"
 #include "cpp_emit/api/class_api.hpp"
+#include "cpp_emit/api/console_class.hpp"
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/files/shipped_headers.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
-#include "cpp_emit/project.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/unsupported.hpp"
+#include "cpp_emit/project.hpp"
 
 namespace robochart::cpp_emit {
 

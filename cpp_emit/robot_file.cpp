@@ -2,8 +2,8 @@
 // this file is the author's. As generated it raises nothing and tells what the controller does.
 #include <fmt/format.h>
 
-#include "cpp_emit/project.hpp"
 #include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/project.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -15,10 +15,9 @@ public:
         : generation_(generation), core_(core), api_(api), act_(std::move(act)) {}
 
     std::string write() {
-        out_.comment(
-            fmt::format("A robot with the controller of the RoboChart {} ", generation_.component.kind) +
-            generation_.place(generation_.component.origin) +
-            ": which sensors raise its events, what its operations and variables do.");
+        out_.comment(fmt::format("A robot with the controller of the RoboChart {} ", generation_.component.kind) +
+                     generation_.place(generation_.component.origin) +
+                     ": which sensors raise its events, what its operations and variables do.");
         out_.comment("This file is yours: robochart-verify made it and leaves it alone where it is there.");
         out_.line("#pragma once");
         out_.gap();
@@ -89,7 +88,8 @@ private:
         each_class(api_, [&](const ApiClass& part) {
             for (const ApiVariable& variable : part.variables)
                 if (variable.stored->visible)
-                    out_.comment("variable " + generation_.place(variable.stored->variable->origin) + ": " + variable.member);
+                    out_.comment("variable " + generation_.place(variable.stored->variable->origin) + ": " +
+                                 variable.member);
             for (const ApiEvent& event : part.events) {
                 if (!event.sent) continue;
                 out_.line(fmt::format("if ({}) tell(robot_body_, \"{}\"{});", event.flag, event.port->model_name,

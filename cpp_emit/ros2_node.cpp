@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "cpp_emit/project.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/project.hpp"
 
 namespace robochart::cpp_emit {
 

@@ -8,8 +8,8 @@
 #include "cpp_emit/files/shipped_headers.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "cpp_emit/plan/rules.hpp"
-#include "cpp_emit/plan/unsupported.hpp"
 #include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/plan/unsupported.hpp"
 #include "semantics/evaluate/carrier.hpp"
 
 namespace robochart::cpp_emit {
@@ -273,8 +273,9 @@ private:
         out_.open("const char* place_of(const void* controller) noexcept {");
         out_.open(fmt::format("switch (static_cast<const State*>(controller)->{}at) {{", first_part()));
         for (const Enumerator& value : root_places().values)
-            out_.line(fmt::format("case core::{}::{}: return {};", root_places().name, value.name,
-                                  diagnostics::cpp_string(value.comment.empty() ? diagnostics::ForeignText(value.name) : value.comment)));
+            out_.line(fmt::format(
+                "case core::{}::{}: return {};", root_places().name, value.name,
+                diagnostics::cpp_string(value.comment.empty() ? diagnostics::ForeignText(value.name) : value.comment)));
         out_.close();
         out_.line("return \"?\";");
         out_.close();

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "checker/cspm/syntax/build.hpp"
-#include "csp_emit/expressions/expressions.hpp"
-#include "csp_emit/machine/machine.hpp"
 #include "csp_emit/base/names.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/base/types.hpp"
+#include "csp_emit/expressions/expressions.hpp"
+#include "csp_emit/machine/machine.hpp"
 
 namespace robochart::csp_emit {
 

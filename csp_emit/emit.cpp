@@ -6,18 +6,18 @@
 
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
-#include "csp_emit/base/script_library.hpp"
-#include "csp_emit/passes/name_clashes.hpp"
 #include "csp_emit/assertions.hpp"
-#include "csp_emit/compose/controller.hpp"
-#include "csp_emit/expressions/expressions.hpp"
-#include "csp_emit/compose/instantiations.hpp"
-#include "csp_emit/machine/machine.hpp"
-#include "csp_emit/compose/module.hpp"
 #include "csp_emit/base/rules.hpp"
+#include "csp_emit/base/script_library.hpp"
+#include "csp_emit/base/types.hpp"
+#include "csp_emit/compose/controller.hpp"
+#include "csp_emit/compose/instantiations.hpp"
+#include "csp_emit/compose/module.hpp"
+#include "csp_emit/expressions/expressions.hpp"
+#include "csp_emit/machine/machine.hpp"
+#include "csp_emit/passes/name_clashes.hpp"
 #include "csp_emit/passes/safe_names.hpp"
 #include "csp_emit/passes/shared_modules.hpp"
-#include "csp_emit/base/types.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
@@ -265,8 +265,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     const cspm::NewNames new_names = new_names_of_ours(theirs, ours, names);
     const std::vector<cspm::QualifiedNames> new_names_of_files =
         new_names_of_theirs(files, safe.for_blocks, ours, names);
-    for (std::size_t i = 0; i < files.size(); ++i)
-        emitted.names_of_blocks[files[i].file] = new_names_of_files[i].plain;
+    for (std::size_t i = 0; i < files.size(); ++i) emitted.names_of_blocks[files[i].file] = new_names_of_files[i].plain;
     const std::string terminated = in(new_names, "r__");
     EventMeaning tock{MeaningKind::tock, "one time unit passes", {}, {}};
     if (project.timed()) {
@@ -281,7 +280,8 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     append(definitions, cspm::renamed(generated, new_names));
     result.script = result.definitions;
     for (std::size_t i = 0; i < files.size(); ++i)
-        append(result.script.decls, cspm::renamed(declared_once(files[i].others, result.script.decls), new_names_of_files[i]));
+        append(result.script.decls,
+               cspm::renamed(declared_once(files[i].others, result.script.decls), new_names_of_files[i]));
     result.obligations = obligations(project, names, emitted);
     for (Obligation& obligation : result.obligations) {
         obligation.preparation = cspm::renamed(obligation.preparation, new_names);

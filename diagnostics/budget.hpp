@@ -104,7 +104,7 @@ private:
     std::atomic<bool> interrupted_{false};
     std::atomic<std::int64_t> memory_checked_;  ///< ticks of the clock
     std::atomic<std::uint64_t> resident_{0};
-    mutable std::mutex mutex_;                  ///< of what follows
+    mutable std::mutex mutex_;  ///< of what follows
     std::string phase_;
     std::multiset<std::string> paths_;
     std::multiset<pid_t> groups_;

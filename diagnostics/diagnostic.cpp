@@ -54,8 +54,9 @@ Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::st
 
 void Diagnostics::add(const Diagnostics& other) {
     const auto kept = [&](Severity severity) {
-        return static_cast<std::size_t>(std::count_if(other.items_.begin(), other.items_.end(),
-                                                      [&](const Diagnostic& each) { return each.rule->severity == severity; }));
+        return static_cast<std::size_t>(
+            std::count_if(other.items_.begin(), other.items_.end(),
+                          [&](const Diagnostic& each) { return each.rule->severity == severity; }));
     };
     for (const Diagnostic& finding : other.items_) report(*finding.rule, finding.span, finding.arguments) = finding;
     errors_ += other.errors_ - kept(Severity::error);
@@ -69,7 +70,8 @@ Diagnostics Diagnostics::about(const std::set<SourceId>& texts) const {
     result.budget_ = budget_;
     result.allowed_ = allowed_;
     for (const Diagnostic& finding : items_)
-        if (texts.contains(finding.span.source)) result.report(*finding.rule, finding.span, finding.arguments) = finding;
+        if (texts.contains(finding.span.source))
+            result.report(*finding.rule, finding.span, finding.arguments) = finding;
     return result;
 }
 

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-
 namespace robochart::diagnostics {
 
 /// Text that may hold anything: quotes, line ends, zeros, bytes that are no UTF-8. It grows by being joined with other

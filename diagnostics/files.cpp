@@ -1,5 +1,5 @@
-// Every step below the root goes from an open folder to a name in it (openat, mkdirat, renameat with O_NOFOLLOW), so that
-// nobody can put a link in the way between a look and a step.
+// Every step below the root goes from an open folder to a name in it (openat, mkdirat, renameat with O_NOFOLLOW), so
+// that nobody can put a link in the way between a look and a step.
 #include "diagnostics/files.hpp"
 
 #include <fcntl.h>
@@ -156,8 +156,10 @@ void gather(const fs::path& folder, bool deep, FilesBelow& result) {
     for (; !code && at != fs::directory_iterator(); at.increment(code)) {
         if (at->path().filename().string().starts_with(".")) continue;
         std::error_code status;
-        if (!at->is_directory(status)) result.files.push_back(at->path().string());
-        else if (deep && !at->is_symlink(status)) gather(at->path(), deep, result);
+        if (!at->is_directory(status))
+            result.files.push_back(at->path().string());
+        else if (deep && !at->is_symlink(status))
+            gather(at->path(), deep, result);
     }
     if (code) result.unreadable.emplace_back(folder.string(), code.message());
 }

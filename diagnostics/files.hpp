@@ -1,5 +1,6 @@
-// Finding files, so that none is passed over in silence; and writing files so that nothing else is written, and nothing is left half done: under a name that nobody can foresee,
-// then put in its place as a whole. Below a folder that was asked for, no symbolic link is followed.
+// Finding files, so that none is passed over in silence; and writing files so that nothing else is written, and nothing
+// is left half done: under a name that nobody can foresee, then put in its place as a whole. Below a folder that was
+// asked for, no symbolic link is followed.
 #pragma once
 
 #include <memory>
@@ -12,8 +13,8 @@
 
 namespace robochart::diagnostics {
 
-/// The files of a folder by path, and the folders in it that cannot be read, each with the cause. What begins with a dot
-/// is left out, and no link to a folder is followed.
+/// The files of a folder by path, and the folders in it that cannot be read, each with the cause. What begins with a
+/// dot is left out, and no link to a folder is followed.
 struct FilesBelow {
     std::vector<std::string> files;
     std::vector<std::pair<std::string, std::string>> unreadable;

@@ -49,8 +49,8 @@ std::string draw_place(const SourceManager& sources, Span span, const TextStyle&
     const std::string margin(number.size(), ' ');
     const std::string mark =
         std::string(excerpt.mark_begin, ' ') + paint(style, color, "^" + std::string(excerpt.mark_width - 1, '~'));
-    return fmt::format("{0} --> {1}:{2}:{3}\n{0}  |\n {4} | {5}\n{0}  | {6}\n", margin, shown(sources.path(span.source)),
-                       begin.line, begin.column, number, excerpt.text, mark);
+    return fmt::format("{0} --> {1}:{2}:{3}\n{0}  |\n {4} | {5}\n{0}  | {6}\n", margin,
+                       shown(sources.path(span.source)), begin.line, begin.column, number, excerpt.text, mark);
 }
 
 std::string draw_note(const SourceManager& sources, const Note& note, const TextStyle& style) {

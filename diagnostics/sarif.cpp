@@ -98,8 +98,12 @@ std::string render_sarif(const SourceManager& sources, const Diagnostics& diagno
     if (!limit.empty()) run["invocations"] = Json::array({invocation(limit)});
     run["columnKind"] = "unicodeCodePoints";
     run["results"] = results;
-    run["properties"] = {{"errors", diagnostics.errors()}, {"warnings", diagnostics.warnings()}, {"dropped", diagnostics.dropped()}};
-    return json_text({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}}) + "\n";
+    run["properties"] = {
+        {"errors", diagnostics.errors()}, {"warnings", diagnostics.warnings()}, {"dropped", diagnostics.dropped()}};
+    return json_text({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                      {"version", "2.1.0"},
+                      {"runs", Json::array({run})}}) +
+           "\n";
 }
 
 }  // namespace robochart::diagnostics

@@ -80,8 +80,10 @@ std::optional<SourceId> SourceManager::load(const std::string& path, std::string
         const ssize_t count = read(file.get(), buffer.data(), buffer.size());
         if (count == 0) break;
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) error = std::strerror(errno);
-        else text.append(buffer.data(), static_cast<std::size_t>(count));
+        if (count < 0)
+            error = std::strerror(errno);
+        else
+            text.append(buffer.data(), static_cast<std::size_t>(count));
         if (text.size() > max_bytes) error = too_large(text.size());  // it has grown, or its system gives no sizes
         if (!error.empty()) return std::nullopt;
     }

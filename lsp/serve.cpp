@@ -1,13 +1,13 @@
-// The loop over streams. One thread reads, so that a cancellation is seen before the request that it cancels is begun or
-// while it is worked on, and so that diagnostics wait while the editor is still sending.
+// The loop over streams. One thread reads, so that a cancellation is seen before the request that it cancels is begun
+// or while it is worked on, and so that diagnostics wait while the editor is still sending.
 #include <condition_variable>
 #include <istream>
 #include <mutex>
 #include <ostream>
 #include <thread>
 
-#include "lsp/server.hpp"
 #include "lsp/protocol/transport.hpp"
+#include "lsp/server.hpp"
 
 namespace robochart::lsp {
 
@@ -58,8 +58,10 @@ void read_all(std::istream& in, Inbox& inbox, Interruption& interruption) {
     FrameReader reader(in);
     while (true) {
         Arrival arrival = arrival_of(reader.next());
-        if (arrival.end) interruption.input_ended();
-        else if (arrival.fault.empty()) interruption.arrived(arrival.message);
+        if (arrival.end)
+            interruption.input_ended();
+        else if (arrival.fault.empty())
+            interruption.arrived(arrival.message);
         const bool last = arrival.end || is_exit(arrival);
         inbox.put(std::move(arrival));
         if (last) return;

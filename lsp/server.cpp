@@ -116,15 +116,16 @@ void Server::handle(const Json& message) {
 
 bool Server::is_cancelled(const Json& id) const {
     return interruption_.is_cancelled(id) || std::any_of(queue_.begin(), queue_.end(), [&](const Message& m) {
-        return m.json["method"].text() == "$/cancelRequest" && m.json["params"]["id"] == id;
-    });
+               return m.json["method"].text() == "$/cancelRequest" && m.json["params"]["id"] == id;
+           });
 }
 
 void Server::request(const Json& message) {
     const Json& id = message["id"];
     if (!is_id(id)) return fail(nullptr, ErrorCode::invalid_request, "an id must be a number or a string");
     // Ending is always possible.
-    if (message["method"].text() != "shutdown" && is_cancelled(id)) return fail(id, ErrorCode::request_cancelled, "cancelled");
+    if (message["method"].text() != "shutdown" && is_cancelled(id))
+        return fail(id, ErrorCode::request_cancelled, "cancelled");
     const Interruption::Work work(interruption_, id);
     try {
         respond(id, answer(message["method"].text(), message["params"]));

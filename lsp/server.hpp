@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "lsp/workspace/session.hpp"
 #include "diagnostics/budget.hpp"
 #include "lsp/protocol/interruption.hpp"
+#include "lsp/workspace/session.hpp"
 
 namespace robochart::lsp {
 

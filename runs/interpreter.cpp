@@ -17,7 +17,7 @@ namespace {
 using process::TermId;
 using refine::ViolationKind;
 
-constexpr std::size_t most_offers = 40;     // listed for one step
+constexpr std::size_t most_offers = 40;  // listed for one step
 constexpr std::size_t most_unfoldings = 20;
 constexpr std::size_t most_looked_at = 5000;  // alternatives, in all steps together
 
@@ -165,9 +165,8 @@ std::vector<Change> Interpreter::changes(const std::vector<Machine>& before, con
         if (was == before.end()) continue;
         for (const Variable& variable : now.variables) {
             if (variable.kind != VariableKind::variable || !variable.value) continue;
-            const auto old = std::find_if(was->variables.begin(), was->variables.end(), [&](const Variable& each) {
-                return each.name == variable.name;
-            });
+            const auto old = std::find_if(was->variables.begin(), was->variables.end(),
+                                          [&](const Variable& each) { return each.name == variable.name; });
             const auto value = old == was->variables.end() ? std::nullopt : old->value;
             if (value != variable.value) result.push_back({now.component, variable.name, value, *variable.value});
         }
@@ -187,9 +186,9 @@ std::pair<Event, std::vector<Event>> Interpreter::happens(const std::vector<Move
     for (const Move& move : moves) {
         const bool machine = !move.before.empty() && !move.before.front().definition->memory;
         const bool known = meanings_.knows(move.name);
-        candidates.push_back({machine ? meanings_.event(move.name, move.before.front(), move.after)
-                                      : meanings_.event(move.name),
-                              known, machine});
+        candidates.push_back(
+            {machine ? meanings_.event(move.name, move.before.front(), move.after) : meanings_.event(move.name), known,
+             machine});
     }
     const auto rank = [](const Candidate& each) {
         const bool acts = each.event.kind != Kind::input && each.event.kind != Kind::external_write;
@@ -428,7 +427,8 @@ std::vector<Cause> Interpreter::causes() const {
     for (const Machine& machine : last_machines())
         for (const Variable& each : machine.variables)
             if (!each.deadline.empty() && each.value && (*each.value == "0" || each.value->starts_with("-")))
-                result.push_back({fmt::format("the deadline of {} has run out", each.deadline), machine.component, each.place});
+                result.push_back(
+                    {fmt::format("the deadline of {} has run out", each.deadline), machine.component, each.place});
     for (const Event& offered : run_.end.offered)
         if (offered.kind == Kind::call || (offered.kind == Kind::assignment && writes_are_urgent()))
             result.push_back({fmt::format("{} waits for the environment, which may refuse it", offered.text),
@@ -454,24 +454,29 @@ std::string Interpreter::why() const {
     const End& end = run_.end;
     switch (end.kind) {
         case EndKind::forbidden:
-            return fmt::format("{} is not allowed here; allowed: {}", end.event ? end.event->text : "the last step", list(end.allowed));
+            return fmt::format("{} is not allowed here; allowed: {}", end.event ? end.event->text : "the last step",
+                               list(end.allowed));
         case EndKind::timelock:
         case EndKind::refusal: {
             std::vector<std::string> reasons;
             for (const Cause& cause : end.causes)
-                reasons.push_back(cause.place ? fmt::format("{} ({}:{})", cause.text, cause.place->file, cause.place->line)
-                                              : cause.text);
+                reasons.push_back(cause.place
+                                      ? fmt::format("{} ({}:{})", cause.text, cause.place->file, cause.place->line)
+                                      : cause.text);
             if (!reasons.empty()) return fmt::format("time cannot pass: {}", fmt::join(reasons, ", and "));
             std::vector<std::string> alternatives;
             for (const auto& each : end.required) alternatives.push_back(list(each));
-            return fmt::format("it offers {}, and must offer at least {}", list(end.offered), fmt::join(alternatives, ", or "));
+            return fmt::format("it offers {}, and must offer at least {}", list(end.offered),
+                               fmt::join(alternatives, ", or "));
         }
         case EndKind::divergence:
             return "it can go on internally for ever without offering anything";
         case EndKind::deadlock:
-            return run_.loop_start ? "nothing is possible any more but that time passes" : "nothing is possible any more";
+            return run_.loop_start ? "nothing is possible any more but that time passes"
+                                   : "nothing is possible any more";
         case EndKind::nondeterminism:
-            return fmt::format("{} may be accepted and may be refused after the same events; here it is refused", end.event ? end.event->text : "an event");
+            return fmt::format("{} may be accepted and may be refused after the same events; here it is refused",
+                               end.event ? end.event->text : "an event");
         case EndKind::reached:
             return "the state has been reached";
         case EndKind::terminated:

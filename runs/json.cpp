@@ -139,7 +139,10 @@ Json variable(const Variable& variable) {
 }
 
 Json machine(const Machine& machine) {
-    Json json{{"component", machine.component}, {"machine", machine.machine}, {"text", machine.text}, {"active", machine.active}};
+    Json json{{"component", machine.component},
+              {"machine", machine.machine},
+              {"text", machine.text},
+              {"active", machine.active}};
     json["variables"] = array(machine.variables, variable);
     add_place(json, machine.place);
     return json;

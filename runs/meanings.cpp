@@ -99,8 +99,8 @@ Call common(const std::vector<Call>& alternatives) {
         });
         for (std::size_t i = 0; i < merged->parameters.size() && i < result.arguments.size(); ++i) {
             const auto& names = each.definition->parameters;
-            const auto same = static_cast<std::size_t>(
-                std::find(names.begin(), names.end(), merged->parameters[i]) - names.begin());
+            const auto same =
+                static_cast<std::size_t>(std::find(names.begin(), names.end(), merged->parameters[i]) - names.begin());
             const bool equal = same < each.arguments.size() && each.arguments[same] == result.arguments[i];
             if (!equal) merged->parameters[i].clear();
         }
@@ -231,8 +231,7 @@ std::vector<Variable> Meanings::variables(const Call& call) const {
         if (i < definition.kinds.size()) variable.kind = kind_of(definition.kinds[i]);
         const ir::TypeId type = i < definition.types.size() ? definition.types[i] : ir::TypeId{};
         if (type.valid()) variable.type = system_.type(type).name;
-        if (!unread(call.arguments[i]))
-            variable.value = value_text(system_, instantiation_, type, call.arguments[i]);
+        if (!unread(call.arguments[i])) variable.value = value_text(system_, instantiation_, type, call.arguments[i]);
         if (i < definition.deadlines.size() && definition.deadlines[i].span.known()) {
             variable.deadline = definition.deadlines[i].element;
             variable.place = place(definition.deadlines[i].span);

@@ -62,7 +62,7 @@ enum class VariableKind {
 struct Variable {
     std::string name;
     VariableKind kind = VariableKind::variable;
-    std::string type;                 ///< "" where there is none
+    std::string type;                  ///< "" where there is none
     std::optional<std::string> value;  ///< none: nothing reads the value any more
     std::string deadline;              ///< countdown of a deadline: its element
     std::optional<Place> place;        ///< of that deadline

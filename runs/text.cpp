@@ -54,8 +54,7 @@ void Writer::name_machines() {
     if (components.size() < 2) return;
     std::map<std::string, int> uses;
     for (const std::string& each : components) ++uses[last_of(each)];
-    for (const std::string& each : components)
-        short_names_[each] = uses[last_of(each)] == 1 ? last_of(each) : each;
+    for (const std::string& each : components) short_names_[each] = uses[last_of(each)] == 1 ? last_of(each) : each;
 }
 
 std::string Writer::who(const std::string& component) const {
@@ -111,7 +110,8 @@ Line Writer::line(const Step& step) const {
         if (!step.event.text.ends_with(text)) changes.push_back(text);
     }
     if (!changes.empty()) result.what += fmt::format("   [{}]", fmt::join(changes, ", "));
-    if (step.event.place) result.place = fmt::format("{}:{}", diagnostics::shown(step.event.place->file), step.event.place->line);
+    if (step.event.place)
+        result.place = fmt::format("{}:{}", diagnostics::shown(step.event.place->file), step.event.place->line);
     return result;
 }
 

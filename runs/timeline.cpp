@@ -85,7 +85,8 @@ void Builder::add_compressed(const Behaviour& part, const std::vector<Point>& mo
 void Builder::add(const Behaviour& part, const std::vector<Point>& moments, Span span) {
     if (part.begins > 0) span.begin = point(moments, part.begins);
     if (part.ends <= part.trace.size()) span.end = point(moments, part.ends);
-    const bool compressed = part.parts.size() == 1 && part.parts.front().shown_by.size() == part.parts.front().trace.size() &&
+    const bool compressed = part.parts.size() == 1 &&
+                            part.parts.front().shown_by.size() == part.parts.front().trace.size() &&
                             !part.parts.front().shown_by.empty();
     if (part.parts.empty()) return add_leaf(part, moments, span);
     if (compressed) return add_compressed(part, moments, span);

@@ -1,5 +1,5 @@
-// A run taken apart, moment by moment: which sequential components move, by which of their own events, and where each of
-// them is. Steps inside a compressed process, which the run of the whole does not show, are moments of their own.
+// A run taken apart, moment by moment: which sequential components move, by which of their own events, and where each
+// of them is. Steps inside a compressed process, which the run of the whole does not show, are moments of their own.
 #pragma once
 
 #include <optional>

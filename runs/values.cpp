@@ -92,7 +92,7 @@ std::string Reader::collection(const std::vector<TypeId>& elements, std::string_
 
 std::string Reader::record(const ir::Type& type, std::string_view text) const {
     const bool one = type.labels.size() == 1;
-    const std::vector<std::string> parts = one                 ? std::vector<std::string>{std::string(text)}
+    const std::vector<std::string> parts = one               ? std::vector<std::string>{std::string(text)}
                                            : text.size() > 2 ? split(text.substr(1, text.size() - 2), ",")
                                                              : std::vector<std::string>{};
     if (parts.size() != type.labels.size() || type.args.size() != type.labels.size()) return std::string(text);

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "runs/run.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
-#include "runs/run.hpp"
 
 namespace robochart::runs {
 

@@ -4,7 +4,7 @@
 set -euo pipefail
 
 packages=(
-  g++ clang cmake ninja-build ccache mold
+  g++ clang clang-format cmake ninja-build ccache mold
   libfmt-dev libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-graph-dev
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libclang-rt-14-dev libenki-dev
 )

@@ -1,4 +1,5 @@
-// The only file that is compiled with the path, so that trees at other places share all other objects of a compiler cache.
+// The only file that is compiled with the path, so that trees at other places share all other objects of a compiler
+// cache.
 #include "tests/source_folder.hpp"
 
 namespace robochart::tests {

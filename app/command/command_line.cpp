@@ -91,7 +91,8 @@ bool parse_whole(std::string_view text, std::uint64_t& value) {
 bool parse_size(std::string_view text, std::uint64_t& bytes) {
     const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
     std::string unit(text.substr(digits));
-    std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(unit.begin(), unit.end(), unit.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
     constexpr std::string_view letters = "kmgtpe";
     std::size_t power = 0;
@@ -108,50 +109,67 @@ bool parse_size(std::string_view text, std::uint64_t& bytes) {
 
 std::string wanted_number(const NumberRow& row) {
     if (row.kind == NumberRow::Kind::size) return "a size above 0 is wanted, as 300M or 4GiB";
-    const std::string range = row.most == any_number ? fmt::format("from {}", row.least) : fmt::format("from {} to {}", row.least, row.most);
-    return fmt::format("a {} {} is wanted", row.kind == NumberRow::Kind::seconds ? "number of seconds" : "whole number", range);
+    const std::string range =
+        row.most == any_number ? fmt::format("from {}", row.least) : fmt::format("from {} to {}", row.least, row.most);
+    return fmt::format("a {} {} is wanted", row.kind == NumberRow::Kind::seconds ? "number of seconds" : "whole number",
+                       range);
 }
 
 /// The check of this option's number, by its row; a size becomes its bytes.
 CLI::Validator number(std::string_view option) {
-    const auto row = *std::find_if(numbers.begin(), numbers.end(), [&](const NumberRow& each) { return each.option == option; });
-    return CLI::Validator([row](std::string& text) -> std::string {
-        std::uint64_t value = 0;
-        bool good = false;
-        if (row.kind == NumberRow::Kind::seconds) {
-            char* end = nullptr;
-            const double seconds = std::strtod(text.c_str(), &end);
-            const bool plain = text.find_first_not_of("0123456789.eE+-") == std::string::npos;  // no hexadecimals, nan, infinity
-            good = plain && !text.empty() && *end == '\0' && std::isfinite(seconds) && seconds >= static_cast<double>(row.least) &&
-                   seconds <= static_cast<double>(row.most);
-        } else {
-            good = (row.kind == NumberRow::Kind::size ? parse_size(text, value) : parse_whole(text, value)) && value >= row.least &&
-                   value <= row.most;
-        }
-        if (good && row.kind == NumberRow::Kind::size) text = std::to_string(value);
-        return good ? "" : fmt::format("{}: {}", text, wanted_number(row));
-    }, "");
+    const auto row =
+        *std::find_if(numbers.begin(), numbers.end(), [&](const NumberRow& each) { return each.option == option; });
+    return CLI::Validator(
+        [row](std::string& text) -> std::string {
+            std::uint64_t value = 0;
+            bool good = false;
+            if (row.kind == NumberRow::Kind::seconds) {
+                char* end = nullptr;
+                const double seconds = std::strtod(text.c_str(), &end);
+                const bool plain =
+                    text.find_first_not_of("0123456789.eE+-") == std::string::npos;  // no hexadecimals, nan, infinity
+                good = plain && !text.empty() && *end == '\0' && std::isfinite(seconds) &&
+                       seconds >= static_cast<double>(row.least) && seconds <= static_cast<double>(row.most);
+            } else {
+                good = (row.kind == NumberRow::Kind::size ? parse_size(text, value) : parse_whole(text, value)) &&
+                       value >= row.least && value <= row.most;
+            }
+            if (good && row.kind == NumberRow::Kind::size) text = std::to_string(value);
+            return good ? "" : fmt::format("{}: {}", text, wanted_number(row));
+        },
+        "");
 }
 
 /// A name that is given is not empty: an empty one would stand for all.
-const CLI::Validator named([](std::string& text) { return text.empty() ? std::string("the name is empty") : std::string(); }, "");
+const CLI::Validator named(
+    [](std::string& text) { return text.empty() ? std::string("the name is empty") : std::string(); }, "");
 
 void add_color(CLI::App& app, Options& o) {
     const std::map<std::string, Color> colors{
         {"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}};
-    app.add_option("--color", o.color, "auto, always or never")->transform(CLI::CheckedTransformer(colors))->option_text("WHEN [auto]");
+    app.add_option("--color", o.color, "auto, always or never")
+        ->transform(CLI::CheckedTransformer(colors))
+        ->option_text("WHEN [auto]");
 }
 
 void add_limits(CLI::App& app, Options& o) {
-    app.add_option("--memory", o.memory_bytes, "memory bound of the program and its child processes, e.g. 4GiB; at most 3/4 of the machine's by default")
-        ->transform(number("--memory"))->option_text("SIZE [16GiB]");
-    app.add_option("--timeout", o.timeout_seconds, "time bound of the whole run in seconds; 0 for none")->check(number("--timeout"))->option_text("SECONDS [0]");
+    app.add_option(
+           "--memory", o.memory_bytes,
+           "memory bound of the program and its child processes, e.g. 4GiB; at most 3/4 of the machine's by default")
+        ->transform(number("--memory"))
+        ->option_text("SIZE [16GiB]");
+    app.add_option("--timeout", o.timeout_seconds, "time bound of the whole run in seconds; 0 for none")
+        ->check(number("--timeout"))
+        ->option_text("SECONDS [0]");
 }
 
 void add_validate(CLI::App& app, Options& o) {
-    const std::map<std::string, Format> formats{{"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}};
+    const std::map<std::string, Format> formats{
+        {"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}};
     add_color(app, o);
-    app.add_option("--format", o.format, "text, json or sarif")->transform(CLI::CheckedTransformer(formats))->option_text("FORMAT [text]");
+    app.add_option("--format", o.format, "text, json or sarif")
+        ->transform(CLI::CheckedTransformer(formats))
+        ->option_text("FORMAT [text]");
     app.add_flag("--fix", o.fix, "apply certain fixes to the files, then report the remaining findings");
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong");
     add_limits(app, o);
@@ -185,7 +203,9 @@ void add_common(CLI::App& app, Options& o) {
                    "threads of a check at most, used where its state space is wide; 0 for one for each core")
         ->check(number("--threads"))
         ->option_text("N [0]");
-    app.add_option("--max-states", o.max_states, "bound on states of a check")->check(number("--max-states"))->option_text("N [500000000]");
+    app.add_option("--max-states", o.max_states, "bound on states of a check")
+        ->check(number("--max-states"))
+        ->option_text("N [500000000]");
 }
 
 /// The code of a rule that warns, as the tables write it.
@@ -209,7 +229,9 @@ void add_warnings(CLI::App& app, Options& o) {
 void add_model(CLI::App& app, Options& o) {
     add_warnings(app, o);
     app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
-    app.add_option("--range", o.ranges, "carrier of nat, int or real; lengths of Seq, times of clock, elements of given")->option_text("TYPE=LOW..HIGH ...");
+    app.add_option("--range", o.ranges,
+                   "carrier of nat, int or real; lengths of Seq, times of clock, elements of given")
+        ->option_text("TYPE=LOW..HIGH ...");
     app.add_option("--print", o.print, "print a phase and stop")
         ->check(CLI::IsMember({"ast", "model", "ir", "script", "timed-script"}))
         ->option_text("PHASE {ast,model,ir,script,timed-script}");
@@ -235,18 +257,28 @@ void add_script(CLI::App& app, Options& o) {
 }
 
 void add_times(CLI::App& app, Options& o) {
-    auto* timed = app.add_flag_callback("--timed", [&o] { o.times = Times::timed; }, "only the timed semantics");
-    app.add_flag_callback("--untimed", [&o] { o.times = Times::untimed; }, "only the untimed semantics")->excludes(timed);
+    auto* timed = app.add_flag_callback(
+        "--timed", [&o] { o.times = Times::timed; }, "only the timed semantics");
+    app.add_flag_callback(
+           "--untimed", [&o] { o.times = Times::untimed; }, "only the untimed semantics")
+        ->excludes(timed);
     app.add_flag("--core", o.core, "also check the generated core assertions of every component");
     app.add_flag("--sizes", o.sizes, "print the number of states and transitions of every component");
 }
 
 void add_code(CLI::App& app, Options& o) {
-    app.add_option("--component", o.component, "only this module, controller or machine")->check(named)->option_text("NAME");
-    app.add_option_function<std::uint32_t>("--cycle", [&o](const std::uint32_t& units) {
-           o.cycle = units;
-           o.cycle_given = true;
-       }, "time units of one control cycle")->check(number("--cycle"))->option_text("N [1]");
+    app.add_option("--component", o.component, "only this module, controller or machine")
+        ->check(named)
+        ->option_text("NAME");
+    app.add_option_function<std::uint32_t>(
+           "--cycle",
+           [&o](const std::uint32_t& units) {
+               o.cycle = units;
+               o.cycle_given = true;
+           },
+           "time units of one control cycle")
+        ->check(number("--cycle"))
+        ->option_text("N [1]");
 }
 
 void add_strategy(CLI::App& app, Options& o) {
@@ -258,21 +290,29 @@ void add_strategy(CLI::App& app, Options& o) {
 }
 
 void add_target(CLI::App& app, Options& o) {
-    app.add_flag("--choices", o.choices, "code that asks its platform where the model leaves a choice (`pick`), instead of taking the first");
+    app.add_flag("--choices", o.choices,
+                 "code that asks its platform where the model leaves a choice (`pick`), instead of taking the first");
     app.add_option("--target", o.target, "a complete project, below DIR/TARGET/COMPONENT")
         ->check(CLI::IsMember({"library", "main", "ros2", "enki", "argos"}))
         ->option_text("TARGET {library,main,ros2,enki,argos}");
 }
 
 void add_out(CLI::App& app, Options& o) {
-    app.add_option_function<std::string>("--out", [&o](const std::string& dir) {
-           o.out = dir;
-           o.out_given = true;
-       }, "folder for the files written")->check(named)->option_text("DIR [out]");
+    app.add_option_function<std::string>(
+           "--out",
+           [&o](const std::string& dir) {
+               o.out = dir;
+               o.out_given = true;
+           },
+           "folder for the files written")
+        ->check(named)
+        ->option_text("DIR [out]");
 }
 
 void add_conform(CLI::App& app, Options& o) {
-    app.add_option("--traces", o.traces, "compare logs of runs with the model (docs/traces.md), and no generated code; files, or folders with .trace files")
+    app.add_option("--traces", o.traces,
+                   "compare logs of runs with the model (docs/traces.md), and no generated code; files, or folders "
+                   "with .trace files")
         ->allow_extra_args(false)
         ->option_text("FILE ...");
     app.add_option("--model", o.relation,
@@ -285,7 +325,9 @@ void add_conform(CLI::App& app, Options& o) {
     app.add_option("--walks", o.walks, "cycles of guided random walks where the state space is too large; 0 for none")
         ->check(number("--walks"))
         ->option_text("N [200000]");
-    app.add_option("--export", o.exported_code, "write all states of the code to this file, for other tools (.aut, .dot) or with the model for FDR (.csp)")
+    app.add_option(
+           "--export", o.exported_code,
+           "write all states of the code to this file, for other tools (.aut, .dot) or with the model for FDR (.csp)")
         ->check(named)
         ->option_text("FILE");
 }
@@ -295,15 +337,22 @@ void add_simulate(CLI::App& app, Options& o) {
     add_color(app, o);
     add_progress(app, o);
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
-    app.add_option("--trials", o.trials, "number of trials, instead of the scenario's")->check(number("--trials"))->option_text("N");
-    app.add_option("--seed", o.seed, "seed of the first trial, instead of the scenario's")->check(number("--seed"))->option_text("N");
+    app.add_option("--trials", o.trials, "number of trials, instead of the scenario's")
+        ->check(number("--trials"))
+        ->option_text("N");
+    app.add_option("--seed", o.seed, "seed of the first trial, instead of the scenario's")
+        ->check(number("--seed"))
+        ->option_text("N");
     app.add_option("--threads", o.threads, "parallel trials at most; 0 for one for each core")
         ->check(number("--threads"))
         ->option_text("N [0]");
     add_limits(app, o);
-    app.add_flag_callback("--no-pictures", [&o] { o.pictures = false; }, "write no tables and pictures");
+    app.add_flag_callback(
+        "--no-pictures", [&o] { o.pictures = false; }, "write no tables and pictures");
     app.add_flag("--monitor", o.monitor, "stop a trial where a robot does what its model does not allow");
-    app.add_option("--log", o.log, "write what every robot read and did in every cycle, for `conform --traces`")->check(named)->option_text("DIR");
+    app.add_option("--log", o.log, "write what every robot read and did in every cycle, for `conform --traces`")
+        ->check(named)
+        ->option_text("DIR");
     app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
     add_warnings(app, o);
     add_out(app, o);
@@ -336,10 +385,14 @@ void add_options(CLI::App& app, const VerbRow& row, Options& o) {
     add_model(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::emit_csp) add_times(app, o);
     if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::conform) add_checking(app, o);
-    if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::emit_monitor || row.verb == Verb::emit_tests || row.verb == Verb::conform) add_code(app, o);
+    if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::emit_monitor ||
+        row.verb == Verb::emit_tests || row.verb == Verb::conform)
+        add_code(app, o);
     if (row.verb == Verb::emit_tests)
-        app.add_option("--extra-states", o.extra_states, "states over control cycles that an implementation may have more than the model")
-            ->check(number("--extra-states"))->option_text("M [0]");
+        app.add_option("--extra-states", o.extra_states,
+                       "states over control cycles that an implementation may have more than the model")
+            ->check(number("--extra-states"))
+            ->option_text("M [0]");
     if (row.verb == Verb::conform) add_conform(app, o);
     if (row.verb == Verb::emit_cpp) add_target(app, o);
     if (row.verb == Verb::emit_cpp) add_strategy(app, o);
@@ -405,8 +458,10 @@ ir::InstantiationOptions instantiation_options(const Options& o, std::string& er
     ir::InstantiationOptions result;
     for (const std::string& text : o.constants) {
         const auto equals = text.find('=');
-        if (equals == std::string::npos || equals == 0) error = fmt::format("--const {}: expected NAME=VALUE", text);
-        else result.constants[text.substr(0, equals)] = text.substr(equals + 1);
+        if (equals == std::string::npos || equals == 0)
+            error = fmt::format("--const {}: expected NAME=VALUE", text);
+        else
+            result.constants[text.substr(0, equals)] = text.substr(equals + 1);
     }
     for (const std::string& text : o.ranges) {
         const auto equals = text.find('=');
@@ -415,10 +470,14 @@ ir::InstantiationOptions instantiation_options(const Options& o, std::string& er
         std::int64_t high = 0;
         const std::string_view view(text);
         const bool good = equals != std::string::npos && dots != std::string::npos && dots > equals &&
-                          parse_number(view.substr(equals + 1, dots - equals - 1), low) && parse_number(view.substr(dots + 2), high);
-        if (!good) error = fmt::format("--range {}: expected TYPE=LOW..HIGH", text);
-        else if (low > high) error = fmt::format("--range {}: the range is empty", text);
-        else result.ranges[text.substr(0, equals)] = {low, high};
+                          parse_number(view.substr(equals + 1, dots - equals - 1), low) &&
+                          parse_number(view.substr(dots + 2), high);
+        if (!good)
+            error = fmt::format("--range {}: expected TYPE=LOW..HIGH", text);
+        else if (low > high)
+            error = fmt::format("--range {}: the range is empty", text);
+        else
+            result.ranges[text.substr(0, equals)] = {low, high};
     }
     return result;
 }

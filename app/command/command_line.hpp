@@ -13,7 +13,7 @@ namespace robochart::app {
 struct Parsed {
     std::optional<Options> options;
     Exit exit = Exit::success;
-    std::string message;                  ///< help, version (to stdout) or a usage error (to stderr)
+    std::string message;  ///< help, version (to stdout) or a usage error (to stderr)
 };
 
 [[nodiscard]] Parsed parse_command_line(int argc, const char* const* argv);

@@ -24,7 +24,21 @@ enum class Exit : int {
     internal = 70,  ///< internal error
 };
 
-enum class Verb { verify, check, emit_csp, emit_cpp, emit_monitor, emit_tests, conform, cspm, explain, format, lsp, simulate, validate };
+enum class Verb {
+    verify,
+    check,
+    emit_csp,
+    emit_cpp,
+    emit_monitor,
+    emit_tests,
+    conform,
+    cspm,
+    explain,
+    format,
+    lsp,
+    simulate,
+    validate
+};
 enum class Format { text, json, sarif, plain, framed_json };
 enum class ProgressMode { automatic, json, never };
 enum class Color { automatic, always, never };
@@ -41,7 +55,7 @@ public:
 
 struct Options {
     Verb verb = Verb::verify;
-    std::vector<std::string> inputs;      ///< models (files or folders), scripts, or a rule code
+    std::vector<std::string> inputs;  ///< models (files or folders), scripts, or a rule code
     std::string out = "out";
     bool out_given = false;
     Format format = Format::text;
@@ -51,41 +65,41 @@ struct Options {
     bool show_internal = false;  ///< --trace: raw event traces with the text of a counterexample
     Times times = Times::both;
     bool core = false;
-    bool sizes = false;                   ///< check: how large the components' processes are
-    bool check = false;                   ///< format: write nothing, tell what would change
-    bool diff = false;                    ///< format: write nothing, show what would change
-    bool assertions = false;              ///< format: standard input is an assertion file
-    std::string assertion;                ///< only this one, "" for all
-    bool typecheck = false;               ///< cspm: names and types only
-    bool types = false;                   ///< cspm: print the types of the script's names and stop
-    bool brief = false;                   ///< cspm: no counterexamples
-    bool reveal_taus = false;             ///< cspm: hidden events by their names
-    bool split = false;                   ///< cspm: what each part did, however many they are
-    std::vector<std::string> exported;    ///< cspm: format and process to write out; empty: none
+    bool sizes = false;                 ///< check: how large the components' processes are
+    bool check = false;                 ///< format: write nothing, tell what would change
+    bool diff = false;                  ///< format: write nothing, show what would change
+    bool assertions = false;            ///< format: standard input is an assertion file
+    std::string assertion;              ///< only this one, "" for all
+    bool typecheck = false;             ///< cspm: names and types only
+    bool types = false;                 ///< cspm: print the types of the script's names and stop
+    bool brief = false;                 ///< cspm: no counterexamples
+    bool reveal_taus = false;           ///< cspm: hidden events by their names
+    bool split = false;                 ///< cspm: what each part did, however many they are
+    std::vector<std::string> exported;  ///< cspm: format and process to write out; empty: none
     ProgressMode progress = ProgressMode::automatic;
-    std::string component;                ///< emit cpp, conform: only this one
+    std::string component;  ///< emit cpp, conform: only this one
     std::uint32_t cycle = 1;
-    std::string target;                   ///< emit cpp: a project of this kind; "": the classes alone
-    std::string strategy = "auto";        ///< emit cpp: how the code finds what an event does
-    std::string print;                    ///< phase to print, "" for none
-    std::vector<std::string> constants;   ///< NAME=VALUE
-    std::vector<std::string> ranges;      ///< TYPE=LOW..HIGH
-    std::vector<std::string> allowed;     ///< codes of warnings not wanted
-    std::uint32_t trials = 0;             ///< simulate: instead of the scenario's; 0: as it says
-    std::optional<std::uint64_t> seed;    ///< simulate: instead of the scenario's
-    bool pictures = true;                 ///< simulate: write tables and pictures
-    bool monitor = false;                 ///< simulate: a monitor beside every controller
-    std::string log;                      ///< simulate: folder for logs of every robot, "" for none
-    std::uint64_t walks = 200'000;        ///< conform: cycles of random walks where the whole is too large; 0: none
+    std::string target;                  ///< emit cpp: a project of this kind; "": the classes alone
+    std::string strategy = "auto";       ///< emit cpp: how the code finds what an event does
+    std::string print;                   ///< phase to print, "" for none
+    std::vector<std::string> constants;  ///< NAME=VALUE
+    std::vector<std::string> ranges;     ///< TYPE=LOW..HIGH
+    std::vector<std::string> allowed;    ///< codes of warnings not wanted
+    std::uint32_t trials = 0;            ///< simulate: instead of the scenario's; 0: as it says
+    std::optional<std::uint64_t> seed;   ///< simulate: instead of the scenario's
+    bool pictures = true;                ///< simulate: write tables and pictures
+    bool monitor = false;                ///< simulate: a monitor beside every controller
+    std::string log;                     ///< simulate: folder for logs of every robot, "" for none
+    std::uint64_t walks = 200'000;       ///< conform: cycles of random walks where the whole is too large; 0: none
     std::string relation = "failures-divergences";  ///< conform --model
-    bool choices = false;                 ///< emit cpp --choices, conform --all-choices
-    std::uint32_t extra_states = 0;       ///< emit tests: that an implementation may have more than the model
-    std::string exported_code;            ///< conform: file for L(G), .aut, .dot or .csp; "" for none
-    std::vector<std::string> traces;      ///< conform: logs (files, folders) to compare with the model instead of code
+    bool choices = false;                           ///< emit cpp --choices, conform --all-choices
+    std::uint32_t extra_states = 0;                 ///< emit tests: that an implementation may have more than the model
+    std::string exported_code;                      ///< conform: file for L(G), .aut, .dot or .csp; "" for none
+    std::vector<std::string> traces;  ///< conform: logs (files, folders) to compare with the model instead of code
     bool cycle_given = false;
-    bool deny_warnings = false;           ///< a warning is as bad as an error
-    std::uint64_t memory_bytes = 0;       ///< 0: what `default_memory` says
-    double timeout_seconds = 0;           ///< of the whole run; 0: none
+    bool deny_warnings = false;      ///< a warning is as bad as an error
+    std::uint64_t memory_bytes = 0;  ///< 0: what `default_memory` says
+    double timeout_seconds = 0;      ///< of the whole run; 0: none
     std::uint64_t max_states = 500'000'000;
     unsigned threads = 0;  ///< 0: one a core
     Run* run = nullptr;    ///< the run that these options are of: its budget, and signals

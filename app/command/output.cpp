@@ -1,9 +1,9 @@
 #include "app/command/output.hpp"
 
-#include <cstdlib>
 #include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
+#include <cstdlib>
 
 #include <cerrno>
 #include <cstdio>
@@ -14,20 +14,27 @@
 namespace robochart::app {
 
 OutputError::OutputError(int cause)
-    : std::runtime_error(fmt::format("cannot write to standard output: {}", std::strerror(cause != 0 ? cause : EIO))), reader_gone_(cause == EPIPE) {}
+    : std::runtime_error(fmt::format("cannot write to standard output: {}", std::strerror(cause != 0 ? cause : EIO))),
+      reader_gone_(cause == EPIPE) {}
 
 Exit OutputError::report() const {
     if (!reader_gone_) print_error("robochart-verify: {}\n", what());
     return Exit::bad_input;
 }
 
-void print_text(std::string_view text) { print_styled(diagnostics::shown_lines(text)); }
+void print_text(std::string_view text) {
+    print_styled(diagnostics::shown_lines(text));
+}
 
-bool output_is_a_terminal() { return isatty(STDOUT_FILENO) == 1; }
+bool output_is_a_terminal() {
+    return isatty(STDOUT_FILENO) == 1;
+}
 
 void print_exact(std::string_view text) {
-    if (output_is_a_terminal()) print_text(text);
-    else print_styled(text);
+    if (output_is_a_terminal())
+        print_text(text);
+    else
+        print_styled(text);
 }
 
 void print_styled(std::string_view text) {
@@ -35,9 +42,13 @@ void print_styled(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) throw OutputError(errno);
 }
 
-void print_error_text(std::string_view text) { print_error_styled(diagnostics::shown_lines(text)); }
+void print_error_text(std::string_view text) {
+    print_error_styled(diagnostics::shown_lines(text));
+}
 
-void print_error_styled(std::string_view text) { (void)!std::fwrite(text.data(), 1, text.size(), stderr); }
+void print_error_styled(std::string_view text) {
+    (void)!std::fwrite(text.data(), 1, text.size(), stderr);
+}
 
 void finish_output() {
     errno = 0;

@@ -25,10 +25,11 @@ private:
     bool reader_gone_;
 };
 
-/// Text for people to standard output: control and invisible characters, which names of files and text of models may hold,
-/// are shown (diagnostics/escape.hpp), so that none reaches a terminal. Throws OutputError, as the others do.
+/// Text for people to standard output: control and invisible characters, which names of files and text of models may
+/// hold, are shown (diagnostics/escape.hpp), so that none reaches a terminal. Throws OutputError, as the others do.
 void print_text(std::string_view text);
-/// The same for what a program may read (JSON, scripts, formatted files, patches): as it is, unless it goes to a terminal.
+/// The same for what a program may read (JSON, scripts, formatted files, patches): as it is, unless it goes to a
+/// terminal.
 void print_exact(std::string_view text);
 /// The same for text with escape sequences of our own, in which what others wrote is shown already.
 void print_styled(std::string_view text);

@@ -19,15 +19,15 @@
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "checker/cspm/types/type_check.hpp"
+#include "diagnostics/files.hpp"
 #include "diagnostics/render.hpp"
 #include "diagnostics/spelling.hpp"
 #include "frontend/names/names.hpp"
 #include "frontend/project/project.hpp"
-#include "frontend/syntax/syntax_rules.hpp"
 #include "frontend/project/units.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
-#include "diagnostics/files.hpp"
 #include "semantics/rules.hpp"
 
 namespace robochart::app {
@@ -70,7 +70,8 @@ std::unique_ptr<Project> read(const Options& options) {
     return project;
 }
 
-ir::ComponentRef component(ir::ComponentKind kind, std::size_t index, const std::string& package, const std::string& name) {
+ir::ComponentRef component(ir::ComponentKind kind, std::size_t index, const std::string& package,
+                           const std::string& name) {
     ir::ComponentRef ref;
     ref.kind = kind;
     ref.definition = static_cast<std::uint32_t>(index);
@@ -84,7 +85,8 @@ std::vector<ir::ComponentRef> all_components(const ir::System& system) {
     for (std::size_t i = 0; i < system.modules.size(); ++i)
         all.push_back(component(ir::ComponentKind::module, i, system.modules[i].package, system.modules[i].name));
     for (std::size_t i = 0; i < system.controllers.size(); ++i)
-        all.push_back(component(ir::ComponentKind::controller, i, system.controllers[i].package, system.controllers[i].name));
+        all.push_back(
+            component(ir::ComponentKind::controller, i, system.controllers[i].package, system.controllers[i].name));
     for (std::size_t i = 0; i < system.machines.size(); ++i) {
         const ir::Machine& machine = system.machines[i];
         if (machine.kind == ir::MachineKind::state_machine)
@@ -99,7 +101,9 @@ namespace {
 
 using Time = std::chrono::steady_clock::time_point;
 
-double seconds_since(Time start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+double seconds_since(Time start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 void check_names(const std::vector<Part>& parts, const Options& options);
 
@@ -107,7 +111,8 @@ void check_names(const std::vector<Part>& parts, const Options& options);
 void find_shared_names(Project& project) {
     std::map<std::pair<ir::ComponentKind, std::string>, std::string> packages;
     for (const ir::ComponentRef& ref : all_components(project.system))
-        if (packages.try_emplace({ref.kind, ref.path}, ref.package).first->second != ref.package) project.shared_names.insert(ref.path);
+        if (packages.try_emplace({ref.kind, ref.path}, ref.package).first->second != ref.package)
+            project.shared_names.insert(ref.path);
 }
 
 /// Lowers the parts and makes them finite. A constant that is given belongs to the parts that have it; what none has is
@@ -128,9 +133,12 @@ void complete(const std::vector<Part>& parts, const Options& options) {
     for (const Part& part : parts) {
         if (!acceptable(*part.project, options)) continue;
         ir::InstantiationOptions wanted = given;
-        const auto has = [&](const Part& each, const std::string& name) { return ir::names_constant(each.project->system, name); };
+        const auto has = [&](const Part& each, const std::string& name) {
+            return ir::names_constant(each.project->system, name);
+        };
         std::erase_if(wanted.constants, [&](const auto& constant) {
-            const auto known = std::any_of(parts.begin(), parts.end(), [&](const Part& each) { return has(each, constant.first); });
+            const auto known =
+                std::any_of(parts.begin(), parts.end(), [&](const Part& each) { return has(each, constant.first); });
             return !has(part, constant.first) && (known || !lowered || &part != &parts.front());
         });
         all = make_finite(*part.project, options, wanted) && all;
@@ -141,7 +149,8 @@ void complete(const std::vector<Part>& parts, const Options& options) {
 /// The file that names a unit: its first model, or the assertions that make it another one.
 fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
     const auto path = [&](std::size_t file) { return whole.sources.path(whole.model->files[file]->source); };
-    const auto model = std::find_if(unit.files.begin(), unit.files.end(), [&](std::size_t file) { return path(file).ends_with(".rct"); });
+    const auto model = std::find_if(unit.files.begin(), unit.files.end(),
+                                    [&](std::size_t file) { return path(file).ends_with(".rct"); });
     return path(unit.again ? unit.files.back() : model == unit.files.end() ? unit.files.front() : *model);
 }
 
@@ -155,7 +164,8 @@ std::vector<std::string> names_of(const Project& whole, const std::vector<fronte
     for (const frontend::Unit& unit : units) {
         const fs::path file = naming_file(whole, unit).lexically_normal();
         std::string name = project_name(file.string());
-        if (called[name] > 1 && !unit.again && file.has_parent_path()) name = fmt::format("{}_{}", file.parent_path().filename().string(), name);
+        if (called[name] > 1 && !unit.again && file.has_parent_path())
+            name = fmt::format("{}_{}", file.parent_path().filename().string(), name);
         std::string unique = name;
         for (int number = 2; !taken.insert(unique).second; ++number) unique = fmt::format("{}_{}", name, number);
         names.push_back(unique);
@@ -164,7 +174,8 @@ std::vector<std::string> names_of(const Project& whole, const std::vector<fronte
 }
 
 /// The part that these files are.
-std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const std::string& name, const Options& options) {
+std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const std::string& name,
+                                 const Options& options) {
     auto part = std::make_unique<Project>(whole.texts);
     std::vector<diagnostics::SourceId> texts;
     for (const std::size_t file : unit.files) texts.push_back(whole.model->files[file]->source);
@@ -174,7 +185,8 @@ std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& uni
     // What is wrong with it is said with all in view: what was meant may be in another part.
     const std::set<diagnostics::SourceId> own(texts.begin(), texts.end());
     const auto wrong = [&](diagnostics::SourceId text) { return whole.diagnostics.has_errors_in(text); };
-    if (!part->diagnostics.ok() && std::any_of(own.begin(), own.end(), wrong)) part->diagnostics = whole.diagnostics.about(own);
+    if (!part->diagnostics.ok() && std::any_of(own.begin(), own.end(), wrong))
+        part->diagnostics = whole.diagnostics.about(own);
     return part;
 }
 
@@ -183,7 +195,8 @@ void label(const std::vector<Part>& parts) {
     std::map<std::string, std::set<const Project*>> owners;
     for (const Part& part : parts)
         if (!part.again)
-            for (const ir::ComponentRef& ref : all_components(part.project->system)) owners[ref.path].insert(part.project.get());
+            for (const ir::ComponentRef& ref : all_components(part.project->system))
+                owners[ref.path].insert(part.project.get());
     const auto clash = [](const auto& entry) { return entry.second.size() > 1; };
     if (std::none_of(owners.begin(), owners.end(), clash)) return;
     for (const Part& part : parts) {
@@ -208,7 +221,8 @@ std::vector<Part> apart(std::unique_ptr<Project> whole, const Options& options,
     if (!cannot_be_read(whole->diagnostics)) units = units_of(*whole->model);
     if (units.size() > 1) {
         const std::vector<std::string> names = names_of(*whole, units);
-        for (std::size_t i = 0; i < units.size(); ++i) parts.push_back({part_of(*whole, units[i], names[i], options), units[i].again});
+        for (std::size_t i = 0; i < units.size(); ++i)
+            parts.push_back({part_of(*whole, units[i], names[i], options), units[i].again});
     }
     if (parts.empty()) parts.push_back({std::move(whole), false});
     return parts;
@@ -250,12 +264,15 @@ csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::
         csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources, project.diagnostics);
     if (!project.diagnostics.ok()) return emission;
     if (!emission.captured.empty())
-        throw std::logic_error(fmt::format("the script takes {} for something of the model's", fmt::join(emission.captured, ", ")));
-    // What is written or checked is held to FDR's rules of types. Where the user wrote none of it, a finding is an internal error.
+        throw std::logic_error(
+            fmt::format("the script takes {} for something of the model's", fmt::join(emission.captured, ", ")));
+    // What is written or checked is held to FDR's rules of types. Where the user wrote none of it, a finding is an
+    // internal error.
     (void)cspm::check_types(emission.script, project.diagnostics);
     if (!project.diagnostics.ok() && project.system.csp_blocks.empty()) {
         diagnostics::TextStyle style;
-        throw std::logic_error(fmt::format("the script does not type check:\n{}", diagnostics::render_text(project.sources, project.diagnostics, style)));
+        throw std::logic_error(fmt::format("the script does not type check:\n{}",
+                                           diagnostics::render_text(project.sources, project.diagnostics, style)));
     }
     return emission;
 }
@@ -269,9 +286,12 @@ std::string file_name(const Project& project, const ir::ComponentRef& component)
 }
 
 bool write_output(Project& project, const Options& options, const std::string& path, const std::string& text) {
-    const std::string error = options.run->claim(path) ? diagnostics::write_below(options.out, path, text, project.diagnostics.budget())
-                                                       : fmt::format("{}/{}: this run has already written a file of this name, "
-                                                                     "for something else of the same name", options.out, path);
+    const std::string error = options.run->claim(path)
+                                  ? diagnostics::write_below(options.out, path, text, project.diagnostics.budget())
+                                  : fmt::format(
+                                        "{}/{}: this run has already written a file of this name, "
+                                        "for something else of the same name",
+                                        options.out, path);
     if (!error.empty()) project.diagnostics.report(rules::unwritable, {}, {error});
     return error.empty();
 }
@@ -289,16 +309,19 @@ namespace {
 
 /// What the options name exists in some part; else the first part says so.
 void check_names(const std::vector<Part>& parts, const Options& options) {
-    const auto unknown = [&](const char* option, const std::string& name, const char* what, std::vector<std::string> known) {
+    const auto unknown = [&](const char* option, const std::string& name, const char* what,
+                             std::vector<std::string> known) {
         const std::string meant = diagnostics::nearest(name, known);
         std::sort(known.begin(), known.end());
         known.erase(std::unique(known.begin(), known.end()), known.end());
         constexpr std::size_t few = 8;
-        const std::string help = !meant.empty() ? fmt::format("; did you mean '{}'?", meant)
-                                 : known.empty() ? "; it has none"
-                                 : known.size() <= few ? fmt::format("; there are {}", fmt::join(known, ", ")) : "";
-        parts.front().project->diagnostics.report(rules::bad_option, {},
-                                                  {fmt::format("{} {}: the model has no {} of this name{}", option, name, what, help)});
+        const std::string help = !meant.empty()        ? fmt::format("; did you mean '{}'?", meant)
+                                 : known.empty()       ? "; it has none"
+                                 : known.size() <= few ? fmt::format("; there are {}", fmt::join(known, ", "))
+                                                       : "";
+        parts.front().project->diagnostics.report(
+            rules::bad_option, {},
+            {fmt::format("{} {}: the model has no {} of this name{}", option, name, what, help)});
     };
     std::vector<std::string> components, assertions;
     bool found = options.component.empty();
@@ -312,22 +335,28 @@ void check_names(const std::vector<Part>& parts, const Options& options) {
                 if (kept.claims) assertions.push_back(kept.name);
     }
     if (!found) unknown("--component", options.component, "module, controller or state machine", std::move(components));
-    if (!options.assertion.empty() && std::find(assertions.begin(), assertions.end(), options.assertion) == assertions.end())
+    if (!options.assertion.empty() &&
+        std::find(assertions.begin(), assertions.end(), options.assertion) == assertions.end())
         unknown("--assertion", options.assertion, "assertion", std::move(assertions));
 }
 
 }  // namespace
 
 Exit refusal(const Project& project) {
-    const std::array about_options{&rules::bad_option,         &ir::rules::unknown_constant_option, &ir::rules::bad_constant_value,
-                                   &ir::rules::unknown_range_option, &ir::rules::bad_range,         &ir::rules::ranges_not_nested,
+    const std::array about_options{&rules::bad_option,
+                                   &ir::rules::unknown_constant_option,
+                                   &ir::rules::bad_constant_value,
+                                   &ir::rules::unknown_range_option,
+                                   &ir::rules::bad_range,
+                                   &ir::rules::ranges_not_nested,
                                    &ir::rules::range_too_large};
     const std::vector<diagnostics::Diagnostic> all = project.diagnostics.sorted();
     const auto about_the_model = [&](const diagnostics::Diagnostic& each) {
         return each.rule->severity == diagnostics::Severity::error &&
                std::find(about_options.begin(), about_options.end(), each.rule) == about_options.end();
     };
-    return project.diagnostics.ok() || std::any_of(all.begin(), all.end(), about_the_model) ? Exit::bad_input : Exit::usage;
+    return project.diagnostics.ok() || std::any_of(all.begin(), all.end(), about_the_model) ? Exit::bad_input
+                                                                                            : Exit::usage;
 }
 
 bool acceptable(const Project& project, const Options& options) {

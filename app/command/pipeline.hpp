@@ -16,12 +16,13 @@ namespace robochart::app {
 
 /// Everything known about the model of this run.
 struct Project {
-    explicit Project(std::shared_ptr<diagnostics::SourceManager> shared = std::make_shared<diagnostics::SourceManager>())
+    explicit Project(
+        std::shared_ptr<diagnostics::SourceManager> shared = std::make_shared<diagnostics::SourceManager>())
         : texts(std::move(shared)), sources(*texts) {}
 
-    std::string name;                 ///< of the first input, without folder and extension: names the files written
-    std::string label;                ///< in front of what is said of it: "NAME: " where parts have components of one name
-    std::string folder;               ///< below which its components' files go: "NAME/" there
+    std::string name;    ///< of the first input, without folder and extension: names the files written
+    std::string label;   ///< in front of what is said of it: "NAME: " where parts have components of one name
+    std::string folder;  ///< below which its components' files go: "NAME/" there
     std::shared_ptr<diagnostics::SourceManager> texts;
     diagnostics::SourceManager& sources;  ///< of all parts of a run
     diagnostics::Diagnostics diagnostics;
@@ -29,16 +30,16 @@ struct Project {
     ir::System system;
     ir::Instantiation instantiation;
     std::set<std::string> shared_names;  ///< that components of one kind in several of its packages have
-    double seconds = 0;               ///< reading, resolving, lowering
+    double seconds = 0;                  ///< reading, resolving, lowering
 };
 
-/// Reads the inputs, lowers them and makes them finite, as one. Stops after the first phase with errors; `diagnostics` has
-/// them, and what the options name and the model does not have.
+/// Reads the inputs, lowers them and makes them finite, as one. Stops after the first phase with errors; `diagnostics`
+/// has them, and what the options name and the model does not have.
 [[nodiscard]] std::unique_ptr<Project> load(const Options&);
 
-/// The inputs, part by part: what does not belong together is resolved and made finite apart (frontend/project/units.hpp), each
-/// part as if it were alone. One part where it all belongs together. A part with errors is not lowered or made finite;
-/// its diagnostics have them. What the options name has to be in some part.
+/// The inputs, part by part: what does not belong together is resolved and made finite apart
+/// (frontend/project/units.hpp), each part as if it were alone. One part where it all belongs together. A part with
+/// errors is not lowered or made finite; its diagnostics have them. What the options name has to be in some part.
 struct Part {
     std::unique_ptr<Project> project;
     bool again = false;  ///< its components are in a part before it too
@@ -55,11 +56,12 @@ struct Part {
 /// or the one of the name asked for (any kind). Empty with a diagnostic if there is none.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& wanted);
 
-/// A component's name in names of files and of generated code: letters, digits and underscores. Its package is part of it
-/// where components of other packages have its name.
+/// A component's name in names of files and of generated code: letters, digits and underscores. Its package is part of
+/// it where components of other packages have its name.
 [[nodiscard]] std::string file_name(const Project&, const ir::ComponentRef&);
 
-/// Writes a file below `--out`; false with a diagnostic where it cannot, or where this run has already written one of that name.
+/// Writes a file below `--out`; false with a diagnostic where it cannot, or where this run has already written one of
+/// that name.
 bool write_output(Project&, const Options&, const std::string& path, const std::string& text);
 
 /// The exit code of a run that ends with errors: wrong usage where all of them are about the command line.

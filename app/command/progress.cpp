@@ -1,9 +1,9 @@
 #include "app/command/progress.hpp"
 
-#include <nlohmann/json.hpp>
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -19,20 +19,24 @@ namespace rules {
 
 using diagnostics::Severity;
 
-const diagnostics::Rule bad_option{"RC-A01", Severity::error, "{}",
-                                   "The value given for an option of the command line does not fit: --const takes NAME=VALUE, "
-                                   "--range takes TYPE=LOW..HIGH with LOW at most HIGH, for example --range nat=0..4; "
-                                   "--component and --assertion name what the model has."};
-const diagnostics::Rule no_component{"RC-A02", Severity::error, "no component to generate code for: {}",
-                                     "C++ is generated for modules, controllers or state machines. The model has none."};
-const diagnostics::Rule unwritable{"RC-A03", Severity::error, "{}",
-                                   "A file could not be written, below the folder given with --out or, by `format`, in place: the folder "
-                                   "cannot be made, the file or folder is not writable, or the disk is full. Files written before it are "
-                                   "complete; the file itself is as it was."};
+const diagnostics::Rule bad_option{
+    "RC-A01", Severity::error, "{}",
+    "The value given for an option of the command line does not fit: --const takes NAME=VALUE, "
+    "--range takes TYPE=LOW..HIGH with LOW at most HIGH, for example --range nat=0..4; "
+    "--component and --assertion name what the model has."};
+const diagnostics::Rule no_component{
+    "RC-A02", Severity::error, "no component to generate code for: {}",
+    "C++ is generated for modules, controllers or state machines. The model has none."};
+const diagnostics::Rule unwritable{
+    "RC-A03", Severity::error, "{}",
+    "A file could not be written, below the folder given with --out or, by `format`, in place: the folder "
+    "cannot be made, the file or folder is not writable, or the disk is full. Files written before it are "
+    "complete; the file itself is as it was."};
 
-const diagnostics::Rule no_monitor{"RC-A04", Severity::error, "no cyclic automaton can be made for {}: {}",
-                                   "Monitors and test suites are made from the normal form of a component, all of it: its states must be few "
-                                   "enough, its inputs and outputs numbers, truth values and literals. Smaller carriers (--range) make it smaller."};
+const diagnostics::Rule no_monitor{
+    "RC-A04", Severity::error, "no cyclic automaton can be made for {}: {}",
+    "Monitors and test suites are made from the normal form of a component, all of it: its states must be few "
+    "enough, its inputs and outputs numbers, truth values and literals. Smaller carriers (--range) make it smaller."};
 
 }  // namespace rules
 
@@ -40,7 +44,8 @@ namespace {
 
 std::string upper(std::string_view text) {
     std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return result;
 }
 

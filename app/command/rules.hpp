@@ -9,10 +9,10 @@
 namespace robochart::app {
 
 namespace rules {
-extern const diagnostics::Rule bad_option;      ///< an option's value does not fit the model
-extern const diagnostics::Rule no_component;    ///< nothing to generate code for
-extern const diagnostics::Rule unwritable;      ///< a file could not be written
-extern const diagnostics::Rule no_monitor;      ///< a component without monitor or test suite
+extern const diagnostics::Rule bad_option;    ///< an option's value does not fit the model
+extern const diagnostics::Rule no_component;  ///< nothing to generate code for
+extern const diagnostics::Rule unwritable;    ///< a file could not be written
+extern const diagnostics::Rule no_monitor;    ///< a component without monitor or test suite
 }  // namespace rules
 
 /// Every rule of every component, by component, then in table order.

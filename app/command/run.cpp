@@ -1,9 +1,9 @@
 #include "app/command/run.hpp"
 
-#include <algorithm>
-#include <fstream>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <algorithm>
+#include <fstream>
 
 #include <chrono>
 #include <cstdio>
@@ -31,7 +31,8 @@ diagnostics::Limits limits_of(const Options& options) {
     limits.memory_bytes = options.memory_bytes > 0 ? options.memory_bytes : default_memory();
     // More than a year is for ever, and would not fit the clock.
     if (constexpr double year = 366.0 * 24 * 3600; options.timeout_seconds > 0 && options.timeout_seconds < year)
-        limits.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.timeout_seconds));
+        limits.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                             std::chrono::duration<double>(options.timeout_seconds));
     return limits;
 }
 
@@ -87,9 +88,9 @@ void Run::watch() {
     }
 }
 
-/// Programs that start this one send a signal to it and to its process group, so it may come twice at once: what follows
-/// within a moment is the same wish. SIGXCPU comes each second from the system's limit of processor time on: nobody is in
-/// a hurry.
+/// Programs that start this one send a signal to it and to its process group, so it may come twice at once: what
+/// follows within a moment is the same wish. SIGXCPU comes each second from the system's limit of processor time on:
+/// nobody is in a hurry.
 void Run::take(int signal) {
     constexpr std::chrono::milliseconds moment{100};
     if (signal == SIGXCPU) return budget_.interrupt();
@@ -143,8 +144,10 @@ Exit run_within(Run& run, const Options& options, const std::function<Exit(const
 Exit run_verb(int argc, const char* const* argv, const std::function<Exit(const Options&)>& verb) {
     const Parsed parsed = parse_command_line(argc, argv);
     if (!parsed.options) {
-        if (parsed.exit == Exit::success) print_text(parsed.message);
-        else print_error_text(parsed.message);
+        if (parsed.exit == Exit::success)
+            print_text(parsed.message);
+        else
+            print_error_text(parsed.message);
         return parsed.exit;
     }
     Options options = *parsed.options;
@@ -157,7 +160,8 @@ Exit run_verb(int argc, const char* const* argv, const std::function<Exit(const 
 
 }  // namespace
 
-int run_command(const char* program, int argc, const char* const* argv, const std::function<Exit(const Options&)>& verb) {
+int run_command(const char* program, int argc, const char* const* argv,
+                const std::function<Exit(const Options&)>& verb) {
     try {
         prepare_output();
         const Exit exit = run_verb(argc, argv, verb);
@@ -176,13 +180,15 @@ int run_command(const char* program, int argc, const char* const* argv, const st
         print_error("{}: {}{}\n", program, limit ? "" : "an internal error: ", error.what());
         return static_cast<int>(limit ? Exit::inconclusive : Exit::internal);
     } catch (const std::exception& error) {
-        print_error("{}: an internal error: {}\nplease report it with the model that shows it\n", program, error.what());
+        print_error("{}: an internal error: {}\nplease report it with the model that shows it\n", program,
+                    error.what());
         return static_cast<int>(Exit::internal);
     }
 }
 
 std::uint64_t default_memory() {
-    std::uint64_t bytes = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+    std::uint64_t bytes =
+        static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
     std::uint64_t group = 0;
     // Control groups, version 2; "max" where there is no limit.
     if (std::ifstream("/sys/fs/cgroup/memory.max") >> group && group > 0) bytes = std::min(bytes, group);

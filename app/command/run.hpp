@@ -1,7 +1,7 @@
-// One run of the command: its budget, and a thread that watches over it. The thread takes SIGINT, SIGTERM, SIGHUP and SIGXCPU, and
-// looks at the limits all the time. What is reached, every phase finds out by polling the budget, and the verb ends in
-// order. Should some work not poll for too long, the thread itself prints what is known and ends the program: a limit
-// does not depend on whoever should have polled. A second signal ends the program at once.
+// One run of the command: its budget, and a thread that watches over it. The thread takes SIGINT, SIGTERM, SIGHUP and
+// SIGXCPU, and looks at the limits all the time. What is reached, every phase finds out by polling the budget, and the
+// verb ends in order. Should some work not poll for too long, the thread itself prints what is known and ends the
+// program: a limit does not depend on whoever should have polled. A second signal ends the program at once.
 #pragma once
 
 #include <signal.h>
@@ -64,9 +64,10 @@ private:
     std::thread watcher_;
 };
 
-/// A program's whole life: reads the command line, runs the verb within its limits, and sees to it that what could not be
-/// written, or decided, is said. Returns the exit code.
-int run_command(const char* program, int argc, const char* const* argv, const std::function<Exit(const Options&)>& verb);
+/// A program's whole life: reads the command line, runs the verb within its limits, and sees to it that what could not
+/// be written, or decided, is said. Returns the exit code.
+int run_command(const char* program, int argc, const char* const* argv,
+                const std::function<Exit(const Options&)>& verb);
 
 /// 16 GiB, or three quarters of the memory that this machine or its control group has if that is less.
 [[nodiscard]] std::uint64_t default_memory();

@@ -19,8 +19,12 @@ std::string written(const diagnostics::SourceManager& sources, diagnostics::Span
 
 }  // namespace
 
-BoundWatch::BoundWatch(const Project& project, const csp_emit::Emission& emission, csp_emit::Time time, std::vector<BoundReport>& report)
-    : project_(project), emission_(emission), time_(time == csp_emit::Time::timed ? "timed" : "untimed"), report_(report) {}
+BoundWatch::BoundWatch(const Project& project, const csp_emit::Emission& emission, csp_emit::Time time,
+                       std::vector<BoundReport>& report)
+    : project_(project),
+      emission_(emission),
+      time_(time == csp_emit::Time::timed ? "timed" : "untimed"),
+      report_(report) {}
 
 cspm::CallObserver BoundWatch::observer() {
     return {emission_.bounded, [this](const cspm::ObservedCall& call) { note(call); }};
@@ -39,8 +43,10 @@ void BoundWatch::note(const cspm::ObservedCall& call) {
     const auto same = std::find_if(report_.begin(), report_.end(), [&](const BoundReport& other) {
         return other.place == bound.place && other.element == bound.element && other.text == bound.text;
     });
-    if (same == report_.end()) report_.push_back(std::move(bound));
-    else if (same->time != time_) same->time = "untimed, timed";
+    if (same == report_.end())
+        report_.push_back(std::move(bound));
+    else if (same->time != time_)
+        same->time = "untimed, timed";
 }
 
 }  // namespace robochart::app

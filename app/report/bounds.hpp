@@ -15,7 +15,8 @@ namespace robochart::app {
 /// Listens to the evaluation of one script.
 class BoundWatch {
 public:
-    BoundWatch(const Project& project, const csp_emit::Emission& emission, csp_emit::Time time, std::vector<BoundReport>& report);
+    BoundWatch(const Project& project, const csp_emit::Emission& emission, csp_emit::Time time,
+               std::vector<BoundReport>& report);
 
     [[nodiscard]] cspm::CallObserver observer();
 

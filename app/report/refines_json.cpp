@@ -111,7 +111,8 @@ private:
         if (counterexample_.kind != ViolationKind::trace || counterexample_.steps.empty()) return std::nullopt;
         return counterexample_.steps.size() - 1;
     }
-    /// A part has an entry for every step of the part above it, but for what was compressed, which has a run of its own.
+    /// A part has an entry for every step of the part above it, but for what was compressed, which has a run of its
+    /// own.
     static Offence offence_of(const process::Behaviour& part, const process::Behaviour& above, Offence offence) {
         if (!part.own_run || !offence) return offence;
         if (*offence >= above.trace.size() || above.trace[*offence] == process::no_event) return std::nullopt;

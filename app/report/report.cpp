@@ -13,12 +13,14 @@ namespace robochart::app {
 namespace {
 
 std::string_view answer_word(Answer answer) {
-    constexpr std::array<std::string_view, 6> words{"holds", "FAILS", "inconclusive", "no check", "error", "not checked"};
+    constexpr std::array<std::string_view, 6> words{"holds",    "FAILS", "inconclusive",
+                                                    "no check", "error", "not checked"};
     return words[static_cast<std::size_t>(answer)];
 }
 
 std::string_view outcome_word(conformance::Outcome outcome) {
-    constexpr std::array<std::string_view, 5> words{"conforms", "DIFFERS", "NOT SCHEDULABLE", "not generated", "inconclusive"};
+    constexpr std::array<std::string_view, 5> words{"conforms", "DIFFERS", "NOT SCHEDULABLE", "not generated",
+                                                    "inconclusive"};
     return words[static_cast<std::size_t>(outcome)];
 }
 
@@ -26,7 +28,8 @@ std::string duration(double seconds) {
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
 }
 
-void write_assertion(std::string& out, const AssertionReport& a, const std::string& subject, std::size_t width, const Options& options) {
+void write_assertion(std::string& out, const AssertionReport& a, const std::string& subject, std::size_t width,
+                     const Options& options) {
     if (options.quiet && a.answer == Answer::holds) return;
     out += fmt::format("  {:<12} {:<{}}", answer_word(a.answer), a.title, width);
     if (a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0)
@@ -35,10 +38,13 @@ void write_assertion(std::string& out, const AssertionReport& a, const std::stri
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
     if (!a.run && a.counterexample.empty()) return;
     const std::string claimed = a.place.empty() ? "" : fmt::format("claimed at {}; ", diagnostics::shown(a.place));
-    out += fmt::format("               {}the {} does:\n{}", claimed, subject, a.run ? runs::text(*a.run, indent_of_runs) : a.counterexample);
+    out += fmt::format("               {}the {} does:\n{}", claimed, subject,
+                       a.run ? runs::text(*a.run, indent_of_runs) : a.counterexample);
     if (!a.run) return;
-    const std::vector<std::string> raw(a.run->raw.begin(), a.run->raw.end() - static_cast<std::ptrdiff_t>(a.run->raw_loop));
-    if (options.show_internal && !raw.empty()) out += fmt::format("                 events <{}>\n", fmt::join(raw, ", "));
+    const std::vector<std::string> raw(a.run->raw.begin(),
+                                       a.run->raw.end() - static_cast<std::ptrdiff_t>(a.run->raw_loop));
+    if (options.show_internal && !raw.empty())
+        out += fmt::format("                 events <{}>\n", fmt::join(raw, ", "));
 }
 
 /// What the verdicts are about where it is less than the model.
@@ -46,14 +52,15 @@ void write_bounds(std::string& out, const std::vector<BoundReport>& bounds) {
     if (bounds.empty()) return;
     out += "\nbounds of the finite instantiation that were reached: the verdicts are about a smaller model\n";
     for (const BoundReport& bound : bounds)
-        out += fmt::format("  {}: {} [{}]{}\n", bound.element, bound.text, bound.time, bound.place.empty() ? "" : "   " + diagnostics::shown(bound.place));
+        out += fmt::format("  {}: {} [{}]{}\n", bound.element, bound.text, bound.time,
+                           bound.place.empty() ? "" : "   " + diagnostics::shown(bound.place));
 }
 
 void write_cycles(std::string& out, const std::vector<conformance::Cycle>& cycles) {
     for (std::size_t i = 0; i < cycles.size(); ++i) {
         const conformance::Cycle& cycle = cycles[i];
-        out += fmt::format("                 cycle {:<3} in {{{}}}  out <{}>  {}\n", i + 1, fmt::join(cycle.inputs, ", "),
-                           fmt::join(cycle.outputs, ", "), cycle.state);
+        out += fmt::format("                 cycle {:<3} in {{{}}}  out <{}>  {}\n", i + 1,
+                           fmt::join(cycle.inputs, ", "), fmt::join(cycle.outputs, ", "), cycle.state);
     }
 }
 
@@ -61,10 +68,12 @@ void write_cycles(std::string& out, const std::vector<conformance::Cycle>& cycle
 void write_asides(std::string& out, const conformance::Result& r) {
     if (r.register_cycles) {
         const conformance::Aside& once = *r.register_cycles;
-        out += fmt::format("               runs in register cycles: {}\n", once.holds ? "yes" : fmt::format("no, {}", once.reason));
+        out += fmt::format("               runs in register cycles: {}\n",
+                           once.holds ? "yes" : fmt::format("no, {}", once.reason));
         write_cycles(out, once.cycles);
     }
-    if (!r.register_cycles && r.outcome == conformance::Outcome::conforms) out += "               runs in register cycles: not decided\n";
+    if (!r.register_cycles && r.outcome == conformance::Outcome::conforms)
+        out += "               runs in register cycles: not decided\n";
     if (!r.deadlines || r.deadlines->holds) return;
     out += fmt::format("               may miss a deadline: yes, {}\n", r.deadlines->reason);
     write_cycles(out, r.deadlines->cycles);
@@ -86,23 +95,28 @@ void write_api_difference(std::string& out, const conformance::Result& r) {
 void write_conformance(std::string& out, const ConformanceReport& c, const Options& options) {
     const conformance::Result& r = c.result;
     if (options.quiet && r.outcome == conformance::Outcome::conforms) return;
-    out += fmt::format("  {:<12} {}: {} states, {} cycles of the code explored; {} states, {} transitions checked; {}\n",
-                       outcome_word(r.outcome), c.component, with_commas(r.code_states), with_commas(r.code_cycles), with_commas(r.product.states),
-                       with_commas(r.product.transitions), duration(c.seconds));
-    if (r.dispatched > 0) out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n", with_commas(r.dispatched));
+    out +=
+        fmt::format("  {:<12} {}: {} states, {} cycles of the code explored; {} states, {} transitions checked; {}\n",
+                    outcome_word(r.outcome), c.component, with_commas(r.code_states), with_commas(r.code_cycles),
+                    with_commas(r.product.states), with_commas(r.product.transitions), duration(c.seconds));
+    if (r.dispatched > 0)
+        out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n",
+                           with_commas(r.dispatched));
     if (!r.reason.empty()) out += fmt::format("               {}\n", r.reason);
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
     write_cycles(out, r.cycles);
     if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
     write_api_difference(out, r);
     write_asides(out, r);
-    if (options.show_internal && !r.raw.empty()) out += fmt::format("                 events <{}>\n", fmt::join(r.raw, ", "));
+    if (options.show_internal && !r.raw.empty())
+        out += fmt::format("                 events <{}>\n", fmt::join(r.raw, ", "));
 }
 
 void write_files(std::string& out, std::string_view title, const std::vector<FileReport>& files) {
     if (files.empty()) return;
     out += fmt::format("\n{}\n", title);
-    for (const FileReport& file : files) out += fmt::format("  {:<70} {:>9} bytes\n", diagnostics::shown(file.path), with_commas(file.bytes));
+    for (const FileReport& file : files)
+        out += fmt::format("  {:<70} {:>9} bytes\n", diagnostics::shown(file.path), with_commas(file.bytes));
 }
 
 std::string shown(const SizeReport::Size& size) {
@@ -114,24 +128,30 @@ void write_sizes(std::string& out, const std::vector<SizeReport>& sizes) {
     if (sizes.empty()) return;
     out += "\nsizes of the components, as they are and compressed\n";
     for (const SizeReport& size : sizes)
-        out += fmt::format("  {:<7} {:<45} {} {}\n", size.time, size.component, shown(size.process), shown(size.compressed));
+        out += fmt::format("  {:<7} {:<45} {} {}\n", size.time, size.component, shown(size.process),
+                           shown(size.compressed));
 }
 
 std::string closing(const Report& report) {
     const auto count = [&](Answer answer) {
-        return std::count_if(report.assertions.begin(), report.assertions.end(), [&](const auto& a) { return a.answer == answer; });
+        return std::count_if(report.assertions.begin(), report.assertions.end(),
+                             [&](const auto& a) { return a.answer == answer; });
     };
     std::vector<std::string> parts;
     if (!report.assertions.empty()) {
-        parts.push_back(fmt::format("{} of {} checks hold", count(Answer::holds), report.assertions.size() - static_cast<std::size_t>(count(Answer::no_check))));
+        parts.push_back(fmt::format("{} of {} checks hold", count(Answer::holds),
+                                    report.assertions.size() - static_cast<std::size_t>(count(Answer::no_check))));
         if (count(Answer::fails) > 0) parts.push_back(fmt::format("{} fail", count(Answer::fails)));
-        if (count(Answer::inconclusive) > 0) parts.push_back(fmt::format("{} inconclusive", count(Answer::inconclusive)));
+        if (count(Answer::inconclusive) > 0)
+            parts.push_back(fmt::format("{} inconclusive", count(Answer::inconclusive)));
         if (count(Answer::error) > 0) parts.push_back(fmt::format("{} cannot be evaluated", count(Answer::error)));
         if (count(Answer::unchecked) > 0) parts.push_back(fmt::format("{} not checked", count(Answer::unchecked)));
         if (count(Answer::no_check) > 0) parts.push_back(fmt::format("{} without a check", count(Answer::no_check)));
     }
     if (!report.conformance.empty()) {
-        const auto good = std::count_if(report.conformance.begin(), report.conformance.end(), [](const auto& c) { return c.result.outcome == conformance::Outcome::conforms; });
+        const auto good = std::count_if(report.conformance.begin(), report.conformance.end(), [](const auto& c) {
+            return c.result.outcome == conformance::Outcome::conforms;
+        });
         parts.push_back(fmt::format("{} of {} controllers conform", good, report.conformance.size()));
     }
     if (!report.refused.empty()) {
@@ -153,11 +173,16 @@ Exit Report::exit() const {
         return std::any_of(assertions.begin(), assertions.end(), [&](const auto& a) { return a.answer == answer; });
     };
     const auto code = [&](conformance::Outcome outcome) {
-        return std::any_of(conformance.begin(), conformance.end(), [&](const auto& c) { return c.result.outcome == outcome; });
+        return std::any_of(conformance.begin(), conformance.end(),
+                           [&](const auto& c) { return c.result.outcome == outcome; });
     };
-    if (nothing_checked || !refused.empty() || any(Answer::error) || code(conformance::Outcome::not_generated)) return Exit::bad_input;
-    if (any(Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::not_schedulable)) return Exit::failed;
-    if (!limit.empty() || any(Answer::inconclusive) || any(Answer::unchecked) || code(conformance::Outcome::inconclusive)) return Exit::inconclusive;
+    if (nothing_checked || !refused.empty() || any(Answer::error) || code(conformance::Outcome::not_generated))
+        return Exit::bad_input;
+    if (any(Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::not_schedulable))
+        return Exit::failed;
+    if (!limit.empty() || any(Answer::inconclusive) || any(Answer::unchecked) ||
+        code(conformance::Outcome::inconclusive))
+        return Exit::inconclusive;
     return Exit::success;
 }
 
@@ -165,11 +190,13 @@ std::string render_text(const Report& report, const Options& options) {
     std::string out;
     if (!options.quiet) {
         out += report.summary.empty() ? diagnostics::shown(report.model) + "\n"
-                                      : fmt::format("{}: {} ({})\n", diagnostics::shown(report.model), report.summary, duration(report.load_seconds));
+                                      : fmt::format("{}: {} ({})\n", diagnostics::shown(report.model), report.summary,
+                                                    duration(report.load_seconds));
         for (const std::string& note : report.notes) out += fmt::format("  {}\n", note);
     }
     std::size_t width = 0;
-    for (const AssertionReport& a : report.assertions) width = std::max(width, std::min<std::size_t>(a.title.size(), 80));
+    for (const AssertionReport& a : report.assertions)
+        width = std::max(width, std::min<std::size_t>(a.title.size(), 80));
     if (!report.assertions.empty() && !options.quiet) out += "\nassertions\n";
     for (const AssertionReport& a : report.assertions) write_assertion(out, a, report.subject, width, options);
     write_bounds(out, report.bounds);
@@ -183,7 +210,8 @@ std::string render_text(const Report& report, const Options& options) {
         write_files(out, "tests", report.test_files);
         for (const std::string& remark : report.remarks) out += fmt::format("  {}\n", remark);
     }
-    if (const std::string last = closing(report); !last.empty()) out += fmt::format("{}{}\n", options.quiet ? "" : "\n", last);
+    if (const std::string last = closing(report); !last.empty())
+        out += fmt::format("{}{}\n", options.quiet ? "" : "\n", last);
     return out;
 }
 

@@ -16,22 +16,22 @@ enum class Answer {
     holds,
     fails,
     inconclusive,
-    no_check,  ///< the claim has no check in this semantics; said, not counted as holding
-    error,     ///< the claim could not be evaluated: bad input
-    unchecked, ///< a claim of a kind that is not decided here: nothing is known of it
+    no_check,   ///< the claim has no check in this semantics; said, not counted as holding
+    error,      ///< the claim could not be evaluated: bad input
+    unchecked,  ///< a claim of a kind that is not decided here: nothing is known of it
 };
 
 /// Why something that was to be decided is inconclusive while nothing is known of it.
 inline constexpr const char* not_decided = "it was not decided before the limit";
 
 struct AssertionReport {
-    std::string title;      ///< "A1 [timed] AggregationFSM is deadlock-free"
-    std::string place;      ///< "aggregation.assertions:12"
+    std::string title;  ///< "A1 [timed] AggregationFSM is deadlock-free"
+    std::string place;  ///< "aggregation.assertions:12"
     Answer answer = Answer::inconclusive;
-    std::string reason;     ///< inconclusive, no_check, error
+    std::string reason;  ///< inconclusive, no_check, error
     refine::Statistics statistics;
-    std::optional<runs::Run> run;         ///< a model's counterexample
-    std::string counterexample;           ///< a script's, as text
+    std::optional<runs::Run> run;  ///< a model's counterexample
+    std::string counterexample;    ///< a script's, as text
 };
 
 /// Where the finite instantiation limited a value while assertions were checked.
@@ -73,21 +73,21 @@ struct RefusedReport {
 };
 
 struct Report {
-    std::string model;                    ///< the inputs as given
-    std::string summary;                  ///< "1 state machine, 2 operations, …"
+    std::string model;    ///< the inputs as given
+    std::string summary;  ///< "1 state machine, 2 operations, …"
     double load_seconds = 0;
-    std::vector<std::string> notes;       ///< scale of reals, carriers
-    std::string subject = "model";        ///< the subject of the sentences of a counterexample
+    std::vector<std::string> notes;  ///< scale of reals, carriers
+    std::string subject = "model";   ///< the subject of the sentences of a counterexample
     std::vector<AssertionReport> assertions;
     std::vector<BoundReport> bounds;
     std::vector<SizeReport> sizes;
     std::vector<ConformanceReport> conformance;
     std::vector<FileReport> csp_files, cpp_files, monitor_files, test_files;
-    std::vector<std::string> remarks;     ///< on the files written
+    std::vector<std::string> remarks;  ///< on the files written
     std::vector<RefusedReport> refused;
-    std::string unclaimed;                ///< said where no assertion was checked, though some were to be; "": some were
-    bool nothing_checked = false;         ///< and nothing else was done either
-    std::string limit;                    ///< why the run ended before everything was looked at; "" if it did not
+    std::string unclaimed;         ///< said where no assertion was checked, though some were to be; "": some were
+    bool nothing_checked = false;  ///< and nothing else was done either
+    std::string limit;             ///< why the run ended before everything was looked at; "" if it did not
 
     [[nodiscard]] Exit exit() const;
 };

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/report.hpp"
+#include "diagnostics/json.hpp"
 #include "runs/json.hpp"
 #include "runs/text.hpp"
-#include "diagnostics/json.hpp"
 
 namespace robochart::app {
 namespace {
@@ -13,7 +13,11 @@ namespace {
 using diagnostics::Json;
 
 Json statistics(const refine::Statistics& s) {
-    return {{"states", s.states}, {"transitions", s.transitions}, {"depth", s.depth}, {"specNodes", s.spec_nodes}, {"seconds", s.seconds}};
+    return {{"states", s.states},
+            {"transitions", s.transitions},
+            {"depth", s.depth},
+            {"specNodes", s.spec_nodes},
+            {"seconds", s.seconds}};
 }
 
 /// As text, as the script's events, and as data.
@@ -27,17 +31,23 @@ Json counterexample(const runs::Run& run) {
 
 Json assertion(const AssertionReport& a) {
     constexpr std::array<const char*, 6> words{"holds", "fails", "inconclusive", "no check", "error", "not checked"};
-    Json json{{"title", a.title}, {"place", a.place}, {"answer", words[static_cast<std::size_t>(a.answer)]}, {"statistics", statistics(a.statistics)}};
+    Json json{{"title", a.title},
+              {"place", a.place},
+              {"answer", words[static_cast<std::size_t>(a.answer)]},
+              {"statistics", statistics(a.statistics)}};
     if (!a.reason.empty()) json["reason"] = a.reason;
     if (a.run) json["counterexample"] = counterexample(*a.run);
     return json;
 }
 
-Json behaviour(const conformance::Behaviour& b) { return {{"outputs", b.outputs}, {"ends", b.ends}, {"state", b.state}}; }
+Json behaviour(const conformance::Behaviour& b) {
+    return {{"outputs", b.outputs}, {"ends", b.ends}, {"state", b.state}};
+}
 
 Json cycles(const std::vector<conformance::Cycle>& list) {
     Json json = Json::array();
-    for (const conformance::Cycle& cycle : list) json.push_back({{"inputs", cycle.inputs}, {"outputs", cycle.outputs}, {"state", cycle.state}});
+    for (const conformance::Cycle& cycle : list)
+        json.push_back({{"inputs", cycle.inputs}, {"outputs", cycle.outputs}, {"state", cycle.state}});
     return json;
 }
 
@@ -47,10 +57,13 @@ Json aside(const conformance::Aside& a) {
 }
 
 Json conformance_json(const ConformanceReport& c) {
-    constexpr std::array<const char*, 5> words{"conforms", "differs", "not schedulable", "not generated", "inconclusive"};
+    constexpr std::array<const char*, 5> words{"conforms", "differs", "not schedulable", "not generated",
+                                               "inconclusive"};
     const conformance::Result& r = c.result;
-    Json json{{"component", c.component}, {"outcome", words[static_cast<std::size_t>(r.outcome)]}, {"codeStates", r.code_states},
-              {"codeCycles", r.code_cycles}, {"dispatched", r.dispatched}, {"statistics", statistics(r.product)}, {"seconds", c.seconds}};
+    Json json{{"component", c.component},    {"outcome", words[static_cast<std::size_t>(r.outcome)]},
+              {"codeStates", r.code_states}, {"codeCycles", r.code_cycles},
+              {"dispatched", r.dispatched},  {"statistics", statistics(r.product)},
+              {"seconds", c.seconds}};
     if (!r.reason.empty()) json["reason"] = r.reason;
     if (!r.warnings.empty()) json["warnings"] = r.warnings;
     if (r.api_difference)
@@ -67,7 +80,9 @@ Json conformance_json(const ConformanceReport& c) {
     return json;
 }
 
-Json size(const SizeReport::Size& size) { return {{"states", size.states}, {"transitions", size.transitions}, {"whole", size.whole}}; }
+Json size(const SizeReport::Size& size) {
+    return {{"states", size.states}, {"transitions", size.transitions}, {"whole", size.whole}};
+}
 
 Json files(const std::vector<FileReport>& list) {
     Json json = Json::array();
@@ -78,7 +93,10 @@ Json files(const std::vector<FileReport>& list) {
 }  // namespace
 
 std::string render_json(const Report& report) {
-    Json json{{"schema", "robochart-verify/report/1"}, {"model", report.model}, {"summary", report.summary}, {"notes", report.notes},
+    Json json{{"schema", "robochart-verify/report/1"},
+              {"model", report.model},
+              {"summary", report.summary},
+              {"notes", report.notes},
               {"exit", static_cast<int>(report.exit())}};
     if (!report.unclaimed.empty()) json["unclaimed"] = report.unclaimed;
     if (!report.limit.empty()) json["limit"] = report.limit;
@@ -89,7 +107,10 @@ std::string render_json(const Report& report) {
         json["bounds"].push_back({{"element", b.element}, {"place", b.place}, {"text", b.text}, {"time", b.time}});
     if (!report.sizes.empty()) json["sizes"] = Json::array();
     for (const SizeReport& s : report.sizes)
-        json["sizes"].push_back({{"component", s.component}, {"time", s.time}, {"process", size(s.process)}, {"compressed", size(s.compressed)}});
+        json["sizes"].push_back({{"component", s.component},
+                                 {"time", s.time},
+                                 {"process", size(s.process)},
+                                 {"compressed", size(s.compressed)}});
     json["conformance"] = Json::array();
     for (const ConformanceReport& c : report.conformance) json["conformance"].push_back(conformance_json(c));
     json["cspFiles"] = files(report.csp_files);
@@ -98,7 +119,8 @@ std::string render_json(const Report& report) {
     if (!report.test_files.empty()) json["testFiles"] = files(report.test_files);
     if (!report.remarks.empty()) json["remarks"] = report.remarks;
     for (const RefusedReport& each : report.refused)
-        json["refused"].push_back({{"model", each.model}, {"diagnostics", Json::parse(each.diagnostics, nullptr, false)}});
+        json["refused"].push_back(
+            {{"model", each.model}, {"diagnostics", Json::parse(each.diagnostics, nullptr, false)}});
     // Names come from the user's files: bytes that are not UTF-8 are replaced rather than refused.
     return diagnostics::json_text(json, 2) + "\n";
 }

@@ -2,8 +2,8 @@
 #include "app/report/sizes.hpp"
 
 #include "app/command/limits.hpp"
-#include "app/report/state_space.hpp"
 #include "app/command/run.hpp"
+#include "app/report/state_space.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/process/operational_semantics.hpp"
 
@@ -27,10 +27,12 @@ SizeReport::Size size_of(cspm::Session& session, const cspm::ExprPtr& process, c
 
 }  // namespace
 
-void measure_sizes(const Project& project, cspm::Session& session, const csp_emit::Emission& emission, csp_emit::Time time, const Options& options, Report& report) {
+void measure_sizes(const Project& project, cspm::Session& session, const csp_emit::Emission& emission,
+                   csp_emit::Time time, const Options& options, Report& report) {
     for (const csp_emit::ComponentProcesses& component : emission.components) try {
             SizeReport size{project.label + component.path, time == csp_emit::Time::timed ? "timed" : "untimed",
-                            size_of(session, component.process, options), size_of(session, component.compressed, options)};
+                            size_of(session, component.process, options),
+                            size_of(session, component.compressed, options)};
             const auto edit = options.run->edit();
             report.sizes.push_back(std::move(size));
         } catch (const cspm::EvaluationError&) {

@@ -1,8 +1,8 @@
 // `check --sizes`: how many states and transitions the components of a script have.
 #pragma once
 
-#include "app/report/report.hpp"
 #include "app/command/pipeline.hpp"
+#include "app/report/report.hpp"
 #include "checker/cspm/session.hpp"
 #include "csp_emit/emit.hpp"
 

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "app/command/limits.hpp"
+#include "app/command/run.hpp"
 #include "app/report/bounds.hpp"
 #include "app/report/element_at.hpp"
-#include "app/command/run.hpp"
 #include "app/report/sizes.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
@@ -35,7 +35,8 @@ void add(refine::Statistics& sum, const refine::Statistics& one) {
     sum.seconds += one.seconds;
 }
 
-void take(const Context& context, const csp_emit::Obligation& obligation, const refine::Verdict& verdict, AssertionReport& report) {
+void take(const Context& context, const csp_emit::Obligation& obligation, const refine::Verdict& verdict,
+          AssertionReport& report) {
     add(report.statistics, verdict.statistics);
     if (verdict.outcome == refine::Outcome::inconclusive) {
         report.answer = Answer::inconclusive;
@@ -57,7 +58,8 @@ std::string said(const Project& project, const cspm::EvaluationError& error) {
 }
 
 /// One assertion of an obligation: its answer, with its counterexample where it fails.
-void decide_one(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion, AssertionReport& report) {
+void decide_one(const Context& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
+                AssertionReport& report) {
     report.answer = Answer::holds;
     try {
         take(context, obligation, context.session.check(assertion, limits(context.options)).verdict, report);
@@ -92,7 +94,8 @@ void decide(const Context& context, const csp_emit::Obligation& obligation, Asse
 
 bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
     if (context.options.assertion.empty()) return true;
-    return obligation.property != ir::no_id && context.project.system.properties[obligation.property].name == context.options.assertion;
+    return obligation.property != ir::no_id &&
+           context.project.system.properties[obligation.property].name == context.options.assertion;
 }
 
 /// The report lists everything to be decided from the beginning, as not decided.
@@ -103,7 +106,8 @@ void announce(const Context& context, Report& report) {
         AssertionReport one;
         one.title = context.project.label + obligation.title;
         if (obligation.property != ir::no_id)
-            one.place = context.project.sources.place(context.project.system.properties[obligation.property].origin.span);
+            one.place =
+                context.project.sources.place(context.project.system.properties[obligation.property].origin.span);
         one.answer = obligation.assertions.empty() ? Answer::no_check : Answer::inconclusive;
         one.reason = obligation.assertions.empty() ? obligation.reason : not_decided;
         report.assertions.push_back(std::move(one));
@@ -111,7 +115,8 @@ void announce(const Context& context, Report& report) {
 }
 
 /// A script that names what does not exist is bad input: reported once for all its claims.
-std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emission& emission, Time time, const Options& options, Report& report) {
+std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emission& emission, Time time,
+                                    const Options& options, Report& report) {
     try {
         return std::make_unique<cspm::Session>(emission.script, &options.run->budget());
     } catch (const cspm::EvaluationError& error) {
@@ -160,8 +165,9 @@ void report_unchecked(const Project& project, const Options& options, Report& re
             one.title = project.label + part.name;
             one.place = project.sources.place(part.span);
             one.answer = Answer::unchecked;
-            one.reason = fmt::format("{}: not checked: {}", diagnostics::shown(one.place),
-                                     part.probabilistic ? "probabilistic" : fmt::format("`{}` is of another tool", part.form));
+            one.reason =
+                fmt::format("{}: not checked: {}", diagnostics::shown(one.place),
+                            part.probabilistic ? "probabilistic" : fmt::format("`{}` is of another tool", part.form));
             const auto edit = options.run->edit();
             report.assertions.push_back(std::move(one));
         }

@@ -12,9 +12,9 @@
 #include "app/command/script.hpp"
 #include "app/report/script_report.hpp"
 #include "app/verbs/verbs.hpp"
+#include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/syntax/rules.hpp"
-#include "checker/cspm/session.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
@@ -33,7 +33,8 @@ Answer answer(refine::Outcome outcome) {
 std::string call_stack(const std::vector<std::string>& frames) {
     constexpr std::size_t shown = 8;
     std::string text;
-    for (std::size_t i = 0; i < frames.size() && i < shown; ++i) text += fmt::format("\n               in {}", frames[i]);
+    for (std::size_t i = 0; i < frames.size() && i < shown; ++i)
+        text += fmt::format("\n               in {}", frames[i]);
     if (frames.size() > shown) text += fmt::format("\n               and {} more", frames.size() - shown);
     return text;
 }
@@ -84,7 +85,8 @@ ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std:
         report.errors.emplace_back(limit.what());
     } catch (const cspm::EvaluationError& error) {
         report.answer = Answer::error;
-        report.errors.push_back(fmt::format("{}: {}{}", sources.place(error.span), error.what(), call_stack(error.stack)));
+        report.errors.push_back(
+            fmt::format("{}: {}{}", sources.place(error.span), error.what(), call_stack(error.stack)));
     }
     return report;
 }
@@ -97,7 +99,8 @@ AssertionReport in_report(const ScriptAssertion& assertion, const process::Event
     report.answer = assertion.answer;
     report.statistics = assertion.result.verdict.statistics;
     if (!assertion.errors.empty()) report.reason = assertion.errors.front();
-    if (assertion.result.verdict.counterexample && !options.brief) report.counterexample = counterexample_text(assertion, events, options);
+    if (assertion.result.verdict.counterexample && !options.brief)
+        report.counterexample = counterexample_text(assertion, events, options);
     return report;
 }
 
@@ -151,7 +154,8 @@ Exit check_types(const Options& options) {
 }
 
 /// `stopped`: whether a limit left one without its value.
-std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedScript& loaded, const Options& options, bool& stopped) {
+std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedScript& loaded, const Options& options,
+                                          bool& stopped) {
     const cspm::Script& script = loaded.script;
     const diagnostics::SourceManager& sources = loaded.sources;
     std::vector<ScriptPrint> result;
@@ -174,7 +178,8 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
 
 void show_prints(const ScriptReport& script, const Options& options) {
     if (options.quiet || options.format == Format::json || options.format == Format::framed_json) return;
-    for (const ScriptPrint& each : script.prints) print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
+    for (const ScriptPrint& each : script.prints)
+        print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
 }
 
 /// The findings as FDR's output has them: one text each.
@@ -190,11 +195,15 @@ bool wanted(const Options& options, std::size_t number) {
 }
 
 /// Prints what has been decided at once, in the formats that allow it.
-void decide_all(const LoadedScript& loaded, cspm::Session& session, const Options& options, ScriptReport& script, Report& report) {
+void decide_all(const LoadedScript& loaded, cspm::Session& session, const Options& options, ScriptReport& script,
+                Report& report) {
     const auto assertions = session.assertions();
     if (!options.assertion.empty() && std::stoull(options.assertion) > assertions.size())
-        throw UsageError(fmt::format("there is no assertion {}: {} has {}", options.assertion, script.path, assertions.size()));
-    if (assertions.empty() && script.prints.empty()) script.errors.push_back(fmt::format("{}: nothing to check: there are no assertions", diagnostics::shown(script.path)));
+        throw UsageError(
+            fmt::format("there is no assertion {}: {} has {}", options.assertion, script.path, assertions.size()));
+    if (assertions.empty() && script.prints.empty())
+        script.errors.push_back(
+            fmt::format("{}: nothing to check: there are no assertions", diagnostics::shown(script.path)));
     std::size_t at = report.assertions.size();
     {
         const auto edit = options.run->edit();
@@ -220,8 +229,10 @@ void decide_all(const LoadedScript& loaded, cspm::Session& session, const Option
             script.assertions.push_back(std::move(decided));
         }
         const auto edit = options.run->edit();  // the last word does not come in between
-        if (options.format == Format::plain) print_text(text);
-        else print_exact(text);
+        if (options.format == Format::plain)
+            print_text(text);
+        else
+            print_exact(text);
         finish_output();
     }
 }
@@ -279,8 +290,10 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
         decide_all(loaded, session, options, script, report);
         // Frames are of assertions; a script that only prints has one of its own.
         const bool frame = options.format == Format::framed_json && session.assertions().empty();
-        if (frame || options.format == Format::json) print_object(script, session.event_table(), options, known);
-        else if (json) print_last("", options, known);
+        if (frame || options.format == Format::json)
+            print_object(script, session.event_table(), options, known);
+        else if (json)
+            print_last("", options, known);
     } catch (const diagnostics::LimitReached& limit) {
         options.run->finish();
         script.errors.emplace_back(limit.what());
@@ -288,7 +301,8 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
         if (json) print_object(script, no_events, options, known);
         return Exit::inconclusive;
     } catch (const cspm::EvaluationError& error) {
-        script.errors.push_back(fmt::format("{}: {}", diagnostics::shown(loaded.sources.place(error.span)), error.what()));
+        script.errors.push_back(
+            fmt::format("{}: {}", diagnostics::shown(loaded.sources.place(error.span)), error.what()));
         if (json) print_object(script, no_events, options, known);
     }
     for (const std::string& error : script.errors) print_error("{}\n", error);
@@ -305,7 +319,8 @@ cspm::Script read_standard_input(LoadedScript& loaded) {
         loaded.diagnostics.report(cspm::rules::include_failed, {}, {"standard input", error});
         return whole;
     }
-    cspm::Script read = cspm::read(loaded.sources, loaded.sources.add("standard input", std::move(text)), loaded.diagnostics);
+    cspm::Script read =
+        cspm::read(loaded.sources, loaded.sources.add("standard input", std::move(text)), loaded.diagnostics);
     for (const cspm::DeclPtr& decl : read.decls) {
         if (decl->kind != cspm::DeclKind::include) {
             whole.decls.push_back(decl);
@@ -320,7 +335,8 @@ cspm::Script read_standard_input(LoadedScript& loaded) {
 }  // namespace
 
 void load_script(const std::string& path, LoadedScript& loaded) {
-    loaded.script = path == "-" ? read_standard_input(loaded) : cspm::read_file(loaded.sources, path, loaded.diagnostics);
+    loaded.script =
+        path == "-" ? read_standard_input(loaded) : cspm::read_file(loaded.sources, path, loaded.diagnostics);
     if (loaded.diagnostics.ok()) loaded.types = cspm::check_types(loaded.script, loaded.diagnostics);
 }
 
@@ -348,9 +364,12 @@ Exit run_cspm(const Options& options) {
         script.errors.push_back(why);
         const process::EventTable no_events;
         const bool json = options.format == Format::json || options.format == Format::framed_json;
-        if (options.format == Format::text) print_text(render_text(known->report, options));
-        else if (!json) print_error("robochart-verify: {}\n", why);
-        else if (!known->open.empty()) print_exact(refines_json(script, no_events, options));
+        if (options.format == Format::text)
+            print_text(render_text(known->report, options));
+        else if (!json)
+            print_error("robochart-verify: {}\n", why);
+        else if (!known->open.empty())
+            print_exact(refines_json(script, no_events, options));
         return known->report.exit();
     });
     Exit exit = Exit::success;

@@ -7,13 +7,13 @@
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
+#include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
+#include "app/verbs/write_files.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "conformance/testgen/test_suite.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
-#include "app/command/run.hpp"
-#include "app/verbs/write_files.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {
@@ -22,36 +22,39 @@ namespace {
 struct Made {
     std::vector<cpp_emit::OutputFile> files;
     std::size_t states = 0, tests = 0, cycles = 0;
-    bool adaptive = false;      ///< the model leaves a choice: tests that follow the implementation
+    bool adaptive = false;  ///< the model leaves a choice: tests that follow the implementation
 };
 
 std::string suite_summary(const Made& made, const Options& options, const ir::ComponentRef& component) {
     if (made.adaptive)
-        return fmt::format("{}: {} states over control cycles, with choices; the tests follow what the implementation does", component.path,
-                           made.states);
-    return fmt::format("{}: {} states over control cycles, {} more allowed; {} runs, {} cycles", component.path, made.states,
-                       options.extra_states, with_commas(made.tests), with_commas(made.cycles));
+        return fmt::format(
+            "{}: {} states over control cycles, with choices; the tests follow what the implementation does",
+            component.path, made.states);
+    return fmt::format("{}: {} states over control cycles, {} more allowed; {} runs, {} cycles", component.path,
+                       made.states, options.extra_states, with_commas(made.tests), with_commas(made.cycles));
 }
 
 /// Throws std::length_error where there is none.
 Made make(Project& project, const Options& options, const ir::ComponentRef& component, const refine::Limits& bounds) {
     std::string error;
-    const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component, options.cycle, bounds,
-                                                      project.sources, project.diagnostics, error);
+    const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component, options.cycle,
+                                                      bounds, project.sources, project.diagnostics, error);
     if (model == nullptr) throw std::length_error(error);
     const auto choices = conformance::choice_automaton(*model, bounds);
     const std::string name = file_name(project, component);
     const std::string qualified = ir::qualified(component);
     if (!choices.deterministic()) {
         Made made{conformance::adaptive_sources(name), choices.states(), 0, 0, true};
-        made.files.push_back({name + ".graph", conformance::choice_graph(choices, *model, qualified, options.extra_states)});
+        made.files.push_back(
+            {name + ".graph", conformance::choice_graph(choices, *model, qualified, options.extra_states)});
         return made;
     }
     const auto machine = conformance::cycle_automaton(*model, bounds);
     const auto tests = conformance::complete_suite(machine, options.extra_states);
     Made made{conformance::suite_sources(name), machine.states(), tests.size(), 0};
     for (const auto& test : tests) made.cycles += test.size();
-    made.files.push_back({name + ".trace", conformance::suite_log(machine, tests, *model, qualified, options.extra_states)});
+    made.files.push_back(
+        {name + ".trace", conformance::suite_log(machine, tests, *model, qualified, options.extra_states)});
     return made;
 }
 
@@ -59,7 +62,9 @@ Made make(Project& project, const Options& options, const ir::ComponentRef& comp
 
 bool write_tests(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
-    if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+    if (components.empty())
+        project.diagnostics.report(rules::no_component, {},
+                                   {options.component.empty() ? "the model" : options.component});
     for (const ir::ComponentRef& component : components) {
         const refine::Limits bounds = limits(options, "tests of " + component.path);
         std::string refused;

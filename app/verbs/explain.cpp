@@ -14,7 +14,9 @@ namespace robochart::app {
 namespace {
 
 std::string_view word(diagnostics::Severity severity) {
-    return severity == diagnostics::Severity::error ? "error" : severity == diagnostics::Severity::warning ? "warning" : "note";
+    return severity == diagnostics::Severity::error     ? "error"
+           : severity == diagnostics::Severity::warning ? "warning"
+                                                        : "note";
 }
 
 std::string upper_start(std::string_view code) {
@@ -39,7 +41,8 @@ std::string relatives(std::string_view code) {
 std::string from_table(const std::vector<const diagnostics::Rule*>& rules) {
     std::string text;
     for (const diagnostics::Rule* rule : rules)
-        text += fmt::format("{} ({}): {}\n\n{}\n\n", rule->code, word(rule->severity), rule->message, rule->explanation);
+        text +=
+            fmt::format("{} ({}): {}\n\n{}\n\n", rule->code, word(rule->severity), rule->message, rule->explanation);
     return text;
 }
 

@@ -3,18 +3,18 @@
 
 #include <cerrno>
 #include <iostream>
-#include <sstream>
 #include <memory>
+#include <sstream>
 
 #include "app/command/limits.hpp"
-#include "app/report/state_space.hpp"
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/command/script.hpp"
+#include "app/report/state_space.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
-#include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "checker/lts/graph.hpp"
 
 namespace robochart::app {
@@ -50,11 +50,10 @@ void write_script(const LoadedScript& loaded, const cspm::ExprPtr& process, cons
     const std::string text = cspm::print(definitions(loaded.script));
     const std::string original = cspm::print(process);
     const std::string name = fresh_name(text + original, "Explicit");
-    fmt::print(out, "-- {}: {} states, {} transitions, as {}.\n\n{}\n", original, graph.size(),
-               graph.edge_count(), name, text);
+    fmt::print(out, "-- {}: {} states, {} transitions, as {}.\n\n{}\n", original, graph.size(), graph.edge_count(),
+               name, text);
     lts::write_csp(graph, events, name, out);
-    fmt::print(out, "\n-- The two are equal.\nassert {0} [FD= {1}\nassert {1} [FD= {0}\n", "(" + original + ")",
-               name);
+    fmt::print(out, "\n-- The two are equal.\nassert {0} [FD= {1}\nassert {1} [FD= {0}\n", "(" + original + ")", name);
 }
 
 Exit export_from(LoadedScript& loaded, const Options& options) {
@@ -97,7 +96,8 @@ Exit export_process(const Options& options) {
         return Exit::usage;
     }
     options.run->last_word([&options](const std::string& why) {
-        print_error("robochart-verify: {} before all states of {} were known; nothing is written\n", why, options.exported[1]);
+        print_error("robochart-verify: {} before all states of {} were known; nothing is written\n", why,
+                    options.exported[1]);
         return Exit::inconclusive;
     });
     LoadedScript loaded;

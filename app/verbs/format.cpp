@@ -9,10 +9,10 @@
 #include <optional>
 #include <set>
 
-#include "app/report/diff.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/report/diff.hpp"
 #include "app/verbs/verbs.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"

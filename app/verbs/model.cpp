@@ -11,21 +11,23 @@
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
-#include "checker/cspm/syntax/reader.hpp"
 #include "app/verbs/write_files.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "cpp_emit/emit.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/files.hpp"
+#include "diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "semantics/ir/dump.hpp"
-#include "semantics/lower/lower.hpp"
-#include "diagnostics/render.hpp"
 #include "semantics/ir/query.hpp"
+#include "semantics/lower/lower.hpp"
 
 namespace robochart::app {
 namespace {
 
-std::string count(std::size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+std::string count(std::size_t n, std::string_view what) {
+    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
 
 std::string summary(const std::vector<Part>& parts) {
     std::size_t modules = 0, controllers = 0, machines = 0, operations = 0, assertions = 0;
@@ -38,8 +40,9 @@ std::string summary(const std::vector<Part>& parts) {
         for (const ir::Machine& machine : system.machines)
             ++(machine.kind == ir::MachineKind::operation ? operations : machines);
     }
-    return fmt::format("{}, {}, {}, {}, {}", count(modules, "module"), count(controllers, "controller"), count(machines, "state machine"),
-                       count(operations, "operation"), count(assertions, "assertion"));
+    return fmt::format("{}, {}, {}, {}, {}", count(modules, "module"), count(controllers, "controller"),
+                       count(machines, "state machine"), count(operations, "operation"),
+                       count(assertions, "assertion"));
 }
 
 std::string range(const std::vector<std::int64_t>& carrier) {
@@ -53,7 +56,8 @@ std::vector<std::string> notes(const ir::Instantiation& i) {
     result.push_back(fmt::format("finite instantiation: nat {}, int {}, real {}, clocks 0..{}", range(i.nat),
                                  range(i.integer), reals, i.clock_bound));
     const ir::Instantiation usual;
-    if (i.sequence_bound != usual.sequence_bound) result.back() += fmt::format(", sequences of at most {}", i.sequence_bound);
+    if (i.sequence_bound != usual.sequence_bound)
+        result.back() += fmt::format(", sequences of at most {}", i.sequence_bound);
     if (i.given_size != usual.given_size) result.back() += fmt::format(", given types of {}", i.given_size);
     return result;
 }
@@ -68,19 +72,21 @@ std::vector<std::string> notes(const std::vector<Part>& parts) {
         return notes(project->instantiation) == notes(finite.front()->instantiation);
     });
     for (const Project* project : finite) {
-        for (const std::string& note : notes(project->instantiation)) result.push_back(same ? note : fmt::format("{}: {}", project->name, note));
+        for (const std::string& note : notes(project->instantiation))
+            result.push_back(same ? note : fmt::format("{}: {}", project->name, note));
         if (same) break;
     }
     return result;
 }
 
 /// The normal form as a script for FDR: it includes the timed semantics that the other files hold.
-bool write_normal_form(Project& project, const Options& options, const ir::ComponentRef& component, const std::string& text, Report& report) {
+bool write_normal_form(Project& project, const Options& options, const ir::ComponentRef& component,
+                       const std::string& text, Report& report) {
     struct Script {
         std::string path, text;
     };
-    const Script script{fmt::format("csp-gen/timed/{}{}_normal_form.csp", project.label.empty() ? "" : project.name + "_",
-                                    file_name(project, component)),
+    const Script script{fmt::format("csp-gen/timed/{}{}_normal_form.csp",
+                                    project.label.empty() ? "" : project.name + "_", file_name(project, component)),
                         fmt::format("include \"{}.csp\"\n\n{}", project.name, text)};
     return write_all("", std::vector<Script>{script}, report.csp_files, options, project);
 }
@@ -97,9 +103,11 @@ conformance::Export export_format(const std::string& path) {
 
 /// All states of the code, where they are known.
 bool write_code_graph(Project& project, const Options& options, conformance::Result& result, Report& report) {
-    std::string error = result.exported.empty() ? fmt::format("--export {}: nothing is written, {}", options.exported_code,
-                                                              result.export_failure.empty() ? "there is no code" : result.export_failure)
-                                                : diagnostics::replace_file(options.exported_code, result.exported, project.diagnostics.budget());
+    std::string error =
+        result.exported.empty()
+            ? fmt::format("--export {}: nothing is written, {}", options.exported_code,
+                          result.export_failure.empty() ? "there is no code" : result.export_failure)
+            : diagnostics::replace_file(options.exported_code, result.exported, project.diagnostics.budget());
     if (error.empty()) {
         const auto edit = options.run->edit();
         report.csp_files.push_back({options.exported_code, result.exported.size()});
@@ -116,24 +124,29 @@ bool export_fits(Project& project, const Options& options, std::size_t component
     if (named && components == 1) return true;
     project.diagnostics.report(rules::bad_option, {},
                                {fmt::format("--export {}: {}", options.exported_code,
-                                            named ? "there are several components, name one with --component" : "the file's name ends in .aut, .dot or .csp")});
+                                            named ? "there are several components, name one with --component"
+                                                  : "the file's name ends in .aut, .dot or .csp")});
     return false;
 }
 
 /// Where the files of a component go: "cpp/C/", of a project "ros2/C/".
 std::string cpp_folder(const Project& project, const Options& options, const ir::ComponentRef& component) {
-    return fmt::format("{}/{}{}/", options.target.empty() ? "cpp" : options.target, project.folder, file_name(project, component));
+    return fmt::format("{}/{}{}/", options.target.empty() ? "cpp" : options.target, project.folder,
+                       file_name(project, component));
 }
 
 cpp_emit::Target target_of(const std::string& name) {
     using cpp_emit::Target;
-    static const std::map<std::string, Target> targets{
-        {"", Target::sources}, {"library", Target::library}, {"main", Target::main}, {"ros2", Target::ros2}, {"enki", Target::enki}, {"argos", Target::argos}};
+    static const std::map<std::string, Target> targets{{"", Target::sources},  {"library", Target::library},
+                                                       {"main", Target::main}, {"ros2", Target::ros2},
+                                                       {"enki", Target::enki}, {"argos", Target::argos}};
     return targets.at(name);
 }
 
 cpp_emit::Strategy strategy_of(const std::string& name) {
-    return name == "switch" ? cpp_emit::Strategy::nested_switch : name == "table" ? cpp_emit::Strategy::table : cpp_emit::Strategy::automatic;
+    return name == "switch"  ? cpp_emit::Strategy::nested_switch
+           : name == "table" ? cpp_emit::Strategy::table
+                             : cpp_emit::Strategy::automatic;
 }
 
 /// What the report begins with. Before, it knows its model's name.
@@ -146,8 +159,10 @@ void begin(const std::vector<Part>& parts, const Options& options, Report& repor
 
 /// The report so far.
 Exit print_report(const Report& report, const Options& options) {
-    if (options.format == Format::json) print_exact(render_json(report));
-    else print_text(render_text(report, options));
+    if (options.format == Format::json)
+        print_exact(render_json(report));
+    else
+        print_text(render_text(report, options));
     return report.exit();
 }
 
@@ -173,7 +188,8 @@ bool write_csp(Project& project, const Options& options, Report& report) {
         if (skipped) continue;
         const csp_emit::Emission emission = emit_csp(project, options, time);
         if (!project.diagnostics.ok()) return false;
-        if (!write_all("", csp_emit::files(emission, time, project.name), report.csp_files, options, project)) return false;
+        if (!write_all("", csp_emit::files(emission, time, project.name), report.csp_files, options, project))
+            return false;
     }
     return true;
 }
@@ -181,7 +197,8 @@ bool write_csp(Project& project, const Options& options, Report& report) {
 bool write_cpp(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
     if (components.empty()) {
-        project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+        project.diagnostics.report(rules::no_component, {},
+                                   {options.component.empty() ? "the model" : options.component});
         return false;
     }
     cpp_emit::Options generator;
@@ -192,16 +209,20 @@ bool write_cpp(Project& project, const Options& options, Report& report) {
     generator.choices = options.choices;
     generator.explored = false;
     for (const ir::ComponentRef& component : components) {
-        const cpp_emit::Emission emission = cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
+        const cpp_emit::Emission emission =
+            cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
         if (!project.diagnostics.ok()) return false;
-        if (!write_all(cpp_folder(project, options, component), emission.files, report.cpp_files, options, project)) return false;
+        if (!write_all(cpp_folder(project, options, component), emission.files, report.cpp_files, options, project))
+            return false;
     }
     return true;
 }
 
 void check_conformance(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
-    if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+    if (components.empty())
+        project.diagnostics.report(rules::no_component, {},
+                                   {options.component.empty() ? "the model" : options.component});
     if (!export_fits(project, options, components.size())) return;
     const std::size_t first = report.conformance.size();
     {
@@ -213,7 +234,8 @@ void check_conformance(Project& project, const Options& options, Report& report)
     }
     for (std::size_t i = 0; i < components.size(); ++i) {
         const ir::ComponentRef& component = components[i];
-        const diagnostics::Budget::Phase phase(options.run->budget(), "checking the code of " + ir::qualified(component));
+        const diagnostics::Budget::Phase phase(options.run->budget(),
+                                               "checking the code of " + ir::qualified(component));
         const auto start = std::chrono::steady_clock::now();
         conformance::Options wanted;
         wanted.cycle_length = options.cycle;
@@ -224,9 +246,11 @@ void check_conformance(Project& project, const Options& options, Report& report)
         wanted.exported = export_format(options.exported_code);
         ConformanceReport one;
         one.component = project.label + ir::qualified(component);
-        one.result = conformance::conform(project.system, project.instantiation, component, wanted, project.sources, project.diagnostics);
+        one.result = conformance::conform(project.system, project.instantiation, component, wanted, project.sources,
+                                          project.diagnostics);
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        const bool exported = options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
+        const bool exported =
+            options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
         if (exported && !write_normal_form(project, options, component, one.result.normal_form, report)) return;
         if (!options.exported_code.empty() && !write_code_graph(project, options, one.result, report)) return;
         const auto edit = options.run->edit();
@@ -248,8 +272,8 @@ void note_nothing(const Options& options, Report& report) {
 
 /// Whether a part has what the verb is about. Of several parts one may have types alone: no code is made of it.
 bool concerns(const Part& part, const std::vector<Part>& parts, const Options& options) {
-    const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor || options.verb == Verb::emit_tests ||
-                      options.verb == Verb::conform;
+    const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
+                      options.verb == Verb::emit_tests || options.verb == Verb::conform;
     const bool some = !code_components(part.project->system, options.component).empty();
     return some || (options.component.empty() && (!code || parts.size() == 1));
 }
@@ -259,15 +283,18 @@ bool concerns(const Part& part, const std::vector<Part>& parts, const Options& o
 bool show_all(const std::vector<Part>& parts, const Options& options) {
     bool good = true;
     for (const Part& part : parts)
-        if (parts.size() == 1 || options.format != Format::json) good = show_diagnostics(*part.project, options) && good;
-        else good = acceptable(*part.project, options) && good;
+        if (parts.size() == 1 || options.format != Format::json)
+            good = show_diagnostics(*part.project, options) && good;
+        else
+            good = acceptable(*part.project, options) && good;
     return good;
 }
 
 /// The first part that is refused because the command line is wrong; else, of a single part, because it is.
 const Project* hopeless(const std::vector<Part>& parts, const Options& options) {
     for (const Part& part : parts)
-        if (!acceptable(*part.project, options) && (parts.size() == 1 || refusal(*part.project) == Exit::usage)) return part.project.get();
+        if (!acceptable(*part.project, options) && (parts.size() == 1 || refusal(*part.project) == Exit::usage))
+            return part.project.get();
     return nullptr;
 }
 
@@ -276,7 +303,8 @@ void note_refused(const std::vector<Part>& parts, const Options& options, Report
     report.refused.clear();
     for (const Part& part : parts)
         if (!acceptable(*part.project, options))
-            report.refused.push_back({part.project->name, diagnostics::render_json(part.project->sources, part.project->diagnostics)});
+            report.refused.push_back(
+                {part.project->name, diagnostics::render_json(part.project->sources, part.project->diagnostics)});
 }
 
 /// A verb whose answer is a report, over all parts. A part with errors is refused, and the others are judged.
@@ -291,7 +319,8 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
         some = true;
         Options wanted = options;
         if (part.again) wanted.core = false;
-        const bool code = !part.again && (parts.size() == 1 || !code_components(part.project->system, options.component).empty());
+        const bool code =
+            !part.again && (parts.size() == 1 || !code_components(part.project->system, options.component).empty());
         (void)run_phases(*part.project, wanted, code, report);
     }
     if (!some) parts.front().project->diagnostics.report(rules::no_component, {}, {"the models"});
@@ -342,7 +371,8 @@ Exit print_phases(const std::vector<Part>& parts, const Options& options) {
 
 /// Logs are of any of the parts, so all have to be in order.
 Exit compare_traces(const std::vector<Part>& parts, const Options& options, Report& report) {
-    const auto refused = std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return !acceptable(*part.project, options); });
+    const auto refused =
+        std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return !acceptable(*part.project, options); });
     if (refused != parts.end()) {
         (void)show_diagnostics(*refused->project, options);
         return refusal(*refused->project);

@@ -10,18 +10,18 @@
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
-#include "app/verbs/verbs.hpp"
-#include "checker/cspm/eval/evaluation_error.hpp"
 #include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
+#include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/process/term.hpp"
 
 namespace robochart::app {
 namespace {
 
 /// The tables of one component; null with a diagnostic.
-std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options& options, const ir::ComponentRef& component,
-                                                 std::uint32_t cycle_length) {
+std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options& options,
+                                                 const ir::ComponentRef& component, std::uint32_t cycle_length) {
     const auto refuse = [&](const std::string& why) {
         project.diagnostics.report(rules::no_monitor, {}, {component.path, why});
         return nullptr;
@@ -29,8 +29,9 @@ std::unique_ptr<conformance::MonitorBuild> build(Project& project, const Options
     const refine::Limits bounds = limits(options, "monitor of " + component.path);
     try {
         std::string error;
-        const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component, cycle_length, bounds,
-                                                          project.sources, project.diagnostics, error);
+        const auto model =
+            conformance::CyclicModel::load(project.system, project.instantiation, component, cycle_length, bounds,
+                                           project.sources, project.diagnostics, error);
         if (model == nullptr) return refuse(error);
         return conformance::MonitorBuild::make(*model, bounds, project.sources);
     } catch (const std::length_error& large) {
@@ -58,7 +59,8 @@ public:
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;
 
-    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result result) override {
+    void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
+               rc_drive_result result) override {
         if (other_ != nullptr) other_->cycle(robot, step, inputs, outputs, result);
         if (robot >= monitors_.size()) monitors_.resize(robot + 1, Monitor(all_.build_->tables()));
         if (result != RC_DRIVE_QUIESCENT && ended_before(robot)) return;
@@ -66,7 +68,9 @@ public:
         if (monitors_[robot].verdict() == MonitorVerdict::violated) object(monitors_[robot]);
     }
 
-    [[nodiscard]] const simulation::Objection* objection() const override { return objection_.cause.empty() ? nullptr : &objection_; }
+    [[nodiscard]] const simulation::Objection* objection() const override {
+        return objection_.cause.empty() ? nullptr : &objection_;
+    }
 
 private:
     /// What terminated says so in every cycle from then on.
@@ -105,12 +109,15 @@ void Monitors::give_back(std::unique_ptr<conformance::CycleCache> cycles) {
 }
 
 Monitors::Maker Monitors::beside(Maker other) {
-    return [this, other = std::move(other)](std::uint32_t trial) { return std::make_unique<Watch>(*this, other ? other(trial) : nullptr); };
+    return [this, other = std::move(other)](std::uint32_t trial) {
+        return std::make_unique<Watch>(*this, other ? other(trial) : nullptr);
+    };
 }
 
 std::string Monitors::note() const {
     const auto& tables = build_->tables();
-    std::string text = fmt::format("  monitors: {} states, {} columns; {} robots watched", tables.states, tables.columns, robots_.load());
+    std::string text = fmt::format("  monitors: {} states, {} columns; {} robots watched", tables.states,
+                                   tables.columns, robots_.load());
     if (lost_ > 0)
         text +=
             fmt::format(", {} of them not to the end: they left the finite instantiation of the model", lost_.load());
@@ -125,7 +132,9 @@ std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& o
 
 bool write_monitors(Project& project, const Options& options, Report& report) {
     const auto components = code_components(project.system, options.component);
-    if (components.empty()) project.diagnostics.report(rules::no_component, {}, {options.component.empty() ? "the model" : options.component});
+    if (components.empty())
+        project.diagnostics.report(rules::no_component, {},
+                                   {options.component.empty() ? "the model" : options.component});
     for (const ir::ComponentRef& component : components) {
         const auto made = build(project, options, component, options.cycle);
         if (made == nullptr) return false;
@@ -133,8 +142,9 @@ bool write_monitors(Project& project, const Options& options, Report& report) {
         const auto files = conformance::monitor_files(made->tables(), file_name(project, component));
         if (!write_all(below, files, report.monitor_files, options, project)) return false;
         const auto edit = options.run->edit();
-        report.remarks.push_back(fmt::format("{}{}: {} states, {} columns, {} bytes of table", project.label, component.path,
-                                             made->tables().states, made->tables().columns, with_commas(made->bytes())));
+        report.remarks.push_back(fmt::format("{}{}: {} states, {} columns, {} bytes of table", project.label,
+                                             component.path, made->tables().states, made->tables().columns,
+                                             with_commas(made->bytes())));
     }
     return project.diagnostics.ok();
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/verbs/simulate.hpp"
-#include "conformance/monitor/monitor.hpp"
 #include "conformance/monitor/cycle_cache.hpp"
+#include "conformance/monitor/monitor.hpp"
 
 namespace robochart::app {
 

@@ -2,18 +2,18 @@
 #include "app/verbs/simulate.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <mutex>
 
-#include "app/verbs/monitor.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/verbs/monitor.hpp"
 #include "app/verbs/verbs.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
@@ -58,7 +58,8 @@ void emit(Simulation& simulation, const std::string& model) {
     cpp_emit::Options generator;
     generator.cycle_length = simulation.scenario.units_per_step;
     generator.sources = &project.sources;
-    simulation.emission = cpp_emit::emit_drive(project.system, project.instantiation, components.front(), generator, project.diagnostics);
+    simulation.emission =
+        cpp_emit::emit_drive(project.system, project.instantiation, components.front(), generator, project.diagnostics);
     if (!project.diagnostics.ok()) return;
     simulation.plan = simulation::bind(simulation.scenario, simulation.emission, project.diagnostics);
     // A look at the first start finds robots that do not fit before anything is compiled.
@@ -67,8 +68,8 @@ void emit(Simulation& simulation, const std::string& model) {
 
 std::string with_progress(const simulation::RunProgress& p) {
     const double speed = p.seconds > 0 ? p.simulated_seconds / p.seconds : 0;
-    return fmt::format("trial {} of {}: {:.1f} of {:.0f} s simulated, {:.0f} times real time", std::min(p.trials_done + 1, p.trials),
-                       p.trials, p.simulated_seconds, p.total_seconds, speed);
+    return fmt::format("trial {} of {}: {:.1f} of {:.0f} s simulated, {:.0f} times real time",
+                       std::min(p.trials_done + 1, p.trials), p.trials, p.simulated_seconds, p.total_seconds, speed);
 }
 
 std::function<void(const simulation::RunProgress&)> progress_of(const Options& options, const std::string& subject) {
@@ -119,24 +120,27 @@ Exit before_trials(const Options& options, const std::string& why) {
     return Exit::inconclusive;
 }
 
-void print_text(const Simulation& simulation, const simulation::RunResult& result, const Options& options, const OtherStage& stage,
-                const std::vector<std::string>& files, const std::string& notes) {
+void print_text(const Simulation& simulation, const simulation::RunResult& result, const Options& options,
+                const OtherStage& stage, const std::vector<std::string>& files, const std::string& notes) {
     const simulation::Scenario& scenario = simulation.scenario;
     std::size_t held = 0;
     for (const auto& band : result.bands) held += band.holds ? 1U : 0U;
     if (!options.quiet) {
-        print("scenario {}: {} robots, {} trial{} of {:g} s, seed {}{}; controller {}\n", scenario.name.text, scenario.robots,
-                   scenario.trials, scenario.trials == 1 ? "" : "s", scenario.duration, scenario.seed,
-                   stage.name.empty() ? "" : ", in " + stage.name, scenario.component.text);
+        print("scenario {}: {} robots, {} trial{} of {:g} s, seed {}{}; controller {}\n", scenario.name.text,
+              scenario.robots, scenario.trials, scenario.trials == 1 ? "" : "s", scenario.duration, scenario.seed,
+              stage.name.empty() ? "" : ", in " + stage.name, scenario.component.text);
         print("{}\n", simulation::run_text(scenario, result));
         if (!result.bands.empty()) print("bands\n{}\n", simulation::bands_text(scenario, result));
         if (!files.empty()) print("files\n");
         for (const std::string& file : files) print("  {}\n", diagnostics::shown(file));
         print("{}{}", notes, files.empty() && notes.empty() ? "" : "\n");
     }
-    if (result.interrupted) print("{}: the bands are not judged\n", options.run->budget().reached());
-    else if (result.stopped()) print("a controller stopped: see above\n");
-    else print("{} of {} bands hold\n", held, result.bands.size());
+    if (result.interrupted)
+        print("{}: the bands are not judged\n", options.run->budget().reached());
+    else if (result.stopped())
+        print("a controller stopped: see above\n");
+    else
+        print("{} of {} bands hold\n", held, result.bands.size());
 }
 
 /// The first log that could not be written; set by the threads.
@@ -145,7 +149,9 @@ struct LogFailure {
     std::string text;
 };
 
-std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const Simulation& simulation, const Options& options, LogFailure& failure) {
+std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const Simulation& simulation,
+                                                                           const Options& options,
+                                                                           LogFailure& failure) {
     simulation::TraceLogOptions wanted;
     wanted.folder = options.log;
     wanted.component = simulation.scenario.component.text;
@@ -164,8 +170,11 @@ std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const
 /// Builds the controller and runs; what goes wrong is among the project's diagnostics.
 std::unique_ptr<simulation::Controller> build(Simulation& simulation) {
     std::string error;
-    auto controller = simulation::Controller::build(simulation.emission, "", error, simulation.project->diagnostics.budget());
-    if (controller == nullptr) simulation.project->diagnostics.report(simulation::rules::not_compiled, simulation.scenario.component.span, {error});
+    auto controller =
+        simulation::Controller::build(simulation.emission, "", error, simulation.project->diagnostics.budget());
+    if (controller == nullptr)
+        simulation.project->diagnostics.report(simulation::rules::not_compiled, simulation.scenario.component.span,
+                                               {error});
     return controller;
 }
 
@@ -205,7 +214,8 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     if (monitors != nullptr) wanted.trace = monitors->beside(wanted.trace);
     wanted.interrupted = [&budget = options.run->budget()] { return !budget.reached().empty(); };
     wanted.progress = progress_of(options, simulation->scenario.name.text);
-    const simulation::RunResult result = simulation::run(simulation->plan, controller->drive(), wanted, project.diagnostics);
+    const simulation::RunResult result =
+        simulation::run(simulation->plan, controller->drive(), wanted, project.diagnostics);
     if (!failure.text.empty()) project.diagnostics.report(rules::unwritable, {}, {failure.text});
     if (!project.diagnostics.ok() && !result.stopped()) return show_diagnostics(project, options), Exit::bad_input;
     std::string notes = monitors == nullptr ? "" : monitors->note();
@@ -229,7 +239,8 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
 int simulate_program(const char* program, int argc, char** argv, const OtherStage& stage) {
     std::vector<const char*> words{program, "simulate"};
     words.insert(words.end(), argv + 1, argv + argc);
-    return run_command(program, static_cast<int>(words.size()), words.data(), [&](const Options& options) { return run_simulate(options, stage); });
+    return run_command(program, static_cast<int>(words.size()), words.data(),
+                       [&](const Options& options) { return run_simulate(options, stage); });
 }
 
 Exit run_simulate(const Options& options) {

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "app/command/pipeline.hpp"
-#include "simulation/scenario/plan.hpp"
 #include "simulation/report/run.hpp"
+#include "simulation/scenario/plan.hpp"
 
 namespace robochart::app {
 
@@ -14,7 +14,7 @@ struct Simulation {
     std::unique_ptr<Project> project;  ///< the model; its sources hold the scenario too
     simulation::Scenario scenario;
     cpp_emit::DriveEmission emission;
-    simulation::Plan plan;             ///< refers to the scenario
+    simulation::Plan plan;  ///< refers to the scenario
 };
 
 /// Reads the scenario and its model and binds them. Never null; the project's diagnostics tell whether it can run.
@@ -22,16 +22,17 @@ struct Simulation {
 
 /// Another simulator in place of the embedded world.
 struct OtherStage {
-    std::string name;          ///< "" for the embedded world
+    std::string name;  ///< "" for the embedded world
     simulation::StageMaker make;
-    bool parallel = true;      ///< may trials run at the same time?
+    bool parallel = true;  ///< may trials run at the same time?
 };
 Exit run_simulate(const Options&, const OtherStage&);
-/// The whole of a program that simulates in another simulator: its arguments are those of the verb. Returns its exit code.
+/// The whole of a program that simulates in another simulator: its arguments are those of the verb. Returns its exit
+/// code.
 int simulate_program(const char* program, int argc, char** argv, const OtherStage&);
 
 /// Tables and pictures of a run below the output folder. Returns the paths; problems are reported.
-[[nodiscard]] std::vector<std::string> write_simulation_files(Simulation&, const simulation::RunResult&, const rc_drive&,
-                                                              const Options&, std::string& notes);
+[[nodiscard]] std::vector<std::string> write_simulation_files(Simulation&, const simulation::RunResult&,
+                                                              const rc_drive&, const Options&, std::string& notes);
 
 }  // namespace robochart::app

@@ -1,5 +1,5 @@
-// What a simulation leaves behind: a table of positions for each trial, pictures of the first; PNG, GIF and MP4 where the
-// programs that make them are on PATH.
+// What a simulation leaves behind: a table of positions for each trial, pictures of the first; PNG, GIF and MP4 where
+// the programs that make them are on PATH.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,7 +21,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// How much faster than the world an animation runs: about half a minute for a trial.
-double animation_speed(double duration) { return std::max(1.0, std::round(duration / 30)); }
+double animation_speed(double duration) {
+    return std::max(1.0, std::round(duration / 30));
+}
 
 bool on_path(const std::string& program) {
     const char* path = std::getenv("PATH");
@@ -29,7 +31,8 @@ bool on_path(const std::string& program) {
     for (std::string folder; std::getline(folders, folder, ':');) {
         std::error_code ignored;
         const auto status = fs::status(fs::path(folder) / program, ignored);
-        if (fs::is_regular_file(status) && (status.permissions() & fs::perms::others_exec) != fs::perms::none) return true;
+        if (fs::is_regular_file(status) && (status.permissions() & fs::perms::others_exec) != fs::perms::none)
+            return true;
     }
     return false;
 }
@@ -37,7 +40,10 @@ bool on_path(const std::string& program) {
 class Files {
 public:
     Files(Simulation& simulation, const simulation::RunResult& result, const rc_drive& drive, const Options& options)
-        : scenario_(simulation.scenario), project_(*simulation.project), result_(result), out_(options.out),
+        : scenario_(simulation.scenario),
+          project_(*simulation.project),
+          result_(result),
+          out_(options.out),
           below_("simulation/" + simulation.scenario.name.text + "/") {
         for (std::uint32_t s = 0; s < drive.states; ++s) states_.emplace_back(drive.state[s]);
     }
@@ -51,11 +57,14 @@ public:
         }
         if (add("snapshots.svg", simulation::snapshots_svg(scenario_, frames)) &&
             add("trajectories.svg", simulation::trajectories_svg(scenario_, frames)) &&
-            add("animation.svg", simulation::animation_svg(scenario_, frames, states_, animation_speed(frames.back().time)))) {
+            add("animation.svg",
+                simulation::animation_svg(scenario_, frames, states_, animation_speed(frames.back().time)))) {
             std::string error;
             work_ = std::make_unique<diagnostics::TemporaryFolder>("", error, project_.diagnostics.budget());
-            if (!error.empty()) notes += fmt::format("  no images: {}\n", error);
-            else images_and_films(frames, notes);
+            if (!error.empty())
+                notes += fmt::format("  no images: {}\n", error);
+            else
+                images_and_films(frames, notes);
         }
         return std::move(written_);
     }
@@ -63,14 +72,18 @@ public:
 private:
     bool add(const std::string& name, const std::string& text) {
         const std::string error = diagnostics::write_below(out_, below_ + name, text, project_.diagnostics.budget());
-        if (!error.empty()) project_.diagnostics.report(rules::unwritable, {}, {error});
-        else written_.push_back(out_ + "/" + below_ + name);
+        if (!error.empty())
+            project_.diagnostics.report(rules::unwritable, {}, {error});
+        else
+            written_.push_back(out_ + "/" + below_ + name);
         return error.empty();
     }
 
     bool tables() {
         for (std::size_t trial = 0; trial < result_.trials.size() && !result_.trials[trial].frames.empty(); ++trial)
-            if (!add(fmt::format("trial-{:02}.csv", trial + 1), simulation::positions_csv(result_.trials[trial].frames, states_))) return false;
+            if (!add(fmt::format("trial-{:02}.csv", trial + 1),
+                     simulation::positions_csv(result_.trials[trial].frames, states_)))
+                return false;
         return true;
     }
 
@@ -129,11 +142,23 @@ private:
             notes += fmt::format("  no MP4 and GIF: {}\n", error);
             return;
         }
-        const double rate = static_cast<double>(count) * animation_speed(frames.back().time) / std::max(frames.back().time, 1.0);
+        const double rate =
+            static_cast<double>(count) * animation_speed(frames.back().time) / std::max(frames.back().time, 1.0);
         const auto film = [&](const std::string& name, const std::vector<std::string>& more) {
-            std::vector<std::string> command = {"ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgb24",
-                                                "-video_size", fmt::format("{}x{}", raster.width, raster.height),
-                                                "-framerate", fmt::format("{:.3f}", rate), "-i", work_->path() + "/frames.raw"};
+            std::vector<std::string> command = {"ffmpeg",
+                                                "-y",
+                                                "-loglevel",
+                                                "error",
+                                                "-f",
+                                                "rawvideo",
+                                                "-pixel_format",
+                                                "rgb24",
+                                                "-video_size",
+                                                fmt::format("{}x{}", raster.width, raster.height),
+                                                "-framerate",
+                                                fmt::format("{:.3f}", rate),
+                                                "-i",
+                                                work_->path() + "/frames.raw"};
             command.insert(command.end(), more.begin(), more.end());
             command.push_back(work_->path() + "/" + name);
             return make(name, command, notes);
@@ -152,8 +177,8 @@ private:
 
 }  // namespace
 
-std::vector<std::string> write_simulation_files(Simulation& simulation, const simulation::RunResult& result, const rc_drive& drive,
-                                                const Options& options, std::string& notes) {
+std::vector<std::string> write_simulation_files(Simulation& simulation, const simulation::RunResult& result,
+                                                const rc_drive& drive, const Options& options, std::string& notes) {
     return Files(simulation, result, drive, options).write(notes);
 }
 

@@ -40,7 +40,7 @@ struct Totals {
     std::size_t logs = 0;
     std::uint64_t runs = 0, accepted = 0, rejected = 0, inconclusive = 0, cycles = 0, replaced = 0;
     std::vector<ReportedRun> reported;  ///< the first of those that are not accepted
-    std::string limit;          ///< why not everything was looked at
+    std::string limit;                  ///< why not everything was looked at
     double seconds = 0;
 };
 constexpr std::size_t max_reported = 100;
@@ -56,10 +56,13 @@ std::vector<std::string> logs(const Options& options, diagnostics::Diagnostics& 
         }
         std::vector<std::string> inside;
         const diagnostics::FilesBelow found = diagnostics::files_below(given, true);
-        for (const auto& [path, cause] : found.unreadable) diagnostics.report(frontend::syntax::unreadable, {}, {path, cause});
+        for (const auto& [path, cause] : found.unreadable)
+            diagnostics.report(frontend::syntax::unreadable, {}, {path, cause});
         for (const std::string& path : found.files)
             if (fs::path(path).extension() == ".trace") inside.push_back(path);
-        if (inside.empty() && found.unreadable.empty()) diagnostics.report(rules::bad_option, {}, {fmt::format("--traces {}: there are no .trace files in the folder", given)});
+        if (inside.empty() && found.unreadable.empty())
+            diagnostics.report(rules::bad_option, {},
+                               {fmt::format("--traces {}: there are no .trace files in the folder", given)});
         result.insert(result.end(), inside.begin(), inside.end());
     }
     return result;
@@ -68,7 +71,8 @@ std::vector<std::string> logs(const Options& options, diagnostics::Diagnostics& 
 /// Checkers by component and cycle length; made when the first log needs one.
 class Checkers {
 public:
-    Checkers(const std::vector<Part>& parts, const Options& options) : parts_(parts), options_(options), limits_(limits(options, "traces")) {}
+    Checkers(const std::vector<Part>& parts, const Options& options)
+        : parts_(parts), options_(options), limits_(limits(options, "traces")) {}
 
     conformance::TraceChecker* of(const conformance::TraceHeader& header) {
         const std::string wanted = !options_.component.empty() ? options_.component : header.component;
@@ -77,8 +81,9 @@ public:
         if (all.empty()) return refuse(parts_.front(), rules::no_component, {wanted.empty() ? "the model" : wanted});
         const auto& [part, component] = all.front();
         if (!wanted.empty() && all.size() > 1 && all[1].first != part)
-            return refuse(*part, rules::bad_option, {fmt::format("--traces: {} and {} both have a component {}; compare the log with one of them",
-                                                                 part->project->name, all[1].first->project->name, wanted)});
+            return refuse(*part, rules::bad_option,
+                          {fmt::format("--traces: {} and {} both have a component {}; compare the log with one of them",
+                                       part->project->name, all[1].first->project->name, wanted)});
         const std::uint32_t cycle = options_.cycle_given ? options_.cycle : header.cycle;
         Entry& entry = entries_[{part, ir::qualified(component), cycle}];
         if (entry.checker == nullptr && entry.error.empty()) load(entry, *part->project, component, cycle);
@@ -98,17 +103,19 @@ private:
     [[nodiscard]] std::vector<Found> found(const std::string& wanted) const {
         std::vector<Found> result;
         for (const Part& part : parts_)
-            if (const auto components = code_components(part.project->system, wanted); !part.again && !components.empty())
+            if (const auto components = code_components(part.project->system, wanted);
+                !part.again && !components.empty())
                 result.emplace_back(&part, components.front());
         return result;
     }
-    static conformance::TraceChecker* refuse(const Part& part, const diagnostics::Rule& rule, std::vector<std::string> arguments) {
+    static conformance::TraceChecker* refuse(const Part& part, const diagnostics::Rule& rule,
+                                             std::vector<std::string> arguments) {
         part.project->diagnostics.report(rule, {}, std::move(arguments));
         return nullptr;
     }
     void load(Entry& entry, Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
-        entry.model = conformance::CyclicModel::load(project.system, project.instantiation, component, cycle, limits_, project.sources,
-                                                     project.diagnostics, entry.error);
+        entry.model = conformance::CyclicModel::load(project.system, project.instantiation, component, cycle, limits_,
+                                                     project.sources, project.diagnostics, entry.error);
         if (entry.model == nullptr) return;
         entry.checker = std::make_unique<conformance::TraceChecker>(
             *entry.model, std::vector<std::string>{ir::qualified(component), component.path}, limits_, project.sources);
@@ -144,7 +151,8 @@ void report_fault(Project& project, const std::string& path, const conformance::
     const std::uint64_t above = std::min<std::uint64_t>(found.line > 0 ? found.line - 1 : 0, 50'000'000);
     const auto source = project.sources.add(path, std::string(above, '\n') + found.text + "\n");
     const auto begin = static_cast<std::uint32_t>(above + std::min<std::size_t>(found.fault.column, found.text.size()));
-    const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(begin + found.fault.length, above + found.text.size()));
+    const auto end =
+        static_cast<std::uint32_t>(std::min<std::size_t>(begin + found.fault.length, above + found.text.size()));
     project.diagnostics.report(*found.fault.rule, {source, begin, std::max(begin, end)}, found.fault.arguments);
 }
 
@@ -154,7 +162,8 @@ void check_log(const std::string& path, Project& project, Checkers& checkers, To
     // A log is read twice: what is no regular file cannot be.
     if (fs::is_regular_file(path, error)) in.open(path, std::ios::binary);
     if (!in.is_open()) {
-        project.diagnostics.report(frontend::syntax::unreadable, {}, {path, error ? error.message() : "it is not a regular file that may be read"});
+        project.diagnostics.report(frontend::syntax::unreadable, {},
+                                   {path, error ? error.message() : "it is not a regular file that may be read"});
         return;
     }
     conformance::TraceChecker* const checker = checkers.of(peek(path));
@@ -178,14 +187,17 @@ void print_run(const ReportedRun& reported, bool quiet) {
     print("{}{}  {}:{}: run {}, cycle {}\n", quiet ? "" : "\n", rejected ? "rejected    " : "inconclusive",
           diagnostics::shown(reported.path), run.at_line,
           run.name.empty() ? "without a name" : diagnostics::shown(run.name), run.cycle);
-    const auto line = [](const char* title, const std::string& text) { print("    {:<10} {}\n", title, diagnostics::shown(text)); };
+    const auto line = [](const char* title, const std::string& text) {
+        print("    {:<10} {}\n", title, diagnostics::shown(text));
+    };
     std::uint64_t number = run.at_line - run.before.size();
     for (const std::string& before : run.before) line(fmt::format("line {}", number++).c_str(), before);
     if (!run.cycle_so_far.empty()) line("then", fmt::format("{}", fmt::join(run.cycle_so_far, " ")));
     line(rejected ? "logged" : "met", run.what);
     if (!rejected) return line("reason", run.reason);
     constexpr std::size_t shown = 12;
-    std::vector<std::string> allowed(run.allowed.begin(), run.allowed.begin() + static_cast<std::ptrdiff_t>(std::min(shown, run.allowed.size())));
+    std::vector<std::string> allowed(
+        run.allowed.begin(), run.allowed.begin() + static_cast<std::ptrdiff_t>(std::min(shown, run.allowed.size())));
     if (run.allowed.size() > shown) allowed.push_back(fmt::format("{} more", run.allowed.size() - shown));
     line("allowed", allowed.empty() ? "nothing" : fmt::format("{}", fmt::join(allowed, ", or ")));
     if (!run.elements.empty()) line("began", fmt::format("{}", fmt::join(run.elements, ", ")));
@@ -205,22 +217,18 @@ void print_text(const Totals& totals, const Options& options) {
             "replaced (docs/traces.md)\n",
             with_commas(totals.replaced));
     if (!totals.limit.empty()) print("inconclusive: {}\n", totals.limit);
-    print("{} runs in {} logs, {} cycles: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n", with_commas(totals.runs), totals.logs,
-               with_commas(totals.cycles), with_commas(totals.accepted), with_commas(totals.rejected), with_commas(totals.inconclusive), totals.seconds);
+    print("{} runs in {} logs, {} cycles: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n",
+          with_commas(totals.runs), totals.logs, with_commas(totals.cycles), with_commas(totals.accepted),
+          with_commas(totals.rejected), with_commas(totals.inconclusive), totals.seconds);
 }
 
 diagnostics::Json run_json(const ReportedRun& reported) {
     const conformance::RunReport& run = reported.run;
-    return {{"log", reported.path},
-            {"line", run.at_line},
-            {"run", run.name},
-            {"verdict", run.verdict == RunVerdict::rejected ? "rejected" : "inconclusive"},
-            {"cycle", run.cycle},
-            {"logged", run.what},
-            {"reason", run.reason},
-            {"sofar", run.cycle_so_far},
-            {"before", run.before},
-            {"allowed", run.allowed},
+    return {{"log", reported.path},    {"line", run.at_line},
+            {"run", run.name},         {"verdict", run.verdict == RunVerdict::rejected ? "rejected" : "inconclusive"},
+            {"cycle", run.cycle},      {"logged", run.what},
+            {"reason", run.reason},    {"sofar", run.cycle_so_far},
+            {"before", run.before},    {"allowed", run.allowed},
             {"elements", run.elements}};
 }
 
@@ -246,7 +254,9 @@ void print_json(const Totals& totals, Exit exit) {
 namespace {
 
 /// What the logs are of, where only the command line knows.
-std::string subject(const Options& options) { return options.component.empty() ? "the model" : options.component; }
+std::string subject(const Options& options) {
+    return options.component.empty() ? "the model" : options.component;
+}
 
 }  // namespace
 
@@ -257,8 +267,10 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     options.run->last_word([&options](const std::string& why) {
         Totals none;
         none.limit = why;
-        if (options.format == Format::json) print_json(none, Exit::inconclusive);
-        else print_text(none, options);
+        if (options.format == Format::json)
+            print_json(none, Exit::inconclusive);
+        else
+            print_text(none, options);
         return Exit::inconclusive;
     });
     const std::vector<std::string> paths = logs(options, project.diagnostics);
@@ -268,23 +280,29 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     } catch (const process::Interrupted& limit) {
         totals.limit = limit.what();
     } catch (const cspm::EvaluationError& failed) {
-        project.diagnostics.report(rules::no_monitor, {}, {subject(options), fmt::format("the script of the model cannot be evaluated: {}", failed.what())});
+        project.diagnostics.report(
+            rules::no_monitor, {},
+            {subject(options), fmt::format("the script of the model cannot be evaluated: {}", failed.what())});
     } catch (const conformance::AlphabetError& mismatch) {
         project.diagnostics.report(rules::no_monitor, {}, {subject(options), mismatch.what()});
     }
     const auto in_order = [](const Part& part) { return part.project->diagnostics.ok(); };
     if (totals.runs == 0 && totals.limit.empty() && std::all_of(parts.begin(), parts.end(), in_order))
-        project.diagnostics.report(rules::bad_option, {}, {"--traces: there is nothing to compare, the logs have no runs"});
+        project.diagnostics.report(rules::bad_option, {},
+                                   {"--traces: there is nothing to compare, the logs have no runs"});
     totals.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     options.run->finish();
     const Project* wrong = nullptr;
     for (const Part& part : parts)
-        if ((options.format == Format::text || wrong == nullptr) && !show_diagnostics(*part.project, options) && wrong == nullptr)
+        if ((options.format == Format::text || wrong == nullptr) && !show_diagnostics(*part.project, options) &&
+            wrong == nullptr)
             wrong = part.project.get();
     if (options.format == Format::json && wrong != nullptr) return refusal(*wrong);
     const Exit exit = wrong == nullptr ? exit_of(totals) : refusal(*wrong);
-    if (options.format == Format::json) print_json(totals, exit);
-    else print_text(totals, options);
+    if (options.format == Format::json)
+        print_json(totals, exit);
+    else
+        print_text(totals, options);
     return exit;
 }
 

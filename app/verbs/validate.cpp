@@ -25,7 +25,8 @@ std::size_t apply_fixes(const std::vector<Part>& parts, std::string& error) {
             const auto fixes = diagnostics::certain_fixes(findings, file->source);
             if (fixes.empty()) continue;
             error = diagnostics::replace_file(part.project->sources.path(file->source),
-                                              diagnostics::apply_fixes(part.project->sources.text(file->source), fixes), findings.budget());
+                                              diagnostics::apply_fixes(part.project->sources.text(file->source), fixes),
+                                              findings.budget());
             if (!error.empty()) return made;
             made += fixes.size();
         }
@@ -40,7 +41,8 @@ diagnostics::Diagnostics together(const std::vector<Part>& parts) {
 }
 
 /// `limit`: why not everything was looked at; "" if it was.
-void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& findings, const std::string& limit, const Options& options) {
+void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& findings, const std::string& limit,
+          const Options& options) {
     if (options.format == Format::json) {
         print_exact(diagnostics::render_json(sources, findings, limit));
     } else if (options.format == Format::sarif) {

@@ -7,14 +7,14 @@
 
 namespace robochart::app {
 
-Exit run_model(const Options&);    ///< verify, check, emit csp, emit cpp, conform
+Exit run_model(const Options&);  ///< verify, check, emit csp, emit cpp, conform
 Exit run_cspm(const Options&);
 Exit export_process(const Options&);  ///< cspm --export
 Exit run_explain(const Options&);
 Exit run_validate(const Options&);
 Exit run_format(const Options&);
-Exit run_simulate(const Options&); ///< in the embedded world
-Exit run_lsp();                    ///< serves an editor on stdin and stdout until it leaves
+Exit run_simulate(const Options&);  ///< in the embedded world
+Exit run_lsp();                     ///< serves an editor on stdin and stdout until it leaves
 
 /// Decides the model's assertions in the times asked for.
 void check_assertions(Project&, const Options&, Report&);

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "app/command/pipeline.hpp"
-#include "app/report/report.hpp"
 #include "app/command/run.hpp"
+#include "app/report/report.hpp"
 
 namespace robochart::app {
 
-/// Writes files (with a `path` and a `text`) to a folder of the output folder, as "cpp/C/". False, with a diagnostic, if
-/// one cannot be written. A file that says `keep` is left as it is where there is one already.
+/// Writes files (with a `path` and a `text`) to a folder of the output folder, as "cpp/C/". False, with a diagnostic,
+/// if one cannot be written. A file that says `keep` is left as it is where there is one already.
 bool write_all(const std::string& below, const auto& files, std::vector<FileReport>& report, const Options& options,
                Project& project) {
     for (const auto& file : files) {

@@ -12,7 +12,6 @@
 
 #include "checker/lts/event.hpp"
 
-
 namespace robochart::lts {
 
 using Word = std::uint32_t;

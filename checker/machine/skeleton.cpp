@@ -43,8 +43,9 @@ private:
     bool looks_composite(const Term& term, int depth, int prefixes);
     /// The nodes around of which control leaves nothing behind when it gets to a node...
     struct Tail {
-        std::vector<NodeId> at_once;   ///< ...by whatever led there
-        std::vector<NodeId> by_event;  ///< ...once the node has done a visible event: it has resolved the choices around
+        std::vector<NodeId> at_once;  ///< ...by whatever led there
+        std::vector<NodeId>
+            by_event;  ///< ...once the node has done a visible event: it has resolved the choices around
     };
 
     NodeId node(TermId term, NodeId region, const Tail& tail, int depth);

@@ -25,9 +25,9 @@ struct Behaviour {
     bool own_run = false;         ///< what was compressed: its trace counts the steps of a run of its own
     bool left = false;            ///< it ended before the whole did: another part took over, or it terminated
     std::vector<Behaviour> parts;
-    TermId initial{};                                ///< the part where it begins
-    std::vector<TermId> reached;                     ///< of every step that it took part in, the part behind it
-    std::size_t begins = 0;                          ///< the first step in which it is there
+    TermId initial{};             ///< the part where it begins
+    std::vector<TermId> reached;  ///< of every step that it took part in, the part behind it
+    std::size_t begins = 0;       ///< the first step in which it is there
     std::size_t ends = std::numeric_limits<std::size_t>::max();  ///< the first step after it was left
     /// The part of a compression has a run of its own: of each of its steps, the step of the whole that shows it, or,
     /// for one that the compression does not show, the one before which (at the end: behind which) it is done.

@@ -1,7 +1,7 @@
 // Machines of the semantics as graphs, minimised, and back.
 
-#include "checker/lts/bisimulation.hpp"
 #include "checker/process/bisimulation_compressor.hpp"
+#include "checker/lts/bisimulation.hpp"
 
 namespace robochart::process {
 namespace {
@@ -23,8 +23,7 @@ lts::Graph graph_of(const Machine& machine) {
 
 }  // namespace
 
-Machine BisimulationCompressor::compress(const Machine& explored, Compression kind,
-                                                  const std::function<void()>& poll) {
+Machine BisimulationCompressor::compress(const Machine& explored, Compression kind, const std::function<void()>& poll) {
     const lts::Quotient quotient = lts::minimise(graph_of(explored), equivalence_of(kind), poll);
     Machine result;
     for (lts::StateIndex state = 0; state < quotient.graph.size(); ++state) {

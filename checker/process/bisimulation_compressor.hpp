@@ -10,8 +10,7 @@ namespace robochart::process {
 /// what FDR computes for these names and so keeps every model that they keep; it may be larger.
 class BisimulationCompressor final : public Compressor {
 public:
-    Machine compress(const Machine& explored, Compression kind,
-                              const std::function<void()>& poll) override;
+    Machine compress(const Machine& explored, Compression kind, const std::function<void()>& poll) override;
 };
 
 }  // namespace robochart::process

@@ -120,7 +120,7 @@ public:
     [[nodiscard]] const PriorityOrder& operator[](OrderId) const;
 
     void define(Definitions& definitions) { definitions_ = &definitions; }
-    TermId unfold(std::uint32_t call);                          ///< memoised
+    TermId unfold(std::uint32_t call);  ///< memoised
     /// What calls lead to: the first term that is none, or the last of so many unfoldings.
     TermId unfolded(TermId term, int most);
     const std::vector<Branch>& branches(std::uint32_t prefix);  ///< memoised

@@ -9,8 +9,7 @@ namespace robochart::process {
 /// The operational semantics of one term. Shares the store's terms and the semantics' memory with other systems.
 class TermSystem final : public lts::TransitionSystem {
 public:
-    TermSystem(OperationalSemantics& semantics, TermId initial)
-        : semantics_(semantics), initial_(initial) {}
+    TermSystem(OperationalSemantics& semantics, TermId initial) : semantics_(semantics), initial_(initial) {}
 
     [[nodiscard]] std::size_t width() const override { return 1; }
     void initial(std::span<lts::Word> state) override;

@@ -1,7 +1,7 @@
 #include "conformance/check/batch.hpp"
 
-#include "conformance/model/component.hpp"
 #include "conformance/check/conformance_check.hpp"
+#include "conformance/model/component.hpp"
 #include "conformance/model/renamed_model.hpp"
 
 namespace robochart::conformance {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "conformance/code/code_batch.hpp"
 #include "conformance/check/conform.hpp"
+#include "conformance/code/code_batch.hpp"
 #include "csp_emit/emit.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"

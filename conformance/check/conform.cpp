@@ -3,18 +3,18 @@
 
 #include <fmt/format.h>
 
-#include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "checker/process/term_system.hpp"
+#include "conformance/check/conformance_check.hpp"
+#include "conformance/check/export.hpp"
+#include "conformance/check/partial_readings.hpp"
+#include "conformance/check/random_walk.hpp"
+#include "conformance/code/shared_object.hpp"
 #include "conformance/model/component.hpp"
 #include "conformance/model/cyclic_model.hpp"
-#include "conformance/check/export.hpp"
-#include "conformance/check/conformance_check.hpp"
 #include "conformance/model/normal_form.hpp"
-#include "conformance/check/partial_readings.hpp"
 #include "conformance/model/renamed_model.hpp"
-#include "conformance/code/shared_object.hpp"
-#include "conformance/check/random_walk.hpp"
 #include "csp_emit/emit.hpp"
 
 namespace robochart::conformance {

@@ -2,8 +2,8 @@
 // (docs/conformance.md; the relation is RoboTool's NormalForm with its three simulation assumptions).
 #pragma once
 
-#include "cpp_emit/runtime/explore_abi.h"
 #include "conformance/check/result.hpp"
+#include "cpp_emit/runtime/explore_abi.h"
 #include "csp_emit/base/emission.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"

@@ -1,4 +1,5 @@
-// See dispatch_equivalence.hpp. Events that are not dispatched are raised beside the one that is: it must not look at them.
+// See dispatch_equivalence.hpp. Events that are not dispatched are raised beside the one that is: it must not look at
+// them.
 #include "conformance/check/dispatch_equivalence.hpp"
 
 #include <fmt/format.h>

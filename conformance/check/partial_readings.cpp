@@ -1,5 +1,5 @@
-// See partial_readings.hpp. A position is where a cycle begins: an image of the code and a node of NF_c(M). A register is
-// left unread until the code's results or the model depend on it; then the cycle is tried with each of its readings.
+// See partial_readings.hpp. A position is where a cycle begins: an image of the code and a node of NF_c(M). A register
+// is left unread until the code's results or the model depend on it; then the cycle is tried with each of its readings.
 #include "conformance/check/partial_readings.hpp"
 
 #include <fmt/format.h>
@@ -8,9 +8,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "conformance/code/code_system.hpp"
 #include "conformance/check/dispatch_equivalence.hpp"
 #include "conformance/check/follower.hpp"
+#include "conformance/code/code_system.hpp"
 
 namespace robochart::conformance {
 

@@ -1,5 +1,6 @@
 // Conformance with the readings of a cycle tried only as far as something depends on them: for components with so many
-// registers that all of their valuations in all states of the model are too many (docs/conformance.md, "Partial readings").
+// registers that all of their valuations in all states of the model are too many (docs/conformance.md, "Partial
+// readings").
 #pragma once
 
 #include "conformance/check/result.hpp"

@@ -9,9 +9,9 @@
 #include <random>
 #include <unordered_set>
 
+#include "conformance/check/follower.hpp"
 #include "conformance/code/code_system.hpp"
 #include "conformance/code/cycle_log.hpp"
-#include "conformance/check/follower.hpp"
 #include "conformance/code/watchdog.hpp"
 
 namespace robochart::conformance {
@@ -33,9 +33,7 @@ class Walker {
 public:
     Walker(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code, std::uint32_t cycle_length,
            const refine::Limits& limits)
-        : alphabet_(alphabet),
-          code_(code),
-          follower_(model, alphabet, cycle_length, limits) {}
+        : alphabet_(alphabet), code_(code), follower_(model, alphabet, cycle_length, limits) {}
 
     [[nodiscard]] Position start() {
         Position position{Bytes(code_.state_size), follower_.start()};

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cpp_emit/emit.hpp"
-#include "cpp_emit/runtime/explore_abi.h"
 #include "cpp_emit/load/shared_library.hpp"
+#include "cpp_emit/runtime/explore_abi.h"
 
 namespace robochart::conformance {
 

@@ -20,8 +20,7 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     // Without blocks: one that replaces the instantiation would make the model range over other values than the code.
     const RenamedModel safe = renamed_model(system, instantiation, ref, diagnostics);
     loaded->cycle_length_ = cycle_length;
-    loaded->script_ =
-        csp_emit::emit(safe.system, safe.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+    loaded->script_ = csp_emit::emit(safe.system, safe.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
     const cspm::ExprPtr process = component_process(loaded->script_.definitions, safe.component);
     if (diagnostics.errors() != errors || !process) {
         error = fmt::format("{} has no timed CSP semantics here", ref.path);
@@ -40,8 +39,7 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     loaded->model_ = loaded->session_->system(process, limits);
     loaded->alphabet_ = std::make_unique<Alphabet>(loaded->boundary_.interface, loaded->session_->event_table());
     loaded->graph_ = std::make_unique<ModelGraph>(*loaded->model_, *loaded->alphabet_);
-    loaded->normal_form_ =
-        std::make_unique<NormalFormSystem>(*loaded->graph_, *loaded->alphabet_, cycle_length);
+    loaded->normal_form_ = std::make_unique<NormalFormSystem>(*loaded->graph_, *loaded->alphabet_, cycle_length);
     return loaded;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "checker/cspm/session.hpp"
-#include "conformance/model/model_interface.hpp"
 #include "conformance/model/model_graph.hpp"
+#include "conformance/model/model_interface.hpp"
 #include "conformance/model/normal_form_system.hpp"
 #include "csp_emit/emit.hpp"
 #include "semantics/ir/instantiation.hpp"
@@ -26,8 +26,8 @@ public:
 
     [[nodiscard]] const Alphabet& alphabet() const { return *alphabet_; }
     [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }
-    /// The interface under the names that its parts have in the model and in generated code, where the script has others
-    /// (csp_emit/passes/safe_names.hpp); in the same order.
+    /// The interface under the names that its parts have in the model and in generated code, where the script has
+    /// others (csp_emit/passes/safe_names.hpp); in the same order.
     [[nodiscard]] const Interface& outside() const { return outside_; }
     [[nodiscard]] const ModelInterface& boundary() const { return boundary_; }
     [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }

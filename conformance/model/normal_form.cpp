@@ -219,9 +219,9 @@ private:
     }
 
     [[nodiscard]] ExprPtr assumptions() const {
-        const ExprPtr first_two = b::alphabetised(
-            b::name("TA1__"), model_events(true, false, {"registerRead", end_event}),
-            model_events(false, true, {"registerWrite", end_event, "tock"}), b::name("A2__"));
+        const ExprPtr first_two =
+            b::alphabetised(b::name("TA1__"), model_events(true, false, {"registerRead", end_event}),
+                            model_events(false, true, {"registerWrite", end_event, "tock"}), b::name("A2__"));
         return b::alphabetised(first_two,
                                model_events(true, true, {"registerRead", "registerWrite", end_event, "tock"}),
                                model_events(true, true, {"registerRead", "tock", end_event}), b::name("TA3__"));

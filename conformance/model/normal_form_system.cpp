@@ -48,8 +48,7 @@ struct NormalFormSystem::Move {
     }
 };
 
-NormalFormSystem::NormalFormSystem(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
-                                   Frame frame)
+NormalFormSystem::NormalFormSystem(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length, Frame frame)
     : model_(&model),
       alphabet_(&alphabet),
       cycle_length_(std::max(1U, cycle_length)),

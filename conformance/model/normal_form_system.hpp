@@ -44,8 +44,8 @@ struct Frame {
 
 /// Why nothing follows a state of NF_c(M).
 enum class Standstill {
-    none,       ///< something does
-    inputs,     ///< M waits for inputs that were not read, and a deadline is over
+    none,    ///< something does
+    inputs,  ///< M waits for inputs that were not read, and a deadline is over
     other,
     terminated,
 };

@@ -14,7 +14,8 @@ ir::ComponentRef renamed(const ir::System& system, ir::ComponentRef ref) {
         ref.path = path(components[ref.definition]);
     };
     const auto path = [](const auto& component) { return component.path; };
-    if (ref.kind == ir::ComponentKind::module) take(system.modules, [](const ir::Module& module) { return module.name; });
+    if (ref.kind == ir::ComponentKind::module)
+        take(system.modules, [](const ir::Module& module) { return module.name; });
     if (ref.kind == ir::ComponentKind::controller) take(system.controllers, path);
     if (ref.kind == ir::ComponentKind::machine) take(system.machines, path);
     return ref;

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "cpp_emit/simulator_api.hpp"
 #include "cpp_emit/runtime/drive_abi.h"
 #include "cpp_emit/runtime/monitor.hpp"
+#include "cpp_emit/simulator_api.hpp"
 
 namespace robochart::conformance {
 

@@ -93,9 +93,11 @@ private:
                 return false;
             }
             if (!open.emplace(node, tocks).second)
-                throw std::length_error("the model cannot be run in cycles: it does infinitely much without time passing");
+                throw std::length_error(
+                    "the model cannot be run in cycles: it does infinitely much without time passing");
             way.push_back({node, tocks, form_.initials(node)});
-            if (way.back().events.empty()) throw std::length_error("the model cannot be run in cycles: it is not schedulable");
+            if (way.back().events.empty())
+                throw std::length_error("the model cannot be run in cycles: it is not schedulable");
             return true;
         };
         enter(from, 0);

@@ -41,9 +41,7 @@ std::string arguments(const std::string& text) {
 class Wording {
 public:
     explicit Wording(const CyclicModel& model)
-        : model_(model),
-          inputs_(shown_names(model.outside().inputs)),
-          outputs_(shown_names(model.outside().outputs)) {}
+        : model_(model), inputs_(shown_names(model.outside().inputs)), outputs_(shown_names(model.outside().outputs)) {}
 
     [[nodiscard]] std::string reads(const std::vector<std::uint32_t>& readings) const {
         std::string text;

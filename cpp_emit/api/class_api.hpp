@@ -67,8 +67,8 @@ struct ApiFunction {
 
 struct ClassApi {
     std::string name_space;
-    std::string cpp_name;          ///< of the machine's class
-    std::vector<ApiClass> bases;   ///< interfaces, in textual order
+    std::string cpp_name;         ///< of the machine's class
+    std::vector<ApiClass> bases;  ///< interfaces, in textual order
     ApiClass own;
     std::vector<ApiTimer> timers;
     std::vector<ApiMachine> machines;

@@ -25,8 +25,7 @@ std::string parameters(const Generation& generation, const Core& core, const ir:
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < signature.parameters.size(); ++i)
         texts.push_back(fmt::format("{}{} {}", unused ? "[[maybe_unused]] " : "",
-                                    deployed_type(generation, core.relative, signature.parameters[i]),
-                                    names.at(i)));
+                                    deployed_type(generation, core.relative, signature.parameters[i]), names.at(i)));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -48,8 +47,7 @@ std::string function_parameters(const Generation& generation, const Core& core, 
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < function.parameters.size(); ++i)
         texts.push_back(fmt::format("[[maybe_unused]] {} {}",
-                                    deployed_type(generation, core.relative, function.parameters[i]),
-                                    names.at(i)));
+                                    deployed_type(generation, core.relative, function.parameters[i]), names.at(i)));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "semantics/evaluate/carrier.hpp"
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 
 #include "cpp_emit/code/dispatch.hpp"
-#include "cpp_emit/expressions/expression.hpp"
-#include "cpp_emit/code/suspension.hpp"
-#include "cpp_emit/code/machine_writer.hpp"
 #include "cpp_emit/code/fault_injection.hpp"
+#include "cpp_emit/code/machine_writer.hpp"
+#include "cpp_emit/code/suspension.hpp"
+#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/code/assignment.hpp"
-#include "cpp_emit/code/suspension.hpp"
-#include "cpp_emit/code/machine_writer.hpp"
 #include "cpp_emit/code/fault_injection.hpp"
+#include "cpp_emit/code/machine_writer.hpp"
+#include "cpp_emit/code/suspension.hpp"
+#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/walk.hpp"
 

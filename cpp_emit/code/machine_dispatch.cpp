@@ -6,12 +6,12 @@
 
 #include <algorithm>
 
-#include "cpp_emit/code/dispatch.hpp"
 #include "cpp_emit/code/assignment.hpp"
-#include "cpp_emit/code/suspension.hpp"
+#include "cpp_emit/code/dispatch.hpp"
+#include "cpp_emit/code/fault_injection.hpp"
 #include "cpp_emit/code/machine_writer.hpp"
 #include "cpp_emit/code/reception.hpp"
-#include "cpp_emit/code/fault_injection.hpp"
+#include "cpp_emit/code/suspension.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -157,8 +157,7 @@ std::vector<const ir::Transition*> MachineWriter::candidates(NodeId leaf, const 
 /// What has to hold for a transition in a case; "" if nothing.
 CppExpr MachineWriter::case_condition(const ir::Transition& transition, NodeId leaf) {
     const std::string value = transition.trigger ? incoming(transition) : "";
-    const CppExpr wanted =
-        transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : CppExpr();
+    const CppExpr wanted = transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : CppExpr();
     CppExpr holds = guard(transition, value);
     if (!holds.empty() && generation_.mutation.hits(Fault::dispatch_guard_dropped, &plan_.node(leaf), &transition))
         holds = {};

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "cpp_emit/code/suspension.hpp"
 #include "cpp_emit/code/machine_writer.hpp"
+#include "cpp_emit/code/suspension.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -63,8 +63,8 @@ void MachineWriter::exit_function(NodeId id) {
 
 /// The exits of a composite state begin at the innermost active state.
 void MachineWriter::leave_function(NodeId id) {
-    straight_function("leave_" + plan_.label(id), "Leaves " + generation_.place(plan_.node(id).origin) +
-                                                      ", from the innermost active state out.");
+    straight_function("leave_" + plan_.label(id),
+                      "Leaves " + generation_.place(plan_.node(id).origin) + ", from the innermost active state out.");
     const std::string own = plan_.node(id).exit ? call(plan_.exit_label(id)) + ";" : "";
     const bool outer_first = exits_first(id);
     if (outer_first) out_.line(own);

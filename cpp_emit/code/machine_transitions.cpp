@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/code/fault_injection.hpp"
 #include "cpp_emit/code/machine_writer.hpp"
 #include "cpp_emit/code/reception.hpp"
-#include "cpp_emit/code/fault_injection.hpp"
 #include "cpp_emit/code/transition_numbers.hpp"
+#include "cpp_emit/expressions/expression.hpp"
 
 namespace robochart::cpp_emit {
 

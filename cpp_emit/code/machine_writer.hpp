@@ -1,10 +1,10 @@
 // The parts of a machine's code, in the order in which they are generated. Private to machine_code.
 #pragma once
 
-#include "cpp_emit/expressions/code_writer.hpp"
 #include "cpp_emit/code/machine_code.hpp"
-#include "semantics/ir/ir.hpp"
+#include "cpp_emit/expressions/code_writer.hpp"
 #include "cpp_emit/expressions/cpp_expr.hpp"
+#include "semantics/ir/ir.hpp"
 
 namespace robochart::cpp_emit {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/code/fault_injection.hpp"
+#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "semantics/evaluate/carrier.hpp"
 

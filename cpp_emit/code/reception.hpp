@@ -6,9 +6,9 @@
 #include <string>
 
 #include "cpp_emit/expressions/code_writer.hpp"
+#include "cpp_emit/expressions/cpp_expr.hpp"
 #include "cpp_emit/expressions/generation.hpp"
 #include "semantics/ir/ir.hpp"
-#include "cpp_emit/expressions/cpp_expr.hpp"
 
 namespace robochart::cpp_emit {
 

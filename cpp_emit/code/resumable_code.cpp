@@ -6,11 +6,11 @@
 #include <fmt/ranges.h>
 
 #include "cpp_emit/code/assignment.hpp"
-#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/code/fault_injection.hpp"
 #include "cpp_emit/code/machine_plan.hpp"
 #include "cpp_emit/code/reception.hpp"
 #include "cpp_emit/code/suspension.hpp"
+#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
 
 namespace robochart::cpp_emit {

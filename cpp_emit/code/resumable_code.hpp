@@ -48,8 +48,8 @@ struct Thread {
     std::vector<Place> places;    ///< in textual order
     std::vector<CallFrame> calls;
     std::vector<SendSite> sites;
-    std::vector<std::string> deadlines;  ///< members of the frame: time left plus one, 0 when none runs
-    CodeWriter helpers{1};               ///< functions that its places call
+    std::vector<std::string> deadlines;          ///< members of the frame: time left plus one, 0 when none runs
+    CodeWriter helpers{1};                       ///< functions that its places call
     std::map<std::uint32_t, std::string> stuck;  ///< by the state shown: where a false precondition leads
     bool waits = false;
 

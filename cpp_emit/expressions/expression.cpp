@@ -26,11 +26,11 @@ TypeKind wider(TypeKind left, TypeKind right) {
 bool fixed(const ir::Expr& expr) {
     bool result = true;
     ir::visit_operands(expr, [&](const ir::Expr& part) {
-        result = result && (part.kind == ExprKind::boolean || part.kind == ExprKind::integer ||
-                            part.kind == ExprKind::real || part.kind == ExprKind::enum_literal ||
-                            part.kind == ExprKind::constant || part.kind == ExprKind::negate ||
-                            part.kind == ExprKind::plus || part.kind == ExprKind::minus ||
-                            part.kind == ExprKind::times || part.kind == ExprKind::cast);
+        result = result &&
+                 (part.kind == ExprKind::boolean || part.kind == ExprKind::integer || part.kind == ExprKind::real ||
+                  part.kind == ExprKind::enum_literal || part.kind == ExprKind::constant ||
+                  part.kind == ExprKind::negate || part.kind == ExprKind::plus || part.kind == ExprKind::minus ||
+                  part.kind == ExprKind::times || part.kind == ExprKind::cast);
     });
     return result;
 }
@@ -91,8 +91,7 @@ CppExpr ExpressionWriter::expression_as(const ir::Expr& expr, ir::TypeId id) con
         return CppExpr(fmt::format("{}({})", numeric_name(type.kind), write(expr)));
     const bool converts =
         composed(type) && composed(generation_.system.type(expr.type)) && type_text(id) != type_text(expr.type);
-    return converts ? CppExpr(fmt::format("robochart::convert<{}>({})", type_text(id), write(expr)))
-                    : expression(expr);
+    return converts ? CppExpr(fmt::format("robochart::convert<{}>({})", type_text(id), write(expr))) : expression(expr);
 }
 
 std::string ExpressionWriter::variable(ir::VariableId id) const {
@@ -133,8 +132,8 @@ CppExpr ExpressionWriter::comparison(const ir::Expr& expr, const char* symbol, B
         const TypeKind common = wider(left, right);
         return compared(expr, symbol, operand_as(*expr.args[0], common), operand_as(*expr.args[1], common), binding);
     }
-    return compared(expr, symbol, operand(*expr.args[0]),
-                    expression_as(*expr.args[1], expr.args[0]->type).operand(), binding);
+    return compared(expr, symbol, operand(*expr.args[0]), expression_as(*expr.args[1], expr.args[0]->type).operand(),
+                    binding);
 }
 
 CppExpr ExpressionWriter::compared(const ir::Expr& expr, const char* symbol, const std::string& left,
@@ -238,10 +237,10 @@ std::string ExpressionWriter::membership(const ir::Expr& expr) const {
         return fmt::format("{}.contains({})", operand(set), write_as(value, member));
     const bool open_low = set.kind == ExprKind::range && (set.number == 1 || set.number == 3);
     const bool open_high = set.kind == ExprKind::range && set.number >= 2;
-    return fmt::format("[&] {{ const auto tested = {}; return {} {} tested && tested {} {}; }}()",
-                       write_as(value, member), expression_as(*set.args[0], member).operand(Binding::sum),
-                       open_low ? "<" : "<=", open_high ? "<" : "<=",
-                       expression_as(*set.args[1], member).operand(Binding::sum));
+    return fmt::format(
+        "[&] {{ const auto tested = {}; return {} {} tested && tested {} {}; }}()", write_as(value, member),
+        expression_as(*set.args[0], member).operand(Binding::sum),
+        open_low ? "<" : "<=", open_high ? "<" : "<=", expression_as(*set.args[1], member).operand(Binding::sum));
 }
 
 std::string ExpressionWriter::let(const ir::Expr& expr) const {
@@ -260,7 +259,8 @@ CppExpr ExpressionWriter::expression(const ir::Expr& expr) const {
     generation_.inst.poll();
     const std::optional<ir::Expr> wrong = faulty(generation_, unit_, expr);
     CppExpr text = right(wrong ? *wrong : expr);
-    if (text.empty()) throw std::logic_error("generated code reads what it has no place for, in " + unit_.machine->name);
+    if (text.empty())
+        throw std::logic_error("generated code reads what it has no place for, in " + unit_.machine->name);
     return text;
 }
 
@@ -337,8 +337,8 @@ CppExpr ExpressionWriter::right(const ir::Expr& expr) const {
         case ExprKind::index:
             return CppExpr(index(expr));
         case ExprKind::concat:
-            return CppExpr(fmt::format("concat({}, {})", write_as(*expr.args[0], expr.type),
-                                       write_as(*expr.args[1], expr.type)));
+            return CppExpr(
+                fmt::format("concat({}, {})", write_as(*expr.args[0], expr.type), write_as(*expr.args[1], expr.type)));
         case ExprKind::is_in: {
             const CppExpr contained(membership(expr));
             const bool wrong = generation_.mutation.hits(Fault::set_operation_wrong, &unit_, &expr);

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cpp_emit/expressions/generation.hpp"
-#include "semantics/ir/ir.hpp"
 #include "cpp_emit/expressions/code_writer.hpp"
 #include "cpp_emit/expressions/cpp_expr.hpp"
+#include "cpp_emit/expressions/generation.hpp"
+#include "semantics/ir/ir.hpp"
 
 namespace robochart::cpp_emit {
 

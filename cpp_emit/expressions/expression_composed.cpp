@@ -19,9 +19,8 @@ std::string ExpressionWriter::any(const ir::Expr& expr, std::size_t from, const 
     const ir::TypeId type = expr.bound_types.at(from);
     const std::string inner = any(expr, from + 1, visit);
     const std::string body = from + 1 == expr.bound_names.size() ? inner : fmt::format("return {};", inner);
-    return fmt::format("{}([&]([[maybe_unused]] const {}& {}) {{ {} }})",
-                       generation_.component.carrier(type).method, type_text(type),
-                       bound_identifier(expr.bound_names[from]), body);
+    return fmt::format("{}([&]([[maybe_unused]] const {}& {}) {{ {} }})", generation_.component.carrier(type).method,
+                       type_text(type), bound_identifier(expr.bound_names[from]), body);
 }
 
 /// Of all, some or one of the values that satisfy the predicate the body holds.
@@ -38,8 +37,7 @@ CppExpr ExpressionWriter::quantified(const ir::Expr& expr) const {
 /// The bound variables as one value of the type: the variable itself, or a tuple.
 std::string ExpressionWriter::bound_values(const ir::Expr& expr, ir::TypeId type) const {
     std::string names;
-    for (const std::string& name : expr.bound_names)
-        names += (names.empty() ? "" : ", ") + bound_identifier(name);
+    for (const std::string& name : expr.bound_names) names += (names.empty() ? "" : ", ") + bound_identifier(name);
     return expr.bound_names.size() == 1 ? names : fmt::format("{}::make({})", type_text(type), names);
 }
 
@@ -90,7 +88,8 @@ std::string ExpressionWriter::lookup(const ir::Expr& function, const std::vector
     if (function.kind == ExprKind::toolkit && function.text == "relation_toolkit_override" && !several)
         return fmt::format(
             "[&](const auto& argument, const auto& over) {{ "
-            "return robochart::toolkit::in_domain(over, argument) ? robochart::apply<{}>(over, argument) : {}; }}({}, {})",
+            "return robochart::toolkit::in_domain(over, argument) ? robochart::apply<{}>(over, argument) : {}; }}({}, "
+            "{})",
             type_text(result), lookup(*function.args[0], {"argument"}, domain), argument,
             write_as(*function.args[1], function.type));
     return fmt::format("robochart::apply<{}>({}, {})", type_text(result), write(function), argument);

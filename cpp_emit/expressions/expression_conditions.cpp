@@ -1,7 +1,7 @@
-// Preconditions of the functions that an expression calls (semantics 3.5). The code asks what the semantics asks, in the
-// same order: inner calls first, since the condition of an outer one may need their values; under a binder for every
-// value that the body is evaluated for; whatever a logical operator would pass over. Nothing is evaluated before its
-// own preconditions hold.
+// Preconditions of the functions that an expression calls (semantics 3.5). The code asks what the semantics asks, in
+// the same order: inner calls first, since the condition of an outer one may need their values; under a binder for
+// every value that the body is evaluated for; whatever a logical operator would pass over. Nothing is evaluated before
+// its own preconditions hold.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -31,16 +31,11 @@ constexpr Exchange quantifiers[] = {{ExprKind::forall, ExprKind::exists}, {ExprK
 
 /// Functions of the same signature, each way.
 constexpr std::pair<std::string_view, std::string_view> functions[] = {
-    {"set_toolkit_union", "set_toolkit_inter"},
-    {"set_toolkit_diff", "set_toolkit_union"},
-    {"set_toolkit_Union", "set_toolkit_Inter"},
-    {"set_toolkit_subset", "set_toolkit_subseteq"},
-    {"relation_toolkit_dres", "relation_toolkit_dsub"},
-    {"relation_toolkit_rres", "relation_toolkit_rsub"},
-    {"sequence_toolkit_head", "sequence_toolkit_last"},
-    {"sequence_toolkit_tail", "sequence_toolkit_front"},
-    {"sequence_toolkit_min", "sequence_toolkit_max"},
-    {"sequence_toolkit_prefix", "sequence_toolkit_suffix"}};
+    {"set_toolkit_union", "set_toolkit_inter"},         {"set_toolkit_diff", "set_toolkit_union"},
+    {"set_toolkit_Union", "set_toolkit_Inter"},         {"set_toolkit_subset", "set_toolkit_subseteq"},
+    {"relation_toolkit_dres", "relation_toolkit_dsub"}, {"relation_toolkit_rres", "relation_toolkit_rsub"},
+    {"sequence_toolkit_head", "sequence_toolkit_last"}, {"sequence_toolkit_tail", "sequence_toolkit_front"},
+    {"sequence_toolkit_min", "sequence_toolkit_max"},   {"sequence_toolkit_prefix", "sequence_toolkit_suffix"}};
 
 std::string other_function(std::string_view name) {
     for (const auto& [one, other] : functions) {

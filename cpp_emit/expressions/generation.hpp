@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "cpp_emit/plan/component.hpp"
 #include "cpp_emit/expressions/mutation.hpp"
+#include "cpp_emit/plan/component.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -23,7 +23,9 @@ struct Generation {
     [[nodiscard]] diagnostics::ForeignText line(diagnostics::Span) const;
     /// "aggregation.rct"; "" if it is unknown.
     [[nodiscard]] diagnostics::ForeignText file(diagnostics::Span) const;
-    [[nodiscard]] diagnostics::ForeignText place(const ir::Origin& origin) const { return place(origin.element, origin.span); }
+    [[nodiscard]] diagnostics::ForeignText place(const ir::Origin& origin) const {
+        return place(origin.element, origin.span);
+    }
 };
 
 }  // namespace robochart::cpp_emit

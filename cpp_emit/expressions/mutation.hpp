@@ -8,7 +8,6 @@
 
 #include "cpp_emit/plan/options.hpp"
 
-
 namespace robochart::cpp_emit {
 
 class Mutation {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/code/fault_injection.hpp"
+#include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
 
 namespace robochart::cpp_emit {

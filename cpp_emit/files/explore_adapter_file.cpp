@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "cpp_emit/code/dispatch.hpp"
-#include "cpp_emit/files/files.hpp"
-#include "cpp_emit/plan/functions.hpp"
-#include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/files/explore_adapter_printers.hpp"
+#include "cpp_emit/files/files.hpp"
+#include "cpp_emit/plan/exploration_ports.hpp"
+#include "cpp_emit/plan/functions.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "semantics/evaluate/carrier.hpp"
 

@@ -97,7 +97,8 @@ private:
         out_.doc("The place as it is called in the code, and what it is in the model.");
         two_names("name", enumeration, [](const Enumerator& value) { return diagnostics::cpp_string(value.name); });
         out_.gap();
-        two_names("element", enumeration, [](const Enumerator& value) { return diagnostics::cpp_string(value.comment); });
+        two_names("element", enumeration,
+                  [](const Enumerator& value) { return diagnostics::cpp_string(value.comment); });
     }
 
     template <class Text>

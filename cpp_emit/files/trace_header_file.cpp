@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "cpp_emit/files/files.hpp"
-#include "cpp_emit/plan/exploration_ports.hpp"
-#include "cpp_emit/files/trace_names.hpp"
 #include "cpp_emit/code/transition_numbers.hpp"
+#include "cpp_emit/files/files.hpp"
+#include "cpp_emit/files/trace_names.hpp"
+#include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/types.hpp"
 
 namespace robochart::cpp_emit {
@@ -229,8 +229,8 @@ private:
         for (std::size_t i = 0; i < registers_.size(); ++i) {
             const Register& input = registers_[i];
             if (!input.type) {
-                out_.line(
-                    fmt::format("if (inputs.{}.present) tracer.text({});", input.member, cpp_string(inputs_[i] + "? ")));
+                out_.line(fmt::format("if (inputs.{}.present) tracer.text({});", input.member,
+                                      cpp_string(inputs_[i] + "? ")));
                 continue;
             }
             out_.open(fmt::format("if (inputs.{}.present) {{", input.member));

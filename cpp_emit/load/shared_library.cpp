@@ -52,7 +52,8 @@ pid_t start(const std::vector<std::string>& command, const std::string& log, std
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0600);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW,
+                                     0600);
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
@@ -65,7 +66,8 @@ pid_t start(const std::vector<std::string>& command, const std::string& log, std
     posix_spawnattr_setsigdefault(&attributes, &usual);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
     pid_t child = 0;
-    const int spawned = posix_spawnp(&child, arguments.front(), &actions, &attributes, arguments.data(), environment.data());
+    const int spawned =
+        posix_spawnp(&child, arguments.front(), &actions, &attributes, arguments.data(), environment.data());
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (spawned == 0) return child;
@@ -143,8 +145,8 @@ std::vector<std::string> command_line(const BuildOptions& options, const fs::pat
 /// A compiler that the system gave too little memory has found nothing wrong with the code.
 bool lacked_memory(const std::string& said) {
     const auto says = [&](const char* words) { return said.find(words) != std::string::npos; };
-    return says("memory exhausted") || says("out of memory") || says("annot allocate memory") || says("Killed signal") ||
-           says("std::bad_alloc");
+    return says("memory exhausted") || says("out of memory") || says("annot allocate memory") ||
+           says("Killed signal") || says("std::bad_alloc");
 }
 
 bool compile(const BuildOptions& options, const fs::path& folder, const std::vector<std::string>& sources,

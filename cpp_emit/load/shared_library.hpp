@@ -11,10 +11,10 @@
 namespace robochart::cpp_emit {
 
 struct BuildOptions {
-    std::string compiler = "c++";            ///< found through PATH; must accept g++'s options
-    std::string flags;                       ///< separated by blanks
-    std::string work_dir;                    ///< "": a fresh temporary folder, removed with the object
-    diagnostics::Budget* budget = nullptr;   ///< of the run; the compiler is ended where a limit is reached
+    std::string compiler = "c++";           ///< found through PATH; must accept g++'s options
+    std::string flags;                      ///< separated by blanks
+    std::string work_dir;                   ///< "": a fresh temporary folder, removed with the object
+    diagnostics::Budget* budget = nullptr;  ///< of the run; the compiler is ended where a limit is reached
 };
 
 /// Runs a program found through PATH, its output and errors going to the file `log`. Returns its exit status; -1 with

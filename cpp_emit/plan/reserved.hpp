@@ -1,4 +1,5 @@
-// Names that a model's may not become in C++, as lists (cpp_emit/reserved); scripts/reserved_names.sh makes the first two.
+// Names that a model's may not become in C++, as lists (cpp_emit/reserved); scripts/reserved_names.sh makes the first
+// two.
 #pragma once
 
 #include <span>

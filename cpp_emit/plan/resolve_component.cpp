@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
+#include "cpp_emit/plan/connection_resolution.hpp"
+#include "cpp_emit/plan/feature_analysis.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/types.hpp"
-#include "cpp_emit/plan/feature_analysis.hpp"
 #include "cpp_emit/plan/walk.hpp"
-#include "cpp_emit/plan/connection_resolution.hpp"
 #include "semantics/evaluate/carrier.hpp"
 #include "semantics/evaluate/evaluate.hpp"
+#include "semantics/evaluate/preconditions.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/query.hpp"
-#include "semantics/evaluate/preconditions.hpp"
 
 namespace robochart::cpp_emit {
 

@@ -361,7 +361,8 @@ std::string cspm_rows(const ir::System& system, const std::vector<ir::TypeId>& t
 std::string cspm_literal(const ir::System& system, const ir::Type& type, const ir::Value& value) {
     const auto index = static_cast<std::size_t>(value.number);
     std::string package = type.package;
-    for (std::size_t at = package.find("::"); at != std::string::npos; at = package.find("::")) package.replace(at, 2, "_");
+    for (std::size_t at = package.find("::"); at != std::string::npos; at = package.find("::"))
+        package.replace(at, 2, "_");
     const std::string name = (package.empty() ? "" : package + "_") + type.name + "_" + type.labels[index];
     if (value.parts.empty()) return name;
     return name + "." + cspm_parts(system, type.literal_args[index], value, ".");

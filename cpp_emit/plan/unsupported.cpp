@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "cpp_emit/plan/functions.hpp"
 #include "cpp_emit/plan/exploration_ports.hpp"
+#include "cpp_emit/plan/functions.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/walk.hpp"
@@ -231,8 +231,7 @@ private:
         if (source.parent != machine.nodes[transition.target.index].parent)
             diagnostics_.report(rules::crossing, span, {name});
         if (transition.deadline && ir::preconditions_can_fail(system_, inst_, {}, *transition.deadline))
-            diagnostics_.report(rules::unsupported_expr, span,
-                                {"a deadline by a function with a precondition", name});
+            diagnostics_.report(rules::unsupported_expr, span, {"a deadline by a function with a precondition", name});
         if (!transition.trigger) return;
         const bool settled = source.kind == NodeKind::state;
         if (!settled) diagnostics_.report(rules::unsupported_trigger, span, {name, "its source is not a state"});

@@ -1,4 +1,5 @@
-// What is emitted, and what it means: the script, what is to be checked of it, and what its names stand for in the model.
+// What is emitted, and what it means: the script, what is to be checked of it, and what its names stand for in the
+// model.
 #pragma once
 
 #include <cstdint>
@@ -40,17 +41,17 @@ struct EventMeaning {
 };
 /// What a parameter of a definition holds.
 enum class ParameterKind {
-    variable,   ///< of the machine, or of an operation that is being called
-    clock,      ///< time since its reset
+    variable,  ///< of the machine, or of an operation that is being called
+    clock,     ///< time since its reset
     constant,
     countdown,  ///< time left of a wait or a deadline
     temporary,  ///< a value that has been read or received and is not used up yet
 };
 /// An event that a configuration may offer, and the element of the model that it comes from.
 struct OfferMeaning {
-    std::string event;  ///< relative to the component, without arguments: "a.in", "moveCall"
-    std::string text;   ///< "t1: S1 -> S2", "entry action of S1"
-    ir::Origin origin;  ///< of the transition or the statement
+    std::string event;        ///< relative to the component, without arguments: "a.in", "moveCall"
+    std::string text;         ///< "t1: S1 -> S2", "entry action of S1"
+    ir::Origin origin;        ///< of the transition or the statement
     std::string name = {};    ///< of a transition: "t1"
     std::string target = {};  ///< of a transition: the element that it leads to
 };
@@ -104,8 +105,8 @@ struct Emission {
     std::vector<Obligation> obligations;
     Provenance provenance;
     std::vector<ComponentProcesses> components;  ///< every one, nested ones too, by path
-    std::set<std::string> bounded;  ///< functions whose value the finite instantiation may choose (clipping.hpp)
-    std::set<std::string> captured;              ///< always empty, or the script is wrong (name_clashes.hpp)
+    std::set<std::string> bounded;   ///< functions whose value the finite instantiation may choose (clipping.hpp)
+    std::set<std::string> captured;  ///< always empty, or the script is wrong (name_clashes.hpp)
 };
 
 struct Options {

@@ -153,7 +153,8 @@ std::string further_text(const ir::System& system, Time time) {
     std::string result;
     if (blocks_name(system, {"ILSeq", "calc_type_"})) result += further_common;
     if (blocks_name(system, {"tuple"})) result += tuple_parts();
-    if (time == Time::timed && blocks_name(system, {"TimedInterrupt", "TimeOut", "TCHAOS", "RT__", "Some__", "DoClockReset"}))
+    if (time == Time::timed &&
+        blocks_name(system, {"TimedInterrupt", "TimeOut", "TCHAOS", "RT__", "Some__", "DoClockReset"}))
         result += further_timed;
     return result;
 }
@@ -175,8 +176,8 @@ const std::set<std::string>& library_names() {
     static const std::set<std::string> names = [] {
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics diagnostics;
-        const auto source = sources.add("<libraries>", library_text(Time::timed) + further_common + further_timed + tuple_parts() +
-                                                     tick_tock_part + toolkit_text());
+        const auto source = sources.add("<libraries>", library_text(Time::timed) + further_common + further_timed +
+                                                           tuple_parts() + tick_tock_part + toolkit_text());
         const auto decls = cspm::read(sources, source, diagnostics).decls;
         std::set<std::string> result = user_names(decls).all;
         for (const cspm::DeclPtr& decl : decls)

@@ -146,9 +146,8 @@ constexpr std::array reserved_names{"and",
                                     "real_scale"};
 
 // Predefined functions that only the library and the instantiations call, which stand outside the modules.
-constexpr std::array only_at_top{"inter", "diff",       "Union",  "Inter", "set",    "seq",
-                                 "head",  "tail",       "concat", "elem",  "length", "null",
-                                 "show",  "extensions", "Map",    "productions"};
+constexpr std::array only_at_top{"inter",  "diff", "Union",  "Inter", "set",  "seq",        "head", "tail",
+                                 "concat", "elem", "length", "null",  "show", "extensions", "Map",  "productions"};
 
 bool relied_on(const std::string& name) {
     return ends_as_ours(name) || std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
@@ -214,8 +213,8 @@ bool is_reserved_inside(const std::string& name) {
 
 bool is_predefined(const std::string& name) {
     const cspm::BuiltinName* builtin = cspm::find_builtin(name);
-    return builtin != nullptr && (builtin->visibility == cspm::Visibility::always ||
-                                  builtin->visibility == cspm::Visibility::timed_sections);
+    return builtin != nullptr &&
+           (builtin->visibility == cspm::Visibility::always || builtin->visibility == cspm::Visibility::timed_sections);
 }
 
 void reserve_all(NameManager& names) {

@@ -17,7 +17,8 @@ class NameManager {
 public:
     void reserve(const std::string& name) { taken_.insert(name); }
     [[nodiscard]] bool taken(const std::string& name) const { return taken_.count(name) != 0; }
-    /// `name` itself or `name_2`, `name_3`..., behind an `n` if it does not begin with a letter; the result is taken from now on.
+    /// `name` itself or `name_2`, `name_3`..., behind an `n` if it does not begin with a letter; the result is taken
+    /// from now on.
     [[nodiscard]] std::string unique(const std::string& name);
 
 private:

@@ -7,7 +7,6 @@
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
-
 namespace robochart::csp_emit {
 
 struct Project {

@@ -62,7 +62,8 @@ std::vector<cspm::DeclPtr> toolkit_definitions(const Project& project) {
 }  // namespace
 
 std::vector<cspm::DeclPtr> library(const Project& project) {
-    const auto source = project.sources.add("<library of generated scripts>", library_text(project.system, project.time));
+    const auto source =
+        project.sources.add("<library of generated scripts>", library_text(project.system, project.time));
     auto decls = cspm::read(project.sources, source, project.diagnostics).decls;
     const auto toolkits = toolkit_definitions(project);
     decls.insert(decls.end(), toolkits.begin(), toolkits.end());

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/types.hpp"
 #include "csp_emit/compose/instantiations.hpp"
 #include "csp_emit/machine/machine.hpp"
-#include "csp_emit/base/types.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "checker/cspm/syntax/build.hpp"
-#include "csp_emit/expressions/expressions.hpp"
 #include "csp_emit/base/names.hpp"
 #include "csp_emit/base/types.hpp"
+#include "csp_emit/expressions/expressions.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -251,7 +251,8 @@ std::vector<DeclPtr> record_functions(const Project& project, const std::set<std
             b::Exprs changed = values;
             changed[i] = b::name("v__");
             add(name, {whole}, values[i]);
-            add("update_" + name, {whole, b::variable("v__")}, changed.size() == 1 ? changed.front() : b::tuple(changed));
+            add("update_" + name, {whole, b::variable("v__")},
+                changed.size() == 1 ? changed.front() : b::tuple(changed));
         }
     }
     return decls;

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/types.hpp"
 #include "csp_emit/compose/controller.hpp"
 #include "csp_emit/expressions/expressions.hpp"
-#include "csp_emit/base/types.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/query.hpp"
 

@@ -1,10 +1,10 @@
 // Preconditions of the functions that an expression calls: `pre_f(args) & ...` in front of the statement or transition
 // (semantics 3.5). Inner calls come first: the condition of an outer one may need their values. Under a binder the
 // condition is asked for every value that the body is evaluated for.
-#include "csp_emit/expressions/translator.hpp"
 #include "csp_emit/base/types.hpp"
-#include "semantics/evaluate/toolkit.hpp"
+#include "csp_emit/expressions/translator.hpp"
 #include "semantics/evaluate/preconditions.hpp"
+#include "semantics/evaluate/toolkit.hpp"
 
 namespace robochart::csp_emit {
 

@@ -2,8 +2,8 @@
 // that CSPM writes differently (semantics 3.13).
 #include <algorithm>
 
-#include "csp_emit/expressions/translator.hpp"
 #include "csp_emit/base/types.hpp"
+#include "csp_emit/expressions/translator.hpp"
 
 namespace robochart::csp_emit {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "checker/cspm/syntax/build.hpp"
-#include "csp_emit/expressions/clipping.hpp"
 #include "csp_emit/base/names.hpp"
-#include "csp_emit/expressions/translator.hpp"
 #include "csp_emit/base/types.hpp"
+#include "csp_emit/expressions/clipping.hpp"
+#include "csp_emit/expressions/translator.hpp"
 #include "semantics/evaluate/evaluate.hpp"
 #include "semantics/evaluate/toolkit.hpp"
 

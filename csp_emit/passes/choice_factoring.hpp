@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "csp_emit/passes/liveness.hpp"
 #include "csp_emit/base/names.hpp"
+#include "csp_emit/passes/liveness.hpp"
 
 namespace robochart::csp_emit {
 

@@ -252,8 +252,8 @@ void FamilyCalls::redirect(const Expr& call, const std::string& function) {
     calls_.at(&call).call.function = function;
 }
 
-std::vector<std::string> find_parameters(std::vector<Function>& functions, ExprPtr& initial,
-                                         const FamilyCalls& calls, const Candidates& candidates) {
+std::vector<std::string> find_parameters(std::vector<Function>& functions, ExprPtr& initial, const FamilyCalls& calls,
+                                         const Candidates& candidates) {
     const Family family(functions, initial, calls, candidates);
     initial = family.dense(initial);
     for (std::size_t i = 0; i < functions.size(); ++i) {

@@ -1,11 +1,11 @@
-// See name_clashes.hpp. What both declare at the top under one name and nobody can rename, a channel of RoboTool's library or
-// a component, stays as it is: the type checker says where it is declared twice.
+// See name_clashes.hpp. What both declare at the top under one name and nobody can rename, a channel of RoboTool's
+// library or a component, stays as it is: the type checker says where it is declared twice.
 #include "csp_emit/passes/name_clashes.hpp"
 
 #include <map>
 
-#include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/syntax/lookup.hpp"
+#include "checker/cspm/types/builtins.hpp"
 #include "csp_emit/base/library.hpp"
 
 namespace robochart::csp_emit {
@@ -86,9 +86,9 @@ private:
 
     const NamesForBlocks& of_model_;
     NameManager& names_;
-    std::vector<UserNames> own_;                     ///< of each file, but its instantiations
-    std::set<std::string> given_, modules_;          ///< of the instantiations
-    std::set<std::string> values_;                   ///< of the generated modules, and a block's channels too
+    std::vector<UserNames> own_;             ///< of each file, but its instantiations
+    std::set<std::string> given_, modules_;  ///< of the instantiations
+    std::set<std::string> values_;           ///< of the generated modules, and a block's channels too
     std::map<std::string, int> files_that_declare_;
     cspm::NewNames common_;
 };

@@ -7,10 +7,10 @@
 #include <map>
 #include <set>
 
-#include "csp_emit/expressions/expressions.hpp"
 #include "csp_emit/base/names.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/base/types.hpp"
+#include "csp_emit/expressions/expressions.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
@@ -21,8 +21,8 @@ enum class Bearer {
     component,  ///< a module of the script
     event,
     operation,  ///< `opCall`
-    part,   ///< a reference: a module inside a module
-    state,  ///< a module inside its machine's
+    part,       ///< a reference: a module inside a module
+    state,      ///< a module inside its machine's
     package,
 };
 
@@ -55,14 +55,12 @@ private:
     }
     template <class Component>
     void members(const Component& component) {
-        for (const ir::Event& event : component.events)
-            visit_(Bearer::event, event.name, false, event.origin.span);
+        for (const ir::Event& event : component.events) visit_(Bearer::event, event.name, false, event.origin.span);
         for (const ir::OperationSignature& operation : component.operations)
             visit_(Bearer::operation, operation.name, false, operation.origin.span);
     }
     void machine(const ir::Machine& machine) {
-        if (machine.kind == ir::MachineKind::state_machine)
-            top(machine.package, machine.name, machine.origin.span);
+        if (machine.kind == ir::MachineKind::state_machine) top(machine.package, machine.name, machine.origin.span);
         members(machine);
         for (const ir::Node& node : machine.nodes)
             if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final)
@@ -103,7 +101,8 @@ struct NewNames {
     [[nodiscard]] bool empty() const {
         const auto kept = [](const std::string& name) { return name.empty(); };
         const auto all_kept = [](const auto& names) { return names.empty(); };
-        return std::all_of(labels.begin(), labels.end(), all_kept) && all.empty() && states.empty() && operations.empty() && std::all_of(types.begin(), types.end(), kept) &&
+        return std::all_of(labels.begin(), labels.end(), all_kept) && all.empty() && states.empty() &&
+               operations.empty() && std::all_of(types.begin(), types.end(), kept) &&
                std::all_of(functions.begin(), functions.end(), kept) &&
                std::all_of(machines.begin(), machines.end(), kept);
     }
@@ -287,9 +286,8 @@ private:
 
     /// The text before the number: an identifier of CSPM begins with a letter.
     static std::string stem(const std::string& name) {
-        const auto letter = std::find_if(name.begin(), name.end(), [](char c) {
-            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-        });
+        const auto letter = std::find_if(name.begin(), name.end(),
+                                         [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
         return letter == name.end() ? "name" : std::string(letter, name.end());
     }
 
@@ -419,13 +417,11 @@ public:
 
     void find(const ir::System& system) {
         for (const ir::Machine& machine : system.machines) {
-            if (machine.path == machine.name)
-                component(machine.package, module_name(machine), machine.origin);
+            if (machine.path == machine.name) component(machine.package, module_name(machine), machine.origin);
             constants(machine.package, machine.path, machine.constants);
         }
         for (const ir::Controller& controller : system.controllers) {
-            if (controller.path == controller.name)
-                component(controller.package, controller.name, controller.origin);
+            if (controller.path == controller.name) component(controller.package, controller.name, controller.origin);
             constants(controller.package, controller.path, controller.constants);
             for (const auto& part : controller.machines)
                 constants(controller.package, controller.path + "::" + part.name,
@@ -449,8 +445,7 @@ private:
     void constants(const std::string& package, const std::string& path, const std::vector<ir::Constant>& constants) {
         for (const ir::Constant& constant : constants)
             check(ir::constant_name(package, path, constant.name),
-                  "constant " + (package.empty() ? "" : package + "::") + path + "::" + constant.name,
-                  constant.origin);
+                  "constant " + (package.empty() ? "" : package + "::") + path + "::" + constant.name, constant.origin);
     }
     void check(const std::string& name, const std::string& element, const ir::Origin& origin) {
         const auto [known, added] = names_.try_emplace(name, Named{element, origin.span});

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "frontend/checks/checks.hpp"
-#include "frontend/syntax/print.hpp"
-#include "frontend/rules/rules.hpp"
 #include "frontend/names/scopes.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::frontend {
 

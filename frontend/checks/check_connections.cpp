@@ -4,9 +4,9 @@
 #include <map>
 
 #include "frontend/checks/checks.hpp"
-#include "frontend/syntax/print.hpp"
-#include "frontend/rules/rules.hpp"
 #include "frontend/names/scopes.hpp"
+#include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 #include "frontend/types/types.hpp"
 
 namespace robochart::frontend {

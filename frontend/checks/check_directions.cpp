@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "frontend/checks/checks.hpp"
-#include "frontend/rules/rules.hpp"
 #include "frontend/names/scopes.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
 
 namespace robochart::frontend {

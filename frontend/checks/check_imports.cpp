@@ -6,8 +6,8 @@
 
 #include "diagnostics/spelling.hpp"
 #include "frontend/checks/checks.hpp"
-#include "frontend/toolkits/toolkits.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/toolkits/toolkits.hpp"
 
 namespace robochart::frontend {
 
@@ -45,7 +45,8 @@ private:
                                     {import.name.text(), fmt::format("no `{}` in package `{}`", member, package)});
         const std::string meant = diagnostics::nearest(member, members);
         if (!meant.empty())
-            finding.fixes.push_back({import.name.spans.back(), meant, diagnostics::suggested(diagnostics::is_certain(member, meant, members))});
+            finding.fixes.push_back({import.name.spans.back(), meant,
+                                     diagnostics::suggested(diagnostics::is_certain(member, meant, members))});
     }
 
     void unknown_package(const Import& import, const std::string& package) {
@@ -56,8 +57,9 @@ private:
         const Span& last =
             import.name.spans.at(static_cast<std::size_t>(std::count(package.begin(), package.end(), ':')) / 2);
         const Span& first = import.name.spans.front();
-        finding.fixes.push_back(
-            {{first.source, first.begin, last.end}, meant, diagnostics::suggested(diagnostics::is_certain(package, meant, packages_))});
+        finding.fixes.push_back({{first.source, first.begin, last.end},
+                                 meant,
+                                 diagnostics::suggested(diagnostics::is_certain(package, meant, packages_))});
     }
 
     const Names& names_;

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "frontend/checks/checks.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::frontend {
 

@@ -7,11 +7,11 @@
 #include <set>
 
 #include "frontend/checks/checks.hpp"
-#include "frontend/syntax/print.hpp"
-#include "frontend/rules/rules.hpp"
 #include "frontend/names/scopes.hpp"
-#include "frontend/types/types.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/types/types.hpp"
 
 namespace robochart::frontend {
 
@@ -317,7 +317,7 @@ void check_module_provision(const Component& module, Diagnostics& out) {
 
 void check_provision(const Component& component, Diagnostics& out) {
     component.kind == DeclKind::module ? check_module_provision(component, out)
-                                            : check_controller_provision(component, out);
+                                       : check_controller_provision(component, out);
 }
 
 }  // namespace robochart::frontend

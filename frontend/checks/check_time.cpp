@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "frontend/checks/checks.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
-#include "frontend/types/type_algebra.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/types/type_algebra.hpp"
 
 namespace robochart::frontend {
 

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "frontend/lint/lints.hpp"
-#include "frontend/rules/rules.hpp"
 #include "frontend/names/scopes.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
 
 namespace robochart::frontend {

@@ -6,10 +6,10 @@
 #include <deque>
 
 #include "frontend/lint/lints.hpp"
-#include "frontend/rules/rules.hpp"
 #include "frontend/names/scopes.hpp"
-#include "frontend/types/types.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/types/types.hpp"
 
 namespace robochart::frontend {
 

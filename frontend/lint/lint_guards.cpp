@@ -4,10 +4,10 @@
 
 #include "frontend/lint/lint_logic.hpp"
 #include "frontend/lint/lints.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
-#include "frontend/types/typer.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/types/typer.hpp"
 
 namespace robochart::frontend {
 

@@ -8,8 +8,8 @@
 
 #include "frontend/lint/lint_logic.hpp"
 #include "frontend/lint/lints.hpp"
-#include "frontend/rules/rules.hpp"
 #include "frontend/names/scopes.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
 
 namespace robochart::frontend {

@@ -4,9 +4,9 @@
 #include <unordered_set>
 
 #include "frontend/lint/lints.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::frontend {
 

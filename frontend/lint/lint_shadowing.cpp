@@ -5,10 +5,10 @@
 #include <map>
 
 #include "frontend/lint/lints.hpp"
-#include "frontend/syntax/print.hpp"
-#include "frontend/rules/rules.hpp"
 #include "frontend/names/scopes.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::frontend {
 

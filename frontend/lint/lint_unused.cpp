@@ -4,10 +4,10 @@
 // machines that use it).
 
 #include "frontend/lint/lints.hpp"
-#include "frontend/syntax/print.hpp"
-#include "frontend/rules/rules.hpp"
 #include "frontend/names/scopes.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::frontend {
 

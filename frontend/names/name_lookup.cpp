@@ -7,9 +7,9 @@
 #include <array>
 
 #include "diagnostics/spelling.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/print.hpp"
-#include "frontend/rules/rules.hpp"
 
 namespace robochart::frontend {
 
@@ -51,7 +51,7 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
     if (const Declaration* other = find_other_kind(names_, place, name)) {
         diagnostics::Diagnostic& finding =
             out_->report(rules::ambiguous_kind, name.span,
-                        {shorten(name.text()), std::string(to_text(other->kind)), std::string(what)});
+                         {shorten(name.text()), std::string(to_text(other->kind)), std::string(what)});
         finding.notes.push_back({other->name_span, "it is declared here"});
         return nullptr;
     }
@@ -89,7 +89,8 @@ diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_
     if (!is_core) meant = diagnostics::nearest(written, candidates);
     if (!meant.empty())
         finding.fixes.push_back(
-            {name.spans.back(), meant, diagnostics::suggested(is_core || diagnostics::is_certain(written, meant, candidates))});
+            {name.spans.back(), meant,
+             diagnostics::suggested(is_core || diagnostics::is_certain(written, meant, candidates))});
     return finding;
 }
 

@@ -43,7 +43,7 @@ private:
     const Names& names_;
     diagnostics::Diagnostics* out_;
     std::set<std::pair<diagnostics::SourceId, std::string>> reported_;  ///< unknown names reported: kind, name, place
-    diagnostics::Diagnostic untold_;                                ///< takes the notes of what is not reported
+    diagnostics::Diagnostic untold_;                                    ///< takes the notes of what is not reported
 };
 
 }  // namespace robochart::frontend

@@ -31,7 +31,8 @@ struct Place {
     const Declaration* inside = nullptr;
 };
 
-/// How near two files are: all for a file itself, else the folders that both lie in; toolkits are farther than any file.
+/// How near two files are: all for a file itself, else the folders that both lie in; toolkits are farther than any
+/// file.
 [[nodiscard]] std::size_t nearness(const File& a, const File& b);
 
 /// All names declared at package level or inside components, by their full name `P::C::S`.

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "diagnostics/one_line.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/project/project.hpp"
+#include "frontend/syntax/print.hpp"
 #include "frontend/types/types.hpp"
 
 namespace robochart::frontend {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "frontend/checks/checks.hpp"
-#include "frontend/project/tree_patch.hpp"
 #include "frontend/lint/lints.hpp"
-#include "frontend/project/project.hpp"
 #include "frontend/project/clear_resolution.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/project/tree_patch.hpp"
 #include "frontend/resolve/resolver.hpp"
 #include "frontend/syntax/file_visitor.hpp"
 

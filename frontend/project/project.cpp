@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <set>
 
+#include "diagnostics/files.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/parse.hpp"
-#include "frontend/toolkits/toolkits.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
-#include "diagnostics/files.hpp"
+#include "frontend/toolkits/toolkits.hpp"
 
 namespace robochart::frontend {
 

@@ -19,7 +19,8 @@ void resolve(Model&, diagnostics::Diagnostics&);
 /// one (editors); unchanged toolkits are not read again.
 void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnostics&);
 
-/// Model and assertion files of a folder, sorted by path, hidden ones left out; with `deep` those of its subfolders too.
+/// Model and assertion files of a folder, sorted by path, hidden ones left out; with `deep` those of its subfolders
+/// too.
 [[nodiscard]] std::vector<std::string> project_files(const std::string& folder, bool deep);
 
 /// Loads a project: a folder (all `.rct` and `.assertions` below it, sorted by path) or one file

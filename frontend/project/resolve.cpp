@@ -5,8 +5,8 @@
 
 #include "frontend/checks/checks.hpp"
 #include "frontend/lint/lints.hpp"
-#include "frontend/project/project.hpp"
 #include "frontend/project/clear_resolution.hpp"
+#include "frontend/project/project.hpp"
 #include "frontend/resolve/resolver.hpp"
 #include "frontend/rules/rules.hpp"
 
@@ -46,8 +46,10 @@ void check(const Declaration& declaration, bool whole, Diagnostics& out) {
 void check_kept(const File& file, Diagnostics& out) {
     for (const KeptPart& part : file.kept) {
         if (!part.probabilistic) continue;
-        if (part.claims) out.report(rules::probabilistic_claim, part.span, {part.name, part.form});
-        else out.report(rules::probabilistic_part, part.span, {part.form + (part.name.empty() ? "" : " " + part.name)});
+        if (part.claims)
+            out.report(rules::probabilistic_claim, part.span, {part.name, part.form});
+        else
+            out.report(rules::probabilistic_part, part.span, {part.form + (part.name.empty() ? "" : " " + part.name)});
     }
 }
 

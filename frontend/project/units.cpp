@@ -8,8 +8,8 @@
 #include <set>
 #include <tuple>
 
-#include "frontend/project/occurrences.hpp"
 #include "frontend/names/names.hpp"
+#include "frontend/project/occurrences.hpp"
 
 namespace robochart::frontend {
 
@@ -95,7 +95,8 @@ private:
     /// To those of the files that are nearest: it is ambiguous which of them is meant.
     void tie_nearest(std::size_t file, const std::vector<std::size_t>& others) {
         std::size_t near = 0;
-        for (const std::size_t other : others) near = std::max(near, nearness(*model_.files[file], *model_.files[other]));
+        for (const std::size_t other : others)
+            near = std::max(near, nearness(*model_.files[file], *model_.files[other]));
         for (const std::size_t other : others)
             if (nearness(*model_.files[file], *model_.files[other]) == near) tie(file, other);
     }
@@ -114,7 +115,8 @@ private:
         for (const std::size_t file : files) {
             const std::string_view folder = model_.files[file]->folder;
             for (std::size_t end = folder.find('/'); end != std::string_view::npos; end = folder.find('/', end + 1))
-                if (const auto above = first.find(folder.substr(0, end + 1)); above != first.end()) tie(file, above->second);
+                if (const auto above = first.find(folder.substr(0, end + 1)); above != first.end())
+                    tie(file, above->second);
         }
     }
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::frontend {
 

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "diagnostics/spelling.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/resolve/resolver.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::frontend {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "diagnostics/spelling.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/resolve/resolver.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::frontend {
 
@@ -168,7 +168,8 @@ void Resolver::connection_event(Connection::End& end, Ends& ends) {
     const std::vector<std::string> events = finder_.keys(scope.events);
     const std::string meant = diagnostics::nearest(end.event.text(), events);
     if (!meant.empty())
-        finding.fixes.push_back({end.event.span, meant, diagnostics::suggested(diagnostics::is_certain(end.event.text(), meant, events))});
+        finding.fixes.push_back(
+            {end.event.span, meant, diagnostics::suggested(diagnostics::is_certain(end.event.text(), meant, events))});
 }
 
 }  // namespace robochart::frontend

@@ -28,8 +28,8 @@ extern const Rule tt1, te1, te1_elsewhere, te2, te3, te4, te4_type, te5, ts1, un
 extern const Rule initial_type, assignment_type, if_type, condition_type, wait_type, call_count, call_type, tg5, tg2,
     comm_input, comm_value, literal_count, literal_bare, literal_type, function_count, function_type, not_callable,
     tuple_index, index_count, not_indexable, no_field, field_type, field_missing, cast_type, operand_type, unary_type,
-    compare_type, mixed_types, size_value, condition_boolean, deadline_type, not_assignable, comm_narrow, wrong_contract, range_bounds,
-    index_type, function_bare;
+    compare_type, mixed_types, size_value, condition_boolean, deadline_type, not_assignable, comm_narrow,
+    wrong_contract, range_bounds, index_type, function_bare;
 
 // rules_assertions.cpp
 extern const Rule unknown_component, not_a_component, no_state, no_clock, no_constant, constant_type, constant_twice,

@@ -32,19 +32,20 @@ const Rule constants_open{
     "RC-Q08", warning, "`{}` requires the constant{} {}, which this assertion leaves open",
     "What a component requires is decided outside it. Without a value in the assertion the default of the "
     "instantiation counts, or what `--const` says."};
-const Rule probabilistic_claim{
-    "RC-Q09", warning, "`{}` is not checked: `{}` is probabilistic",
-    "Claims about probabilities and rewards are read, and no verb decides them yet. A run that checks lists each of them "
-    "as not checked and does not succeed."};
-const Rule probabilistic_part{
-    "RC-Q10", warning, "`{}` is passed over: it serves probabilistic claims alone",
-    "Constants, labels, formulas, rewards, definitions and modules of assertion files are there for `prob property`, which is "
-    "not checked yet. They change nothing in the other assertions."};
+const Rule probabilistic_claim{"RC-Q09", warning, "`{}` is not checked: `{}` is probabilistic",
+                               "Claims about probabilities and rewards are read, and no verb decides them yet. A run "
+                               "that checks lists each of them "
+                               "as not checked and does not succeed."};
+const Rule probabilistic_part{"RC-Q10", warning, "`{}` is passed over: it serves probabilistic claims alone",
+                              "Constants, labels, formulas, rewards, definitions and modules of assertion files are "
+                              "there for `prob property`, which is "
+                              "not checked yet. They change nothing in the other assertions."};
 
 const std::vector<const Rule*>& of_assertions() {
     static const std::vector<const Rule*> rules = {&unknown_component, &not_a_component, &no_state,
                                                    &no_clock,          &no_constant,     &constant_type,
-                                                   &constant_twice,    &constants_open, &probabilistic_claim, &probabilistic_part};
+                                                   &constant_twice,    &constants_open,  &probabilistic_claim,
+                                                   &probabilistic_part};
     return rules;
 }
 

@@ -53,9 +53,10 @@ const Rule not_indexable{"RC-T18", error, "a value of type {} has no parts to se
 const Rule no_field{"RC-T19", error, "{} has no field `{}`", "Fields are those of the datatype's declaration."};
 const Rule field_type{"RC-T20", error, "field `{}` has type {}, this value is {}",
                       "The value of a field fits its declared type."};
-const Rule field_missing{"RC-T21", warning, "the value of `{}` lacks the field{} {}, which then has its type's default",
-                         "A record value gives each field once; RoboTool takes a record value without some of them. What "
-                         "is left out is the default of its type: 0, true, the first literal, nothing."};
+const Rule field_missing{
+    "RC-T21", warning, "the value of `{}` lacks the field{} {}, which then has its type's default",
+    "A record value gives each field once; RoboTool takes a record value without some of them. What "
+    "is left out is the default of its type: 0, true, the first literal, nothing."};
 const Rule cast_type{"RC-T22", error, "a value of type {} is never of type {}",
                      "A cast goes to a wider or a narrower type, not to an unrelated one."};
 const Rule operand_type{"RC-T23", error, "`{}` cannot combine {} and {}",
@@ -81,10 +82,10 @@ const Rule not_assignable{
 const Rule comm_narrow{
     "RC-T31", warning, "event `{}` carries {}, and variable `{}` of type {} cannot hold every such value",
     "The reading is accepted as RoboTool accepts it; a value that does not fit is outside the variable's type."};
-const Rule wrong_contract{
-    "RC-T36", warning, "the contract of function `{}` is left out: {}",
-    "RoboTool checks no contract of a function, and models with wrong ones are about. The function counts as one without "
-    "a contract: a csp block defines it, or it is the default value of its type."};
+const Rule wrong_contract{"RC-T36", warning, "the contract of function `{}` is left out: {}",
+                          "RoboTool checks no contract of a function, and models with wrong ones are about. The "
+                          "function counts as one without "
+                          "a contract: a csp block defines it, or it is the default value of its type."};
 const Rule range_bounds{"RC-T33", error, "the bounds of a range are numbers, this is {}",
                         "`{a to b}`, `[a, b]` and their like mean all numbers between two bounds."};
 const Rule index_type{"RC-T34", error, "an index is a whole number, this is {}",
@@ -101,7 +102,8 @@ const std::vector<const Rule*>& of_types() {
                                                    &no_field,     &field_type,        &field_missing,  &cast_type,
                                                    &operand_type, &unary_type,        &compare_type,   &mixed_types,
                                                    &size_value,   &condition_boolean, &deadline_type,  &not_assignable,
-                                                   &comm_narrow,  &wrong_contract,    &range_bounds,      &index_type,     &function_bare};
+                                                   &comm_narrow,  &wrong_contract,    &range_bounds,   &index_type,
+                                                   &function_bare};
     return rules;
 }
 

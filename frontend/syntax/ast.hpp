@@ -125,7 +125,7 @@ struct Binding;
 struct Expr {
     ExprKind kind = ExprKind::error;
     Span span;
-    std::string text;  ///< literal as written; member name
+    std::string text;    ///< literal as written; member name
     QualifiedName name;  ///< member: the field's name and its place
     std::optional<BinaryOp> binary;
     std::optional<UnaryOp> unary;
@@ -462,7 +462,7 @@ struct CspBlock final {
     AssertionTime time = AssertionTime::both;
     std::vector<QualifiedName> associated;
     std::vector<ComponentPath> associated_paths;  ///< filled by resolve: one for each name
-    std::string text;  ///< verbatim, between csp-begin and csp-end
+    std::string text;                             ///< verbatim, between csp-begin and csp-end
     Span text_span;
 };
 
@@ -471,10 +471,10 @@ struct CspBlock final {
 /// A parsed `.rct` or `.assertions` file.
 /// The head of a part of an assertion file that is kept as text: nothing here evaluates it.
 struct KeptPart {
-    std::string form;     ///< the words that it begins with: `prob property`, `sleec assertion`, `defs`
+    std::string form;  ///< the words that it begins with: `prob property`, `sleec assertion`, `defs`
     std::string name;
-    Span span;            ///< of both
-    bool claims = false;  ///< it asks something of the model; else it defines something for those that do
+    Span span;                  ///< of both
+    bool claims = false;        ///< it asks something of the model; else it defines something for those that do
     bool probabilistic = true;  ///< else of another tool
 };
 
@@ -491,10 +491,10 @@ struct File {
     bool is_assertions = false;
     std::vector<Assertion> assertions;
     std::vector<CspBlock> csp_blocks;
-    std::vector<std::string> verbatim;  ///< PRISM parts and others kept as text
-    std::vector<KeptPart> kept;         ///< what they are
-    bool is_library = false;            ///< a toolkit that comes with the tool
-    bool has_syntax_errors = false;     ///< parts may be missing; rules about absent things stay silent
+    std::vector<std::string> verbatim;    ///< PRISM parts and others kept as text
+    std::vector<KeptPart> kept;           ///< what they are
+    bool is_library = false;              ///< a toolkit that comes with the tool
+    bool has_syntax_errors = false;       ///< parts may be missing; rules about absent things stay silent
     std::vector<std::string> lost_names;  ///< names in parts that were not understood
     bool lost_declarations = false;       ///< a declaration whose name is not known was not understood
 };

@@ -315,12 +315,13 @@ TokenStream Lexer::run() {
 
 std::span<const std::string_view> assertion_words() {
     static constexpr std::array<std::string_view, 45> words = {
-        "and",      "assertion", "assigned",      "associated", "begin",       "constant",    "constants",   "csp",
-        "deadlock", "defs",      "deterministic", "divergence", "divergences", "does",        "endrewards",  "equal",
-        "equals",   "failures",  "formula",       "free",       "generate",    "initialised", "instantiate", "label",
-        "model",    "of",        "parameter",     "path",  "pmodules",   "prob",        "property",    "reachable",   "refine",
-        "refines",  "rewards",   "set",           "terminate",  "tick",        "timed",       "timelock",    "tock",
-        "traces",   "untimed",   "value",         "with"};
+        "and",         "assertion",   "assigned", "associated",    "begin",      "constant",    "constants",
+        "csp",         "deadlock",    "defs",     "deterministic", "divergence", "divergences", "does",
+        "endrewards",  "equal",       "equals",   "failures",      "formula",    "free",        "generate",
+        "initialised", "instantiate", "label",    "model",         "of",         "parameter",   "path",
+        "pmodules",    "prob",        "property", "reachable",     "refine",     "refines",     "rewards",
+        "set",         "terminate",   "tick",     "timed",         "timelock",   "tock",        "traces",
+        "untimed",     "value",       "with"};
     return words;
 }
 

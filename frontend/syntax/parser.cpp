@@ -428,7 +428,8 @@ namespace {
 std::string folder_of(const std::string& path) {
     std::error_code code;
     const std::filesystem::path absolute = std::filesystem::absolute(path, code);
-    const std::string folder = (code ? std::filesystem::path(path) : absolute).lexically_normal().parent_path().string();
+    const std::string folder =
+        (code ? std::filesystem::path(path) : absolute).lexically_normal().parent_path().string();
     return folder.ends_with("/") ? folder : folder + "/";
 }
 

@@ -263,7 +263,7 @@ private:
     std::vector<std::string> lost_names_;
     bool lost_declarations_ = false;
     bool orphans_ = false;  ///< the last member of the file belonged into a body
-    long surplus_ = 0;  ///< opening braces without a closing one; negative: closing ones too many
+    long surplus_ = 0;      ///< opening braces without a closing one; negative: closing ones too many
     diagnostics::Diagnostic* inserted_ = nullptr;  ///< the mistake that was corrected by inserting a word
     bool lexical_errors_ = false;
     std::vector<std::uint32_t> strange_;  ///< places of characters that belong to no word

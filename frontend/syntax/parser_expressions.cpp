@@ -308,7 +308,8 @@ ExprPtr Parser::postfix() {
 ExprPtr Parser::steps(ExprPtr left, bool assigned) {
     while (at_member_step() || at("[")) {
         const bool stepped = left->kind == ExprKind::member || left->kind == ExprKind::index;
-        if (at("[") && stepped && !assigned) needs_parentheses("what is indexed after a field or another index", left->span);
+        if (at("[") && stepped && !assigned)
+            needs_parentheses("what is indexed after a field or another index", left->span);
         ExprPtr step = make(at(".") ? ExprKind::member : ExprKind::index);
         const Span begin = left->span;
         step->args.push_back(std::move(left));

@@ -95,10 +95,10 @@ const Rule clock_time{"RC-P31", error, "`{}` cannot stand before an assertion ab
 const Rule hyphenated{
     "RC-P32", error, "`{}` is one word, with a hyphen and without blanks",
     "`deadlock-free`, `divergence-free`, `timelock-free` and `tick-tock` are single words of the grammar."};
-const Rule foreign_assertion{
-    "RC-P33", warning, "assertion `{}` is not checked: `{} assertion` is of another tool",
-    "Assertions here begin with `assertion`, `timed assertion` or `untimed assertion`. A claim of another kind is left to "
-    "the tool that it is for, and a run that checks says so and does not succeed."};
+const Rule foreign_assertion{"RC-P33", warning, "assertion `{}` is not checked: `{} assertion` is of another tool",
+                             "Assertions here begin with `assertion`, `timed assertion` or `untimed assertion`. A "
+                             "claim of another kind is left to "
+                             "the tool that it is for, and a run that checks says so and does not succeed."};
 const Rule unreadable{"RC-F01", error, "cannot read `{}`: {}", "The path given cannot be opened for reading."};
 const Rule empty_input{"RC-F02", error, "`{}` declares nothing",
                        "There is no interface, machine, controller, module, type or function to look at."};
@@ -108,12 +108,12 @@ const Rule empty_file{"RC-F04", warning, "`{}` is empty", "The file holds nothin
 
 const std::vector<const Rule*>& all() {
     static const std::vector<const Rule*> rules = {
-        &unexpected,     &too_deep,      &open_comment,       &open_string,  &strange_character, &huge_integer,
-        &long_real,      &not_text,      &legacy_trigger,     &blank_in_set, &reserved_name,     &bare_value,
-        &open_csp_block, &too_many,      &bare_quantifier,    &late_package, &parameter_list,    &clause_order,
-        &stray_bracket,  &ragged_matrix, &single_equal,       &colon_equal,  &unreadable,        &empty_input,
-        &no_files,       &empty_file,    &too_long,           &c_operator,   &plain_name,        &needs_parentheses,
-        &neural,         &clause_twice,  &trailing_semicolon, &legacy_list,  &clock_time,        &hyphenated,
+        &unexpected,       &too_deep,      &open_comment,       &open_string,  &strange_character, &huge_integer,
+        &long_real,        &not_text,      &legacy_trigger,     &blank_in_set, &reserved_name,     &bare_value,
+        &open_csp_block,   &too_many,      &bare_quantifier,    &late_package, &parameter_list,    &clause_order,
+        &stray_bracket,    &ragged_matrix, &single_equal,       &colon_equal,  &unreadable,        &empty_input,
+        &no_files,         &empty_file,    &too_long,           &c_operator,   &plain_name,        &needs_parentheses,
+        &neural,           &clause_twice,  &trailing_semicolon, &legacy_list,  &clock_time,        &hyphenated,
         &foreign_assertion};
     return rules;
 }

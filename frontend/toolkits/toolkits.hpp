@@ -7,7 +7,6 @@
 #include "diagnostics/diagnostic.hpp"
 #include "frontend/syntax/ast.hpp"
 
-
 namespace robochart::frontend {
 
 /// A toolkit: its package and its text (a file of frontend/toolkits/library).

@@ -2,8 +2,8 @@
 #include <array>
 #include <charconv>
 
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 #include "frontend/types/typer.hpp"
 
 namespace robochart::frontend {

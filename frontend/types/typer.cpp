@@ -2,8 +2,8 @@
 // reference 2, Types).
 #include "frontend/types/typer.hpp"
 
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::frontend {
 

@@ -5,8 +5,8 @@
 #include <charconv>
 
 #include "diagnostics/spelling.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 #include "frontend/types/typer.hpp"
 
 namespace robochart::frontend {
@@ -97,7 +97,8 @@ TypePtr Typer::member(Expr& expr, Surroundings& around) {
     const std::string meant = diagnostics::nearest(expr.text, fields);
     const auto written = static_cast<std::uint32_t>(expr.text.size());
     if (!meant.empty())
-        finding.fixes.push_back({{expr.span.source, expr.span.end - written, expr.span.end}, meant, diagnostics::suggested(false)});
+        finding.fixes.push_back(
+            {{expr.span.source, expr.span.end - written, expr.span.end}, meant, diagnostics::suggested(false)});
     return nullptr;
 }
 

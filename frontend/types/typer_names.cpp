@@ -4,8 +4,8 @@
 #include <deque>
 
 #include "diagnostics/spelling.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 #include "frontend/types/typer.hpp"
 
 namespace robochart::frontend {
@@ -120,7 +120,8 @@ const Clock* Typer::clock(const QualifiedName& name, Surroundings& around, const
         const std::vector<std::string> clocks = finder_.keys(around.scope->clocks);
         const std::string meant = diagnostics::nearest(name.parts.front(), clocks);
         if (!meant.empty())
-            finding.fixes.push_back({name.span, meant, diagnostics::suggested(diagnostics::is_certain(name.parts.front(), meant, clocks))});
+            finding.fixes.push_back(
+                {name.span, meant, diagnostics::suggested(diagnostics::is_certain(name.parts.front(), meant, clocks))});
     }
     return nullptr;
 }

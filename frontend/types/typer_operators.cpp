@@ -1,8 +1,8 @@
 // Types of operators: `nat - nat` is an int, `/` always real, `%` keeps the type of its operands, comparisons are on
 // reals, `*` of vectors is the dot product.
 #include "diagnostics/spelling.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 #include "frontend/types/typer.hpp"
 
 namespace robochart::frontend {
@@ -137,7 +137,8 @@ TypePtr Typer::membership(Expr& expr, const TypePtr& left, const TypePtr& right)
     finding.notes.push_back({{},
                              "a sequence is a set of pairs `(| place, element |)`; `ran` of relation_toolkit is the "
                              "set of its elements"});
-    finding.fixes.push_back({expr.args[1]->span, "ran(" + to_text(strip(*expr.args[1])) + ")", diagnostics::suggested(false)});
+    finding.fixes.push_back(
+        {expr.args[1]->span, "ran(" + to_text(strip(*expr.args[1])) + ")", diagnostics::suggested(false)});
     return boolean;
 }
 

@@ -1,8 +1,8 @@
 // Names and types in statements and communications.
 #include <fmt/format.h>
 
-#include "frontend/syntax/print.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/syntax/print.hpp"
 #include "frontend/types/typer.hpp"
 
 namespace robochart::frontend {

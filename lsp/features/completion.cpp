@@ -7,8 +7,8 @@
 #include "frontend/types/types.hpp"
 #include "lsp/features/completion_context.hpp"
 #include "lsp/features/completion_words.hpp"
-#include "lsp/workspace/describe.hpp"
 #include "lsp/features/features.hpp"
+#include "lsp/workspace/describe.hpp"
 #include "lsp/workspace/visible.hpp"
 
 namespace robochart::lsp {

@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "lsp/workspace/describe.hpp"
 #include "lsp/features/features.hpp"
+#include "lsp/workspace/describe.hpp"
 
 namespace robochart::lsp {
 

@@ -8,8 +8,8 @@
 
 #include "frontend/syntax/lexer.hpp"
 #include "lsp/features/features.hpp"
-#include "lsp/workspace/names.hpp"
 #include "lsp/features/rename_check.hpp"
+#include "lsp/workspace/names.hpp"
 
 namespace robochart::lsp {
 

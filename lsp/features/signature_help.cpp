@@ -4,8 +4,8 @@
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/print.hpp"
 #include "lsp/features/completion_context.hpp"
-#include "lsp/workspace/describe.hpp"
 #include "lsp/features/features.hpp"
+#include "lsp/workspace/describe.hpp"
 #include "lsp/workspace/visible.hpp"
 
 namespace robochart::lsp {

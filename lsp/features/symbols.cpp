@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "lsp/workspace/describe.hpp"
 #include "lsp/features/features.hpp"
+#include "lsp/workspace/describe.hpp"
 
 namespace robochart::lsp {
 

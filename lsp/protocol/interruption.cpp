@@ -11,8 +11,9 @@ namespace {
 
 /// Notifications after which earlier findings are about other texts.
 bool changes_texts(const std::string& method) {
-    constexpr std::array<std::string_view, 5> methods = {"textDocument/didOpen", "textDocument/didChange", "textDocument/didClose",
-                                                         "workspace/didChangeWatchedFiles", "workspace/didChangeWorkspaceFolders"};
+    constexpr std::array<std::string_view, 5> methods = {"textDocument/didOpen", "textDocument/didChange",
+                                                         "textDocument/didClose", "workspace/didChangeWatchedFiles",
+                                                         "workspace/didChangeWorkspaceFolders"};
     return std::find(methods.begin(), methods.end(), method) != methods.end();
 }
 

@@ -1,6 +1,6 @@
-// What ends work before it is done: the reading thread sees messages while the server is still busy with an earlier one.
-// A cancelled request ends (LSP 3.17, $/cancelRequest), an analysis ends when its texts change, and everything ends soon
-// after the editor wants to leave.
+// What ends work before it is done: the reading thread sees messages while the server is still busy with an earlier
+// one. A cancelled request ends (LSP 3.17, $/cancelRequest), an analysis ends when its texts change, and everything
+// ends soon after the editor wants to leave.
 #pragma once
 
 #include <chrono>
@@ -52,11 +52,11 @@ private:
 
     mutable std::mutex mutex_;
     bool working_ = false;
-    Json id_;                       ///< of the request worked on
-    std::uint64_t known_ = 0;       ///< changes that had come when the work began or are handled: older than its texts
-    std::uint64_t changes_ = 0;     ///< that have come
-    std::uint64_t handled_ = 0;     ///< and were handled
-    std::vector<Json> cancelled_;   ///< ids, until the cancellation itself is handled
+    Json id_;                      ///< of the request worked on
+    std::uint64_t known_ = 0;      ///< changes that had come when the work began or are handled: older than its texts
+    std::uint64_t changes_ = 0;    ///< that have come
+    std::uint64_t handled_ = 0;    ///< and were handled
+    std::vector<Json> cancelled_;  ///< ids, until the cancellation itself is handled
     std::optional<std::chrono::steady_clock::time_point> leaving_;
 };
 

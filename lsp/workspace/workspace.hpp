@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "diagnostics/diagnostic.hpp"
-#include "frontend/syntax/ast.hpp"
 #include "frontend/project/incremental.hpp"
 #include "frontend/project/occurrences.hpp"
+#include "frontend/syntax/ast.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "lsp/protocol/positions.hpp"
 
@@ -36,8 +36,8 @@ struct Document {
 /// touch is resolved anew.
 class Project {
 public:
-    /// An empty folder name stands for texts without a place on disk. What brings the model up to date polls the budget,
-    /// if there is one; ended by it, it begins anew when it is asked again.
+    /// An empty folder name stands for texts without a place on disk. What brings the model up to date polls the
+    /// budget, if there is one; ended by it, it begins anew when it is asked again.
     explicit Project(std::string folder, diagnostics::Budget* budget = nullptr)
         : folder_(std::move(folder)), budget_(budget) {}
 

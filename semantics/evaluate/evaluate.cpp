@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "semantics/ir/arithmetic.hpp"
 #include "semantics/evaluate/evaluate_composed.hpp"
 #include "semantics/evaluate/evaluator.hpp"
+#include "semantics/ir/arithmetic.hpp"
 
 namespace robochart::ir {
 

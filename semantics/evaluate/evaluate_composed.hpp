@@ -7,7 +7,6 @@
 
 #include "semantics/evaluate/environment.hpp"
 
-
 namespace robochart::ir {
 
 /// The set of some values: ascending, without duplicates.

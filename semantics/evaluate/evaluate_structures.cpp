@@ -90,10 +90,9 @@ Value Evaluator::function_result(const Function& function, const std::vector<Val
     std::swap(inside, bindings_);
     const auto satisfies = [&](const Value& candidate) {
         bindings_.emplace_back("result", candidate);
-        const bool holds = std::all_of(function.postconditions.begin(), function.postconditions.end(),
-                                       [&](const ExprPtr& condition) {
-                                           return defined(*condition) && value(*condition).number != 0;
-                                       });
+        const bool holds =
+            std::all_of(function.postconditions.begin(), function.postconditions.end(),
+                        [&](const ExprPtr& condition) { return defined(*condition) && value(*condition).number != 0; });
         bindings_.pop_back();
         return holds;
     };

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "semantics/evaluate/evaluate.hpp"
-#include "semantics/ir/arithmetic.hpp"
 #include "semantics/evaluate/evaluate_composed.hpp"
 #include "semantics/evaluate/evaluator.hpp"
+#include "semantics/ir/arithmetic.hpp"
 
 namespace robochart::ir {
 

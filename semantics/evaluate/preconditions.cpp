@@ -79,9 +79,10 @@ bool Evaluator::defined_for_all(const Expr& expr) {
 }
 
 bool Evaluator::has_preconditions(const Expr& expr) const {
-    const bool own = expr.kind == ExprKind::toolkit ? toolkit_precondition(expr.text)
-                                                    : expr.kind == ExprKind::call && expr.function.valid() &&
-                                                          !system_.functions.at(expr.function.index).preconditions.empty();
+    const bool own = expr.kind == ExprKind::toolkit
+                         ? toolkit_precondition(expr.text)
+                         : expr.kind == ExprKind::call && expr.function.valid() &&
+                               !system_.functions.at(expr.function.index).preconditions.empty();
     return own || std::any_of(expr.args.begin(), expr.args.end(),
                               [&](const ExprPtr& part) { return part && has_preconditions(*part); });
 }
@@ -122,20 +123,21 @@ bool precondition_can_fail(const System& system, const Instantiation& inst, cons
     // Without arguments: it holds whatever they are.
     if (surely([&] { return precondition_holds(system, inst, function, {}); })) return false;
     return call.kind == ExprKind::function_value || depends_on_state(call.args) || !surely([&] {
-        std::vector<Value> arguments;
-        for (std::size_t i = 0; i < call.args.size(); ++i) {
-            if (call.args[i]->type != function.parameters.at(i)) return false;  // it is converted
-            arguments.push_back(value(*call.args[i]));
-        }
-        return precondition_holds(system, inst, function, arguments);
-    });
+               std::vector<Value> arguments;
+               for (std::size_t i = 0; i < call.args.size(); ++i) {
+                   if (call.args[i]->type != function.parameters.at(i)) return false;  // it is converted
+                   arguments.push_back(value(*call.args[i]));
+               }
+               return precondition_holds(system, inst, function, arguments);
+           });
 }
 
 bool preconditions_can_fail(const System& system, const Instantiation& inst, const std::vector<Value>& constants,
                             const Expr& expr) {
     bool result = false;
     visit_operands(expr, [&](const Expr& part) {
-        result = result || (part.kind != ExprKind::function_value && precondition_can_fail(system, inst, constants, part));
+        result =
+            result || (part.kind != ExprKind::function_value && precondition_can_fail(system, inst, constants, part));
     });
     return result;
 }

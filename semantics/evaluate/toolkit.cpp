@@ -140,7 +140,8 @@ void add_sets(Table& t) {
     const std::string p = "set_toolkit_";
     t[p + "notin"] = {[](Arguments a, CarrierList) { return truth(!is_part(a[1], a[0])); }};
     t[p + "subseteq"] = {[](Arguments a, CarrierList) { return truth(!nonempty(difference(a[0], a[1]))); }};
-    t[p + "subset"] = {[](Arguments a, CarrierList) { return truth(!nonempty(difference(a[0], a[1])) && a[0] != a[1]); }};
+    t[p + "subset"] = {
+        [](Arguments a, CarrierList) { return truth(!nonempty(difference(a[0], a[1])) && a[0] != a[1]); }};
     t[p + "union"] = {[](Arguments a, CarrierList) { return joined(a[0], a[1]); }};
     t[p + "inter"] = {[](Arguments a, CarrierList) { return difference(a[0], difference(a[0], a[1])); }};
     t[p + "diff"] = {[](Arguments a, CarrierList) { return difference(a[0], a[1]); }};
@@ -167,12 +168,15 @@ void add_relations(Table& t) {
     t[p + "id"] = {[](Arguments, CarrierList c) { return identity(c.at(0)); }, {0}};
     t[p + "relcomp"] = {[](Arguments a, CarrierList) { return composed(a[0], a[1]); }};
     t[p + "funcomp"] = {[](Arguments a, CarrierList) { return composed(a[1], a[0]); }};
-    t[p + "dres"] = {
-        [](Arguments a, CarrierList) { return filtered(a[1], [&](const Value& q) { return is_part(a[0], first(q)); }); }};
-    t[p + "rres"] = {
-        [](Arguments a, CarrierList) { return filtered(a[0], [&](const Value& q) { return is_part(a[1], second(q)); }); }};
-    t[p + "dsub"] = {
-        [](Arguments a, CarrierList) { return filtered(a[1], [&](const Value& q) { return !is_part(a[0], first(q)); }); }};
+    t[p + "dres"] = {[](Arguments a, CarrierList) {
+        return filtered(a[1], [&](const Value& q) { return is_part(a[0], first(q)); });
+    }};
+    t[p + "rres"] = {[](Arguments a, CarrierList) {
+        return filtered(a[0], [&](const Value& q) { return is_part(a[1], second(q)); });
+    }};
+    t[p + "dsub"] = {[](Arguments a, CarrierList) {
+        return filtered(a[1], [&](const Value& q) { return !is_part(a[0], first(q)); });
+    }};
     t[p + "rsub"] = {[](Arguments a, CarrierList) {
         return filtered(a[0], [&](const Value& q) { return !is_part(a[1], second(q)); });
     }};
@@ -197,9 +201,10 @@ void add_functions(Table& t) {
     t[p + "isTotalInjection"] = {
         [](Arguments a, CarrierList c) { return truth(covers(domain(a[0]), c.at(0)) && injective(a[0])); }, {0}};
     t[p + "isSurjection"] = {[](Arguments a, CarrierList c) { return truth(covers(range_of(a[0]), c.at(0))); }, {1}};
-    t[p + "isTotalSurjection"] = {
-        [](Arguments a, CarrierList c) { return truth(covers(domain(a[0]), c.at(0)) && covers(range_of(a[0]), c.at(1))); },
-        {0, 1}};
+    t[p + "isTotalSurjection"] = {[](Arguments a, CarrierList c) {
+                                      return truth(covers(domain(a[0]), c.at(0)) && covers(range_of(a[0]), c.at(1)));
+                                  },
+                                  {0, 1}};
     t[p + "isBijection"] = {
         [](Arguments a, CarrierList c) {
             return truth(covers(domain(a[0]), c.at(0)) && covers(range_of(a[0]), c.at(1)) && injective(a[0]));
@@ -230,7 +235,9 @@ void add_sequences(Table& t) {
     t[p + "isInjectiveSequence"] = {
         [](Arguments a, CarrierList) { return truth(set_of(a[0].parts).parts.size() == a[0].parts.size()); }};
     t[p + "concat"] = {[](Arguments a, CarrierList) { return appended(a[0], a[1]); }};
-    t[p + "reverse"] = {[](Arguments a, CarrierList) { return Value{0, Values(a[0].parts.rbegin(), a[0].parts.rend())}; }};
+    t[p + "reverse"] = {[](Arguments a, CarrierList) {
+        return Value{0, Values(a[0].parts.rbegin(), a[0].parts.rend())};
+    }};
     t[p + "head"] = {[](Arguments a, CarrierList) { return a[0].parts.front(); }, {}, true};
     t[p + "last"] = {[](Arguments a, CarrierList) { return a[0].parts.back(); }, {}, true};
     t[p + "tail"] = {[](Arguments a, CarrierList) { return slice(a[0], 1, a[0].parts.size()); }, {}, true};

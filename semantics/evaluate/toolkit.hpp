@@ -1,5 +1,6 @@
 // The functions of the toolkit libraries: which there are, what they need to know, and their values. The libraries
-// (frontend/toolkits/library) say what they mean by contract; csp_emit writes them in CSPM, here is the reference for that.
+// (frontend/toolkits/library) say what they mean by contract; csp_emit writes them in CSPM, here is the reference for
+// that.
 #pragma once
 
 #include <cstddef>

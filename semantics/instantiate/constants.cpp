@@ -98,7 +98,8 @@ std::string suggestion(const std::string& name, const std::vector<NamedConstant>
 
 bool names_constant(const System& system, const std::string& option) {
     const auto constants = named_constants(system);
-    return std::any_of(constants.begin(), constants.end(), [&](const NamedConstant& each) { return means(option, each.path); });
+    return std::any_of(constants.begin(), constants.end(),
+                       [&](const NamedConstant& each) { return means(option, each.path); });
 }
 
 ChosenConstants chosen_constants(const System& system, const std::map<std::string, std::string>& options,

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "semantics/evaluate/evaluate.hpp"
+#include "semantics/instantiate/constants.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/arithmetic.hpp"
-#include "semantics/instantiate/constants.hpp"
-#include "semantics/evaluate/evaluate.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/literals.hpp"
 #include "semantics/ir/numbers.hpp"

@@ -39,10 +39,10 @@ struct Instantiation {
     /// In units of 1/scale: whole numbers of the range and every decimal literal of the model.
     std::vector<std::int64_t> real;
     std::vector<diagnostics::ForeignText> strings{""};  ///< values of type string
-    std::int64_t given_size = 2;           ///< elements of each given type
-    std::int64_t sequence_bound = 2;       ///< longest sequence
-    std::int64_t clock_bound = 10;         ///< core_clock_type = {0..clock_bound}
-    std::int64_t recursion_bound = 2;      ///< nested calls of one operation
+    std::int64_t given_size = 2;                        ///< elements of each given type
+    std::int64_t sequence_bound = 2;                    ///< longest sequence
+    std::int64_t clock_bound = 10;                      ///< core_clock_type = {0..clock_bound}
+    std::int64_t recursion_bound = 2;                   ///< nested calls of one operation
     /// Constants without a value in the model, and those an option sets: qualified name as in CSP (`const_P_S_c`, see
     /// query.hpp) -> value. An entry here goes before the value in the model.
     std::map<std::string, Value> constants;

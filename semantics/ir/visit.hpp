@@ -23,8 +23,8 @@ void visit_statements(const Stmt&, const StmtVisitor&);
 void visit_statements(const Machine&, const StmtVisitor&);
 /// The outermost expressions of the machine: initial values, constants, conditions, guards, triggers and statements.
 void visit_expressions(const Machine&, const RootVisitor&);
-/// Those among them whose value matters to a machine that runs: statements, then transitions, then preconditions. Initial
-/// values and constants have been computed before, postconditions are claims.
+/// Those among them whose value matters to a machine that runs: statements, then transitions, then preconditions.
+/// Initial values and constants have been computed before, postconditions are claims.
 void visit_running(const Machine&, const RootVisitor&);
 /// Each variable that running the machine reads, as often as it does: in its expressions, and where an assignment to a
 /// part keeps the rest.

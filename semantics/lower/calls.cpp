@@ -4,8 +4,8 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/depth_first_search.hpp>
 
-#include "semantics/lower/components.hpp"
 #include "semantics/ir/query.hpp"
+#include "semantics/lower/components.hpp"
 #include "semantics/rules.hpp"
 
 namespace robochart::ir {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "semantics/lower/machines.hpp"
 #include "semantics/ir/query.hpp"
+#include "semantics/lower/machines.hpp"
 #include "semantics/rules.hpp"
 
 namespace robochart::ir {

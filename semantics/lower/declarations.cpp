@@ -117,7 +117,8 @@ void Collector::operation(const ast::OperationSignature& source, const std::stri
     signature.origin = origin_of(element + "::" + source.name, source.span);
     for (std::size_t i = 0; i < result_.operations.size(); ++i) {
         const OperationSignature& known = result_.operations[i];
-        if (known.name != signature.name || known.parameters != signature.parameters || known.terminates != signature.terminates)
+        if (known.name != signature.name || known.parameters != signature.parameters ||
+            known.terminates != signature.terminates)
             continue;
         result_.names.operations[&source] = OperationId{static_cast<std::uint32_t>(i)};
         return;

@@ -1,10 +1,10 @@
 // Small makers and the conversions between number types.
 #include <algorithm>
 
+#include "semantics/ir/visit.hpp"
 #include "semantics/lower/expression_lowering.hpp"
 #include "semantics/lower/expressions.hpp"
 #include "semantics/lower/types.hpp"
-#include "semantics/ir/visit.hpp"
 
 namespace robochart::ir {
 namespace {

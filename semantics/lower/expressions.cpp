@@ -1,9 +1,9 @@
 // Expressions: dispatch by form, literals and names.
 #include <algorithm>
 
+#include "semantics/ir/numbers.hpp"
 #include "semantics/lower/expression_lowering.hpp"
 #include "semantics/lower/types.hpp"
-#include "semantics/ir/numbers.hpp"
 #include "semantics/rules.hpp"
 
 namespace robochart::ir {

@@ -43,9 +43,9 @@ struct Lowering {
     std::map<std::string, TypeId> types{};  ///< structural key -> id
     ByDeclaration<FunctionId> functions{};
     ByDeclaration<std::vector<FunctionId>> instances{};  ///< of functions for all types: those of the types in use
-    std::map<std::string, TypeId> type_variables{};  ///< of the function for all types whose conditions are lowered
-    ByDeclaration<MachineId> machines{};             ///< by frontend::Machine
-    ByDeclaration<ControllerId> controllers{};       ///< by frontend::Component
+    std::map<std::string, TypeId> type_variables{};      ///< of the function for all types whose conditions are lowered
+    ByDeclaration<MachineId> machines{};                 ///< by frontend::Machine
+    ByDeclaration<ControllerId> controllers{};           ///< by frontend::Component
     std::vector<const frontend::Machine*> machine_sources{};       ///< by MachineId
     std::vector<const frontend::Component*> controller_sources{};  ///< by ControllerId
     std::vector<const frontend::Component*> module_sources{};      ///< by index of System::modules

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <map>
 
+#include "semantics/ir/visit.hpp"
 #include "semantics/lower/programs.hpp"
 #include "semantics/rules.hpp"
-#include "semantics/ir/visit.hpp"
 
 namespace robochart::ir {
 namespace {
@@ -219,8 +219,8 @@ void MachineLowering::event_uses() {
 }
 
 /// A composite state or operation begins at one initial junction, and what is inside it has names of its own.
-void MachineLowering::check_level(const std::vector<NodeId>& level, const std::string& kind,
-                                  const std::string& name, diagnostics::Span span) {
+void MachineLowering::check_level(const std::vector<NodeId>& level, const std::string& kind, const std::string& name,
+                                  diagnostics::Span span) {
     std::size_t initials = 0;
     std::map<std::string, diagnostics::Span> named;
     for (const NodeId id : level) {

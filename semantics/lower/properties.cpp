@@ -5,9 +5,9 @@
 #include <map>
 
 #include "diagnostics/one_line.hpp"
+#include "semantics/ir/query.hpp"
 #include "semantics/lower/expressions.hpp"
 #include "semantics/lower/paths.hpp"
-#include "semantics/ir/query.hpp"
 
 namespace robochart::ir {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "semantics/lower/lower.hpp"
 #include "semantics/lower/expression_lowering.hpp"
+#include "semantics/lower/lower.hpp"
 #include "semantics/lower/types.hpp"
 
 namespace robochart::ir {

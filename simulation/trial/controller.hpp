@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cpp_emit/simulator_api.hpp"
-#include "cpp_emit/runtime/drive_abi.h"
 #include "cpp_emit/load/shared_library.hpp"
+#include "cpp_emit/runtime/drive_abi.h"
+#include "cpp_emit/simulator_api.hpp"
 
 namespace robochart::simulation {
 

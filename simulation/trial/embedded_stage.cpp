@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "simulation/scenario/read_scenario.hpp"
-#include "simulation/world/sensing.hpp"
 #include "simulation/trial/stage.hpp"
+#include "simulation/world/sensing.hpp"
 
 namespace robochart::simulation {
 

@@ -50,8 +50,7 @@ void TraceLog::begin(std::size_t robot) {
     if (!options_.model.empty()) text += fmt::format("model {}\n", diagnostics::shown(options_.model));
     text += fmt::format("component {}\ncycle {}\nunit {} s\nrobot {}\nscenario {} seed {} trial {}\n",
                         options_.component, scenario_.units_per_step, scenario_.time_unit, robot,
-                        diagnostics::shown(options_.scenario),
-                        scenario_.seed, trial_ + 1);
+                        diagnostics::shown(options_.scenario), scenario_.seed, trial_ + 1);
     text += fmt::format("run trial {} robot {}\n", trial_ + 1, robot);
 }
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "simulation/scenario/plan.hpp"
 #include "simulation/trial/controller.hpp"
 #include "simulation/trial/measures.hpp"
-#include "simulation/scenario/plan.hpp"
 #include "simulation/trial/stage.hpp"
 
 namespace robochart::simulation {

@@ -99,8 +99,8 @@ void expect_agreement(const fs::path& folder, const std::vector<Row>& rows) {
             EXPECT_EQ(verdicts(model), row.verdicts) << row.model;
         }
         const std::string outcome = conformance(model);
-        // Two controllers hand a token round through buffers and make an output each time, without time passing. Where each
-        // output is made once a cycle the second one waits; as a sequence the outputs have no end.
+        // Two controllers hand a token round through buffers and make an output each time, without time passing. Where
+        // each output is made once a cycle the second one waits; as a sequence the outputs have no end.
         const bool endless = row.model == "m05_async_cycle";
         if (row.conforms) {
             EXPECT_EQ(outcome, endless ? "not schedulable" : "conforms") << row.model;

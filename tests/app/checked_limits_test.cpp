@@ -31,7 +31,8 @@ void add_folders(const std::string& folder, std::vector<Inputs>& all) {
 std::vector<Inputs> models() {
     std::vector<Inputs> all;
     for (const char* name : {"aggregation", "swarm_taxis"})
-        all.push_back({repository(std::string("corpus/") + name), repository(fmt::format("corpus/false_claims/{}.assertions", name))});
+        all.push_back({repository(std::string("corpus/") + name),
+                       repository(fmt::format("corpus/false_claims/{}.assertions", name))});
     add_folders("tests/app/agreeing", all);
     add_folders("tests/conformance/models", all);
     return all;
@@ -198,7 +199,8 @@ refine::Limits limits_of(std::uint64_t states, unsigned threads) {
 std::vector<std::pair<std::string, refine::Limits>> all_limits() {
     std::vector<std::pair<std::string, refine::Limits>> all;
     for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U})
-        for (const unsigned threads : {1U, 4U}) all.emplace_back(fmt::format("{} states, {} threads", states, threads), limits_of(states, threads));
+        for (const unsigned threads : {1U, 4U})
+            all.emplace_back(fmt::format("{} states, {} threads", states, threads), limits_of(states, threads));
     refine::Limits no_memory = limits_of(1'000'000, 1);
     no_memory.memory_bytes = 1U << 20U;
     all.emplace_back("1 MB of memory", no_memory);
@@ -210,8 +212,8 @@ std::vector<std::pair<std::string, refine::Limits>> all_limits() {
     return all;
 }
 
-/// Below `check`: with each level divided between threads, little memory, and interruptions. What a limit cut short leaves
-/// nothing behind in the session either: asked again without one, it gives the whole answers.
+/// Below `check`: with each level divided between threads, little memory, and interruptions. What a limit cut short
+/// leaves nothing behind in the session either: asked again without one, it gives the whole answers.
 TEST(CheckedLimits, NeverTurnAVerdictIntoAnother) {
     Seen seen;
     for (const Inputs& inputs : models()) {
@@ -227,7 +229,8 @@ TEST(CheckedLimits, NeverTurnAVerdictIntoAnother) {
                     for (std::size_t i = 0; i < whole.size(); ++i) {
                         ++(found[i] == "inconclusive" ? seen.inconclusive : seen.decided);
                         EXPECT_TRUE(found[i] == whole[i] || found[i] == "inconclusive")
-                            << model.name() << ", " << name << ", check " << i << ": " << found[i] << " instead of " << whole[i];
+                            << model.name() << ", " << name << ", check " << i << ": " << found[i] << " instead of "
+                            << whole[i];
                     }
                     if (limits.threads == 1 && (limits.max_states == 20 || limits.interrupted)) {
                         EXPECT_EQ(verdicts.decided({}), whole) << model.name() << ", after " << name;

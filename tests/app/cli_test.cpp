@@ -31,7 +31,11 @@ TEST(Cli, HelpNamesTheExitCodes) {
 }
 
 TEST(Cli, WrongUsageIsExit4) {
-    for (const auto& arguments : {std::vector<std::string>{}, {"check"}, {"check", "x", "--no-such-option"}, {"emit"}, {"check", "x", "--max-states", "0"}}) {
+    for (const auto& arguments : {std::vector<std::string>{},
+                                  {"check"},
+                                  {"check", "x", "--no-such-option"},
+                                  {"emit"},
+                                  {"check", "x", "--max-states", "0"}}) {
         const Ran ran = run(arguments);
         EXPECT_EQ(ran.exit, 4) << ran.err;
         EXPECT_THAT(ran.err, HasSubstr("try: robochart-verify --help"));
@@ -84,7 +88,8 @@ TEST(Cli, AnUnwritableFolderIsSaid) {
 
 const char* const counter =
     "stm S { const step : nat  var x : nat  event e : nat\n"
-    "  initial i  state A { entry e ! step } transition t0 { from i to A } transition t1 { from A to A condition x > step } }\n";
+    "  initial i  state A { entry e ! step } transition t0 { from i to A } transition t1 { from A to A condition x > "
+    "step } }\n";
 
 TEST(Cli, AConstantOutsideItsTypesRangeIsWarnedOf) {
     const TemporaryFile file("model.rct", counter);
@@ -93,7 +98,8 @@ TEST(Cli, AConstantOutsideItsTypesRangeIsWarnedOf) {
 
 TEST(Cli, ABlockThatNamesNothingIsBadInput) {
     const TemporaryFile model("model.rct", counter);
-    const TemporaryFile block("model.assertions", "csp P csp-begin\nP = Nowhere\ncsp-end\nassertion A1 : P is divergence-free\n");
+    const TemporaryFile block("model.assertions",
+                              "csp P csp-begin\nP = Nowhere\ncsp-end\nassertion A1 : P is divergence-free\n");
     const Ran ran = run({"check", model.path(), block.path()});
     EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
     EXPECT_THAT(ran.err, AllOf(HasSubstr("Nowhere"), HasSubstr("model.assertions:2")));
@@ -101,16 +107,19 @@ TEST(Cli, ABlockThatNamesNothingIsBadInput) {
 
 TEST(Cli, ABlockThatIsIllTypedIsBadInput) {
     const TemporaryFile model("model.rct", counter);
-    const TemporaryFile block("model.assertions",
-                              "csp P csp-begin\nchannel c : {0..1}\nP = c.true -> STOP\ncsp-end\nassertion A1 : P is divergence-free\n");
+    const TemporaryFile block(
+        "model.assertions",
+        "csp P csp-begin\nchannel c : {0..1}\nP = c.true -> STOP\ncsp-end\nassertion A1 : P is divergence-free\n");
     for (const char* const verb : {"check", "emit"}) {
-        const Ran ran = verb == std::string("check") ? run({verb, model.path(), block.path()})
-                                                     : run({verb, "csp", model.path(), block.path(), "--out", block.path() + ".out"});
+        const Ran ran = verb == std::string("check")
+                            ? run({verb, model.path(), block.path()})
+                            : run({verb, "csp", model.path(), block.path(), "--out", block.path() + ".out"});
         EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
         EXPECT_THAT(ran.err, AllOf(HasSubstr("CSPM-T"), HasSubstr("model.assertions:3"), HasSubstr("c.true")));
     }
-    const TemporaryFile right("model.assertions",
-                              "csp P csp-begin\nchannel c : {0..1}\nP = c.1 -> STOP\ncsp-end\nassertion A1 : P is divergence-free\n");
+    const TemporaryFile right(
+        "model.assertions",
+        "csp P csp-begin\nchannel c : {0..1}\nP = c.1 -> STOP\ncsp-end\nassertion A1 : P is divergence-free\n");
     EXPECT_EQ(run({"check", model.path(), right.path()}).exit, 0);
 }
 
@@ -139,8 +148,10 @@ TEST(Cli, MissingFileIsBadInput) {
 }
 
 TEST(Cli, HostileTextsAreDiagnosed) {
-    const std::string nested = "stm S { initial i state A { entry x = " + repeat("(", 10'000) + "1" + repeat(")", 10'000) + " } transition t { from i to A } }";
-    const char garbage[] = {'\x7f', 'E', 'L', 'F', '\0', '\xff', '\xfe', '\x01', '\x80', 'g', '{', '{', '{', '\n', '\0'};
+    const std::string nested = "stm S { initial i state A { entry x = " + repeat("(", 10'000) + "1" +
+                               repeat(")", 10'000) + " } transition t { from i to A } }";
+    const char garbage[] = {'\x7f', 'E', 'L', 'F', '\0', '\xff', '\xfe', '\x01',
+                            '\x80', 'g', '{', '{', '{',  '\n',   '\0'};
     const std::pair<const char*, std::string> cases[] = {
         {"empty", ""},
         {"garbage", std::string(std::begin(garbage), std::end(garbage))},
@@ -149,7 +160,8 @@ TEST(Cli, HostileTextsAreDiagnosed) {
         {"nested", nested},
         {"truncated", "module M { robotic platform P {"},
         {"unterminated comment", "stm S { /* never closed"},
-        {"huge number", "stm S { var x : nat = 99999999999999999999999999 initial i state A { } transition t { from i to A } }"},
+        {"huge number",
+         "stm S { var x : nat = 99999999999999999999999999 initial i state A { } transition t { from i to A } }"},
     };
     for (const auto& [name, text] : cases) {
         const TemporaryFile file("model.rct", text);
@@ -168,7 +180,8 @@ TEST(Cli, JsonOnBadInputIsJson) {
 }
 
 TEST(Cli, FalseClaimShowsThePath) {
-    const Ran ran = run({"check", repository("corpus/aggregation"), repository("corpus/false_claims/aggregation.assertions"), "--assertion", "F1"});
+    const Ran ran = run({"check", repository("corpus/aggregation"),
+                         repository("corpus/false_claims/aggregation.assertions"), "--assertion", "F1"});
     EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("FAILS"));
     EXPECT_THAT(ran.out, HasSubstr("seeRobot"));
@@ -187,7 +200,8 @@ TEST(Cli, ExplainKnowsRulesAndSuggests) {
 }
 
 TEST(Cli, ScriptsAreChecked) {
-    const TemporaryFile good("good.csp", "channel a, b\nP = a -> b -> P\nassert P :[deadlock free]\nassert not STOP [T= P\n");
+    const TemporaryFile good("good.csp",
+                             "channel a, b\nP = a -> b -> P\nassert P :[deadlock free]\nassert not STOP [T= P\n");
     EXPECT_EQ(run({"cspm", good.path()}).exit, 0);
     const TemporaryFile bad("bad.csp", "channel a\nassert STOP [T= a -> STOP\n");
     const Ran ran = run({"cspm", bad.path()});
@@ -214,7 +228,8 @@ TEST(Cli, ScriptsAreTypeCheckedFirst) {
     EXPECT_EQ(refused.exit, 2) << refused.out;
     EXPECT_THAT(refused.err, HasSubstr("CSPM-T08"));
     EXPECT_EQ(refused.out, "");
-    EXPECT_THAT(run({"cspm", "--typecheck", "--format", "json", bad.path()}).out, HasSubstr("robochart-verify/diagnostics/1"));
+    EXPECT_THAT(run({"cspm", "--typecheck", "--format", "json", bad.path()}).out,
+                HasSubstr("robochart-verify/diagnostics/1"));
 }
 
 class CaseStudy : public ::testing::TestWithParam<const char*> {};

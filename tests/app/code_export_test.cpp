@@ -29,9 +29,11 @@ std::string temporary(const std::string& name) {
 
 /// Both relations, and all choices: a model that leaves one has more states of the code then.
 TEST(Conform, RelationsAndChoices) {
-    const testing::TemporaryFile model("m.rct", "stm M {\n event go event left event right initial i\n state A { } state B { entry left } "
-                                                "state C { entry right }\n transition t0 { from i to A }\n"
-                                                " transition t1 { from A to B trigger go } transition t2 { from A to C trigger go } }\n");
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm M {\n event go event left event right initial i\n state A { } state B { entry left } "
+        "state C { entry right }\n transition t0 { from i to A }\n"
+        " transition t1 { from A to B trigger go } transition t2 { from A to C trigger go } }\n");
     const auto first = run({"conform", model.path(), "--component", "M", "--model", "tick-tock"});
     EXPECT_EQ(first.exit, 0) << first.out << first.err;
     EXPECT_THAT(first.out, HasSubstr("conforms     M: 3 states"));

@@ -95,7 +95,8 @@ Ran run_shell(const std::string& commands) {
         setenv("verify", ROBOCHART_VERIFY, 1);
         execl("/bin/sh", "sh", "-c", commands.c_str(), nullptr);
     };
-    return run_child(shell, "", [] {}, [](pid_t) {});
+    return run_child(
+        shell, "", [] {}, [](pid_t) {});
 }
 
 Ran run(const std::vector<std::string>& arguments, const std::string& input) {

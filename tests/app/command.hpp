@@ -9,7 +9,7 @@
 namespace robochart::app::testing {
 
 struct Ran {
-    int exit = -1;     ///< exit code; 128+n if killed by signal n
+    int exit = -1;  ///< exit code; 128+n if killed by signal n
     std::string out;
     std::string err;
 };
@@ -47,7 +47,9 @@ public:
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
     /// Of a file in it, which need not exist; "" for the folder itself.
-    [[nodiscard]] std::string path(const std::string& name = "") const { return name.empty() ? path_ : path_ + "/" + name; }
+    [[nodiscard]] std::string path(const std::string& name = "") const {
+        return name.empty() ? path_ : path_ + "/" + name;
+    }
     [[nodiscard]] std::string operator/(const std::string& name) const { return path(name); }
 
 private:

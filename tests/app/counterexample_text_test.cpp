@@ -108,9 +108,10 @@ nlohmann::json of_late(const std::string& claim, std::string* text = nullptr) {
 TEST(CounterexampleText, TimePassesWhateverTheCheckCallsIt) {
     std::string text;
     const auto run = of_late("timed assertion A : M is deadlock-free", &text);
-    EXPECT_THAT(text, AllOf(HasSubstr("t=20   slow    t1: S -> T"), HasSubstr("t=22   slow    write y = 1"),
-                            HasSubstr("t=22   other   t1: S -> T"), HasSubstr("now at t=22: slow: in U"),
-                            HasSubstr("then for ever:\n                 t=22   1 time unit passes"), Not(HasSubstr("tock"))));
+    EXPECT_THAT(text,
+                AllOf(HasSubstr("t=20   slow    t1: S -> T"), HasSubstr("t=22   slow    write y = 1"),
+                      HasSubstr("t=22   other   t1: S -> T"), HasSubstr("now at t=22: slow: in U"),
+                      HasSubstr("then for ever:\n                 t=22   1 time unit passes"), Not(HasSubstr("tock"))));
     EXPECT_EQ(run["schema"], "robochart-verify/run/1");
     EXPECT_EQ(run["time"], 22);
     EXPECT_EQ(run["end"]["kind"], "deadlock");
@@ -136,8 +137,7 @@ TEST(CounterexampleText, EveryStepNamesItsMachineItsElementAndItsPlace) {
     EXPECT_EQ(fired["column"], 3);
     EXPECT_EQ(fired["endLine"], 6);
     EXPECT_EQ(fired["hidden"], true);
-    EXPECT_EQ(run["events"][fired["raw"].get<std::size_t>()],
-              "τ(M::both::slow::internal__.M::both::slow::TID_t1)");
+    EXPECT_EQ(run["events"][fired["raw"].get<std::size_t>()], "τ(M::both::slow::internal__.M::both::slow::TID_t1)");
     for (const auto& machine : fired["machines"]) {
         if (machine["component"] == "M::both::slow") {
             EXPECT_EQ(machine["active"], nlohmann::json::array({"Slow::T"}));
@@ -150,8 +150,9 @@ TEST(CounterexampleText, EveryStepNamesItsMachineItsElementAndItsPlace) {
     const auto heard = find("others write y = 1", "M::both::other");
     EXPECT_EQ(heard["kind"], "externalWrite");
     EXPECT_EQ(heard["element"], "V::y");
-    EXPECT_EQ(heard["changes"],
-              nlohmann::json::array({{{"component", "M::both::other"}, {"name", "y"}, {"before", "0"}, {"after", "1"}}}));
+    EXPECT_EQ(
+        heard["changes"],
+        nlohmann::json::array({{{"component", "M::both::other"}, {"name", "y"}, {"before", "0"}, {"after", "1"}}}));
 }
 
 // While nothing has happened, each of the machines could begin.

@@ -1,5 +1,5 @@
-// What models, their CSP blocks, scripts and names of files hold never reaches a terminal as control characters, nor forges
-// lines of a report; what programs read stays as it is where no terminal is.
+// What models, their CSP blocks, scripts and names of files hold never reaches a terminal as control characters, nor
+// forges lines of a report; what programs read stays as it is where no terminal is.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// A name with an escape sequence and a line end, after which a verdict seems to stand; so do the literals and the block. ESC
-// is \033, CSI as one character of Latin-1 in UTF-8 is \302\233.
+// A name with an escape sequence and a line end, after which a verdict seems to stand; so do the literals and the
+// block. ESC is \033, CSI as one character of Latin-1 in UTF-8 is \302\233.
 const char* const files = R"(
 name=$(printf 'm\033]0;title\007\n  holds        Forged')
 model="$name.rct"; claims="$name.assertions"
@@ -24,7 +24,9 @@ printf 'assertion F1 : S is divergence-free\nassertion F2 : P refines S in the t
 printf 'channel c : {"a\033[31m"}\n-- \033[2J\nassert c."a\033[31m" -> STOP [T= STOP\nassert STOP [T= c?x -> STOP\nprint "\033[31mb"\n' > "$name.csp"
 )";
 
-Ran run_on(const std::string& command) { return run_shell(std::string(files) + command); }
+Ran run_on(const std::string& command) {
+    return run_shell(std::string(files) + command);
+}
 
 /// Of ASCII and of Latin-1; line ends and tabulators are those of the lines.
 bool has_controls(const std::string& text) {
@@ -42,12 +44,27 @@ void expect_clean(const Ran& ran, const std::string& command) {
 }
 
 TEST(ForeignText, IsShownInReports) {
-    for (const std::string command :
-         {"check \"$model\" \"$claims\" --trace", "check \"$model\" \"$claims\" --core", "check . --max-states 1", "conform \"$model\"",
-          "emit csp \"$model\" \"$claims\"", "emit csp \"$model\" --out \"$name\"", "emit cpp \"$model\" --out \"$name\"", "validate \"$model\"",
-          "validate \"$name\"", "format --check \"$model\"", "format \"$model\"", "cspm \"$name.csp\"", "cspm --format plain \"$name.csp\"",
-          "cspm --typecheck \"$name.csp\"", "cspm \"$name\"", "explain \"$name\"", "check \"$model\" --assertion \"$name\"", "\"$name\"",
-          "check \"$model\" --component \"$name\"", "check \"$model\" --set \"$name\"", "simulate \"$model\""})
+    for (const std::string command : {"check \"$model\" \"$claims\" --trace",
+                                      "check \"$model\" \"$claims\" --core",
+                                      "check . --max-states 1",
+                                      "conform \"$model\"",
+                                      "emit csp \"$model\" \"$claims\"",
+                                      "emit csp \"$model\" --out \"$name\"",
+                                      "emit cpp \"$model\" --out \"$name\"",
+                                      "validate \"$model\"",
+                                      "validate \"$name\"",
+                                      "format --check \"$model\"",
+                                      "format \"$model\"",
+                                      "cspm \"$name.csp\"",
+                                      "cspm --format plain \"$name.csp\"",
+                                      "cspm --typecheck \"$name.csp\"",
+                                      "cspm \"$name\"",
+                                      "explain \"$name\"",
+                                      "check \"$model\" --assertion \"$name\"",
+                                      "\"$name\"",
+                                      "check \"$model\" --component \"$name\"",
+                                      "check \"$model\" --set \"$name\"",
+                                      "simulate \"$model\""})
         expect_clean(run_on("\"$verify\" " + command), command);
 }
 
@@ -71,10 +88,10 @@ TEST(ForeignText, OfWhatProgramsReadIsExact) {
 /// util-linux's script gives a command a terminal.
 TEST(ForeignText, OfWhatProgramsReadIsShownInATerminal) {
     if (run_shell("command -v script").exit != 0) GTEST_SKIP() << "there is no `script` here";
-    for (const std::string command : {"check \"$model\" --print script", "check \"$model\" --print ast", "check \"$model\" \"$claims\" --format json",
-                                      "format - < \"$model\""}) {
-        const Ran ran = run_on("export verify name model claims; script -qec '\"$verify\" " +
-                               command + "' /dev/null < /dev/null | tr -d '\\r'");
+    for (const std::string command : {"check \"$model\" --print script", "check \"$model\" --print ast",
+                                      "check \"$model\" \"$claims\" --format json", "format - < \"$model\""}) {
+        const Ran ran = run_on("export verify name model claims; script -qec '\"$verify\" " + command +
+                               "' /dev/null < /dev/null | tr -d '\\r'");
         EXPECT_FALSE(has_controls(ran.out)) << command << "\n" << ran.out;
         EXPECT_FALSE(ran.out.empty()) << command;
     }

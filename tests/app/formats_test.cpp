@@ -32,7 +32,8 @@ std::string limit_of(const json& document, const std::string& schema) {
         if (invocation.at("executionSuccessful").get<bool>()) return "";
         return invocation.at("toolExecutionNotifications").at(0).at("message").at("text");
     }
-    if (schema == "robochart-verify/refines/1") return document.at("errors").empty() ? "" : document.at("errors").at(0).get<std::string>();
+    if (schema == "robochart-verify/refines/1")
+        return document.at("errors").empty() ? "" : document.at("errors").at(0).get<std::string>();
     return document.value("limit", "");
 }
 
@@ -50,10 +51,12 @@ void expect_whole(const Ran& ran, const Form& form, const std::string& why) {
 std::string with_inputs(const Form& form, const std::string& more) {
     return "corpus='" + repository("corpus") + "'\ncat > m.rct <<'END'\n" + std::string(machine) +
            "END\ncat > m.assertions <<'END'\nassertion A : S is deadlock-free\nEND\n"
-           "cat > s.csp <<'END'\nchannel a : {0..3}\nP(n) = a!n -> P((n + 1) % 4)\nprint 1 + 1\nassert P(0) :[deadlock free]\nEND\n"
+           "cat > s.csp <<'END'\nchannel a : {0..3}\nP(n) = a!n -> P((n + 1) % 4)\nprint 1 + 1\nassert P(0) :[deadlock "
+           "free]\nEND\n"
            "ln -s \"$corpus\" corpus\n"
            "printf 'robochart-trace 1\\ncomponent S\\n\\nrun a\\ntock\\n' > run.trace\n"
-           "timeout -s KILL 60 \"$verify\" " + form.command + " " + more;
+           "timeout -s KILL 60 \"$verify\" " +
+           form.command + " " + more;
 }
 
 const Form forms[] = {
@@ -81,7 +84,8 @@ Form with_its_schema(Form form, const Ran& ran) {
     const json document = json::parse(ran.out, nullptr, false);
     static const std::string other = "robochart-verify/traces/1";
     if (std::string(form.schema).empty())
-        form.schema = document.is_object() && document.value("schema", "") == other ? "robochart-verify/traces/1" : "robochart-verify/report/1";
+        form.schema = document.is_object() && document.value("schema", "") == other ? "robochart-verify/traces/1"
+                                                                                    : "robochart-verify/report/1";
     return form;
 }
 
@@ -95,7 +99,8 @@ TEST_P(Formats, AreWholeWhereMemoryIsUp) {
     expect_whole(ran, with_its_schema(GetParam(), ran), "the memory limit of 0 MiB was reached");
 }
 
-INSTANTIATE_TEST_SUITE_P(Verbs, Formats, ::testing::ValuesIn(forms), [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(Verbs, Formats, ::testing::ValuesIn(forms),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 TEST(FormatsAtALimitOfStates, AreWhole) {
     for (const Form& form : {Form{"", "check --core --format json m.rct", "robochart-verify/report/1"},
@@ -123,9 +128,11 @@ TEST(FormatsInFrames, AreWholeEach) {
 
 /// So many machines that reading them takes a while.
 std::string interrupted(const std::string& command) {
-    return "awk 'BEGIN { for (i = 0; i < 60000; ++i) printf \"stm S%d { initial i state A { } state B { } transition t { from i to A } "
+    return "awk 'BEGIN { for (i = 0; i < 60000; ++i) printf \"stm S%d { initial i state A { } state B { } transition t "
+           "{ from i to A } "
            "transition u { from A to B } }\\n\", i }' > m.rct\n"
-           "timeout -s KILL 100 \"$verify\" " + command + " m.rct & p=$!; sleep 0.4; kill -INT $p; wait $p; exit $?";
+           "timeout -s KILL 100 \"$verify\" " +
+           command + " m.rct & p=$!; sleep 0.4; kill -INT $p; wait $p; exit $?";
 }
 
 TEST(FormatsOfAnInterruptedRun, AreWhole) {

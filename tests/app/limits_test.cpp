@@ -1,5 +1,5 @@
-// Limits and signals in every phase: what would take hours or all memory ends soon, with exit code 3 and a report of what
-// is known, and leaves nothing behind. The bounds on seconds here are generous: hanging is the fault.
+// Limits and signals in every phase: what would take hours or all memory ends soon, with exit code 3 and a report of
+// what is known, and leaves nothing behind. The bounds on seconds here are generous: hanging is the fault.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -20,17 +20,20 @@ using ::testing::Not;
 std::string doubling_records(int levels) {
     std::string text;
     for (int i = 0; i < levels; ++i)
-        text += "datatype T" + std::to_string(i) + " { a : T" + std::to_string(i + 1) + " b : T" + std::to_string(i + 1) + " }\n";
+        text += "datatype T" + std::to_string(i) + " { a : T" + std::to_string(i + 1) + " b : T" +
+                std::to_string(i + 1) + " }\n";
     text += "datatype T" + std::to_string(levels) + " { x : boolean }\n";
-    return text + "stm S {\n var v : T0\n event e : T0\n initial i\n state A { }\n transition t0 { from i to A }\n"
-                  " transition t1 { from A to A trigger e ? v }\n}\n";
+    return text +
+           "stm S {\n var v : T0\n event e : T0\n initial i\n state A { }\n transition t0 { from i to A }\n"
+           " transition t1 { from A to A trigger e ? v }\n}\n";
 }
 
 /// A condition over 3^17 values.
 std::string large_quantifier() {
     std::string names;
     for (char c = 'a'; c <= 'q'; ++c) names += std::string(c == 'a' ? "" : ", ") + c + c + " : nat";
-    return "stm S {\n initial i\n state A { }\n transition t0 { from i to A condition forall " + names + " @ aa + bb >= 0 }\n}\n";
+    return "stm S {\n initial i\n state A { }\n transition t0 { from i to A condition forall " + names +
+           " @ aa + bb >= 0 }\n}\n";
 }
 
 /// Machines of two modes, side by side in a controller: 2^count states.
@@ -39,7 +42,8 @@ std::string many_machines(int count) {
     std::string refs;
     for (int i = 0; i < count; ++i) {
         const std::string n = std::to_string(i);
-        text += "stm S" + n + " {\n event e\n initial i\n state A {} state B {}\n transition t0 { from i to A }\n"
+        text += "stm S" + n +
+                " {\n event e\n initial i\n state A {} state B {}\n transition t0 { from i to A }\n"
                 " transition t1 { from A to B trigger e }\n transition t2 { from B to A trigger e }\n}\n";
         refs += " event e" + n + "\n sref s" + n + " = S" + n + "\n connection C on e" + n + " to s" + n + " on e\n";
     }
@@ -56,8 +60,9 @@ class HardWork : public ::testing::TestWithParam<Hard> {};
 
 std::string in_time(const Hard& hard, const std::string& more) {
     // The shell's own limit makes the test end where the command does not.
-    return "cat > m.rct <<'END'\n" + hard.model + "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n timeout -s KILL 60 \"$verify\" " +
-           hard.arguments + " " + more + "; code=$?; ls tmp; exit $code";
+    return "cat > m.rct <<'END'\n" + hard.model +
+           "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n timeout -s KILL 60 \"$verify\" " + hard.arguments + " " + more +
+           "; code=$?; ls tmp; exit $code";
 }
 
 TEST_P(HardWork, OfTimeEndIt) {
@@ -80,9 +85,10 @@ TEST_P(HardWork, OfTheSystemEndIt) {
 
 TEST_P(HardWork, SignalsEndItWithAReport) {
     const Hard& hard = GetParam();
-    const Ran ran = run_shell("cat > m.rct <<'END'\n" + hard.model +
-                              "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n timeout -s KILL 60 \"$verify\" " + hard.arguments +
-                              " m.rct & p=$!; sleep 1; kill -TERM $p; wait $p; code=$?; ls tmp; exit $code");
+    const Ran ran =
+        run_shell("cat > m.rct <<'END'\n" + hard.model +
+                  "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n timeout -s KILL 60 \"$verify\" " + hard.arguments +
+                  " m.rct & p=$!; sleep 1; kill -TERM $p; wait $p; code=$?; ls tmp; exit $code");
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out + ran.err, HasSubstr("the run was interrupted"));
     EXPECT_THAT(ran.out, Not(HasSubstr("robochart-")));
@@ -106,8 +112,8 @@ TEST(RunLimits, AreOfTheWholeRunNotOfEachCheck) {
     std::string claims;
     for (int i = 0; i < 10; ++i) claims += "assertion A" + std::to_string(i) + " : C is deterministic\n";
     const Hard hard{"", many_machines(30), "check"};
-    const Ran ran = run_shell("cat > m.assertions <<'END'\n" + claims + "END\n" + in_time(hard, "--timeout 2 --untimed m.rct") +
-                              "");
+    const Ran ran = run_shell("cat > m.assertions <<'END'\n" + claims + "END\n" +
+                              in_time(hard, "--timeout 2 --untimed m.rct") + "");
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, AllOf(HasSubstr("A0"), HasSubstr("A9"), HasSubstr("10 inconclusive")));
 }
@@ -115,8 +121,10 @@ TEST(RunLimits, AreOfTheWholeRunNotOfEachCheck) {
 TEST(RunLimits, WhatWasKnownBeforeIsReported) {
     const std::string model = many_machines(30) + "stm Small { initial i state A { } transition t0 { from i to A } }\n";
     const Hard hard{"", model, "check"};
-    const Ran ran = run_shell("cat > m.assertions <<'END'\nassertion First : Small is deterministic\nassertion Second : C is deterministic\nEND\n" +
-                              in_time(hard, "--timeout 3 --untimed m.rct"));
+    const Ran ran = run_shell(
+        "cat > m.assertions <<'END'\nassertion First : Small is deterministic\nassertion Second : C is "
+        "deterministic\nEND\n" +
+        in_time(hard, "--timeout 3 --untimed m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, AllOf(HasSubstr("holds        First"), HasSubstr("inconclusive Second")));
 }
@@ -124,7 +132,8 @@ TEST(RunLimits, WhatWasKnownBeforeIsReported) {
 // The system's limit of processor time sends SIGXCPU, again each second: the run ends in order, and once.
 TEST(RunLimits, OfTheSystemsProcessorTimeEndItInOrder) {
     const Ran ran = run_shell("cat > m.rct <<'END'\n" + many_machines(40) +
-                              "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n ulimit -S -t 1; timeout -s KILL 60 \"$verify\" check --core m.rct; code=$?; ls tmp; exit $code");
+                              "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n ulimit -S -t 1; timeout -s KILL 60 "
+                              "\"$verify\" check --core m.rct; code=$?; ls tmp; exit $code");
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out + ran.err, HasSubstr("the run was interrupted"));
 }
@@ -132,15 +141,19 @@ TEST(RunLimits, OfTheSystemsProcessorTimeEndItInOrder) {
 // Giving the states back takes longer than the watching thread waits: it must not print another object.
 TEST(RunLimits, AScriptHasOneObject) {
     for (const char* format : {"json", "framed_json"}) {
-        const Ran ran = run_shell("printf 'channel a : {0..99}\\nP(n) = a?x -> P((n*x+1) %% 1000003)\\nassert P(1) :[deterministic [FD]]\\n' > s.csp\n"
-                                  "timeout -s KILL 60 \"$verify\" cspm --timeout 3 --format " + std::string(format) + " s.csp");
+        const Ran ran = run_shell(
+            "printf 'channel a : {0..99}\\nP(n) = a?x -> P((n*x+1) %% 1000003)\\nassert P(1) :[deterministic [FD]]\\n' "
+            "> s.csp\n"
+            "timeout -s KILL 60 \"$verify\" cspm --timeout 3 --format " +
+            std::string(format) + " s.csp");
         EXPECT_EQ(ran.exit, 3) << ran.err;
         EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
     }
 }
 
 TEST(RunLimits, TheSecondSignalEndsTheRunAtOnce) {
-    const Ran ran = run_shell(R"(printf 'channel a : {0..99}\nP(n) = a?x -> P((n*x+1) %% 1000003)\nassert P(1) :[deterministic [FD]]\n' > s.csp
+    const Ran ran = run_shell(
+        R"(printf 'channel a : {0..99}\nP(n) = a?x -> P((n*x+1) %% 1000003)\nassert P(1) :[deterministic [FD]]\n' > s.csp
 mkdir tmp; export TMPDIR=$PWD/tmp
 "$verify" cspm s.csp > out & sleep 1; kill -INT $!; kill -INT $!; wait $!; echo "exit $?"; ls tmp)");
     EXPECT_THAT(ran.out, ::testing::AnyOf("exit 3\n", "exit 130\n")) << ran.err;

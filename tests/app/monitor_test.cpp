@@ -36,7 +36,8 @@ public:
         generator.fault = fault;
         generator.fault_site = site;
         const auto component = code_components(project.system, simulation_->scenario.component.text).front();
-        const auto emission = cpp_emit::emit_drive(project.system, project.instantiation, component, generator, project.diagnostics);
+        const auto emission =
+            cpp_emit::emit_drive(project.system, project.instantiation, component, generator, project.diagnostics);
         std::string error;
         const auto controller = simulation::Controller::build(emission, "", error);
         EXPECT_NE(controller, nullptr) << error;
@@ -58,10 +59,11 @@ TEST(Monitors, StopFaultyControllersWithTheElement) {
     using cpp_emit::Fault;
     Watched aggregation("aggregation");
     EXPECT_FALSE(aggregation.run(Fault::none, 0).has_value());
-    for (const auto& [fault, cause] : std::vector<std::pair<Fault, std::string>>{{Fault::argument_swapped, "angularSpeed"},
-                                                                                  {Fault::entry_dropped, "the end of the cycle"},
-                                                                                  {Fault::wrong_target, ""},
-                                                                                  {Fault::wait_dropped, ""}}) {
+    for (const auto& [fault, cause] :
+         std::vector<std::pair<Fault, std::string>>{{Fault::argument_swapped, "angularSpeed"},
+                                                    {Fault::entry_dropped, "the end of the cycle"},
+                                                    {Fault::wrong_target, ""},
+                                                    {Fault::wait_dropped, ""}}) {
         const auto stop = aggregation.run(fault, 0);
         ASSERT_TRUE(stop.has_value()) << static_cast<int>(fault);
         EXPECT_THAT(stop->cause, HasSubstr("its model does not allow " + cause));
@@ -73,8 +75,10 @@ TEST(Monitors, StopFaultyTaxis) {
     using cpp_emit::Fault;
     Watched taxis("swarm_taxis");
     EXPECT_FALSE(taxis.run(Fault::none, 0).has_value());
-    for (const auto& [fault, site] : std::vector<std::pair<Fault, std::uint32_t>>{
-             {Fault::wait_dropped, 0}, {Fault::clock_off_by_one, 0}, {Fault::entry_dropped, 1}, {Fault::guard_negated, 0}}) {
+    for (const auto& [fault, site] : std::vector<std::pair<Fault, std::uint32_t>>{{Fault::wait_dropped, 0},
+                                                                                  {Fault::clock_off_by_one, 0},
+                                                                                  {Fault::entry_dropped, 1},
+                                                                                  {Fault::guard_negated, 0}}) {
         const auto stop = taxis.run(fault, site);
         ASSERT_TRUE(stop.has_value()) << static_cast<int>(fault);
         EXPECT_THAT(stop->place, HasSubstr("swarm_taxis.rct:"));

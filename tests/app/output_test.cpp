@@ -14,7 +14,8 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 constexpr const char* machine =
-    "stm S {\n event e\n initial i\n state A { }\n transition t0 { from i to A }\n transition t1 { from A to A trigger e }\n}\n";
+    "stm S {\n event e\n initial i\n state A { }\n transition t0 { from i to A }\n transition t1 { from A to A trigger "
+    "e }\n}\n";
 constexpr const char* claim = "assertion A1 : S is deadlock-free\n";
 
 /// In a folder with a model and a script.
@@ -40,7 +41,8 @@ TEST_P(EveryVerb, SaysThatStandardOutputIsClosed) {
 
 TEST_P(EveryVerb, EndsQuietlyWhenItsReaderHasGone) {
     // `true` reads nothing; the pause lets it go first. Exit code 2, since nobody has read the answer.
-    const Ran ran = run_shell(with_files(std::string("{ sleep 0.2; \"$verify\" ") + GetParam() + "; echo $? >&2; } | true"));
+    const Ran ran =
+        run_shell(with_files(std::string("{ sleep 0.2; \"$verify\" ") + GetParam() + "; echo $? >&2; } | true"));
     EXPECT_THAT(ran.err, HasSubstr("2\n"));
     EXPECT_THAT(ran.err, AllOf(Not(HasSubstr("standard output")), Not(HasSubstr("internal"))));
 }
@@ -51,20 +53,20 @@ TEST_P(EveryVerb, DoesNotMindThatStandardErrorIsClosed) {
     EXPECT_THAT(ran.out, Not(IsEmpty()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Output, EveryVerb,
-                         ::testing::Values("--help", "--version", "check m.rct", "check --format json m.rct", "m.rct",
-                                           "emit csp m.rct", "emit cpp m.rct", "emit monitor m.rct", "emit tests m.rct", "conform m.rct",
-                                           "cspm s.csp", "cspm --format json s.csp", "cspm --format plain s.csp",
-                                           "cspm --format framed_json s.csp", "cspm --types s.csp", "cspm --typecheck s.csp",
-                                           "cspm --export aut P s.csp", "validate m.rct", "validate --format json m.rct",
-                                           "validate --format sarif m.rct", "format --check f.rct", "format --diff f.rct", "format - < f.rct",
-                                           "explain RC-A01", "explain", "check --print ast m.rct", "check --print ir m.rct",
-                                           "check --print script m.rct"),
-                         [](const auto& each) {
-                             std::string name;
-                             for (const char c : std::string(each.param)) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Output, EveryVerb,
+    ::testing::Values("--help", "--version", "check m.rct", "check --format json m.rct", "m.rct", "emit csp m.rct",
+                      "emit cpp m.rct", "emit monitor m.rct", "emit tests m.rct", "conform m.rct", "cspm s.csp",
+                      "cspm --format json s.csp", "cspm --format plain s.csp", "cspm --format framed_json s.csp",
+                      "cspm --types s.csp", "cspm --typecheck s.csp", "cspm --export aut P s.csp", "validate m.rct",
+                      "validate --format json m.rct", "validate --format sarif m.rct", "format --check f.rct",
+                      "format --diff f.rct", "format - < f.rct", "explain RC-A01", "explain", "check --print ast m.rct",
+                      "check --print ir m.rct", "check --print script m.rct"),
+    [](const auto& each) {
+        std::string name;
+        for (const char c : std::string(each.param)) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+        return name;
+    });
 
 TEST(Output, OfFilesStaysInItsFolder) {
     // Predictable names of temporary files, links in the place of a file and of a folder.
@@ -110,9 +112,10 @@ cmp big.rct before && ls -A | wc -l
 // The path of the deepest one is longer than the system takes, which stops root too.
 TEST(Input, AFolderThatCannotBeReadIsNotPassedOver) {
     for (const char* verb : {"validate m", "check m", "format --check m", "conform --traces m m.rct"}) {
-        const Ran ran = run_shell(with_files("mkdir m; cp m.rct m; name=$(printf 'd%.0s' $(seq 200))\n"
-                                             "(cd m; for i in $(seq 22); do mkdir $name; cd $name; done)\n\"$verify\" " +
-                                             std::string(verb) + "; code=$?; rm -rf m; exit $code"));
+        const Ran ran =
+            run_shell(with_files("mkdir m; cp m.rct m; name=$(printf 'd%.0s' $(seq 200))\n"
+                                 "(cd m; for i in $(seq 22); do mkdir $name; cd $name; done)\n\"$verify\" " +
+                                 std::string(verb) + "; code=$?; rm -rf m; exit $code"));
         EXPECT_EQ(ran.exit, 2) << verb << ran.out;
         EXPECT_THAT(ran.err, AllOf(HasSubstr("error[RC-F01]"), HasSubstr("File name too long"))) << verb;
     }

@@ -12,9 +12,9 @@ namespace robochart::app {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::Folder;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Folder;
 using testing::run;
 using testing::TemporaryFile;
 
@@ -24,16 +24,25 @@ std::string verdicts(const std::string& out) {
     std::string line, result;
     while (std::getline(lines, line))
         for (const char* word : {"holds", "FAILS", "error", "inconclusive"})
-            if (line.find(std::string("  ") + word) == 0) result += std::string(word) + " " + line.substr(line.find_first_not_of(' ', 14), 20) + "\n";
+            if (line.find(std::string("  ") + word) == 0)
+                result += std::string(word) + " " + line.substr(line.find_first_not_of(' ', 14), 20) + "\n";
     return result;
 }
 
 // One counts in hundredths, the other in whole numbers: with one scale for both, the 2 of the second would be no real.
 TEST(Project, OfSeveralModelsDecidesEachAsAlone) {
-    const Folder folder({{"fine.rct", "stm Fine { event o : real var x : real = 0.25 initial i state A { entry o ! x } transition t { from i to A } }"},
-                         {"fine.assertions", "csp FineSpec csp-begin\nFineSpec = Fine::o.out!25 -> STOP\ncsp-end\nuntimed assertion Fine1 : Fine equals FineSpec\n"},
-                         {"whole.rct", "stm Whole { event o : real var x : real = 1 initial i state A { entry o ! (x + 1) } transition t { from i to A } }"},
-                         {"whole.assertions", "csp WholeSpec csp-begin\nWholeSpec = Whole::o.out!2 -> STOP\ncsp-end\nuntimed assertion Whole1 : Whole equals WholeSpec\n"}});
+    const Folder folder({{"fine.rct",
+                          "stm Fine { event o : real var x : real = 0.25 initial i state A { entry o ! x } transition "
+                          "t { from i to A } }"},
+                         {"fine.assertions",
+                          "csp FineSpec csp-begin\nFineSpec = Fine::o.out!25 -> STOP\ncsp-end\nuntimed assertion Fine1 "
+                          ": Fine equals FineSpec\n"},
+                         {"whole.rct",
+                          "stm Whole { event o : real var x : real = 1 initial i state A { entry o ! (x + 1) } "
+                          "transition t { from i to A } }"},
+                         {"whole.assertions",
+                          "csp WholeSpec csp-begin\nWholeSpec = Whole::o.out!2 -> STOP\ncsp-end\nuntimed assertion "
+                          "Whole1 : Whole equals WholeSpec\n"}});
     std::string alone;
     for (const char* name : {"fine.rct", "whole.rct"}) {
         const auto ran = run({"check", folder.path(name)});
@@ -56,12 +65,15 @@ TEST(Project, OfSeveralModelsDecidesEachAsAlone) {
 TEST(Project, EachAssertionFileHasItsInstantiations) {
     const auto given = [](const std::string& name, int value) {
         const std::string number = std::to_string(value);
-        return "csp Instantiations csp-begin\nnametype core_nat = {0..3}\nconst_S_k = " + number + "\ncsp-end\ncsp Spec csp-begin\nSpec = S::o.out!" +
-               number + " -> STOP\ncsp-end\nuntimed assertion " + name + " : S equals Spec\n";
+        return "csp Instantiations csp-begin\nnametype core_nat = {0..3}\nconst_S_k = " + number +
+               "\ncsp-end\ncsp Spec csp-begin\nSpec = S::o.out!" + number + " -> STOP\ncsp-end\nuntimed assertion " +
+               name + " : S equals Spec\n";
     };
-    const Folder folder({{"m.rct", "stm S { event o : nat const k : nat initial i state A { entry o ! k } transition t { from i to A } }"},
-                         {"one.assertions", given("One", 1)},
-                         {"three.assertions", given("Three", 3)}});
+    const Folder folder(
+        {{"m.rct",
+          "stm S { event o : nat const k : nat initial i state A { entry o ! k } transition t { from i to A } }"},
+         {"one.assertions", given("One", 1)},
+         {"three.assertions", given("Three", 3)}});
     const auto ran = run({"check", folder.path()});
     EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("2 of 2 checks hold"));
@@ -69,8 +81,12 @@ TEST(Project, EachAssertionFileHasItsInstantiations) {
 }
 
 TEST(Project, AssertionsOfOtherToolsAreSaidNotChecked) {
-    const Folder folder({{"m.rct", "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to A trigger e } }"},
-                         {"m.assertions", "untimed assertion A : S is deadlock-free\nsleec assertion R : S conforms to Rule1\nuntimed assertion B : S is deterministic\n"}});
+    const Folder folder({{"m.rct",
+                          "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to "
+                          "A trigger e } }"},
+                         {"m.assertions",
+                          "untimed assertion A : S is deadlock-free\nsleec assertion R : S conforms to Rule1\nuntimed "
+                          "assertion B : S is deterministic\n"}});
     const auto ran = run({"check", folder.path()});
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("m.assertions:2"));
@@ -81,22 +97,28 @@ TEST(Project, AssertionsOfOtherToolsAreSaidNotChecked) {
 }
 
 TEST(Project, WhatCannotBeEvaluatedHasElementAndPlace) {
-    const TemporaryFile interval("m.rct", "stm S { event e initial i\nstate A { entry skip ; wait([5, 1]) }\ntransition t0 { from i to A } transition t { from A to A trigger e } }\n");
+    const TemporaryFile interval("m.rct",
+                                 "stm S { event e initial i\nstate A { entry skip ; wait([5, 1]) }\ntransition t0 { "
+                                 "from i to A } transition t { from A to A trigger e } }\n");
     const auto ran = run({"check", interval.path(), "--core", "--timed"});
     EXPECT_NE(ran.exit, 0) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("m.rct:2: |~| over an empty set, in S::A"));
 }
 
 TEST(Project, IsRefusedWhereAScriptWouldBeWrong) {
-    const TemporaryFile composite("m.rct", "stm S { initial i\nstate s { state inner { } }\ntransition t { from i to s } }\n");
+    const TemporaryFile composite("m.rct",
+                                  "stm S { initial i\nstate s { state inner { } }\ntransition t { from i to s } }\n");
     for (const char* verb : {"check", "conform"}) {
         const auto ran = run({verb, composite.path()});
         EXPECT_EQ(ran.exit, 2) << ran.out;
         EXPECT_THAT(ran.err, HasSubstr("RC-S21"));
         EXPECT_THAT(ran.err, HasSubstr("m.rct:2"));
     }
-    const TemporaryFile block("m.rct", "stm S { event card initial i state A { } transition t { from i to A } transition u { from A to A trigger card } }\n");
-    EXPECT_EQ(run({"emit", "csp", block.path(), "--out", fs::path(block.path()).parent_path().string() + "/out"}).exit, 0);
+    const TemporaryFile block("m.rct",
+                              "stm S { event card initial i state A { } transition t { from i to A } transition u { "
+                              "from A to A trigger card } }\n");
+    EXPECT_EQ(run({"emit", "csp", block.path(), "--out", fs::path(block.path()).parent_path().string() + "/out"}).exit,
+              0);
 }
 
 // The division stands in a function of the library; the place is that of the model's expression.
@@ -114,9 +136,13 @@ TEST(Evaluation, OfADivisionByZeroNamesPlaceAndElement) {
 
 /// Two packages with a controller of one name each; the second has an event.
 Folder same_names() {
-    return Folder({{"a.rct", "package a\nstm S { initial i state A { } transition t { from i to A } }\ncontroller C { sref s = S }\n"},
-                   {"b.rct", "package b\nstm S { event e initial i state A { } transition t { from i to A } transition u { from A to A trigger e } }\n"
-                             "controller C { event e sref s = S connection C on e to s on e }\n"}});
+    return Folder(
+        {{"a.rct",
+          "package a\nstm S { initial i state A { } transition t { from i to A } }\ncontroller C { sref s = S }\n"},
+         {"b.rct",
+          "package b\nstm S { event e initial i state A { } transition t { from i to A } transition u { from A to A "
+          "trigger e } }\n"
+          "controller C { event e sref s = S connection C on e to s on e }\n"}});
 }
 
 TEST(Project, FilesOfComponentsOfOneNameDoNotReplaceEachOther) {
@@ -126,7 +152,8 @@ TEST(Project, FilesOfComponentsOfOneNameDoNotReplaceEachOther) {
         {{"emit", "cpp", "--target", "main"}, {"main/a/C/main.cpp", "main/b/C/main.cpp"}},
         {{"emit", "monitor"}, {"monitor/a/C/C_monitor.hpp", "monitor/b/C/C_monitor.hpp"}},
         {{"emit", "tests"}, {"tests/a/C/C.trace", "tests/b/C/C.trace"}},
-        {{"verify"}, {"cpp/a/C/S.hpp", "cpp/b/C/S.hpp", "csp-gen/timed/a_C_normal_form.csp", "csp-gen/timed/b_C_normal_form.csp"}}};
+        {{"verify"},
+         {"cpp/a/C/S.hpp", "cpp/b/C/S.hpp", "csp-gen/timed/a_C_normal_form.csp", "csp-gen/timed/b_C_normal_form.csp"}}};
     for (auto [verb, files] : verbs) {
         verb.insert(verb.end(), {"--out", folder.path("out"), folder.path()});
         const auto ran = run(verb);
@@ -140,8 +167,9 @@ TEST(Project, FilesOfComponentsOfOneNameDoNotReplaceEachOther) {
 }
 
 TEST(Project, NothingIsWrittenTwiceInARun) {
-    const Folder folder({{"m.rct", "stm S { initial i state A { } transition t { from i to A } }\ncontroller C { sref s = S }\n"},
-                         {"n.rct", "controller C { event e sref s = S }\n"}});
+    const Folder folder(
+        {{"m.rct", "stm S { initial i state A { } transition t { from i to A } }\ncontroller C { sref s = S }\n"},
+         {"n.rct", "controller C { event e sref s = S }\n"}});
     const auto ran = run({"emit", "cpp", "--out", folder.path("out"), folder.path()});
     EXPECT_EQ(ran.exit, 2) << ran.out;
     EXPECT_THAT(ran.err, HasSubstr("error[RC-A03]"));
@@ -173,7 +201,8 @@ TEST(ProjectsOfOneName, AreJudgedAsEachAlone) {
     const Folder folder(of_one_name);
     EXPECT_EQ(run({"check", folder / "endless"}).exit, 0);
     EXPECT_EQ(run({"check", folder / "short"}).exit, 1);
-    for (const std::vector<std::string>& given : {std::vector<std::string>{folder.path()}, {folder / "endless", folder / "short"},
+    for (const std::vector<std::string>& given : {std::vector<std::string>{folder.path()},
+                                                  {folder / "endless", folder / "short"},
                                                   {folder / "endless/m.rct", folder / "short/m.rct"}}) {
         std::vector<std::string> words{"check"};
         words.insert(words.end(), given.begin(), given.end());
@@ -194,8 +223,10 @@ TEST(ProjectsOfOneName, HaveFilesOfTheirOwn) {
         const auto ran = run({"emit", verb, folder.path(), "--out", folder / "out"});
         EXPECT_EQ(ran.exit, 0) << verb << ran.out << ran.err;
     }
-    for (const char* file : {"csp-gen/endless_m.csp", "csp-gen/timed/short_m.csp", "cpp/endless_m/Mo/Mo_core.hpp", "cpp/short_m/Mo/Mo_core.hpp",
-                             "monitor/endless_m/Mo/Mo_monitor.hpp", "monitor/short_m/Mo/Mo_monitor.hpp", "tests/endless_m/Mo/Mo.trace", "tests/short_m/Mo/Mo.trace"})
+    for (const char* file :
+         {"csp-gen/endless_m.csp", "csp-gen/timed/short_m.csp", "cpp/endless_m/Mo/Mo_core.hpp",
+          "cpp/short_m/Mo/Mo_core.hpp", "monitor/endless_m/Mo/Mo_monitor.hpp", "monitor/short_m/Mo/Mo_monitor.hpp",
+          "tests/endless_m/Mo/Mo.trace", "tests/short_m/Mo/Mo.trace"})
         EXPECT_TRUE(fs::exists(folder / ("out/" + std::string(file)))) << file;
     // The logs of one are not runs of the other; which is meant has to be said.
     const std::string log = folder / "out/tests/short_m/Mo/Mo.trace";
@@ -225,7 +256,9 @@ TEST(ProjectsOfOneName, InOneFolderAreReportedByName) {
 }
 
 TEST(Project, WithErrorsDoesNotStopTheOthers) {
-    const Folder folder({{"good/m.rct", endless}, {"good/m.assertions", claims}, {"wrong/w.rct", "stm W { initial i state A { } transition t { from i to Nowhere } }"}});
+    const Folder folder({{"good/m.rct", endless},
+                         {"good/m.assertions", claims},
+                         {"wrong/w.rct", "stm W { initial i state A { } transition t { from i to Nowhere } }"}});
     const auto ran = run({"check", folder.path()});
     EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
     EXPECT_THAT(ran.err, HasSubstr("Nowhere"));
@@ -242,12 +275,15 @@ TEST(Project, WithErrorsDoesNotStopTheOthers) {
 
 // Claims about probabilities are not decided yet. None of them may pass for one that holds, or be passed over.
 TEST(Project, ProbabilisticClaimsAreSaidNotChecked) {
-    const Folder folder({{"m.rct", "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to A trigger e } }"},
-                         {"m.assertions", "const C1 : nat\nlabel going = S is in S::A\n"
-                                          "prob property P_soon: Prob>0.5 of [Finally #going]\n"
-                                          "untimed assertion A : S is deadlock-free\n"
-                                          "prob generate path P_run: using simulation for 10 steps\n"
-                                          "pmodules M: pmodule n { v: bool; [] @v -> skip; }\n"}});
+    const Folder folder({{"m.rct",
+                          "stm S { event e initial i state A { } transition t { from i to A } transition u { from A to "
+                          "A trigger e } }"},
+                         {"m.assertions",
+                          "const C1 : nat\nlabel going = S is in S::A\n"
+                          "prob property P_soon: Prob>0.5 of [Finally #going]\n"
+                          "untimed assertion A : S is deadlock-free\n"
+                          "prob generate path P_run: using simulation for 10 steps\n"
+                          "pmodules M: pmodule n { v: bool; [] @v -> skip; }\n"}});
     const auto ran = run({"check", folder.path()});
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("not checked  P_soon"));
@@ -255,7 +291,8 @@ TEST(Project, ProbabilisticClaimsAreSaidNotChecked) {
     EXPECT_THAT(ran.out, HasSubstr("not checked  P_run"));
     EXPECT_THAT(ran.out, HasSubstr("holds        A"));
     EXPECT_THAT(ran.out, HasSubstr("1 of 3 checks hold, 2 not checked"));
-    for (const char* part : {"const C1", "label going", "pmodules M"}) EXPECT_THAT(ran.err, HasSubstr("`" + std::string(part) + "` is passed over"));
+    for (const char* part : {"const C1", "label going", "pmodules M"})
+        EXPECT_THAT(ran.err, HasSubstr("`" + std::string(part) + "` is passed over"));
     const auto json = nlohmann::json::parse(run({"check", "--format", "json", folder.path()}).out);
     EXPECT_EQ(json["exit"], 3);
     EXPECT_EQ(json["assertions"].at(0)["answer"], "not checked");

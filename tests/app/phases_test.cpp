@@ -1,5 +1,5 @@
-// What each phase prints of one model that uses every construct (phases/gate.rct): a golden for each. After a wanted change
-// read the new texts, then store them: ROBOCHART_STORE_GOLDEN=tests/app/phases.
+// What each phase prints of one model that uses every construct (phases/gate.rct): a golden for each. After a wanted
+// change read the new texts, then store them: ROBOCHART_STORE_GOLDEN=tests/app/phases.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -19,7 +19,8 @@ std::string read(const std::string& path) {
 
 void expect_golden(const std::string& name, const std::string& text) {
     EXPECT_EQ(text, read(testing::repository("tests/app/phases/" + name))) << name;
-    if (const char* target = std::getenv("ROBOCHART_STORE_GOLDEN")) std::ofstream(std::string(target) + "/" + name) << text;
+    if (const char* target = std::getenv("ROBOCHART_STORE_GOLDEN"))
+        std::ofstream(std::string(target) + "/" + name) << text;
 }
 
 struct Phase {
@@ -31,11 +32,13 @@ class Phases : public ::testing::TestWithParam<Phase> {};
 
 /// Beside the models, since reports name files as the command line does.
 testing::Ran run_beside_the_models(const std::string& arguments) {
-    return testing::run_shell("cp '" + testing::repository("tests/app/phases") + "'/gate.* . && \"$verify\" " + arguments);
+    return testing::run_shell("cp '" + testing::repository("tests/app/phases") + "'/gate.* . && \"$verify\" " +
+                              arguments);
 }
 
 TEST_P(Phases, PrintWhatIsStored) {
-    const testing::Ran ran = run_beside_the_models("check gate.rct gate.assertions --print " + std::string(GetParam().name));
+    const testing::Ran ran =
+        run_beside_the_models("check gate.rct gate.assertions --print " + std::string(GetParam().name));
     EXPECT_EQ(ran.exit, 0) << ran.err;
     expect_golden(GetParam().golden, ran.out);
 }

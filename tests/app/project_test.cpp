@@ -1,5 +1,5 @@
-// The verb `emit cpp --target` as a user runs it: where the projects go, what is kept, what is refused. What they are is
-// tested in tests/cpp_emit/project_test.cpp.
+// The verb `emit cpp --target` as a user runs it: where the projects go, what is kept, what is refused. What they are
+// is tested in tests/cpp_emit/project_test.cpp.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@ namespace robochart::app {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using testing::Folder;
+using ::testing::HasSubstr;
 using testing::repository;
 using testing::run;
 using testing::TemporaryFile;
@@ -21,7 +21,8 @@ using testing::TemporaryFile;
 TEST(EmitCppTarget, WritesAProjectForEachComponentBelowTheTarget) {
     const Folder folder;
     for (const char* target : {"library", "main", "ros2", "enki", "argos"}) {
-        const auto ran = run({"emit", "cpp", repository("corpus/aggregation"), "--target", target, "--out", folder.path()});
+        const auto ran =
+            run({"emit", "cpp", repository("corpus/aggregation"), "--target", target, "--out", folder.path()});
         EXPECT_EQ(ran.exit, 0) << ran.err;
         const std::string project = folder.path() + "/" + target + "/Aggregation";
         EXPECT_TRUE(fs::exists(project + "/CMakeLists.txt")) << target;
@@ -34,7 +35,8 @@ TEST(EmitCppTarget, WritesAProjectForEachComponentBelowTheTarget) {
 
 TEST(EmitCppTarget, LeavesTheAuthorsFileAlone) {
     const Folder folder;
-    const std::vector<std::string> words{"emit", "cpp", repository("corpus/aggregation"), "--target", "enki", "--out", folder.path()};
+    const std::vector<std::string> words{"emit",  "cpp",        repository("corpus/aggregation"), "--target", "enki",
+                                         "--out", folder.path()};
     EXPECT_EQ(run(words).exit, 0);
     const std::string mine = folder.path() + "/enki/Aggregation/robot.hpp";
     const std::string main = folder.path() + "/enki/Aggregation/main.cpp";
@@ -46,9 +48,10 @@ TEST(EmitCppTarget, LeavesTheAuthorsFileAlone) {
 }
 
 TEST(EmitCppTarget, RefusesByName) {
-    const TemporaryFile model("m.rct", "interface E { event found : Seq(nat) }\n"
-                                       "stm M { uses E var s : Seq(nat) initial i state A { }\n"
-                                       "transition t0 { from i to A } transition t1 { from A to A trigger found?s } }\n");
+    const TemporaryFile model("m.rct",
+                              "interface E { event found : Seq(nat) }\n"
+                              "stm M { uses E var s : Seq(nat) initial i state A { }\n"
+                              "transition t0 { from i to A } transition t1 { from A to A trigger found?s } }\n");
     const auto ran = run({"emit", "cpp", model.path(), "--target", "ros2"});
     EXPECT_EQ(ran.exit, 2);
     EXPECT_THAT(ran.err, HasSubstr("RC-G14"));

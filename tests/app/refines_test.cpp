@@ -92,11 +92,14 @@ assert sbisim(b -> STOP) ||| (normal(D) \ {a}) :[divergence free]
     const Json object = refines(script.path(), {"--reveal-taus"});
     ASSERT_EQ(object["results"].size(), 5U);
     const auto part = [&](int result, std::size_t which) -> Json {
-        const Json whole = object["results"][static_cast<std::size_t>(result)]["counterexamples"][0]["implementation_behaviour"];
+        const Json whole =
+            object["results"][static_cast<std::size_t>(result)]["counterexamples"][0]["implementation_behaviour"];
         return whole["child_behaviours"][which];
     };
     const auto events = [&](const Json& behaviour) { return named(object, behaviour["trace"]); };
-    const auto offence = [&](const Json& behaviour) { return named(object, Json::array({behaviour["error_event"]})).front(); };
+    const auto offence = [&](const Json& behaviour) {
+        return named(object, Json::array({behaviour["error_event"]})).front();
+    };
     EXPECT_EQ(offence(part(0, 0)), "0") << "normal(STOP) did nothing, then nothing else than a";
     EXPECT_THAT(events(part(0, 0)["child_behaviours"][0]), IsEmpty());
     EXPECT_EQ(offence(part(0, 1)), "a");

@@ -121,8 +121,8 @@ std::vector<std::string> Replay::calls_of(TermId term) {
 /// It has not moved: a process around it, or in front of its first definition, stands for it.
 bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>& calls) const {
     const std::string component = machine["component"].get<std::string>() + "::";
-    const bool initial = std::any_of(run_["initial"].begin(), run_["initial"].end(),
-                                     [&](const json& each) { return each == machine; });
+    const bool initial =
+        std::any_of(run_["initial"].begin(), run_["initial"].end(), [&](const json& each) { return each == machine; });
     return std::any_of(calls.begin(), calls.end(), [&](const std::string& call) {
         const std::string name = call.substr(0, call.find('('));
         const auto at = name.rfind("::");
@@ -150,7 +150,7 @@ bool Replay::fits(const json& machine, const std::vector<std::string>& calls) co
     const auto owner = [&](const std::string& call) {
         const auto found = emission_.provenance.definitions.find(call.substr(0, call.find('(')));
         return found != emission_.provenance.definitions.end() && found->second.component == component ? &found->second
-                                                                                                      : nullptr;
+                                                                                                       : nullptr;
     };
     bool found = false;
     std::set<std::pair<std::string, std::string>> values;  // several temporary ones may have one name
@@ -214,7 +214,8 @@ void Replay::machines_of(const json& machines, States& states) {
 void Replay::time_of(const json& step) {
     const bool timed = run_["timed"];
     if (step.contains("time") != timed) return fault("a step with a time, or a timed one without");
-    if (timed && step["time"] != time_) fault(fmt::format("step {} at time {}, not {}", step["n"].dump(), time_, step["time"].dump()));
+    if (timed && step["time"] != time_)
+        fault(fmt::format("step {} at time {}, not {}", step["n"].dump(), time_, step["time"].dump()));
 }
 
 void Replay::values_of(const json& step, const std::string& name) {
@@ -267,7 +268,8 @@ void Replay::step(const json& step, States& states) {
         if (i == 0) offers_of(step, states);
         if (event.hidden != step["hidden"]) fault("hidden or not: " + raw_.at(next_ - 1));
         states = perform(states, event);
-        if (states.empty()) return fault(fmt::format("the process cannot do {} (step {})", raw_.at(next_ - 1), step["n"].dump()));
+        if (states.empty())
+            return fault(fmt::format("the process cannot do {} (step {})", raw_.at(next_ - 1), step["n"].dump()));
         if (event.name == "tock" || event.name == "tock'") ++units;
         values_of(step, event.name);
     }

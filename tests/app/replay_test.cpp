@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/random_models/models/well_formed.hpp"
 #include "tests/app/command.hpp"
+#include "tests/random_models/models/well_formed.hpp"
 #include "tests/rounds.hpp"
 #include "tests/shared_folder.hpp"
 
@@ -105,8 +105,8 @@ TEST(Replay, OfEveryFormOfClaim) {
     replay({folder}, true, sum);
     show("forms", sum);
     expect_no_faults(sum);
-    for (const char* kind : {"forbidden", "refusal", "divergence", "deadlock", "nondeterminism", "reached", "terminated",
-                             "timelock", "clockNotInitialised", "clockInitialised"})
+    for (const char* kind : {"forbidden", "refusal", "divergence", "deadlock", "nondeterminism", "reached",
+                             "terminated", "timelock", "clockNotInitialised", "clockInitialised"})
         EXPECT_GT(sum.endings[kind], 0U) << kind;
 }
 
@@ -119,7 +119,8 @@ TEST(Replay, OfRandomModelsCoreAssertions) {
     for (std::size_t seed = first; seed < first + count; ++seed) {
         const TemporaryFile folder("README", "");
         const std::string path = fs::path(folder.path()).parent_path().string();
-        const std::string error = random_models::write(random_models::well_formed(seed, random_models::Shape::timed_core()), path);
+        const std::string error =
+            random_models::write(random_models::well_formed(seed, random_models::Shape::timed_core()), path);
         ASSERT_EQ(error, "");
         if (std::getenv("ROBOCHART_SHOW") != nullptr) std::printf("seed %zu\n", seed), std::fflush(stdout);
         replay({path}, true, sum);

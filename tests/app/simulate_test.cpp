@@ -95,7 +95,8 @@ TEST(Simulate, WrongScenariosAreExitTwoWithTheirPlace) {
 
 TEST(Simulate, WhatCannotBeWrittenIsAnErrorReportedOnce) {
     const testing::TemporaryFile file("file", "no folder");
-    const std::vector<std::string> words{"simulate", repository("corpus/aggregation/aggregation.scenario"), "--out", file.path()};
+    const std::vector<std::string> words{"simulate", repository("corpus/aggregation/aggregation.scenario"), "--out",
+                                         file.path()};
     const auto text = run(words);
     EXPECT_EQ(text.exit, 2) << "though all bands hold";
     EXPECT_THAT(text.err, HasSubstr("error[RC-A03]"));

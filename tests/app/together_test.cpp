@@ -32,7 +32,8 @@ Verdicts verdicts(const nlohmann::json& report) {
     if (!report.is_object() || !report.contains("assertions")) return result;
     for (const auto& each : report["assertions"]) {
         std::string title = each["title"];
-        if (const auto label = title.find(": "); label != std::string::npos && title.find(' ') > label) title.erase(0, label + 2);
+        if (const auto label = title.find(": "); label != std::string::npos && title.find(' ') > label)
+            title.erase(0, label + 2);
         result.insert(each["place"].get<std::string>() + " " + title + ": " + each["answer"].get<std::string>());
     }
     return result;

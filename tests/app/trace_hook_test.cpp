@@ -1,5 +1,5 @@
-// Logs that generated controllers write themselves (`emit cpp --target main`, then `--log FILE`): the model has the runs
-// that were made, and not those that were changed afterwards.
+// Logs that generated controllers write themselves (`emit cpp --target main`, then `--log FILE`): the model has the
+// runs that were made, and not those that were changed afterwards.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,15 +27,18 @@ std::string contents(const std::string& path) {
 /// A console program of a model, built in a folder of its own.
 class Console {
 public:
-    Console(const std::string& model, const std::string& component, std::vector<std::string> more = {}) : model_(model) {
-        std::vector<std::string> words{"emit", "cpp", model, "--component", component, "--target", "main", "--out", folder_ / "out"};
+    Console(const std::string& model, const std::string& component, std::vector<std::string> more = {})
+        : model_(model) {
+        std::vector<std::string> words{"emit",     "cpp",  model,   "--component",  component,
+                                       "--target", "main", "--out", folder_ / "out"};
         words.insert(words.end(), more.begin(), more.end());
         const auto ran = run(words);
         EXPECT_EQ(ran.exit, 0) << ran.err;
         for (const auto& entry : fs::directory_iterator(folder_ / "out/main")) project_ = entry.path().string();
         // What cmake does (tests/cpp_emit builds projects with it): the sources, with the hook.
-        shell("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -DROBOCHART_TRACE=1 -I controller "
-              "main.cpp controller/*.cpp -o console");
+        shell(
+            "c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -DROBOCHART_TRACE=1 -I controller "
+            "main.cpp controller/*.cpp -o console");
     }
 
     /// The program with these lines of input and a log; what it prints.
@@ -47,8 +50,9 @@ public:
     /// Another program with the controller, which writes run.trace.
     void run_program(const std::string& source) {
         std::ofstream(project_ + "/own.cpp") << source;
-        shell("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -DROBOCHART_TRACE=1 -I controller "
-              "own.cpp controller/*.cpp -o own && ./own");
+        shell(
+            "c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -DROBOCHART_TRACE=1 -I controller "
+            "own.cpp controller/*.cpp -o own && ./own");
     }
     [[nodiscard]] std::string log() const { return contents(project_ + "/run.trace"); }
     [[nodiscard]] testing::Ran check(const std::vector<std::string>& more = {}) const {
@@ -76,8 +80,10 @@ private:
 TEST(TraceHook, ALogOfTheConsoleIsARunOfTheModel) {
     Console console(repository("corpus/aggregation"), "Aggregation");
     const std::string printed = console.drive("\nseeRobot\nseeRobot\nseeWall\n\n", "--coverage");
-    EXPECT_THAT(console.log(), HasSubstr("robochart-trace 1\nmodel aggregation.rct\ncomponent aggregation::Aggregation\ncycle 1\nrun 1\n"
-                                         "angularSpeed!-0.75 linearSpeed!-10.88 tock\nseeRobot? angularSpeed!-5.02 linearSpeed!0 tock\n"));
+    EXPECT_THAT(
+        console.log(),
+        HasSubstr("robochart-trace 1\nmodel aggregation.rct\ncomponent aggregation::Aggregation\ncycle 1\nrun 1\n"
+                  "angularSpeed!-0.75 linearSpeed!-10.88 tock\nseeRobot? angularSpeed!-5.02 linearSpeed!0 tock\n"));
     EXPECT_THAT(printed, HasSubstr(" transitions taken\n"));
     EXPECT_THAT(printed, HasSubstr("(aggregation.rct:"));
     const auto good = console.check();
@@ -115,7 +121,8 @@ TEST(TraceHook, EveryKindOfWord) {
                                          "see?Green lamp!Green level!2 go!0.5!3 tock\n"
                                          "tock\n"
                                          "count?1 done!true terminate\n"));
-    EXPECT_THAT(printed, HasSubstr("3 of 4 transitions taken\n  1  M::t0 (m.rct:8)\n  2  M::t1 (m.rct:9)\n  0  M::t2 (m.rct:10)\n  1  M::t3 (m.rct:11)\n"));
+    EXPECT_THAT(printed, HasSubstr("3 of 4 transitions taken\n  1  M::t0 (m.rct:8)\n  2  M::t1 (m.rct:9)\n  0  M::t2 "
+                                   "(m.rct:10)\n  1  M::t3 (m.rct:11)\n"));
     const std::vector<std::string> reading{"--range", "nat=0..3", "--range", "int=0..3"};
     const auto good = console.check(reading);
     EXPECT_EQ(good.exit, 0) << good.out << good.err;
@@ -174,12 +181,13 @@ TEST(TraceHook, ValuesWithParts) {
     Console console(model.path(), "M");
     console.run_program(robot_with_parts);
     const std::string log = console.log();
-    EXPECT_EQ(log, "robochart-trace 1\nmodel m.rct\ncomponent p::M\ncycle 1\nrun 1\n"
-                   "say!\"left\\040\\057\\040right\\041\" tock\n"
-                   "path?<2,0> tock\n"
-                   "pose?(0.5,true) seen?{Red,Green} go!(0.5,true)!<2,0> echo!(0.5,true) mix!{Red,Green} tock\n"
-                   "force?(0,1) push!(2,1) turn!(0,1) tock\n"
-                   "job?Fetch(0.5,Red) tag?2 note!Fetch(0.5,Red) label!(1,true) tell!2 tock\n");
+    EXPECT_EQ(log,
+              "robochart-trace 1\nmodel m.rct\ncomponent p::M\ncycle 1\nrun 1\n"
+              "say!\"left\\040\\057\\040right\\041\" tock\n"
+              "path?<2,0> tock\n"
+              "pose?(0.5,true) seen?{Red,Green} go!(0.5,true)!<2,0> echo!(0.5,true) mix!{Red,Green} tock\n"
+              "force?(0,1) push!(2,1) turn!(0,1) tock\n"
+              "job?Fetch(0.5,Red) tag?2 note!Fetch(0.5,Red) label!(1,true) tell!2 tock\n");
     const auto good = console.check();
     EXPECT_EQ(good.exit, 0) << good.out << good.err;
     EXPECT_THAT(good.out, HasSubstr("1 accepted, 0 rejected"));
@@ -205,23 +213,33 @@ TEST(TraceHook, ValuesWithParts) {
 TEST(TraceHook, TheConsoleReadsAndShowsValuesWithParts) {
     const TemporaryFile model("m.rct", with_parts);
     Console console(model.path(), "M");
-    const std::string printed = console.drive("\npath=<2,0>\nseen={Green,0} pose=(0.5,true)\nforce=(0,1)\njob=Fetch(0.5,Red) tag=2\n");
-    EXPECT_THAT(printed, HasSubstr("  go((0.5,true), <2,0>)\n  mix({Red,Green})\n  state B echo!(0.5,true) p = (0.5,true) q = <2,0> s = {Red,Green}"));
+    const std::string printed =
+        console.drive("\npath=<2,0>\nseen={Green,0} pose=(0.5,true)\nforce=(0,1)\njob=Fetch(0.5,Red) tag=2\n");
+    EXPECT_THAT(printed, HasSubstr("  go((0.5,true), <2,0>)\n  mix({Red,Green})\n  state B echo!(0.5,true) p = "
+                                   "(0.5,true) q = <2,0> s = {Red,Green}"));
     EXPECT_THAT(printed, HasSubstr("  note(Fetch(0.5,Red))\n  label((1,true))\n  tell(2)\n"));
-    EXPECT_THAT(console.log(), HasSubstr("pose?(0.5,true) seen?{Red,Green} go!(0.5,true)!<2,0> echo!(0.5,true) mix!{Red,Green} tock\n"));
+    EXPECT_THAT(
+        console.log(),
+        HasSubstr("pose?(0.5,true) seen?{Red,Green} go!(0.5,true)!<2,0> echo!(0.5,true) mix!{Red,Green} tock\n"));
     EXPECT_EQ(console.check().exit, 0);
     // None of these is a value of its type: nothing is raised.
-    console.drive("\npath=<2,\npath=<2,0>x pose=(1) pose=(1,yes) seen={Blue} seen=<Red> force=(1,2,3) job=Fetch(1) job=Fetch tag=\n");
+    console.drive(
+        "\npath=<2,\npath=<2,0>x pose=(1) pose=(1,yes) seen={Blue} seen=<Red> force=(1,2,3) job=Fetch(1) job=Fetch "
+        "tag=\n");
     EXPECT_THAT(console.log(), HasSubstr("run 1\nsay!\"left\\040\\057\\040right\\041\" tock\ntock\ntock\n"));
 }
 
 /// A log is asked for where the hook is left out: said, not silently nothing.
 TEST(TraceHook, WithoutTheHookALogIsRefused) {
     const TemporaryFile model("m.rct", typed);
-    const auto ran = run({"emit", "cpp", model.path(), "--component", "M", "--target", "main", "--out", model.path() + ".out"});
+    const auto ran =
+        run({"emit", "cpp", model.path(), "--component", "M", "--target", "main", "--out", model.path() + ".out"});
     ASSERT_EQ(ran.exit, 0) << ran.err;
     const std::string folder = model.path() + ".out/main/M";
-    EXPECT_EQ(std::system(("cd '" + folder + "' && c++ -std=c++17 -O0 -I controller main.cpp controller/*.cpp -o console").c_str()), 0);
+    EXPECT_EQ(
+        std::system(
+            ("cd '" + folder + "' && c++ -std=c++17 -O0 -I controller main.cpp controller/*.cpp -o console").c_str()),
+        0);
     EXPECT_NE(std::system(("cd '" + folder + "' && ./console --log run.trace < /dev/null 2> reported").c_str()), 0);
     EXPECT_THAT(contents(folder + "/reported"), HasSubstr("-DROBOCHART_TRACE=ON"));
     EXPECT_FALSE(fs::exists(folder + "/run.trace"));

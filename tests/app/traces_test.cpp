@@ -1,5 +1,5 @@
-// `simulate --log` and `conform --traces` as a user runs them: runs of generated controllers are runs of their model, and
-// those of changed ones are not.
+// `simulate --log` and `conform --traces` as a user runs them: runs of generated controllers are runs of their model,
+// and those of changed ones are not.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -14,8 +14,8 @@ namespace robochart::app {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using testing::Folder;
+using ::testing::HasSubstr;
 using testing::repository;
 using testing::run;
 
@@ -60,14 +60,16 @@ TEST(Traces, ChangedControllersAreFoundOut) {
         {"aggregation", "from i to S1", "from i to S2", "aggregation.rct"},
         {"aggregation", "RotateClockwise(-5.02)", "RotateClockwise(-0.75)", "angularSpeed = -5.02"},
         {"swarm_taxis", "since(T) >= 25", "since(T) >= 24", "swarm_taxis.rct"},
-        {"swarm_taxis", "reached = false; StartTurning(degree)", "StartTurning(degree); reached = false", "reached = false"}};
+        {"swarm_taxis", "reached = false; StartTurning(degree)", "StartTurning(degree); reached = false",
+         "reached = false"}};
     for (const Change& changed : changes) {
         const Folder folder;
         change(folder, changed.study, changed.what, changed.with);
         const auto simulated = run({"simulate", folder / (std::string(changed.study) + ".scenario"), "--trials", "1",
                                     "--no-pictures", "--log", folder / "logs"});
         ASSERT_NE(simulated.exit, 2) << simulated.err;
-        const auto checked = run({"conform", repository(std::string("corpus/") + changed.study), "--traces", folder / "logs"});
+        const auto checked =
+            run({"conform", repository(std::string("corpus/") + changed.study), "--traces", folder / "logs"});
         EXPECT_EQ(checked.exit, 1) << changed.with << checked.out << checked.err;
         EXPECT_THAT(checked.out, HasSubstr("rejected")) << changed.with;
         EXPECT_THAT(checked.out, HasSubstr(changed.reported)) << changed.with;
@@ -85,7 +87,8 @@ TEST(Monitors, LetTrueControllersRun) {
 
 TEST(TestSuites, AreEmittedAndAreRunsOfTheModel) {
     const Folder folder;
-    const auto emitted = run({"emit", "tests", repository("corpus/aggregation"), "--extra-states", "1", "--out", folder / "out"});
+    const auto emitted =
+        run({"emit", "tests", repository("corpus/aggregation"), "--extra-states", "1", "--out", folder / "out"});
     EXPECT_EQ(emitted.exit, 0) << emitted.err;
     EXPECT_TRUE(fs::exists(folder / "out/tests/Aggregation/Aggregation_suite_test.cpp"));
     const auto checked = run({"conform", repository("corpus/aggregation"), "--traces", folder / "out/tests"});
@@ -95,7 +98,8 @@ TEST(TestSuites, AreEmittedAndAreRunsOfTheModel) {
 
 TEST(TestSuites, WriteStringsAsLogsHaveThem) {
     const Folder folder;
-    const testing::TemporaryFile model("m.rct", R"(stm S { event a event o : string initial i state A { } transition t0 { from i to A }
+    const testing::TemporaryFile model(
+        "m.rct", R"(stm S { event a event o : string initial i state A { } transition t0 { from i to A }
         transition t { from A to A trigger a action o ! "a, (b!c\"d\\" } })");
     const auto emitted = run({"emit", "tests", model.path(), "--out", folder / "out"});
     EXPECT_EQ(emitted.exit, 0) << emitted.err;
@@ -106,12 +110,15 @@ TEST(TestSuites, WriteStringsAsLogsHaveThem) {
 /// A model that leaves a choice: the GoogleTest that is written, linked with an implementation that makes the second
 /// choice, and with one that does what the model never does.
 TEST(TestSuites, FollowAnImplementationWhereTheModelLeavesAChoice) {
-    const testing::TemporaryFile model("m.rct", "stm M {\n event go event left event right initial i\n state A { } state B { entry left } "
-                                                "state C { entry right }\n transition t0 { from i to A }\n"
-                                                " transition t1 { from A to B trigger go } transition t2 { from A to C trigger go }\n"
-                                                " transition b { from B to A trigger go } transition c { from C to A trigger go } }\n");
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm M {\n event go event left event right initial i\n state A { } state B { entry left } "
+        "state C { entry right }\n transition t0 { from i to A }\n"
+        " transition t1 { from A to B trigger go } transition t2 { from A to C trigger go }\n"
+        " transition b { from B to A trigger go } transition c { from C to A trigger go } }\n");
     const Folder folder;
-    const auto emitted = run({"emit", "tests", model.path(), "--component", "M", "--extra-states", "1", "--out", folder / "out"});
+    const auto emitted =
+        run({"emit", "tests", model.path(), "--component", "M", "--extra-states", "1", "--out", folder / "out"});
     ASSERT_EQ(emitted.exit, 0) << emitted.err;
     EXPECT_THAT(emitted.out, HasSubstr("with choices; the tests follow what the implementation does"));
     const std::string tests = folder / "out/tests/M";
@@ -146,12 +153,15 @@ std::unique_ptr<Implementation> make_implementation() { return std::make_unique<
 
 /// Two machines that send each other a token for ever, each time with an output, and no time passes.
 TEST(TestSuites, AreRefusedWhereACycleHasNoEnd) {
-    const testing::TemporaryFile model("m.rct", "stm Ping { event token event back event seen initial i state A { } transition t0 { from i to A action token }\n"
-                                                " transition t1 { from A to A trigger back action seen ; token } }\n"
-                                                "stm Pong { event token event back initial i state A { } transition t0 { from i to A }\n"
-                                                " transition t1 { from A to A trigger token action back } }\n"
-                                                "controller C { event seen sref p = Ping sref q = Pong connection p on token to q on token\n"
-                                                " connection q on back to p on back connection p on seen to C on seen }\n");
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm Ping { event token event back event seen initial i state A { } transition t0 { from i to A action token "
+        "}\n"
+        " transition t1 { from A to A trigger back action seen ; token } }\n"
+        "stm Pong { event token event back initial i state A { } transition t0 { from i to A }\n"
+        " transition t1 { from A to A trigger token action back } }\n"
+        "controller C { event seen sref p = Ping sref q = Pong connection p on token to q on token\n"
+        " connection q on back to p on back connection p on seen to C on seen }\n");
     const Folder folder;
     const auto ran = run({"emit", "tests", model.path(), "--timeout", "60", "--out", folder / "out"});
     EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
@@ -168,7 +178,8 @@ TEST(Monitors, AreEmittedAndRefused) {
     const auto large = run({"emit", "monitor", repository("corpus/swarm_taxis"), "--max-states", "20"});
     EXPECT_EQ(large.exit, 3);
     EXPECT_THAT(large.out, HasSubstr("the limit of 20 states was reached"));
-    const auto endless = run({"emit", "tests", repository("corpus/aggregation"), "--extra-states", "8", "--out", folder / "out"});
+    const auto endless =
+        run({"emit", "tests", repository("corpus/aggregation"), "--extra-states", "8", "--out", folder / "out"});
     EXPECT_EQ(endless.exit, 2);
     EXPECT_THAT(endless.err, HasSubstr("RC-A04"));
 }
@@ -178,7 +189,9 @@ TEST(Traces, AnUnreadableLogIsReportedLikeAnyInput) {
                                      "robochart-trace 1\ncomponent Aggregation\n\nrun a\nseeNobody? tock\n");
     const auto ran = run({"conform", repository("corpus/aggregation"), "--traces", log.path()});
     EXPECT_EQ(ran.exit, 2);
-    EXPECT_THAT(ran.err, HasSubstr("error[RC-L02]: aggregation::Aggregation has no input 'seeNobody'; it has seeWall, seeRobot"));
+    EXPECT_THAT(
+        ran.err,
+        HasSubstr("error[RC-L02]: aggregation::Aggregation has no input 'seeNobody'; it has seeWall, seeRobot"));
     EXPECT_THAT(ran.err, HasSubstr("run.trace:5:1"));
     EXPECT_THAT(ran.err, HasSubstr("5 | seeNobody? tock"));
     EXPECT_EQ(run({"conform", repository("corpus/aggregation"), "--traces", "no_such.trace"}).exit, 2);

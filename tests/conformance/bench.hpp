@@ -6,9 +6,9 @@
 #include <string>
 
 #include "checker/cspm/session.hpp"
-#include "conformance/model/component.hpp"
 #include "conformance/check/conformance_check.hpp"
 #include "conformance/code/shared_object.hpp"
+#include "conformance/model/component.hpp"
 #include "csp_emit/emit.hpp"
 #include "frontend/project/project.hpp"
 #include "semantics/ir/instantiation.hpp"

@@ -108,22 +108,86 @@ TEST(Compile, OddMachines) {
 
 /// What a model compares is its own affair: comparisons that are always true or always false, of literals, constants,
 /// values with themselves and with what excludes one another.
-constexpr const char* settled[] = {
-    "n == n", "n != n", "n < n", "n <= n", "n < 0", "n >= 0", "0 > n", "n == 1 /\\ n == 2", "n != 1 \\/ n != 2",
-    "n > 2 /\\ n < 1", "n < 2 \\/ n > 1", "n - n == 0", "n * 0 == 0", "n / n == 1", "n % n == 0", "n + 1 > n", "-z == z",
-    "z < 0 /\\ z > 0", "n == z /\\ z == n", "Mode::L0 == md /\\ Mode::L1 == md", "md != Mode::L0 \\/ md != Mode::L1",
-    "md == md", "Mode::L0 == Mode::L0", "Mode::L0 == Mode::L1", "r < r \\/ r >= r", "r == r", "r > 1.5 /\\ r < 0.5",
-    "b /\\ not b", "b \\/ not b", "b iff b", "b => b", "b == b", "b == (not b)", "b == true", "b != false",
-    "b == (b == true)", "b \\/ b \\/ b", "b /\\ (b \\/ c) /\\ b", "(n == 1) == (n == 2)", "(n < 1) == (n < 1)",
-    "true", "false", "not true", "true == false", "1 == 1", "2 < 1", "k == 3", "k < k", "true /\\ (b \\/ true)",
-    "if true then b else c end", "if b then true else true end", "(if b then n else n end) == (if b then n else n end)",
-    "item == item /\\ item.a == item.a", "q == q", "q[1] == q[1]", "s == s", "v == v", "v[1] != v[1]", "p == p /\\ p[1] < p[1]",
-    "b /\\ n == 1 /\\ n == 2", "b /\\ n + 1 == 1 /\\ n + 1 == -z /\\ n + 1 == 2",
-    "b \\/ n != 1 \\/ n != 2", "b \\/ not (n == 1) \\/ not (2 == n)", "(b /\\ n == 1) => n != 2",
-    "not ((b /\\ n == 1) => n != 2)", "b /\\ md == Mode::L0 /\\ md == Mode::L1 /\\ Mode::L0 == md", "b /\\ z == -1 /\\ z == 1",
-    "b /\\ (n == 1 /\\ n == 2) /\\ n == 3", "b /\\ n == k /\\ n == 2", "b /\\ item.a == 1 /\\ item.a == 2",
-    "since(T) >= 0", "since(T) < 0", "since(T) == since(T)", "n in {0 to n}", "n in {}", "n in {n}", "n in [n, n)",
-    "exists x : nat @ (x == x \\/ x != x \\/ x < 0)", "let x == n @ (x == x /\\ x == n)", "f(n) == f(n)"};
+constexpr const char* settled[] = {"n == n",
+                                   "n != n",
+                                   "n < n",
+                                   "n <= n",
+                                   "n < 0",
+                                   "n >= 0",
+                                   "0 > n",
+                                   "n == 1 /\\ n == 2",
+                                   "n != 1 \\/ n != 2",
+                                   "n > 2 /\\ n < 1",
+                                   "n < 2 \\/ n > 1",
+                                   "n - n == 0",
+                                   "n * 0 == 0",
+                                   "n / n == 1",
+                                   "n % n == 0",
+                                   "n + 1 > n",
+                                   "-z == z",
+                                   "z < 0 /\\ z > 0",
+                                   "n == z /\\ z == n",
+                                   "Mode::L0 == md /\\ Mode::L1 == md",
+                                   "md != Mode::L0 \\/ md != Mode::L1",
+                                   "md == md",
+                                   "Mode::L0 == Mode::L0",
+                                   "Mode::L0 == Mode::L1",
+                                   "r < r \\/ r >= r",
+                                   "r == r",
+                                   "r > 1.5 /\\ r < 0.5",
+                                   "b /\\ not b",
+                                   "b \\/ not b",
+                                   "b iff b",
+                                   "b => b",
+                                   "b == b",
+                                   "b == (not b)",
+                                   "b == true",
+                                   "b != false",
+                                   "b == (b == true)",
+                                   "b \\/ b \\/ b",
+                                   "b /\\ (b \\/ c) /\\ b",
+                                   "(n == 1) == (n == 2)",
+                                   "(n < 1) == (n < 1)",
+                                   "true",
+                                   "false",
+                                   "not true",
+                                   "true == false",
+                                   "1 == 1",
+                                   "2 < 1",
+                                   "k == 3",
+                                   "k < k",
+                                   "true /\\ (b \\/ true)",
+                                   "if true then b else c end",
+                                   "if b then true else true end",
+                                   "(if b then n else n end) == (if b then n else n end)",
+                                   "item == item /\\ item.a == item.a",
+                                   "q == q",
+                                   "q[1] == q[1]",
+                                   "s == s",
+                                   "v == v",
+                                   "v[1] != v[1]",
+                                   "p == p /\\ p[1] < p[1]",
+                                   "b /\\ n == 1 /\\ n == 2",
+                                   "b /\\ n + 1 == 1 /\\ n + 1 == -z /\\ n + 1 == 2",
+                                   "b \\/ n != 1 \\/ n != 2",
+                                   "b \\/ not (n == 1) \\/ not (2 == n)",
+                                   "(b /\\ n == 1) => n != 2",
+                                   "not ((b /\\ n == 1) => n != 2)",
+                                   "b /\\ md == Mode::L0 /\\ md == Mode::L1 /\\ Mode::L0 == md",
+                                   "b /\\ z == -1 /\\ z == 1",
+                                   "b /\\ (n == 1 /\\ n == 2) /\\ n == 3",
+                                   "b /\\ n == k /\\ n == 2",
+                                   "b /\\ item.a == 1 /\\ item.a == 2",
+                                   "since(T) >= 0",
+                                   "since(T) < 0",
+                                   "since(T) == since(T)",
+                                   "n in {0 to n}",
+                                   "n in {}",
+                                   "n in {n}",
+                                   "n in [n, n)",
+                                   "exists x : nat @ (x == x \\/ x != x \\/ x < 0)",
+                                   "let x == n @ (x == x /\\ x == n)",
+                                   "f(n) == f(n)"};
 
 TEST(Compile, ComparisonsThatAreSettled) {
     std::string text =
@@ -131,12 +195,14 @@ TEST(Compile, ComparisonsThatAreSettled) {
         "stm S { const k : nat = 3 event e : nat clock T var n : nat var z : int var r : real var b : boolean\n"
         "var c : boolean var md : Mode var item : Item var q : Seq(nat) var s : Set(nat) var v : vector(nat, 2)\n"
         "var p : nat * boolean initial i state A { }\n"
-        "state B { entry n = n; z = z; r = r; b = b; md = md; item = item; item.a = item.a; q = q; s = s; v[1] = v[1];\n"
+        "state B { entry n = n; z = z; r = r; b = b; md = md; item = item; item.a = item.a; q = q; s = s; v[1] = "
+        "v[1];\n"
         "p = p; z = k - k; b = (b == b) } transition t0 { from i to A }\n";
     int number = 0;
     for (const std::string condition : settled) {
         text += fmt::format("transition a{} {{ from A to B trigger e?n condition {} }}\n", ++number, condition);
-        text += fmt::format("transition c{} {{ from A to B trigger e[| n == 3 |]?n condition {} }}\n", number, condition);
+        text +=
+            fmt::format("transition c{} {{ from A to B trigger e[| n == 3 |]?n condition {} }}\n", number, condition);
         text += fmt::format("transition b{} {{ from B to A condition {}\n", number, condition);
         if (condition.starts_with("since")) {  // in guards alone
             text += "}\n";
@@ -151,9 +217,10 @@ TEST(Compile, ComparisonsThatAreSettled) {
         std::string ignored;
         if (folder.status(std::string(compiler) + " --version", ignored) != 0) continue;
         for (const char* level : {"-O0", "-O2"})
-            folder.run(fmt::format("for f in *.cpp; do {} -std=c++17 {} -Wall -Wextra -Wpedantic -Wconversion -Werror -I. "
-                                   "-c -o object.o $f || exit 1; done",
-                                   compiler, level));
+            folder.run(
+                fmt::format("for f in *.cpp; do {} -std=c++17 {} -Wall -Wextra -Wpedantic -Wconversion -Werror -I. "
+                            "-c -o object.o $f || exit 1; done",
+                            compiler, level));
     }
 }
 

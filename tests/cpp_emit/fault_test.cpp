@@ -84,9 +84,10 @@ const std::vector<Registers> three = {{}, {{"a.in", ""}}, {}, {}, {}, {}};
 
 class Faults : public ::testing::TestWithParam<Case> {
 protected:
-    ir::System system_ = testing::model(
-        std::string("package p import sequence_toolkit::*\n"
-                    "function some(n : nat) : nat { precondition n > 0 }\ninterface I { op(a : nat, b : nat) tell(v : nat) }\nstm M {") + GetParam().body + "}");
+    ir::System system_ = testing::model(std::string("package p import sequence_toolkit::*\n"
+                                                    "function some(n : nat) : nat { precondition n > 0 }\ninterface I "
+                                                    "{ op(a : nat, b : nat) tell(v : nat) }\nstm M {") +
+                                        GetParam().body + "}");
 };
 
 std::vector<std::string> run(Controller& controller, const std::vector<Registers>& script) {

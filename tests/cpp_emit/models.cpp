@@ -7,9 +7,9 @@
 #include "diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
+#include "frontend/toolkits/toolkits.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
-#include "frontend/toolkits/toolkits.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::cpp_emit::testing {

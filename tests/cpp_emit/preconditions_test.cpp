@@ -33,14 +33,14 @@ bool asks(const std::string& text) {
 }
 
 TEST(PreconditionsOfFunctions, ThatAreSeenToHoldAddNoCode) {
-    for (const std::string value : {"sure(v)", "some(2)", "some(two)", "max({1, 2})", "min({v, 1})", "head(<v>)",
-                                    "size(tail(<v>))"})
+    for (const std::string value :
+         {"sure(v)", "some(2)", "some(two)", "max({1, 2})", "min({v, 1})", "head(<v>)", "size(tail(<v>))"})
         EXPECT_FALSE(asks(core_of("transition t1 { from A to A trigger a?v action x!(" + value + ") }"))) << value;
 }
 
 TEST(PreconditionsOfFunctions, ThatCanBeFalseAreAsked) {
-    for (const std::string value : {"some(v)", "some(0)", "above(v)", "head(s)", "head(tail(<v>))", "min({k : nat | k < v})",
-                                    "max({})"})
+    for (const std::string value :
+         {"some(v)", "some(0)", "above(v)", "head(s)", "head(tail(<v>))", "min({k : nat | k < v})", "max({})"})
         EXPECT_TRUE(asks(core_of("transition t1 { from A to A trigger a?v action x!(" + value + ") }"))) << value;
 }
 

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/syntax/printer.hpp"
 #include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "csp_emit/base/library.hpp"
 #include "frontend/syntax/lexer.hpp"
@@ -192,7 +192,8 @@ TEST(Apart, FilesAreScopesOfTheirOwn) {
 const char* const everywhere[] = {
     "package NAME stm S { event e initial i state A { } transition t0 { from i to A } transition t9 { from A to A"
     " trigger e } }",
-    "type NAME stm S { event e : NAME var v : NAME initial i state A { } transition t0 { from i to A } transition t9 { from A "
+    "type NAME stm S { event e : NAME var v : NAME initial i state A { } transition t0 { from i to A } transition t9 { "
+    "from A "
     "to A trigger e ? v } }",
     "datatype NAME { f : nat } stm S { event e : NAME var v : NAME initial i state A { } transition t0 { from i to A } "
     "transition t9 { from A to A trigger e ? v } }",
@@ -282,14 +283,86 @@ TEST(Apart, EveryNameMayStandEverywhere) {
         ASSERT_TRUE(m->diagnostics.ok()) << text << m->messages();
     }
     std::set<std::string> names = taken_names();
-    for (const char* more :
-         {"and", "or", "not", "if", "then", "else", "let", "within", "channel", "datatype", "subtype", "nametype", "module",
-          "exports", "endmodule", "instance", "assert", "print", "include", "transparent", "external", "Timed", "true",
-          "false", "_", "__", "_a", "_1", "a_", "a__", "x__q", "TIDS", "D__", "O__", "VS__", "FVS__", "HUP__", "AS_O__",
-          "STM__", "id__", "terminate", "entered", "internal__", "sem__events", "clockReset", "core_nat", "core_int",
-          "core_real", "core_boolean", "core_string", "core_clock_type", "Plus", "Minus", "real_scale", "const_S_e",
-          "set_e", "set_EXT_e", "get_e", "eCall", "OP_o", "pre_f", "e1__", "result", "result__q", "elem__", "S", "C", "M",
-          "Memory", "get", "set_", "share__", "TimeOut", "SID", "CLID", "NIDS", "in_e", "tock_", "step__", "r___1"})
+    for (const char* more : {"and",
+                             "or",
+                             "not",
+                             "if",
+                             "then",
+                             "else",
+                             "let",
+                             "within",
+                             "channel",
+                             "datatype",
+                             "subtype",
+                             "nametype",
+                             "module",
+                             "exports",
+                             "endmodule",
+                             "instance",
+                             "assert",
+                             "print",
+                             "include",
+                             "transparent",
+                             "external",
+                             "Timed",
+                             "true",
+                             "false",
+                             "_",
+                             "__",
+                             "_a",
+                             "_1",
+                             "a_",
+                             "a__",
+                             "x__q",
+                             "TIDS",
+                             "D__",
+                             "O__",
+                             "VS__",
+                             "FVS__",
+                             "HUP__",
+                             "AS_O__",
+                             "STM__",
+                             "id__",
+                             "terminate",
+                             "entered",
+                             "internal__",
+                             "sem__events",
+                             "clockReset",
+                             "core_nat",
+                             "core_int",
+                             "core_real",
+                             "core_boolean",
+                             "core_string",
+                             "core_clock_type",
+                             "Plus",
+                             "Minus",
+                             "real_scale",
+                             "const_S_e",
+                             "set_e",
+                             "set_EXT_e",
+                             "get_e",
+                             "eCall",
+                             "OP_o",
+                             "pre_f",
+                             "e1__",
+                             "result",
+                             "result__q",
+                             "elem__",
+                             "S",
+                             "C",
+                             "M",
+                             "Memory",
+                             "get",
+                             "set_",
+                             "share__",
+                             "TimeOut",
+                             "SID",
+                             "CLID",
+                             "NIDS",
+                             "in_e",
+                             "tock_",
+                             "step__",
+                             "r___1"})
         names.insert(more);
     for (const std::string& plain : names) {
         if (plain.find('\'') != std::string::npos) continue;
@@ -306,7 +379,8 @@ TEST(Apart, EveryNameMayStandEverywhere) {
                 if (time == Time::untimed) continue;
                 const auto reread = m->sources.add("again.csp", cspm::print(emission.script));
                 diagnostics::Diagnostics findings;
-                EXPECT_TRUE(cspm::equal(cspm::read(m->sources, reread, findings), emission.script)) << plain << "\n" << text;
+                EXPECT_TRUE(cspm::equal(cspm::read(m->sources, reread, findings), emission.script)) << plain << "\n"
+                                                                                                    << text;
             }
         }
     }
@@ -317,7 +391,8 @@ TEST(Apart, TwoMachinesOfOneNameAreBothThere) {
     const auto m = testing::model_of(
         {{"a.rct", "stm S { event a initial i state A { entry a } transition t { from i to A } }"},
          {"b.rct", "stm S { event b initial i state A { entry b } transition t { from i to A } }"},
-         {"c.assertions", "untimed csp Q csp-begin\nQ = S::a.out -> STOP\ncsp-end\nuntimed assertion A : S equals Q\n"}});
+         {"c.assertions",
+          "untimed csp Q csp-begin\nQ = S::a.out -> STOP\ncsp-end\nuntimed assertion A : S equals Q\n"}});
     EXPECT_THAT(testing::claims(*m, Time::untimed), ElementsAre("holds")) << m->messages();
     Emission emission = m->emit(Time::untimed, true);
     cspm::check_types(emission.script, m->diagnostics);
@@ -332,13 +407,15 @@ TEST(Apart, TwoComponentsOfOneNameAreRefused) {
                                           {"b.rct", std::string("operation o() ") + (machine + 6)}});
     (void)twice->emit(Time::untimed);
     EXPECT_THAT(twice->messages(), ::testing::HasSubstr("RC-C10"));
-    const std::string constant = " const k : nat = 1 event a : nat initial i state A { entry a ! k } transition t { from "
-                                 "i to A } }";
-    const auto constants = testing::model_of({{"a.rct", "package P stm S {" + constant}, {"b.rct", "stm P_S {" + constant}});
+    const std::string constant =
+        " const k : nat = 1 event a : nat initial i state A { entry a ! k } transition t { from "
+        "i to A } }";
+    const auto constants =
+        testing::model_of({{"a.rct", "package P stm S {" + constant}, {"b.rct", "stm P_S {" + constant}});
     (void)constants->emit(Time::untimed);
     EXPECT_THAT(constants->messages(), ::testing::HasSubstr("RC-C10"));
-    const auto packages = testing::model_of({{"a.rct", std::string("package P::Q ") + machine},
-                                             {"b.rct", std::string("package P_Q ") + machine}});
+    const auto packages = testing::model_of(
+        {{"a.rct", std::string("package P::Q ") + machine}, {"b.rct", std::string("package P_Q ") + machine}});
     (void)packages->emit(Time::untimed);
     EXPECT_THAT(packages->messages(), ::testing::HasSubstr("RC-C10"));
 }

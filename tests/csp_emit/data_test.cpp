@@ -303,10 +303,10 @@ TEST(Preconditions, LetTimePassBeforeACallThatNeverComes) {
 
 // semantics 3.10: `S <{d}` is interrupted after d by a process in which time stops, whatever S does.
 TEST(Preconditions, DoNotLiftADeadline) {
-    for (const std::string blocked : {"wait(positive(x))", "x = positive(x)", "if positive(x) > 0 then skip else skip end"}) {
-        const auto m = model(std::string(declarations) +
-                             "stm S { event e var x : int initial j state A { entry e ; (" + blocked +
-                             " ; wait(1)) <{2} } transition t0 { from j to A } }");
+    for (const std::string blocked :
+         {"wait(positive(x))", "x = positive(x)", "if positive(x) > 0 then skip else skip end"}) {
+        const auto m = model(std::string(declarations) + "stm S { event e var x : int initial j state A { entry e ; (" +
+                             blocked + " ; wait(1)) <{2} } transition t0 { from j to A } }");
         ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
         EXPECT_EQ(equal(*m, Time::timed, "S::D__(0)", "Spec", R"(
             Spec = S::e.out -> tock -> tock -> STOP [] tock -> Spec)"),
@@ -334,8 +334,8 @@ TEST(Preconditions, OfFunctionsInAnOperationsPrecondition) {
 // value has the pairs where its precondition holds.
 TEST(Preconditions, OfFunctionsInPostconditionsAndOfFunctionsAsValues) {
     const std::vector<Case> cases = {{"starting(1)[1]", "1"}, {"size(dom(positive))", "2"}};
-    const auto m = model("function starting(n : int) : Seq(int) { postcondition head(result) == n }\n" +
-                         machine_of(cases));
+    const auto m =
+        model("function starting(n : int) : Seq(int) { postcondition head(result) == n }\n" + machine_of(cases));
     ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
     const std::vector<std::string> values = evaluated(*m);
     ASSERT_EQ(values.size(), cases.size());

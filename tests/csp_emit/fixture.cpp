@@ -4,9 +4,9 @@
 #include <sstream>
 
 #include "diagnostics/render.hpp"
+#include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"
-#include "frontend/project/project.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
 #include "tests/codes.hpp"

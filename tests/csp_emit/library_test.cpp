@@ -16,8 +16,8 @@ const char* const machine =
 
 /// The verdicts of the assertions in a block, which type checks.
 std::vector<std::string> block(const std::string& rct, Time time, const std::string& text) {
-    const auto m = testing::model(rct, std::string(time == Time::timed ? "timed" : "untimed") +
-                                           " csp Own csp-begin\n" + text + "\ncsp-end\n");
+    const auto m = testing::model(
+        rct, std::string(time == Time::timed ? "timed" : "untimed") + " csp Own csp-begin\n" + text + "\ncsp-end\n");
     const Emission emission = m->emit(time);
     cspm::check_types(emission.script, m->diagnostics);
     if (!m->diagnostics.ok()) return {m->messages()};
@@ -25,13 +25,14 @@ std::vector<std::string> block(const std::string& rct, Time time, const std::str
 }
 
 TEST(BlockLibrary, NumbersOfTypes) {
-    EXPECT_THAT(block(machine, Time::untimed,
-                      "channel yes\nOk(b) = if b then yes -> STOP else STOP\n"
-                      "assert not STOP [T= Ok(calc_type_max({0..2}) == 2 and calc_type_min({1..3}) == 1)\n"
-                      "assert not STOP [T= Ok(calc_type_max({ -2..-1}) == 0 and calc_type_min({ -2..2}) == -2)\n"
-                      "assert not STOP [T= Ok(ILSeq({0,1},2) == {<>,<0>,<1>,<0,1>,<1,0>})\n"
-                      "assert not STOP [T= Ok(tuple2_1((1,2)) == 1 and tuple3_2((1,2,3)) == 2 and tuple5_5((1,2,3,4,5)) == 5)"),
-                Each("holds"));
+    EXPECT_THAT(
+        block(machine, Time::untimed,
+              "channel yes\nOk(b) = if b then yes -> STOP else STOP\n"
+              "assert not STOP [T= Ok(calc_type_max({0..2}) == 2 and calc_type_min({1..3}) == 1)\n"
+              "assert not STOP [T= Ok(calc_type_max({ -2..-1}) == 0 and calc_type_min({ -2..2}) == -2)\n"
+              "assert not STOP [T= Ok(ILSeq({0,1},2) == {<>,<0>,<1>,<0,1>,<1,0>})\n"
+              "assert not STOP [T= Ok(tuple2_1((1,2)) == 1 and tuple3_2((1,2,3)) == 2 and tuple5_5((1,2,3,4,5)) == 5)"),
+        Each("holds"));
 }
 
 // By the laws that define them: what is cut off after d time units; what happens first decides a timeout.
@@ -56,8 +57,10 @@ TEST(BlockLibrary, OperatorsOfTime) {
 
 TEST(BlockLibrary, FieldsOfRecords) {
     const std::string rct =
-        "datatype R { p : nat q : nat } datatype One { only : nat } stm S { event i : R event o : nat event w : One var v : R "
-        "var u : One initial i0 state A { } transition t0 { from i0 to A } transition t1 { from A to A trigger i ? v action "
+        "datatype R { p : nat q : nat } datatype One { only : nat } stm S { event i : R event o : nat event w : One "
+        "var v : R "
+        "var u : One initial i0 state A { } transition t0 { from i0 to A } transition t1 { from A to A trigger i ? v "
+        "action "
         "o ! (v.p) ; v.q = 2 ; o ! (v.q) } transition t2 { from A to A trigger w ? u } }";
     EXPECT_THAT(block(rct, Time::untimed,
                       "Q = S::i.in?x -> S::o.out!(R_p(x)) -> S::o.out!(R_q(update_R_q(x,2))) -> Q\n"
@@ -67,8 +70,9 @@ TEST(BlockLibrary, FieldsOfRecords) {
                       "assert Q [T= S::D__(0)\nassert S::D__(0) [T= Q \\ {S::terminate}"),
                 Each("holds"));
     // A block's own are its own.
-    EXPECT_THAT(block(rct, Time::untimed, "R_p(x) = 7\nchannel yes\n"
-                                          "assert not STOP [T= (if R_p((1,1)) == 7 then yes -> STOP else STOP)"),
+    EXPECT_THAT(block(rct, Time::untimed,
+                      "R_p(x) = 7\nchannel yes\n"
+                      "assert not STOP [T= (if R_p((1,1)) == 7 then yes -> STOP else STOP)"),
                 ElementsAre("holds"));
 }
 
@@ -87,7 +91,8 @@ TEST(BlockLibrary, AnOperationWithoutBodyLetsTimePass) {
 
 TEST(BlockLibrary, ARecordWithoutAFieldHasItsDefault) {
     const auto m = testing::model(
-        "enumeration E { one two } datatype Inner { b : boolean s : Set(nat) } datatype R { p : nat e : E x : real inner : "
+        "enumeration E { one two } datatype Inner { b : boolean s : Set(nat) } datatype R { p : nat e : E x : real "
+        "inner : "
         "Inner } stm S { event o : R initial i0 state A { } transition t0 { from i0 to A action o ! R (| p = 1 |) } }",
         "untimed csp Q csp-begin\nQ = S::o.out!(1,E_one,0,(true,{})) -> STOP\ncsp-end\n"
         "untimed assertion T : S equals Q\n");

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "tests/csp_emit/fixture.hpp"
 

@@ -8,10 +8,10 @@
 #include <map>
 #include <set>
 
+#include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/lookup.hpp"
 #include "checker/cspm/syntax/reader.hpp"
-#include "checker/cspm/session.hpp"
 #include "tests/csp_emit/fixture.hpp"
 #include "tests/shared_folder.hpp"
 

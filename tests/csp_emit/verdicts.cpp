@@ -1,5 +1,5 @@
-#include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit::testing {

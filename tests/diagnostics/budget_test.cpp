@@ -102,9 +102,7 @@ TEST(Budget, ReleasesWhatIsHeldAndNothingElse) {
     };
     Budget budget;
     const Budget::Held held(&budget, file("held"));
-    {
-        const Budget::Held finished(&budget, file("finished"));
-    }
+    { const Budget::Held finished(&budget, file("finished")); }
     const Budget::Held of_nobody(nullptr, file("free"));
     budget.release();
     EXPECT_FALSE(std::filesystem::exists(folder + "/held"));

@@ -99,9 +99,10 @@ TEST(RenderJson, EscapesAndPlaces) {
 }
 
 TEST(RenderJson, SaysWhyItIsNotAll) {
-    EXPECT_EQ(render_json({}, {}, "the time limit was reached"),
-              R"({"schema":"robochart-verify/diagnostics/1","errors":0,"warnings":0,"dropped":0,"limit":"the time limit was reached","diagnostics":[]})"
-              "\n");
+    EXPECT_EQ(
+        render_json({}, {}, "the time limit was reached"),
+        R"({"schema":"robochart-verify/diagnostics/1","errors":0,"warnings":0,"dropped":0,"limit":"the time limit was reached","diagnostics":[]})"
+        "\n");
 }
 
 TEST(JsonString, EscapesControlCharactersAndReplacesBrokenBytes) {

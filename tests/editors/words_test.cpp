@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "assertion_words.hpp"
-#include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/syntax/lexer.hpp"
+#include "checker/cspm/types/builtins.hpp"
 #include "extension.hpp"
-#include "frontend/syntax/lexer.hpp"
 #include "frontend/project/project.hpp"
+#include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/parse.hpp"
 
 namespace robochart::editors {

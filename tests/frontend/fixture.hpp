@@ -11,9 +11,9 @@
 
 #include "diagnostics/diagnostic.hpp"
 #include "diagnostics/render.hpp"
+#include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"
-#include "frontend/project/project.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::frontend::testing {

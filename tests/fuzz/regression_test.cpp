@@ -1,4 +1,5 @@
-// Inputs that once broke a promise of tests/fuzz/targets/targets.hpp, and the examples kept beside them, on every compiler.
+// Inputs that once broke a promise of tests/fuzz/targets/targets.hpp, and the examples kept beside them, on every
+// compiler.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "app/command/command_line.hpp"
 #include "example.hpp"
+#include "app/command/command_line.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -97,7 +97,8 @@ std::vector<std::string> words_of(const std::string& console, const fs::path& fo
         if (word == "$") continue;
         if (word == "MODEL")
             word = folder.string();
-        else if (word.find('=') == std::string::npos && (word.ends_with(".rct") || word.ends_with(".csp") || word.ends_with(".scenario")))
+        else if (word.find('=') == std::string::npos &&
+                 (word.ends_with(".rct") || word.ends_with(".csp") || word.ends_with(".scenario")))
             word = (folder / word).string();
         words.push_back(word);
     }

@@ -114,8 +114,8 @@ TEST(Text, ALoopIsSaidBehindTheStateInWhichItBegins) {
 TEST(Text, StepsInsideWithoutNewsAreLeftOut) {
     runs::Run run;
     const std::vector<Machine> here{machine("S", "in A")};
-    run.steps = {step(Kind::internal, "read x", here), step(Kind::entered, "entered A", here), step(Kind::external_write, "others write x = 1", here),
-                 step(Kind::internal, "x = 1", here)};
+    run.steps = {step(Kind::internal, "read x", here), step(Kind::entered, "entered A", here),
+                 step(Kind::external_write, "others write x = 1", here), step(Kind::internal, "x = 1", here)};
     run.steps[3].changes = {{"S", "x", "0", "1"}};
     run.end.why = "w";
     EXPECT_EQ(text(run, ""),

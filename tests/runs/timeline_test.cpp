@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 
 namespace robochart::runs {
 namespace {

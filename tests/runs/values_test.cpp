@@ -52,7 +52,8 @@ TEST_F(Values, PartsAreValuesOfTheirTypes) {
     const ir::TypeId word = add(ir::TypeKind::string);
     EXPECT_EQ(text(add(ir::TypeKind::sequence, {real}), "<50, -25>"), "<0.5, -0.25>");
     EXPECT_EQ(text(add(ir::TypeKind::set, {real}), "{}"), "{}");
-    EXPECT_EQ(text(add(ir::TypeKind::record, {real, word}, {"x", "name"}), "(50, \"a, (b\")"), " (| x = 0.5, name = \"a, (b\" |)");
+    EXPECT_EQ(text(add(ir::TypeKind::record, {real, word}, {"x", "name"}), "(50, \"a, (b\")"),
+              " (| x = 0.5, name = \"a, (b\" |)");
     EXPECT_EQ(text(add(ir::TypeKind::record, {real}, {"x"}), "50"), " (| x = 0.5 |)");
     EXPECT_EQ(text(add(ir::TypeKind::product, {real, word}), "(50, \"a\")"), "(0.5, \"a\")");
     EXPECT_EQ(text(add(ir::TypeKind::function, {word, real}), "{(\"a\", 50)}"), "{(\"a\", 0.5)}");

@@ -34,8 +34,8 @@ TEST(Layout, AFileIncludesWhatTheRowOfItsFolderAllows) {
         for (const std::string& other : included(file)) {
             const std::string of = folder_of(other);
             if (of == folder || of == "diagnostics") continue;
-            EXPECT_TRUE(may_include(row->second, of)) << file << " includes " << other << ", which the row of " << folder
-                                                      << " in docs/architecture.md does not allow";
+            EXPECT_TRUE(may_include(row->second, of)) << file << " includes " << other << ", which the row of "
+                                                      << folder << " in docs/architecture.md does not allow";
         }
     }
 }

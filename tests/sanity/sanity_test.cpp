@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -12,6 +13,7 @@
 
 #include "app/command/rule_pages.hpp"
 #include "app/command/rules.hpp"
+#include "tests/needed.hpp"
 #include "tests/sanity/source_tree.hpp"
 
 namespace robochart::sanity {
@@ -25,7 +27,8 @@ TEST(Sanity, EveryComponentIsInTheArchitecture) {
         const std::string name = entry.path().filename().string();
         const bool component = entry.is_directory() && fs::exists(entry.path() / "CMakeLists.txt");
         if (!component) continue;
-        EXPECT_THAT(text, ::testing::HasSubstr(name + "/")) << "docs/architecture.md does not name the component " << name;
+        EXPECT_THAT(text, ::testing::HasSubstr(name + "/"))
+            << "docs/architecture.md does not name the component " << name;
     }
 }
 
@@ -34,7 +37,8 @@ TEST(Sanity, HeadersSayWhatTheyAreForAndAreGuarded) {
         const std::string text = contents(path);
         EXPECT_TRUE(text.starts_with("//")) << path << " has no head comment";
         // Headers that ship with generated code keep to portable guards.
-        const bool guarded = text.find("#pragma once") != std::string::npos || text.find("#ifndef ROBOCHART_") != std::string::npos;
+        const bool guarded =
+            text.find("#pragma once") != std::string::npos || text.find("#ifndef ROBOCHART_") != std::string::npos;
         EXPECT_TRUE(guarded) << path << " has no include guard";
     }
 }
@@ -54,11 +58,12 @@ TEST(Sanity, FilesCanBeHeldInTheHead) {
     }
 }
 
-/// Text that others wrote is ForeignText until one of the functions of diagnostics/escape.hpp lets it out. Who looks at it
-/// as it is stands here: what computes with characters, and what hands them to a syntax tree whose printer escapes.
+/// Text that others wrote is ForeignText until one of the functions of diagnostics/escape.hpp lets it out. Who looks at
+/// it as it is stands here: what computes with characters, and what hands them to a syntax tree whose printer escapes.
 TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
-    const std::set<std::string> seams = {"csp_emit/expressions/expressions.cpp", "csp_emit/compose/instantiations.cpp", "diagnostics/escape.cpp",
-                                         "diagnostics/escape.hpp", "semantics/evaluate/evaluate_composed.cpp"};
+    const std::set<std::string> seams = {"csp_emit/expressions/expressions.cpp", "csp_emit/compose/instantiations.cpp",
+                                         "diagnostics/escape.cpp", "diagnostics/escape.hpp",
+                                         "semantics/evaluate/evaluate_composed.cpp"};
     for (const std::string& name : program_files()) {
         const bool looks = contents(root() / name).find("unescaped()") != std::string::npos;
         EXPECT_TRUE(!looks || seams.contains(name)) << name << " looks at foreign text";
@@ -69,8 +74,10 @@ TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
 TEST(Sanity, NobodyElseEscapes) {
     const std::string by_hand[] = {"'\"' || c == '\\\\'", "&quot;", "&lt;"};
     for (const std::string& name : program_files()) {
-        if (name == "diagnostics/escape.cpp" || name == "diagnostics/json.cpp" || name.starts_with("cpp_emit/runtime/")) continue;
-        for (const std::string& text : by_hand) EXPECT_EQ(contents(root() / name).find(text), std::string::npos) << name << " escapes by hand: " << text;
+        if (name == "diagnostics/escape.cpp" || name == "diagnostics/json.cpp" || name.starts_with("cpp_emit/runtime/"))
+            continue;
+        for (const std::string& text : by_hand)
+            EXPECT_EQ(contents(root() / name).find(text), std::string::npos) << name << " escapes by hand: " << text;
     }
 }
 
@@ -85,7 +92,9 @@ TEST(Sanity, NoShellIsStarted) {
 
 /// The code as a word of its own: `Cn10` is no `Cn1`.
 bool names_code(const std::string& text, std::string_view code) {
-    const auto in_word = [&](std::size_t at) { return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0; };
+    const auto in_word = [&](std::size_t at) {
+        return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
+    };
     for (std::size_t at = text.find(code); at != std::string::npos; at = text.find(code, at + 1))
         if ((at == 0 || !in_word(at - 1)) && !in_word(at + code.size())) return true;
     return false;
@@ -109,14 +118,30 @@ TEST(Sanity, EveryRuleIsExplainedAndTested) {
     EXPECT_GT(codes.size(), 50U);
 }
 
-/// Paths of files of the project, in documentation and in comments, with what they name relative to the top or to tests/.
+/// .clang-format; folders with texts of generated files switch it off by one of their own.
+TEST(Sanity, SourcesAreLaidOutByClangFormat) {
+    ROBOCHART_NEEDS(std::system("clang-format --version > /dev/null 2>&1") == 0, "clang-format");
+    for (const std::string folder : {"app", "benchmarks", "checker", "conformance", "cpp_emit", "csp_emit",
+                                     "diagnostics", "frontend", "lsp", "runs", "semantics", "simulation", "tests"}) {
+        std::string command = "clang-format --dry-run -Werror";
+        for (const fs::path& path : files(root() / folder, {".cpp", ".hpp", ".h"}))
+            command += " '" + path.string() + "'";
+        EXPECT_EQ(std::system(command.c_str()), 0) << folder;
+    }
+}
+
+/// Paths of files of the project, in documentation and in comments, with what they name relative to the top or to
+/// tests/.
 TEST(Sanity, PathsInTextsExist) {
-    const std::regex path(R"((?:^|[^\w/.-])((?:app|checker|conformance|corpus|cpp_emit|csp_emit|diagnostics|docs|editors|frontend|lsp|runs|scripts|semantics|simulation|tests)/[a-zA-Z0-9_/-]+\.(?:cpp|hpp|h|md|sh|py|txt|rct)\b))");
+    const std::regex path(
+        R"((?:^|[^\w/.-])((?:app|checker|conformance|corpus|cpp_emit|csp_emit|diagnostics|docs|editors|frontend|lsp|runs|scripts|semantics|simulation|tests)/[a-zA-Z0-9_/-]+\.(?:cpp|hpp|h|md|sh|py|txt|rct)\b))");
     const std::set<std::string> examples = {"docs/rules/CODE.md"};
     std::size_t found = 0;
     for (const fs::path& file : files(root(), {".md", ".cpp", ".hpp", ".sh", ".txt", ".cmake"})) {
         const std::string relative = fs::relative(file, root()).string();
-        if (relative == "CHANGELOG.md" || relative.find("/runtime/") != std::string::npos || relative.find("/reserved/") != std::string::npos) continue;
+        if (relative == "CHANGELOG.md" || relative.find("/runtime/") != std::string::npos ||
+            relative.find("/reserved/") != std::string::npos)
+            continue;
         const std::string text = contents(file);
         for (auto at = std::sregex_iterator(text.begin(), text.end(), path); at != std::sregex_iterator(); ++at) {
             const std::string name = (*at)[1];

@@ -38,8 +38,8 @@ std::vector<fs::path> files(const fs::path& folder, const std::set<std::string>&
 
 std::vector<std::string> program_files() {
     std::vector<std::string> found;
-    for (const char* component : {"app", "checker", "conformance", "cpp_emit", "csp_emit", "diagnostics", "frontend", "lsp",
-                                  "runs", "semantics", "simulation"})
+    for (const char* component : {"app", "checker", "conformance", "cpp_emit", "csp_emit", "diagnostics", "frontend",
+                                  "lsp", "runs", "semantics", "simulation"})
         for (const fs::path& path : files(root() / component, {".cpp", ".hpp"})) {
             const std::string name = fs::relative(path, root()).string();
             if (!name.starts_with("cpp_emit/projects/")) found.push_back(name);
@@ -88,8 +88,10 @@ std::map<std::string, FolderRow> folder_table() {
     std::istringstream lines(contents(root() / "docs/architecture.md"));
     bool inside = false;
     for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("| folder |")) inside = true;
-        else if (!line.starts_with("|")) inside = false;
+        if (line.starts_with("| folder |"))
+            inside = true;
+        else if (!line.starts_with("|"))
+            inside = false;
         if (!inside || !line.starts_with("| `")) continue;
         const std::size_t second = line.find(" | "), third = line.rfind(" | ", line.size() - 3);
         FolderRow row;

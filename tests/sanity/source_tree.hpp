@@ -21,7 +21,8 @@ namespace robochart::sanity {
 [[nodiscard]] std::vector<std::string> included(const std::string& file);
 [[nodiscard]] std::string folder_of(const std::string& file);
 
-/// A row of the table of folders in docs/architecture.md: what its files may include beside `diagnostics` and each other.
+/// A row of the table of folders in docs/architecture.md: what its files may include beside `diagnostics` and each
+/// other.
 struct FolderRow {
     std::set<std::string> allowed;   ///< "a/b"; "a/*": the folders below a
     std::set<std::string> excluded;  ///< "everything but": components or folders

@@ -1,5 +1,5 @@
-#include "frontend/syntax/parse.hpp"
 #include "harness.hpp"
+#include "frontend/syntax/parse.hpp"
 
 #include <gtest/gtest.h>
 

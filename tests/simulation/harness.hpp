@@ -8,8 +8,8 @@
 #include "diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
-#include "simulation/trial/controller.hpp"
 #include "simulation/report/run.hpp"
+#include "simulation/trial/controller.hpp"
 
 namespace robochart::simulation::testing {
 

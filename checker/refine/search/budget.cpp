@@ -1,5 +1,5 @@
-// See budget.hpp. Memory is what the whole program has resident, because the states of the systems that are searched are
-// kept by them, not by the search.
+// See budget.hpp. Memory is what the whole program has resident, because the states of the systems that are searched
+// are kept by them, not by the search.
 #include "checker/refine/search/budget.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,9 @@ Budget::Budget(const Limits& limits, Progress::Phase phase)
 void Budget::states(std::uint64_t count) const {
     constexpr std::uint64_t most_numbers = 4'000'000'000;  // states have numbers of 32 bits, with a margin
     const std::uint64_t most = std::min(limits_.max_states, most_numbers);
-    if (count > most) throw LimitReached(fmt::format("the limit of {} states was reached{}", most, phase_ == Progress::Phase::compiling ? " while compiling" : ""));
+    if (count > most)
+        throw LimitReached(fmt::format("the limit of {} states was reached{}", most,
+                                       phase_ == Progress::Phase::compiling ? " while compiling" : ""));
 }
 
 double Budget::seconds() const {

@@ -25,7 +25,8 @@ struct Progress {
     double seconds = 0;                ///< since the phase began
 };
 
-/// Bounds of one check: those of the run, and its own. A bound reached gives Outcome::inconclusive, never a wrong answer.
+/// Bounds of one check: those of the run, and its own. A bound reached gives Outcome::inconclusive, never a wrong
+/// answer.
 struct Limits : diagnostics::Limits {
     std::uint64_t max_states = 500'000'000;
     unsigned threads = 0;  ///< at most so many, where a space is wide; 0: one a core. Verdicts do not depend on it

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "checker/lts/state_store.hpp"
-#include "checker/refine/search/provisional_states.hpp"
 #include "checker/refine/search/expansion.hpp"
 #include "checker/refine/search/parent_index.hpp"
+#include "checker/refine/search/provisional_states.hpp"
 #include "checker/refine/search/thread_team.hpp"
 
 namespace robochart::refine {

@@ -9,11 +9,11 @@
 #include "checker/refine/search/antichain.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/search/expansion.hpp"
-#include "checker/refine/search/parent_index.hpp"
 #include "checker/refine/search/monitor.hpp"
+#include "checker/refine/search/parallel_level.hpp"
+#include "checker/refine/search/parent_index.hpp"
 #include "checker/refine/search/run.hpp"
 #include "checker/refine/search/tau_cycle.hpp"
-#include "checker/refine/search/parallel_level.hpp"
 
 namespace robochart::refine {
 

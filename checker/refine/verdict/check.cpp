@@ -5,12 +5,12 @@
 #include <new>
 #include <stdexcept>
 
+#include "checker/refine/search/poll_guard.hpp"
+#include "checker/refine/search/steps.hpp"
 #include "checker/refine/verdict/counterexample.hpp"
 #include "checker/refine/verdict/monitors.hpp"
 #include "checker/refine/verdict/question.hpp"
 #include "checker/refine/verdict/reference.hpp"
-#include "checker/refine/search/steps.hpp"
-#include "checker/refine/search/poll_guard.hpp"
 
 namespace robochart::refine {
 

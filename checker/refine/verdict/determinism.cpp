@@ -11,11 +11,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "checker/refine/search/steps.hpp"
 #include "checker/refine/verdict/counterexample.hpp"
 #include "checker/refine/verdict/monitors.hpp"
 #include "checker/refine/verdict/question.hpp"
 #include "checker/refine/verdict/reference.hpp"
-#include "checker/refine/search/steps.hpp"
 
 namespace robochart::refine {
 namespace {

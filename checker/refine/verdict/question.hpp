@@ -3,9 +3,9 @@
 
 #include <functional>
 
+#include "checker/refine/search/search.hpp"
 #include "checker/refine/verdict/normal_form.hpp"
 #include "checker/refine/verdict/replay.hpp"
-#include "checker/refine/search/search.hpp"
 #include "checker/refine/verdict/verdict.hpp"
 
 namespace robochart::refine {

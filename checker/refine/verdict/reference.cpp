@@ -6,8 +6,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "checker/refine/search/steps.hpp"
 #include "checker/refine/search/poll_guard.hpp"
+#include "checker/refine/search/steps.hpp"
 
 namespace robochart::refine {
 namespace {

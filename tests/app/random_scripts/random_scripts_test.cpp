@@ -32,8 +32,10 @@ bool has_one_meaning(const Case& asked) {
     return !used("chase(") || std::none_of(compressions.begin(), compressions.end(), used);
 }
 
-/// Ways to say that a name is a process: what FDR never evaluates stands beside it, or a name that means something else.
-std::string written(std::mt19937_64& numbers, const std::string& name, const std::string& module, const std::string& body) {
+/// Ways to say that a name is a process: what FDR never evaluates stands beside it, or a name that means something
+/// else.
+std::string written(std::mt19937_64& numbers, const std::string& name, const std::string& module,
+                    const std::string& body) {
     switch (numbers() % 8) {
         case 0:
             return fmt::format("{0}_(1) = STOP\n{0}_(0) = {1}\n{0} = {0}_(0)\n", name, body);
@@ -46,7 +48,8 @@ std::string written(std::mt19937_64& numbers, const std::string& name, const std
         case 4:
             return fmt::format("{0} = let {1} = 1 within if {1} == 1 then {2} else STOP\n", name, module, body);
         case 5:
-            return fmt::format("{0}_(<>) = error(\"none\")\n{0}_(<x> ^ _) = x\n{0} = {0}_(<{1}> ^ error(\"never\"))\n", name, body);
+            return fmt::format("{0}_(<>) = error(\"none\")\n{0}_(<x> ^ _) = x\n{0} = {0}_(<{1}> ^ error(\"never\"))\n",
+                               name, body);
         default:
             return fmt::format("{} = {}\n", name, body);
     }
@@ -61,7 +64,8 @@ std::string module_of(std::mt19937_64& numbers, const Case& asked, const std::st
     for (std::size_t i = 0; i < asked.script.mains.size(); ++i)
         exported += written(numbers, fmt::format("M{}", i), name, show(asked.script.mains[i]));
     if (numbers() % 3 != 0) return fmt::format("module {}\n{}exports\n{}endmodule\n", name, text, exported);
-    return fmt::format("module Of{0}(unused)\n{1}exports\n{2}endmodule\ninstance {0} = Of{0}(0)\n", name, text, exported);
+    return fmt::format("module Of{0}(unused)\n{1}exports\n{2}endmodule\ninstance {0} = Of{0}(0)\n", name, text,
+                       exported);
 }
 
 std::string in_module(std::string assertion, const std::string& module) {
@@ -82,7 +86,8 @@ public:
     void next() {
         refine::naive::Script none;
         script = show(none);
-        // Which of several taus chase follows depends on the order in which events are met first: it is that of the letters.
+        // Which of several taus chase follows depends on the order in which events are met first: it is that of the
+        // letters.
         asked = {{"assert RUN({a, b, c}) [T= STOP", true}};
         for (std::size_t i = 0; i < cases_a_script;) {
             const RandomCases::Explored each = cases_.next();
@@ -130,7 +135,8 @@ TEST(RandomScripts, AreDecidedByTheCommandAsByDefinition) {
     std::size_t checks = 0;
     for (int i = 0; i < wanted; ++i) {
         scripts.next();
-        const bool all_hold = std::all_of(scripts.asked.begin(), scripts.asked.end(), [](const Asked& each) { return each.holds; });
+        const bool all_hold =
+            std::all_of(scripts.asked.begin(), scripts.asked.end(), [](const Asked& each) { return each.holds; });
         const TemporaryFile file("random.csp", scripts.script);
         const Ran ran = run_on(file, {"--format", "json"});
         ASSERT_EQ(ran.exit, all_hold ? 0 : 1) << ran.err << scripts.script;
@@ -140,7 +146,8 @@ TEST(RandomScripts, AreDecidedByTheCommandAsByDefinition) {
             const Json& result = reported["results"][at];
             const bool holds = scripts.asked[at].holds;
             ASSERT_EQ(result["result"], holds ? 1 : 0) << scripts.asked[at].text << "\n" << scripts.script;
-            ASSERT_EQ(result["counterexamples"].size(), holds ? 0U : 1U) << scripts.asked[at].text << "\n" << scripts.script;
+            ASSERT_EQ(result["counterexamples"].size(), holds ? 0U : 1U) << scripts.asked[at].text << "\n"
+                                                                         << scripts.script;
             ++checks;
         }
         const std::vector<std::string> format = scripts.another_format();

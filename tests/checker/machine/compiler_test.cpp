@@ -101,10 +101,12 @@ TEST_F(Compiled, ModesBeforeComponents) {
     s.bind(idle, choice({s.prefix("start", s.op(Op::sequential, {pair(), idle})), s.prefix("tick", idle)}));
     EXPECT_EQ(states(idle), states_of_pair) << "the pair's end is the beginning";
     const TermId guarded = s.name("Guarded");
-    s.bind(guarded, choice({s.prefix("start", s.over(Op::exception, {pair(), guarded}, {"b"})), s.prefix("tick", guarded)}));
+    s.bind(guarded,
+           choice({s.prefix("start", s.over(Op::exception, {pair(), guarded}, {"b"})), s.prefix("tick", guarded)}));
     EXPECT_EQ(states(guarded), 4U) << "no b, and none, one or two a";
     const TermId timed = s.name("Timed");
-    s.bind(timed, s.op(Op::sliding, {choice({s.prefix("start", pair()), s.prefix("tick", timed)}), s.prefix("late", timed)}));
+    s.bind(timed,
+           s.op(Op::sliding, {choice({s.prefix("start", pair()), s.prefix("tick", timed)}), s.prefix("late", timed)}));
     EXPECT_EQ(states(timed), 2 + states_of_pair);
 }
 
@@ -114,7 +116,8 @@ TEST_F(Compiled, ModesWithoutEnd) {
     for (int i = 0; i < 2'000; ++i) next = s.menu({{"up", next}, {"go", pair()}});
     EXPECT_EQ(compiler.compile(next, {}), nullptr);
     EXPECT_EQ(states(s.over(Op::parallel, {next, s.prefix("go", stop)}, {"up"})), 2 * states_of_pair)
-        << "no up and no end: the other side never does either; before its go and after, the pair's start and its states";
+        << "no up and no end: the other side never does either; before its go and after, the pair's start and its "
+           "states";
 }
 
 TEST_F(Compiled, PrioritiesInsideAndOutside) {

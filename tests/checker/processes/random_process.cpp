@@ -114,7 +114,8 @@ Process Decoder::sequential(int depth, bool guarded) {
             return compressed(closed(depth - 1));
         case 11:
         case 12:
-            return make(Kind::parallel, {closed(depth - 1), closed(depth - 1)}, take(2) == 0 ? std::set<Letter>{} : set());
+            return make(Kind::parallel, {closed(depth - 1), closed(depth - 1)},
+                        take(2) == 0 ? std::set<Letter>{} : set());
         case 13:
         case 14:
             return modes(depth);

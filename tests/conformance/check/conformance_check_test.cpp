@@ -143,8 +143,8 @@ TEST(Judge, TerminateEventIsHidden) {
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// R4: the same machine without its waits drives twice in a cycle with both inputs. It can be run in cycles, though not in
-// cycles that make each output once; the code, which waits for the next cycle, differs.
+// R4: the same machine without its waits drives twice in a cycle with both inputs. It can be run in cycles, though not
+// in cycles that make each output once; the code, which waits for the next cycle, differs.
 TEST(Judge, OutputsAreASequence) {
     const Result result = judge_turner(0, test::turner_model(false));
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -206,8 +206,8 @@ TEST(Judge, TimelockOfTheModelIsNotSchedulable) {
 
 // R7: that some input is still taken, by another machine, is no excuse where time stops behind it all the same.
 TEST(Judge, ATimelockBesideAnInputIsNotSchedulable) {
-    const Result result = judge_turner(
-        13, {{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "T::seeRobot.in", 3}, {3, "T::seeWall.in", 2}});
+    const Result result =
+        judge_turner(13, {{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "T::seeRobot.in", 3}, {3, "T::seeWall.in", 2}});
     ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
     EXPECT_THAT(result.reason, HasSubstr("can neither go on nor let time pass"));
 }

@@ -17,10 +17,10 @@ std::vector<Subject> subjects() {
     const std::string models = "tests/conformance/models/";
     std::vector<Subject> all{{"corpus/aggregation", ""}, {"corpus/aggregation", "AggregationFSM"}};
     for (const char* module : {"nested", "parcels", "team", "helpers", "wires"}) all.push_back({models + module, ""});
-    for (const auto& [folder, machine] : {std::pair("tower", "Tower"), std::pair("timing", "Timing"),
-                                          std::pair("words", "Words"), std::pair("outside", "Outside"),
-                                          std::pair("blink", "Blink"), std::pair("missed", "Missed"),
-                                          std::pair("reacts", "Reacts"), std::pair("due", "Due")})
+    for (const auto& [folder, machine] :
+         {std::pair("tower", "Tower"), std::pair("timing", "Timing"), std::pair("words", "Words"),
+          std::pair("outside", "Outside"), std::pair("blink", "Blink"), std::pair("missed", "Missed"),
+          std::pair("reacts", "Reacts"), std::pair("due", "Due")})
         all.push_back({models + folder, machine});
     return all;
 }
@@ -28,14 +28,15 @@ std::vector<Subject> subjects() {
 /// Judges compiled code again and again.
 class Limited {
 public:
-    Limited(test::Model& model, const ir::ComponentRef& component,
-            cpp_emit::Fault fault = cpp_emit::Fault::none, std::uint32_t site = 0)
+    Limited(test::Model& model, const ir::ComponentRef& component, cpp_emit::Fault fault = cpp_emit::Fault::none,
+            std::uint32_t site = 0)
         : model_(model), component_(component), bench_(model, component), code_(bench_.compiled(fault, site)) {
         EXPECT_TRUE(code_);
     }
 
     [[nodiscard]] Result judge(const Options& options) {
-        return judge_code(bench_.script(), model_.system, model_.instantiation, component_, code_->interface(), options);
+        return judge_code(bench_.script(), model_.system, model_.instantiation, component_, code_->interface(),
+                          options);
     }
 
     void expect_the_same_or_nothing(const std::string& name) {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "conformance/check/conformance_check.hpp"
 #include "conformance/check/conform.hpp"
+#include "conformance/check/conformance_check.hpp"
 #include "tests/conformance/bench.hpp"
 #include "tests/conformance/support.hpp"
 
@@ -40,13 +40,14 @@ TEST(PartialReadings, AgreeWithAllValuations) {
     std::size_t different = 0;
     for (const auto& [folder, machine] :
          {std::pair("corpus/aggregation", ""), std::pair("tests/conformance/models/team", ""),
-          std::pair("tests/conformance/models/timing", "Timing"), std::pair("tests/conformance/models/missed", "Missed"),
+          std::pair("tests/conformance/models/timing", "Timing"),
+          std::pair("tests/conformance/models/missed", "Missed"),
           std::pair("tests/conformance/models/outside", "Outside"),
           std::pair("tests/conformance/models/reacts", "Reacts")}) {
         Both both(folder, machine);
-        for (const Fault fault : {Fault::none, Fault::guard_negated, Fault::action_dropped, Fault::event_kept,
-                                  Fault::output_repeated, Fault::wait_dropped, Fault::deadline_kept,
-                                  Fault::outside_write_lost}) {
+        for (const Fault fault :
+             {Fault::none, Fault::guard_negated, Fault::action_dropped, Fault::event_kept, Fault::output_repeated,
+              Fault::wait_dropped, Fault::deadline_kept, Fault::outside_write_lost}) {
             if (fault != Fault::none && both.sites(fault) == 0) continue;
             const auto results = both.judge(fault, 0);
             if (!results) continue;
@@ -61,22 +62,24 @@ TEST(PartialReadings, AgreeWithAllValuations) {
     EXPECT_GT(different, 12U);
 }
 
-/// Sixteen events, of which each state takes one: 65,536 valuations, and as many contents of registers that NF could hold in
-/// each of its states; but a cycle without its event goes nowhere, and one with it asks for the next event at most.
+/// Sixteen events, of which each state takes one: 65,536 valuations, and as many contents of registers that NF could
+/// hold in each of its states; but a cycle without its event goes nowhere, and one with it asks for the next event at
+/// most.
 TEST(PartialReadings, ReachWhatAllValuationsCannot) {
     std::string text = "stm Ring {\n initial i transition t { from i to S0 }\n event x : nat\n";
     constexpr int states = 16;
     for (int s = 0; s < states; ++s)
         text += fmt::format(
-            " event e{0}\n state S{0} {{ entry x!{1} ; wait(1) }}\n transition t{0} {{ from S{0} to S{2} trigger e{0} }}\n", s,
-            s % 3, (s + 1) % states);
+            " event e{0}\n state S{0} {{ entry x!{1} ; wait(1) }}\n transition t{0} {{ from S{0} to S{2} trigger e{0} "
+            "}}\n",
+            s, s % 3, (s + 1) % states);
     const test::TemporaryFolder folder(text + "}\n");
     test::Model model(folder.path());
     Options options;
     options.limits.max_states = 100'000;
     options.walks.cycles = 0;
-    const Result result = conform(model.system, model.instantiation, model.machine("Ring"), options, model.sources,
-                                  model.diagnostics);
+    const Result result =
+        conform(model.system, model.instantiation, model.machine("Ring"), options, model.sources, model.diagnostics);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
     EXPECT_LT(result.product.states, 1000U);
 }

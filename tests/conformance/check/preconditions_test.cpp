@@ -1,6 +1,6 @@
-// Preconditions of functions (semantics 3.5): wherever an expression stands the code asks what the model asks, and waits
-// where the model does. Each row conforms although the precondition is false in some of its runs, and does not where
-// code evaluates the expression without asking (Fault::function_precondition_dropped).
+// Preconditions of functions (semantics 3.5): wherever an expression stands the code asks what the model asks, and
+// waits where the model does. Each row conforms although the precondition is false in some of its runs, and does not
+// where code evaluates the expression without asking (Fault::function_precondition_dropped).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,9 @@ const Position positions[] = {
     {"Guard", "2 transition t1 { from A to B trigger go condition % >= 0 action act(1) }"},
     {"GuardWithoutTrigger", "2 transition t1 { from A to B condition % >= 0 action act(1) }"},
     {"GuardUnderADeadline", "2 transition t1 { from A to B trigger go <{2} condition % >= 0 action act(1) }"},
-    {"Junction", "2 junction J transition t1 { from A to J trigger go } transition t2 { from J to B condition % >= 0 action act(1) }"},
+    {"Junction",
+     "2 junction J transition t1 { from A to J trigger go } transition t2 { from J to B condition % >= 0 action act(1) "
+     "}"},
     {"InputStatement", "2 transition t1 { from A to B trigger go action in1[| % >= 0 |]?y ; act(y) }"},
     {"Wait", "2 transition t1 { from A to B trigger go action wait(%) ; act(1) }"},
     {"WaitInterval", "2 transition t1 { from A to B trigger go action wait([0, %]) ; act(1) }"},
@@ -37,18 +39,24 @@ const Position positions[] = {
     {"Conditional", "2 transition t1 { from A to B trigger go action if % > 1 then act(1) else act(2) end }"},
     {"ConditionalThatWaits",
      "2 transition t1 { from A to B trigger go action if % > 1 then wait(1) else wait(2) end ; act(2) }"},
-    {"Entry", "state A { } state B { entry act(%) } transition t1 { from A to B trigger go }"
-              "transition back { from B to A trigger stop }"},
-    {"Exit", "state A { } state B { exit act(%) } transition t1 { from A to B trigger go }"
-             "transition back { from B to A trigger stop }"},
-    {"ExitOfAChild", "state A { } state B { initial j state C { exit y = % ; act(y) } transition u { from j to C }"
-                     "exit act(2) } transition t1 { from A to B trigger go } transition back { from B to A trigger stop }"},
-    {"During", "state A { during y = % ; act(y) } state B { } transition t1 { from A to B trigger go }"
-               "transition back { from B to A trigger stop }"},
-    {"DuringCall", "state A { during act(%) } state B { } transition t1 { from A to B trigger go }"
-                   "transition back { from B to A trigger stop }"},
-    {"InitialTransition", "state B { initial j state C { } transition u { from j to C action act(%) } } state A { }"
-                          "transition t1 { from A to B trigger go } transition back { from B to A trigger stop }"}};
+    {"Entry",
+     "state A { } state B { entry act(%) } transition t1 { from A to B trigger go }"
+     "transition back { from B to A trigger stop }"},
+    {"Exit",
+     "state A { } state B { exit act(%) } transition t1 { from A to B trigger go }"
+     "transition back { from B to A trigger stop }"},
+    {"ExitOfAChild",
+     "state A { } state B { initial j state C { exit y = % ; act(y) } transition u { from j to C }"
+     "exit act(2) } transition t1 { from A to B trigger go } transition back { from B to A trigger stop }"},
+    {"During",
+     "state A { during y = % ; act(y) } state B { } transition t1 { from A to B trigger go }"
+     "transition back { from B to A trigger stop }"},
+    {"DuringCall",
+     "state A { during act(%) } state B { } transition t1 { from A to B trigger go }"
+     "transition back { from B to A trigger stop }"},
+    {"InitialTransition",
+     "state B { initial j state C { } transition u { from j to C action act(%) } } state A { }"
+     "transition t1 { from A to B trigger go } transition back { from B to A trigger stop }"}};
 
 struct Called {
     const char* name;
@@ -164,14 +172,13 @@ TEST(PreconditionsOfInputs, AreAskedOfTheIncomingValue) {
     expect_asked(
         "state A { } state B { } transition t1 { from A to B trigger go }\n"
         "transition t2 { from B to A trigger in1?x condition some(x) >= 0 action act(x) }");
-    expect_asked(
-        "state A { } transition t1 { from A to A trigger go action in1[| some(y) >= 0 |]?y ; act(y) }");
+    expect_asked("state A { } transition t1 { from A to A trigger go action in1[| some(y) >= 0 |]?y ; act(y) }");
 }
 
 // A deadline around a statement that waits for ever runs out: time stops in the model, so it cannot be run in cycles.
 TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
-    const test::TemporaryFolder folder(model_of(
-        with("2 transition t1 { from A to B trigger go action (wait(some(x)) ; act(2)) <{1} ; act(1) }", "")));
+    const test::TemporaryFolder folder(
+        model_of(with("2 transition t1 { from A to B trigger go action (wait(some(x)) ; act(2)) <{1} ; act(1) }", "")));
     test::Model model(folder.path());
     test::Bench bench(model, model.module());
     const Result result = bench.schedulability();
@@ -183,8 +190,7 @@ TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
 TEST(PreconditionsOfOperations, AreReportedWhereAFunctionInThemHasNoValue) {
     for (const std::string condition : {"n > 0", "some(n) > 0", "min({k : nat | k < n @ k}) >= 0"}) {
         const test::TemporaryFolder folder(
-            model_of(with("2 transition t1 { from A to B trigger go action op(x) }", ""),
-                     "precondition " + condition));
+            model_of(with("2 transition t1 { from A to B trigger go action op(x) }", ""), "precondition " + condition));
         test::Model model(folder.path());
         diagnostics::Diagnostics found;
         const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);

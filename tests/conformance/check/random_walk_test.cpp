@@ -34,8 +34,8 @@ TEST(Walks, ClaimNothingOfACorrectController) {
     EXPECT_GE(result.code_states, 2U);
 }
 
-/// The faults of objects/turner.cpp that the exhaustive check finds (conformance_check_test.cpp) and that show in traces or
-/// refusals.
+/// The faults of objects/turner.cpp that the exhaustive check finds (conformance_check_test.cpp) and that show in
+/// traces or refusals.
 TEST(Walks, FindTheFaultsOfControllersWrittenByHand) {
     for (const int fault : {1, 2, 3, 4, 5}) {
         const Result result = walk_by_hand(fault);

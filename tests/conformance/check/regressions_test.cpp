@@ -24,8 +24,8 @@ std::string machine(const std::string& declarations, const std::string& body) {
 
 TEST(Regressions, AGuardThatIsAConditionalDoesNotReplaceItsTrigger) {
     expect_conformance_of(machine("",
-                              "state A { } state B { entry out }\n"
-                              "transition t1 { from A to B trigger e condition if x then true else x end }"));
+                                  "state A { } state B { entry out }\n"
+                                  "transition t1 { from A to B trigger e condition if x then true else x end }"));
 }
 
 TEST(Regressions, AConditionalDecidesAnIfThatWaits) {
@@ -35,8 +35,8 @@ TEST(Regressions, AConditionalDecidesAnIfThatWaits) {
 
 TEST(Regressions, ValuesAreComparedWithThemselvesWithoutAWarning) {
     expect_conformance_of(machine("",
-                              "state A { entry x = (x == x) iff (x != x) } state B { entry out }\n"
-                              "transition t1 { from A to B condition x iff x }"));
+                                  "state A { entry x = (x == x) iff (x != x) } state B { entry out }\n"
+                                  "transition t1 { from A to B condition x iff x }"));
 }
 
 TEST(Regressions, AnOperationMayBeCalledWhereNothingLeads) {
@@ -88,9 +88,9 @@ TEST(Regressions, AValueFromABufferThatNobodyReadsIsDropped) {
 /// In the instant in which T is reset its guard has just been false.
 TEST(Regressions, ADeadlineBeginsAnewWhereAClockEndsItsGuard) {
     expect_conformance_of(machine("event g clock T",
-                              "state A { initial j state B { } transition u0 { from j to B }\n"
-                              "transition u1 { from B to B trigger e #T } }\n"
-                              "final f transition t1 { from A to f trigger g <{1} condition since(T) < 1 }"));
+                                  "state A { initial j state B { } transition u0 { from j to B }\n"
+                                  "transition u1 { from B to B trigger e #T } }\n"
+                                  "final f transition t1 { from A to f trigger g <{1} condition since(T) < 1 }"));
 }
 
 TEST(Regressions, ADeadlineBeginsAnewWhereAnActionEndsItsGuard) {
@@ -103,7 +103,8 @@ TEST(Regressions, ADeadlineBeginsAnewWhereAnActionEndsItsGuard) {
 
 /// A transition may leave the state before the during action repeats its call.
 TEST(Regressions, ADuringActionWaitsToRepeatACall) {
-    expect_conformance_of(machine("", "state A { during move(x); move(x) } state B { }\ntransition t1 { from A to B }"));
+    expect_conformance_of(
+        machine("", "state A { during move(x); move(x) } state B { }\ntransition t1 { from A to B }"));
 }
 
 TEST(Regressions, ADuringActionWaitsToRepeatAWriteThatIsSeen) {
@@ -117,7 +118,7 @@ TEST(Regressions, ADuringActionWaitsToRepeatAWriteThatIsSeen) {
 
 TEST(Regressions, AFunctionWithoutParametersHasOneValue) {
     expect_conformance_of("function two() : nat { postcondition result == 2 }\n" +
-                      machine("", "state A { entry move(two() == 2) }"));
+                          machine("", "state A { entry move(two() == 2) }"));
 }
 
 TEST(Regressions, AVariableOfLetNeedNotBeRead) {
@@ -151,22 +152,24 @@ TEST(Regressions, EntriesOfMatricesAreAssigned) {
 /// In CSPM a string is a sequence of characters, so the empty one is written as the empty sequence.
 TEST(Regressions, TheEmptyStringIsTheEmptySequence) {
     expect_conformance_of(
-        "stm S { event e : string event out : string var x : string initial i state A { } transition t0 { from i to A }\n"
+        "stm S { event e : string event out : string var x : string initial i state A { } transition t0 { from i to A "
+        "}\n"
         "transition t1 { from A to A trigger e?x action out!x } }\n");
 }
 
 /// A machine S below a module whose platform provides what `shared` declares and sends e.
 std::string with_platform(const std::string& shared, const std::string& before, const std::string& body) {
     return "record Spot { at : nat free : boolean }\n"
-           "interface V { " + shared + " }\n" + before +
-           "stm S { requires V event e : boolean\n" + body + " }\n"
+           "interface V { " +
+           shared + " }\n" + before + "stm S { requires V event e : boolean\n" + body +
+           " }\n"
            "module M { robotic platform P { provides V event e : boolean } cref c = C\n"
            "connection P on e to c on e (_async) }\n";
 }
 
 std::string machine_alone(const std::string& shared, const std::string& body) {
-    return with_platform(shared,
-                         "controller C { requires V event e : boolean sref m = S connection C on e to m on e }\n", body);
+    return with_platform(
+        shared, "controller C { requires V event e : boolean sref m = S connection C on e to m on e }\n", body);
 }
 
 /// The platform hears of the whole variable, so that the rest of it is needed.
@@ -180,7 +183,8 @@ TEST(Regressions, APartOfAVariableThatNothingReadsIsWritten) {
 
 TEST(Regressions, APartIsWrittenWhereverActionsStand) {
     expect_conformance_of(with_platform(
-        "var a : boolean * boolean var b : boolean * boolean var c : boolean * boolean var d : boolean * boolean var f : boolean",
+        "var a : boolean * boolean var b : boolean * boolean var c : boolean * boolean var d : boolean * boolean var f "
+        ": boolean",
         "interface Ops { op() }\n"
         "operation op() { requires V initial i final o transition t { from i to o action d[1] = false } }\n"
         "controller C { requires V event e : boolean opref o = op sref m = S connection C on e to m on e }\n",
@@ -203,7 +207,8 @@ TEST(Regressions, DurationsReadVariables) {
               "state A { } transition t0 { from i to A } transition t1 { from A to A trigger e?x <{ d + 1 } }",
               "state A { } transition t0 { from i to A } transition t1 { from A to A trigger e?x <{ 1 + f(r.a) } "
               "condition x }"})
-            expect_conformance_of(declared + machine_alone(shared, "var x : boolean var r : R initial i " + std::string(body)));
+            expect_conformance_of(declared +
+                                  machine_alone(shared, "var x : boolean var r : R initial i " + std::string(body)));
     }
 }
 
@@ -219,8 +224,10 @@ TEST(Regressions, WhatBindsWeaklyKeepsTogether) {
         "o!(n in (if b then n else 0 end, if b then 2 else 1 end));\n"
         "o!(1 in {n + 0 to n + 1});\n"
         "o!(n in {if b then n else 1 end, 2});\n"
-        "o!((if b then n else 1 end) + (if b then 1 else n end) == (if b then n else 1 end) * (if b then n else 1 end));\n"
-        "o!((if b then n else 1 end) % (if b then 2 else 1 end) == (if b then n else 1 end) / (if b then 1 else 2 end));\n"
+        "o!((if b then n else 1 end) + (if b then 1 else n end) == (if b then n else 1 end) * (if b then n else 1 "
+        "end));\n"
+        "o!((if b then n else 1 end) % (if b then 2 else 1 end) == (if b then n else 1 end) / (if b then 1 else 2 "
+        "end));\n"
         "o!(- (if b then n else 1 end) < (if b then n else 1 end) - (if b then n else 1 end));\n"
         "o!(not (if b then c else true end));\n"
         "o!((if b then c else true end) /\\ (if b then true else c end) \\/ (if c then b else true end));\n"
@@ -274,12 +281,14 @@ TEST(Regressions, APackageInsideAnotherIsCalledLikeTheRuntime) {
 
 /// States of operations are members that are called like them.
 TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
-    const std::string body = " initial i state A { entry wait(1) } final f transition t { from i to A }\n"
-                             "transition u { from A to f } }\n";
+    const std::string body =
+        " initial i state A { entry wait(1) } final f transition t { from i to A }\n"
+        "transition u { from A to f } }\n";
     expect_conformance_of(
         "interface Ops { State(n : nat) Nat() Types() op() opFrame() }\n"
-        "operation State(n : nat) {" + body + "operation Nat() {" + body + "operation Types() {" + body +
-        "operation op() {" + body + "operation opFrame() {" + body +
+        "operation State(n : nat) {" +
+        body + "operation Nat() {" + body + "operation Types() {" + body + "operation op() {" + body +
+        "operation opFrame() {" + body +
         "stm S { requires Ops initial i state A { entry State(1); Nat(); Types(); op(); opFrame() }\n"
         "transition t0 { from i to A } }\n"
         "controller C { opref o = State opref n = Nat opref t = Types opref p = op opref q = opFrame sref s = S }\n"
@@ -291,9 +300,10 @@ TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
 TEST(Regressions, TuplesThatOnlyToolkitFunctionsNeed) {
     expect_conformance_of(
         "import relation_toolkit::*\n" +
-        machine("var v : Set(boolean) event go",
-                "state A { entry v = second((|true, {}|)) ; v = rimage({}, {3}) ; v = ran({(|3, false|), (|0, true|)}) }\n"
-                "transition t1 { from A to A trigger go }"));
+        machine(
+            "var v : Set(boolean) event go",
+            "state A { entry v = second((|true, {}|)) ; v = rimage({}, {3}) ; v = ran({(|3, false|), (|0, true|)}) }\n"
+            "transition t1 { from A to A trigger go }"));
 }
 
 }  // namespace

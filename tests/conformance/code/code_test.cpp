@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "conformance/code/cycle_log.hpp"
+#include "conformance/check/conform.hpp"
 #include "conformance/code/code_batch.hpp"
 #include "conformance/code/code_equality.hpp"
+#include "conformance/code/cycle_log.hpp"
 #include "conformance/code/watchdog.hpp"
-#include "conformance/check/conform.hpp"
 #include "tests/conformance/bench.hpp"
 #include "tests/conformance/support.hpp"
 

@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "conformance/code/cycle_log.hpp"
 #include "conformance/check/batch.hpp"
-#include "conformance/code/code_system.hpp"
 #include "conformance/check/conform.hpp"
+#include "conformance/code/code_system.hpp"
+#include "conformance/code/cycle_log.hpp"
 #include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance {

@@ -7,9 +7,9 @@
 
 #include <random>
 
+#include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
-#include "checker/cspm/session.hpp"
 #include "checker/lts/graph.hpp"
 #include "conformance/model/normal_form_system.hpp"
 #include "tests/conformance/bench.hpp"

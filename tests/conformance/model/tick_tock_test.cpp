@@ -8,9 +8,9 @@
 
 #include <random>
 
+#include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
-#include "checker/cspm/session.hpp"
 #include "tests/conformance/bench.hpp"
 #include "tests/conformance/support.hpp"
 

@@ -1,7 +1,7 @@
-// Seeded faults of the generator in every construct it writes (cpp_emit/plan/fault.hpp; RoboTool's are among them): each
-// mutant is killed, or the checker shows it equivalent to the original, or it is a variant that the model allows, for a
-// reason written here. ROBOCHART_MUTANTS=all tries all places and prints tables (scripts/mutants.sh); else one of a
-// kind in most models and three in those that were written for kinds of their own.
+// Seeded faults of the generator in every construct it writes (cpp_emit/plan/fault.hpp; RoboTool's are among them):
+// each mutant is killed, or the checker shows it equivalent to the original, or it is a variant that the model allows,
+// for a reason written here. ROBOCHART_MUTANTS=all tries all places and prints tables (scripts/mutants.sh); else one of
+// a kind in most models and three in those that were written for kinds of their own.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

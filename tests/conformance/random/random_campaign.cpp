@@ -9,10 +9,10 @@
 #include <set>
 
 #include "semantics/instantiate/instantiate.hpp"
-#include "tests/random_models/changes/shrink.hpp"
-#include "tests/random_models/models/well_formed.hpp"
 #include "semantics/lower/lower.hpp"
 #include "tests/conformance/random/constructs.hpp"
+#include "tests/random_models/changes/shrink.hpp"
+#include "tests/random_models/models/well_formed.hpp"
 
 namespace robochart::conformance::test {
 

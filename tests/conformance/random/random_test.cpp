@@ -11,11 +11,11 @@
 #include <fstream>
 #include <map>
 
-#include "tests/random_models/models/well_formed.hpp"
 #include "semantics/lower/lower.hpp"
 #include "tests/conformance/random/constructs.hpp"
 #include "tests/conformance/random/random_campaign.hpp"
 #include "tests/conformance/random/random_shapes.hpp"
+#include "tests/random_models/models/well_formed.hpp"
 #include "tests/random_models/tests/seeds.hpp"
 #include "tests/rounds.hpp"
 
@@ -55,8 +55,8 @@ void print(const Tally& tally) {
     fmt::print("models that conform and have: {}\n", used);
 }
 
-/// For a script that adds up several runs: `models N`, `outcome N what`, `construct N what`, `disagreement SEED what`; of
-/// a single model, which a person looks at, also a smaller one that disagrees; at the end `whole`.
+/// For a script that adds up several runs: `models N`, `outcome N what`, `construct N what`, `disagreement SEED what`;
+/// of a single model, which a person looks at, also a smaller one that disagrees; at the end `whole`.
 void write_report(const Campaign& campaign) {
     const char* path = std::getenv("ROBOCHART_REPORT");
     if (path == nullptr) return;

@@ -10,8 +10,8 @@
 #include <set>
 #include <sstream>
 
-#include "tests/frontend/fixture.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "tests/frontend/fixture.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::frontend {

@@ -2,7 +2,6 @@
 // formatting once, and blanks of the input do not matter. Over every text at hand and random ones.
 #include <gtest/gtest.h>
 
-
 #include "formatting.hpp"
 #include "frontend/syntax/print.hpp"
 #include "tests/random_models/syntax/any_syntax.hpp"

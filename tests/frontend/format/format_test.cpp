@@ -3,9 +3,9 @@
 
 #include <sstream>
 
-#include "tests/frontend/fixture.hpp"
 #include "formatting.hpp"
 #include "frontend/format/format.hpp"
+#include "tests/frontend/fixture.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::frontend {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "tests/frontend/fixture.hpp"
 #include "frontend/format/format.hpp"
 #include "frontend/syntax/lexer.hpp"
+#include "tests/frontend/fixture.hpp"
 #include "tests/random_models/syntax/structure.hpp"
 #include "tests/source_folder.hpp"
 
@@ -142,7 +142,8 @@ const std::vector<Example>& examples() {
         std::vector<Example> found = {{"every construct", every_construct, false},
                                       {"every assertion", every_assertion, true}};
         const fs::path root = tests::source_folder();
-        for (const char* folder : {"corpus", "tests", "frontend/toolkits/library", "docs"}) add_examples(found, root / folder);
+        for (const char* folder : {"corpus", "tests", "frontend/toolkits/library", "docs"})
+            add_examples(found, root / folder);
         add_pages(found, root / "docs/rules");
         if (const fs::path shared = shared_folder(); !shared.empty()) {
             add_examples(found, shared / "suite");

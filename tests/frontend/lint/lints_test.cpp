@@ -6,9 +6,9 @@
 
 #include <random>
 
-#include "tests/frontend/fixture.hpp"
 #include "frontend/lint/lint_logic.hpp"
 #include "frontend/syntax/parse.hpp"
+#include "tests/frontend/fixture.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::frontend {

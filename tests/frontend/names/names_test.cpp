@@ -1,8 +1,8 @@
 // Names reported once: what is declared several times, what leads along references to a part, what is nowhere.
 #include <gtest/gtest.h>
 
-#include "tests/frontend/fixture.hpp"
 #include "frontend/syntax/parse.hpp"
+#include "tests/frontend/fixture.hpp"
 
 namespace robochart::frontend {
 namespace {

@@ -1,10 +1,10 @@
 // Resolution kept in step with changing files says what resolution anew says, and looks at no more than it must.
 #include <gtest/gtest.h>
 
-#include "tests/frontend/fixture.hpp"
 #include "frontend/project/incremental.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/parse.hpp"
+#include "tests/frontend/fixture.hpp"
 #include "tests/random_models/models/random.hpp"
 #include "tests/random_models/models/well_formed.hpp"
 #include "tests/random_models/tests/seeds.hpp"

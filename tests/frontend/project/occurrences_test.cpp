@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <set>
 
-#include "tests/frontend/fixture.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/parse.hpp"
+#include "tests/frontend/fixture.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::frontend {

@@ -1,8 +1,8 @@
 // Resolution may run again over the same trees, and over trees of which some were replaced.
 #include <gtest/gtest.h>
 
-#include "tests/frontend/fixture.hpp"
 #include "frontend/syntax/parse.hpp"
+#include "tests/frontend/fixture.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::frontend {

@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "frontend/syntax/parse.hpp"
-#include "frontend/toolkits/toolkits.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/project/units.hpp"
+#include "frontend/syntax/parse.hpp"
+#include "frontend/toolkits/toolkits.hpp"
 
 namespace robochart::frontend {
 namespace {
@@ -23,8 +23,8 @@ std::vector<std::vector<std::string>> units_of(const std::vector<Text>& texts) {
     diagnostics::Diagnostics diagnostics;
     Model model;
     for (const Text& each : texts)
-        model.files.push_back(parse(sources, sources.add(each.path, each.text), each.path.ends_with(".assertions"),
-                                    diagnostics));
+        model.files.push_back(
+            parse(sources, sources.add(each.path, each.text), each.path.ends_with(".assertions"), diagnostics));
     add_toolkits(sources, model, diagnostics);
     resolve(model, diagnostics);
     EXPECT_TRUE(diagnostics.ok());
@@ -63,7 +63,8 @@ TEST(Units, AssertionFilesBelongToWhatTheyAreAbout) {
     EXPECT_THAT(units_of({{"a.rct", s}, {"b.rct", t}, {"x.assertions", "csp Q csp-begin\nQ = T::D__(0)\ncsp-end"}}),
                 ElementsAre(ElementsAre("a.rct"), ElementsAre("b.rct", "x.assertions")));
     // What is about nothing that it names is about everything.
-    EXPECT_THAT(units_of({{"a.rct", s}, {"b.rct", t},
+    EXPECT_THAT(units_of({{"a.rct", s},
+                          {"b.rct", t},
                           {"x.assertions", "csp Instantiations csp-begin\nnametype core_nat = {0..3}\ncsp-end"}}),
                 ElementsAre(ElementsAre("a.rct", "b.rct", "x.assertions")));
 }
@@ -71,21 +72,32 @@ TEST(Units, AssertionFilesBelongToWhatTheyAreAbout) {
 // Projects side by side may use the same names: the nearest is meant.
 TEST(Units, TheNearestOfOneNameIsMeant) {
     const std::string claim = "assertion A : S is deadlock-free";
-    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/a/m.assertions", claim}, {"/p/b/m.rct", s}, {"/p/b/m.assertions", claim}}),
-                ElementsAre(ElementsAre("/p/a/m.rct", "/p/a/m.assertions"), ElementsAre("/p/b/m.rct", "/p/b/m.assertions")));
-    EXPECT_THAT(units_of({{"/p/a/m.rct", "package P " + s}, {"/p/b/m.rct", "package P " + s}, {"/p/b/x/n.rct", "import P::S controller C { sref s = S }"}}),
+    EXPECT_THAT(
+        units_of({{"/p/a/m.rct", s}, {"/p/a/m.assertions", claim}, {"/p/b/m.rct", s}, {"/p/b/m.assertions", claim}}),
+        ElementsAre(ElementsAre("/p/a/m.rct", "/p/a/m.assertions"), ElementsAre("/p/b/m.rct", "/p/b/m.assertions")));
+    EXPECT_THAT(units_of({{"/p/a/m.rct", "package P " + s},
+                          {"/p/b/m.rct", "package P " + s},
+                          {"/p/b/x/n.rct", "import P::S controller C { sref s = S }"}}),
                 ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x/n.rct")));
-    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", s}, {"/p/b/x.assertions", "csp Q csp-begin\nQ = S::D__(0)\ncsp-end"}}),
-                ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
-    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", t}, {"/p/b/x.assertions", "csp Instantiations csp-begin\nnametype core_nat = {0..3}\ncsp-end"}}),
+    EXPECT_THAT(
+        units_of(
+            {{"/p/a/m.rct", s}, {"/p/b/m.rct", s}, {"/p/b/x.assertions", "csp Q csp-begin\nQ = S::D__(0)\ncsp-end"}}),
+        ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
+    EXPECT_THAT(units_of({{"/p/a/m.rct", s},
+                          {"/p/b/m.rct", t},
+                          {"/p/b/x.assertions", "csp Instantiations csp-begin\nnametype core_nat = {0..3}\ncsp-end"}}),
                 ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
     // A controller's own machines are its own, not those of another of its name.
-    EXPECT_THAT(units_of({{"/p/a/m.rct", "controller C { sref s = S } " + s}, {"/p/b/m.rct", "controller C { stm S { " + body + " }"}}),
+    EXPECT_THAT(units_of({{"/p/a/m.rct", "controller C { sref s = S } " + s},
+                          {"/p/b/m.rct", "controller C { stm S { " + body + " }"}}),
                 ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct")));
     // What is imported from nearby goes before what is of no package and lies elsewhere.
-    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", "package P " + s}, {"/p/b/m.assertions", "import P::* " + claim}}),
-                ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/m.assertions")));
-    EXPECT_THAT(units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", "controller C { stm S { " + body + " }"}, {"/p/b/x.assertions", "csp Q csp-begin\nQ = C::S::D__(0)\ncsp-end"}}),
+    EXPECT_THAT(
+        units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", "package P " + s}, {"/p/b/m.assertions", "import P::* " + claim}}),
+        ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/m.assertions")));
+    EXPECT_THAT(units_of({{"/p/a/m.rct", s},
+                          {"/p/b/m.rct", "controller C { stm S { " + body + " }"},
+                          {"/p/b/x.assertions", "csp Q csp-begin\nQ = C::S::D__(0)\ncsp-end"}}),
                 ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
     // Nobody can tell which of these is meant, so they meet and the rules report the name.
     EXPECT_THAT(units_of({{"/p/a.rct", s}, {"/p/b.rct", s}, {"/p/x.assertions", claim}}),
@@ -112,9 +124,10 @@ TEST(Units, EachInstantiationIsAUnit) {
                 ElementsAre(ElementsAre("a.rct", "x.assertions", "y.assertions")));
     EXPECT_THAT(units_of({{"a.rct", s}, {"x.assertions", given(1)}, {"y.assertions", given(1)}}),
                 ElementsAre(ElementsAre("a.rct", "x.assertions", "y.assertions")));
-    EXPECT_THAT(units_of({{"a.rct", s}, {"x.assertions", given(1)}, {"y.assertions", plain}, {"z.assertions", given(2)}}),
-                ElementsAre(ElementsAre("a.rct", "x.assertions"), ElementsAre("again", "a.rct", "y.assertions"),
-                            ElementsAre("again", "a.rct", "z.assertions")));
+    EXPECT_THAT(
+        units_of({{"a.rct", s}, {"x.assertions", given(1)}, {"y.assertions", plain}, {"z.assertions", given(2)}}),
+        ElementsAre(ElementsAre("a.rct", "x.assertions"), ElementsAre("again", "a.rct", "y.assertions"),
+                    ElementsAre("again", "a.rct", "z.assertions")));
     EXPECT_THAT(units_of({}), IsEmpty());
 }
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <random>
 
-#include "tests/frontend/fixture.hpp"
 #include "frontend/names/names.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/types/type_algebra.hpp"
+#include "tests/frontend/fixture.hpp"
 
 namespace robochart::frontend {
 namespace {

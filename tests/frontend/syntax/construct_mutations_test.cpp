@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "constructs.hpp"
-#include "tests/frontend/fixture.hpp"
 #include "frontend/syntax/lexer.hpp"
+#include "tests/frontend/fixture.hpp"
 
 namespace robochart::frontend {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "constructs.hpp"
-#include "tests/frontend/fixture.hpp"
 #include "frontend/syntax/print.hpp"
+#include "tests/frontend/fixture.hpp"
 #include "tests/frontend/tree.hpp"
 
 namespace robochart::frontend {

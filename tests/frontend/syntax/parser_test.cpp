@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "tests/frontend/fixture.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "tests/frontend/fixture.hpp"
 
 namespace robochart::frontend {
 namespace {

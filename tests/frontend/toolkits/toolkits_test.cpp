@@ -1,6 +1,6 @@
 // The five libraries of the language (language reference 1.3), and that neither files nor declarations have an order.
-#include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"
+#include "frontend/syntax/parse.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <vector>
 
-#include "tests/fuzz/targets/targets.hpp"
-#include "lsp/server.hpp"
 #include "lsp/protocol/transport.hpp"
+#include "lsp/server.hpp"
+#include "tests/fuzz/targets/targets.hpp"
 
 namespace robochart::fuzz {
 

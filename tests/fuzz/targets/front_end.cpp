@@ -2,10 +2,10 @@
 #include <memory>
 
 #include "frontend/format/format.hpp"
-#include "frontend/syntax/parse.hpp"
-#include "frontend/toolkits/toolkits.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/project/project.hpp"
+#include "frontend/syntax/parse.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/toolkits/toolkits.hpp"
 #include "tests/fuzz/targets/findings.hpp"
 #include "tests/fuzz/targets/targets.hpp"
 

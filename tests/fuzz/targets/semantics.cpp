@@ -10,13 +10,13 @@
 #include "cpp_emit/emit.hpp"
 #include "csp_emit/emit.hpp"
 #include "diagnostics/budget.hpp"
+#include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"
-#include "frontend/project/project.hpp"
 #include "semantics/instantiate/instantiate.hpp"
+#include "semantics/lower/lower.hpp"
 #include "tests/fuzz/targets/findings.hpp"
 #include "tests/fuzz/targets/targets.hpp"
-#include "semantics/lower/lower.hpp"
 
 namespace robochart::fuzz {
 

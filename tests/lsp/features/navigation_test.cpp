@@ -3,8 +3,8 @@
 
 #include <fstream>
 
-#include "tests/lsp/client.hpp"
 #include "lsp/protocol/uri.hpp"
+#include "tests/lsp/client.hpp"
 
 namespace robochart::lsp {
 namespace {

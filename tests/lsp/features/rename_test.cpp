@@ -196,7 +196,8 @@ TEST_F(Rename, Packages) {
 
 TEST_F(Rename, WorksInBrokenText) {
     open(std::string(renamed_text) + "stm Broken { initial\n");
-    EXPECT_EQ(renamed("v", "velocity"), replaced(std::string(renamed_text) + "stm Broken { initial\n", "speed", "velocity"));
+    EXPECT_EQ(renamed("v", "velocity"),
+              replaced(std::string(renamed_text) + "stm Broken { initial\n", "speed", "velocity"));
 }
 
 }  // namespace

@@ -128,9 +128,11 @@ TEST(Program, EndsWithItsInput) {
 std::string large_opening() {
     std::string text;
     for (int i = 0; i < 150'000; ++i)
-        text += "stm S" + std::to_string(i) + " { var x : nat initial i state A { entry x = x + 1 } transition t { from i to A } }\\n";
+        text += "stm S" + std::to_string(i) +
+                " { var x : nat initial i state A { entry x = x + 1 } transition t { from i to A } }\\n";
     return R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":"file:///nowhere/a.rct",)"
-           R"("languageId":"robochart","version":1,"text":")" + text + R"("}}})";
+           R"("languageId":"robochart","version":1,"text":")" +
+           text + R"("}}})";
 }
 
 constexpr const char* hover = R"({"jsonrpc":"2.0","id":2,"method":"textDocument/hover","params":{"textDocument":)"

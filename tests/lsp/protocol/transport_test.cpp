@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "lsp/protocol/positions.hpp"
-#include "lsp/server.hpp"
 #include "lsp/protocol/transport.hpp"
+#include "lsp/server.hpp"
 #include "tests/rounds.hpp"
 
 namespace robochart::lsp {

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <random>
 
-#include "tests/lsp/client.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
+#include "tests/lsp/client.hpp"
 #include "tests/rounds.hpp"
 #include "tests/source_folder.hpp"
 

@@ -9,16 +9,18 @@
 namespace robochart::lsp {
 namespace {
 
-using testing::Client;
 using std::chrono::milliseconds;
+using testing::Client;
 
 /// Takes seconds to look at.
 std::string large_text() {
     std::string text;
     for (int i = 0; i < 60'000; ++i) {
         const std::string name = std::to_string(i);
-        text += "stm S" + name + " { var x : nat event e : nat initial i state A { entry x = x + 1 } state B { }\n"
-                " transition t0 { from i to A } transition t1 { from A to B trigger e ? x condition x > 1 } transition t2 { from B to A trigger e ? x } }\n";
+        text += "stm S" + name +
+                " { var x : nat event e : nat initial i state A { entry x = x + 1 } state B { }\n"
+                " transition t0 { from i to A } transition t1 { from A to B trigger e ? x condition x > 1 } transition "
+                "t2 { from B to A trigger e ? x } }\n";
     }
     return text;
 }
@@ -43,17 +45,18 @@ Json change_to(const std::string& text) {
 class Busy : public Client {
 public:
     Busy() {
-        server().receive(message("textDocument/didOpen",
-                                 Json::object({{"textDocument", Json::object({{"uri", large_uri},
-                                                                              {"languageId", "robochart"},
-                                                                              {"version", 1},
-                                                                              {"text", large_text()}})}})),
-                         "");
+        server().receive(
+            message("textDocument/didOpen", Json::object({{"textDocument", Json::object({{"uri", large_uri},
+                                                                                         {"languageId", "robochart"},
+                                                                                         {"version", 1},
+                                                                                         {"text", large_text()}})}})),
+            "");
         server().step();
     }
     void hover(std::int64_t id) {
         const Json at = Json::object({{"line", 0}, {"character", 5}});
-        Json request = message("textDocument/hover", Json::object({{"textDocument", Json::object({{"uri", large_uri}})}, {"position", at}}));
+        Json request = message("textDocument/hover",
+                               Json::object({{"textDocument", Json::object({{"uri", large_uri}})}, {"position", at}}));
         request.set("id", id);
         server().receive(std::move(request), "");
     }

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/lsp/client.hpp"
 #include "lsp/protocol/uri.hpp"
+#include "tests/lsp/client.hpp"
 
 namespace robochart::lsp {
 namespace {

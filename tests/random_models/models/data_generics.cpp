@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "frontend/syntax/parse.hpp"
-#include "frontend/toolkits/toolkits.hpp"
-#include "frontend/syntax/print.hpp"
 #include "frontend/project/project.hpp"
+#include "frontend/syntax/parse.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/toolkits/toolkits.hpp"
 #include "tests/random_models/models/data.hpp"
 
 namespace robochart::random_models {
@@ -76,7 +76,9 @@ std::string written(const DataType& type) {
 }
 
 /// Whether a type variable of a toolkit stands for numbers only.
-bool is_numeric(const TypeExpr& variable) { return variable.name.text() == "Number"; }
+bool is_numeric(const TypeExpr& variable) {
+    return variable.name.text() == "Number";
+}
 
 }  // namespace
 

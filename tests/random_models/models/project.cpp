@@ -7,9 +7,9 @@
 #include <set>
 
 #include "diagnostics/render.hpp"
+#include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"
-#include "frontend/project/project.hpp"
 
 namespace robochart::random_models {
 

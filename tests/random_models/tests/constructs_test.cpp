@@ -8,11 +8,11 @@
 #include <set>
 
 #include "features.hpp"
-#include "frontend/toolkits/toolkits.hpp"
 #include "frontend/project/occurrences.hpp"
+#include "frontend/toolkits/toolkits.hpp"
+#include "tests/random_models/models/well_formed.hpp"
 #include "tests/random_models/syntax/any_syntax.hpp"
 #include "tests/random_models/syntax/structure.hpp"
-#include "tests/random_models/models/well_formed.hpp"
 
 namespace robochart::random_models {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/print.hpp"
-#include "tests/random_models/syntax/any_syntax.hpp"
 #include "tests/random_models/models/random.hpp"
+#include "tests/random_models/syntax/any_syntax.hpp"
 #include "tests/random_models/syntax/structure.hpp"
 
 namespace robochart::random_models {

@@ -7,10 +7,10 @@
 #include "frontend/format/format.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/print.hpp"
-#include "tests/random_models/syntax/any_syntax.hpp"
-#include "tests/random_models/syntax/structure.hpp"
 #include "tests/random_models/changes/violations.hpp"
 #include "tests/random_models/models/well_formed.hpp"
+#include "tests/random_models/syntax/any_syntax.hpp"
+#include "tests/random_models/syntax/structure.hpp"
 #include "tests/random_models/tests/seeds.hpp"
 
 namespace robochart::random_models {

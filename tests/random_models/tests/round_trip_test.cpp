@@ -3,12 +3,12 @@
 
 #include <regex>
 
+#include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/syntax/print.hpp"
-#include "frontend/project/project.hpp"
+#include "tests/random_models/models/well_formed.hpp"
 #include "tests/random_models/syntax/any_syntax.hpp"
 #include "tests/random_models/syntax/structure.hpp"
-#include "tests/random_models/models/well_formed.hpp"
 #include "tests/random_models/tests/seeds.hpp"
 
 namespace robochart::random_models {

@@ -10,8 +10,8 @@
 #include "csp_emit/emit.hpp"
 #include "diagnostics/render.hpp"
 #include "semantics/instantiate/instantiate.hpp"
-#include "tests/random_models/models/well_formed.hpp"
 #include "semantics/lower/lower.hpp"
+#include "tests/random_models/models/well_formed.hpp"
 #include "tests/random_models/tests/seeds.hpp"
 
 namespace robochart::random_models {

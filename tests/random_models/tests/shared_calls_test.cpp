@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <set>
 
+#include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
-#include "checker/cspm/session.hpp"
 #include "csp_emit/emit.hpp"
 #include "semantics/instantiate/instantiate.hpp"
-#include "tests/random_models/models/well_formed.hpp"
 #include "semantics/lower/lower.hpp"
+#include "tests/random_models/models/well_formed.hpp"
 #include "tests/random_models/tests/seeds.hpp"
 
 namespace robochart::random_models {

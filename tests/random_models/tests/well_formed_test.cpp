@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/random_models/syntax/structure.hpp"
 #include "tests/random_models/models/well_formed.hpp"
+#include "tests/random_models/syntax/structure.hpp"
 #include "tests/random_models/tests/seeds.hpp"
 
 namespace robochart::random_models {

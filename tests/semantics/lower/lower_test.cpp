@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "semantics/ir/dump.hpp"
-#include "semantics/lower/expressions.hpp"
 #include "semantics/ir/query.hpp"
+#include "semantics/lower/expressions.hpp"
 #include "tests/semantics/lower/lowering_fixture.hpp"
 
 namespace robochart::ir {

@@ -53,7 +53,8 @@ TEST(LowerProperties, KindsModelsTimesAndWording) {
 
 TEST(LowerProperties, PathsThroughReferences) {
     const auto path = [](const std::string& subject) {
-        const auto lowered = lowered_with("assertion A : " + subject + " is deterministic with constant z of P::S set to 0\n");
+        const auto lowered =
+            lowered_with("assertion A : " + subject + " is deterministic with constant z of P::S set to 0\n");
         const auto& ref = only(*lowered).subject;
         return ref.package + " " + ref.path + " " + std::to_string(static_cast<int>(ref.kind)) + " " +
                std::to_string(ref.definition);

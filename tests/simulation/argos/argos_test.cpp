@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/simulation/harness.hpp"
 #include "simulation/report/report.hpp"
 #include "simulation/report/run.hpp"
+#include "tests/simulation/harness.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::simulation {

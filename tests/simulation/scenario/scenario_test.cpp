@@ -1,6 +1,6 @@
 // Reading scenarios: values in inner units, and findings at their places.
-#include "simulation/scenario/read_scenario.hpp"
 #include "simulation/scenario/scenario.hpp"
+#include "simulation/scenario/read_scenario.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

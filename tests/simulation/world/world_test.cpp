@@ -9,7 +9,6 @@
 namespace robochart::simulation {
 namespace {
 
-
 WorldOptions open_field() {
     WorldOptions options;
     options.arena.walled = false;

@@ -1,7 +1,7 @@
 // Single verdicts that the models' definitions decide by hand, and what the counterexamples say.
+#include "checker/refine/verdict/check.hpp"
 #include "checker/process/bisimulation_compressor.hpp"
 #include "checker/process/term_system.hpp"
-#include "checker/refine/verdict/check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The replay must find out a checker that lies.
-#include "checker/process/term_system.hpp"
 #include "checker/refine/verdict/replay.hpp"
+#include "checker/process/term_system.hpp"
 
 #include <gtest/gtest.h>
 
