@@ -6,11 +6,11 @@
 #include <functional>
 #include <new>
 
-#include "checker/cspm/types/deep_stack.hpp"
 #include "checker/cspm/eval/evaluator.hpp"
-#include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/eval/resolver.hpp"
 #include "checker/cspm/eval/unread_parameters.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/deep_stack.hpp"
 #include "checker/machine/compiler.hpp"
 #include "checker/machine/not_compiled.hpp"
 #include "checker/process/operational_semantics.hpp"
@@ -245,7 +245,8 @@ struct Session::Impl {
     Evaluator evaluator;
 };
 
-Session::Session(Script script, diagnostics::Budget* budget) : impl_(std::make_unique<Impl>(std::move(script), budget)) {}
+Session::Session(Script script, diagnostics::Budget* budget)
+    : impl_(std::make_unique<Impl>(std::move(script), budget)) {}
 Session::~Session() = default;
 
 const Script& Session::script() const {

@@ -1,28 +1,28 @@
 // Functions, constants, the groups of a let, and pattern matching.
 #include <algorithm>
 
-#include "checker/cspm/eval/evaluator_internal.hpp"
+#include "checker/cspm/eval/evaluator.hpp"
 
 namespace robochart::cspm {
 
 Value Evaluator::call(Value function, Values arguments, Span span) {
     if (function->kind == Kind::builtin) return call_builtin(function, std::move(arguments), span);
-    if (function->kind != Kind::function) fail("expected a function, found " + text(function), span);
+    if (function->kind != Kind::function) work_.fail("expected a function, found " + text_(function), span);
     const Function& definition = *function->function;
     const std::size_t environment = definition.environment;
     const std::size_t given = function->items.size() - environment;
     std::size_t before = 0;
     std::size_t group = 0;
     while (group < definition.groups.size() && before < given) before += definition.groups[group++];
-    if (group == definition.groups.size()) fail("'" + definition.name + "' takes no more arguments", span);
+    if (group == definition.groups.size()) work_.fail("'" + definition.name + "' takes no more arguments", span);
     if (definition.groups[group] != arguments.size()) {
-        fail("'" + definition.name + "' takes " + std::to_string(definition.groups[group]) + " arguments, not " +
-                 std::to_string(arguments.size()),
-             span);
+        work_.fail("'" + definition.name + "' takes " + std::to_string(definition.groups[group]) + " arguments, not " +
+                       std::to_string(arguments.size()),
+                   span);
     }
-    if (group + 1 == definition.groups.size() && makes_process(definition)) {
+    if (group + 1 == definition.groups.size() && shape_.makes_process(definition)) {
         for (Value& argument : arguments) argument = share(argument);
-        const process::TermId made = call_term(share(function), arguments);
+        const process::TermId made = processes_.call(share(function), arguments);
         return store_.make(Kind::process, static_cast<std::int64_t>(made), {});
     }
     Values all(function->items.begin() + static_cast<std::ptrdiff_t>(environment), function->items.end());
@@ -53,7 +53,7 @@ void Evaluator::tell(const Function& function, const Values& arguments, Value re
 }
 
 Value Evaluator::run(const Function& function, const Values& environment, Values& arguments, Span span) {
-    const Calling calling(*this, function, arguments, span);
+    const Work::Calling calling(work_, function, arguments, span);
     Frame frame;
     const FunctionClause& clause = choose(function, environment, arguments, frame, span);
     return eval(*clause.body, frame);
@@ -83,29 +83,29 @@ const FunctionClause& Evaluator::choose(const Function& function, const Values& 
         if (matches) return clause;
     }
     std::string given;
-    print_items(arguments, "(", ", ", ")", given);
-    fail("no clause of '" + function.name + "' matches " + given, span);
+    text_.items(arguments, "(", ", ", ")", given);
+    work_.fail("no clause of '" + function.name + "' matches " + given, span);
 }
 
 // ---------------------------------------------------------------- constants
 
 Value Evaluator::constant_body(const Function& function, const Values& environment, Span span) {
     Values none;
-    const Calling calling(*this, function, none, span);
+    const Work::Calling calling(work_, function, none, span);
     const FunctionClause& clause = function.clauses.at(0);
     Frame frame;
     install(*clause.unit, function, environment, frame);
     Value value = eval(*clause.body, frame);
     const MatchCode& pattern = clause.patterns.at(0);
     if (pattern.kind != PatternKind::name || pattern.head) {
-        if (!match(pattern, value, frame)) fail("the pattern does not match " + text(value), function.span);
+        if (!match(pattern, value, frame)) work_.fail("the pattern does not match " + text_(value), function.span);
     }
     return value;
 }
 
 Value Evaluator::component(const FunctionClause& whole, Value value, int slot, Span span) {
     Frame frame(static_cast<std::size_t>(whole.unit->size), nullptr);
-    if (!match(whole.patterns.at(0), value, frame)) fail("the pattern does not match " + text(value), span);
+    if (!match(whole.patterns.at(0), value, frame)) work_.fail("the pattern does not match " + text_(value), span);
     return force(frame.at(static_cast<std::size_t>(slot)));
 }
 
@@ -117,11 +117,11 @@ Value Evaluator::member(const GroupObject& group, int index, Span span) {
                             : store_.closure(member.function, {&group});
     }
     if (group.known[at] != nullptr) return group.known[at];
-    if (member.component_of < 0 && makes_process(member.function)) {
+    if (member.component_of < 0 && shape_.makes_process(member.function)) {
         const Value name = store_.make(Kind::function, 0, {share(&group)}, &member.function);
-        return store_.make(Kind::process, static_cast<std::int64_t>(call_term(name, {})), {});
+        return store_.make(Kind::process, static_cast<std::int64_t>(processes_.call(name, {})), {});
     }
-    if (group.running[at]) fail("'" + member.function.name + "' is defined by itself", span);
+    if (group.running[at]) work_.fail("'" + member.function.name + "' is defined by itself", span);
     group.running[at] = true;
     Value value = nullptr;
     try {
@@ -156,12 +156,12 @@ Value Evaluator::global(int index, Span span) {
     }
     if (global.kind == GlobalKind::datatype) return store_.make(Kind::datatype, index, {});
     if (global.known != nullptr) return global.known;
-    if (global.kind == GlobalKind::function && makes_process(global.function)) {
+    if (global.kind == GlobalKind::function && shape_.makes_process(global.function)) {
         const Value name = store_.make(Kind::function, 0, {}, &global.function);
-        return global.known = store_.make(Kind::process, static_cast<std::int64_t>(call_term(name, {})), {});
+        return global.known = store_.make(Kind::process, static_cast<std::int64_t>(processes_.call(name, {})), {});
     }
-    if (global.lazily != nullptr && global.lazily_entry == entry_number_) return global.lazily;
-    if (global.running) fail("'" + global.function.name + "' is defined by itself", span);
+    if (global.lazily != nullptr && global.lazily_entry == work_.question()) return global.lazily;
+    if (global.running) work_.fail("'" + global.function.name + "' is defined by itself", span);
     const Running running(global.running);
     const Value value = global_constant(global);
     if (value->shared) return global.known = value;
@@ -169,7 +169,7 @@ Value Evaluator::global(int index, Span span) {
         return global.known = share(value);
     } catch (const EvaluationError&) {  // a part of it has no value; the others may be all that is asked for
     }
-    global.lazily_entry = entry_number_;
+    global.lazily_entry = work_.question();
     return global.lazily = value;
 }
 
@@ -185,14 +185,14 @@ Value Evaluator::global_constant(Global& global) {
         case GlobalKind::datatype:
             break;  // answered before
         case GlobalKind::subtype:
-            return subtype_set(global);
+            return domains_.subtype_set(global);
         case GlobalKind::nametype: {
             const FunctionClause& clause = global.function.clauses.at(0);
             Frame frame(static_cast<std::size_t>(clause.unit->size), nullptr);
-            return type_set(share(eval(*clause.body, frame)), global.function.span);
+            return domains_.type_set(share(eval(*clause.body, frame)), global.function.span);
         }
     }
-    fail("a definition of no kind", global.function.span);
+    work_.fail("a definition of no kind", global.function.span);
 }
 
 // ---------------------------------------------------------------- patterns
@@ -229,8 +229,8 @@ bool Evaluator::match(const MatchCode& pattern, Value& value, Frame& frame) {
             return match_sequence(pattern, found, frame);
         case PatternKind::set: {
             if (!is_set(found)) return false;
-            if (!has_size(found, pattern.args.size())) return false;
-            const Values& items = elements(found, {});
+            if (!domains_.has_size(found, pattern.args.size())) return false;
+            const Values& items = domains_.elements(found, {});
             Value item = items.empty() ? nullptr : items[0];
             return items.empty() || match(pattern.args[0], item, frame);
         }
@@ -280,10 +280,10 @@ bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& fra
         else
             ++open;
     }
-    if (open > 1) fail("a sequence pattern has one part of open length at most", {});
+    if (open > 1) work_.fail("a sequence pattern has one part of open length at most", {});
     if (is_stream(value)) {
         if (open == 0 || parts.back()->kind != PatternKind::sequence) return match_stream(parts, value, frame);
-        if (is_infinite(value)) fail("an infinite sequence has no end to match", {});
+        if (is_infinite(value)) work_.fail("an infinite sequence has no end to match", {});
         value = written_out(value, {});
     }
     const std::size_t size = value->items.size();
@@ -309,7 +309,8 @@ namespace {
 
 // How many fields a part of a dot pattern stands for, but for the last part, which takes what is left.
 std::size_t fields_taken(const MatchCode& pattern) {
-    if (pattern.kind == PatternKind::both) return std::max(fields_taken(pattern.args[0]), fields_taken(pattern.args[1]));
+    if (pattern.kind == PatternKind::both)
+        return std::max(fields_taken(pattern.args[0]), fields_taken(pattern.args[1]));
     if (pattern.kind != PatternKind::dot) return 1;
     std::size_t count = 0;
     for (const MatchCode& each : pattern.args) count += fields_taken(each);

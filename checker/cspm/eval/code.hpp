@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "checker/cspm/types/builtins.hpp"
-#include "checker/cspm/syntax/syntax.hpp"
 #include "checker/cspm/eval/value.hpp"
+#include "checker/cspm/syntax/syntax.hpp"
+#include "checker/cspm/types/builtins.hpp"
 
 namespace robochart::cspm {
 

@@ -3,7 +3,7 @@
 // a plain list of values (FDR manual: dots, extensions, productions).
 #include <algorithm>
 
-#include "checker/cspm/eval/evaluator_internal.hpp"
+#include "checker/cspm/eval/domains.hpp"
 
 namespace robochart::cspm {
 
@@ -19,26 +19,25 @@ int head_of(Value value) {
 
 }  // namespace
 
-Value Evaluator::head_value(int head) {
+Value Domains::head_value(int head) {
     return store_.dot({store_.make(Kind::head, head, {})});
 }
 
 // The sets of a head's fields, evaluated when first needed.
-const Values& Evaluator::fields_of(int index) {
+const Values& Domains::fields_of(int index) {
     Head& head = program_.heads[static_cast<std::size_t>(index)];
     if (head.evaluated) return head.fields;
-    if (head.running) fail("the type of '" + head.name + "' contains itself", head.span);
+    if (head.running) work_.fail("the type of '" + head.name + "' contains itself", head.span);
     if (head.fields_code != nullptr) {
         const Running running(head.running);
-        Frame frame(static_cast<std::size_t>(head.unit->size), nullptr);
-        head.fields = type_fields(share(eval(*head.fields_code, frame)), head.span);
+        head.fields = type_fields(evaluate_(*head.fields_code, *head.unit), head.span);
     }
     head.evaluated = true;
     return head.fields;
 }
 
 // A type expression as one set a field: A.B gives two, (A,B) one of pairs.
-Values Evaluator::type_fields(Value type, Span span) {
+Values Domains::type_fields(Value type, Span span) {
     if (type->kind == Kind::dot && !is_named(type)) {
         Values result;
         for (const Value item : type->items) {
@@ -52,18 +51,18 @@ Values Evaluator::type_fields(Value type, Span span) {
         for (const Value item : type->items) parts.push_back(type_set(item, span));
         return {product_of(parts, Kind::tuple, span)};
     }
-    if (!is_set(type)) fail("expected a set as a type, found " + text(type), span);
+    if (!is_set(type)) work_.fail("expected a set as a type, found " + text_(type), span);
     return rectangle(type, span);
 }
 
-Value Evaluator::type_set(Value type, Span span) {
+Value Domains::type_set(Value type, Span span) {
     if (is_set(type)) return type;
     const Values fields = type_fields(type, span);
     return fields.size() == 1 ? fields[0] : product_of(fields, Kind::dot, span);
 }
 
 // A set of plain dots is taken apart into one set a field; it must be all combinations of them.
-Values Evaluator::rectangle(Value set, Span span) {
+Values Domains::rectangle(Value set, Span span) {
     const auto plain = [](Value value) {
         return value->kind == Kind::dot && !is_named(value) && value->items.size() > 1;
     };
@@ -72,7 +71,7 @@ Values Evaluator::rectangle(Value set, Span span) {
     std::vector<Values> columns(width);
     for (const Value each : set->items) {
         if (!plain(each) || each->items.size() != width)
-            fail("the set " + text(set) + " has fields of different shapes", span);
+            work_.fail("the set " + text_(set) + " has fields of different shapes", span);
         for (std::size_t i = 0; i < width; ++i) columns[i].push_back(each->items[i]);
     }
     Values result;
@@ -81,33 +80,33 @@ Values Evaluator::rectangle(Value set, Span span) {
         result.push_back(store_.set(std::move(column)));
         size *= result.back()->items.size();
     }
-    if (size != set->items.size()) fail("the set " + text(set) + " is not all combinations of its fields", span);
+    if (size != set->items.size()) work_.fail("the set " + text_(set) + " is not all combinations of its fields", span);
     return result;
 }
 
-bool Evaluator::complete(Value value) {
+bool Domains::complete(Value value) {
     if (!is_named(value)) return true;
     const std::size_t arity = fields_of(head_of(value)).size();
     return value->items.size() - 1 == arity && complete(value->items.back());
 }
 
 // base.more: the fields of `more` are appended where `base` lacks fields.
-Value Evaluator::combine(Value base, Value more, Span span) {
+Value Domains::combine(Value base, Value more, Span span) {
     if (more->kind != Kind::dot || is_named(more)) return add_field(base, more, span);
     for (const Value item : more->items) base = combine(base, item, span);
     return base;
 }
 
-void Evaluator::check_field(Value field, Value allowed, Value whole, Span span) {
+void Domains::check_field(Value field, Value allowed, Value whole, Span span) {
     if (!complete(field)) return;
     if (!member_of(field, allowed, span)) {
-        fail(text(field) + " is not a value of its field in " + text(whole) + " (the field's type is " + text(allowed) +
-                 ")",
-             span);
+        work_.fail(text_(field) + " is not a value of its field in " + text_(whole) + " (the field's type is " +
+                       text_(allowed) + ")",
+                   span);
     }
 }
 
-Value Evaluator::add_field(Value base, Value field, Span span) {
+Value Domains::add_field(Value base, Value field, Span span) {
     if (is_named(base)) {
         const Values& fields = fields_of(head_of(base));
         const std::size_t count = base->items.size() - 1;
@@ -138,7 +137,7 @@ Value Evaluator::add_field(Value base, Value field, Span span) {
 // ---------------------------------------------------------------- what may follow
 
 // The fields that `whole` has beyond `part`, innermost first; false if it does not begin with `part`.
-bool Evaluator::missing(Value whole, Value part, Values& out) {
+bool Domains::missing(Value whole, Value part, Values& out) {
     if (whole == part) return true;
     if (!is_named(whole) || !is_named(part) || whole->items[0] != part->items[0]) return false;
     if (whole->items.size() < part->items.size()) return false;
@@ -157,7 +156,7 @@ bool Evaluator::missing(Value whole, Value part, Values& out) {
 }
 
 // One set for each field that a named dot still lacks; the first completes its last field if need be.
-Values Evaluator::missing_fields(Value value) {
+Values Domains::missing_fields(Value value) {
     const Values& fields = fields_of(head_of(value));
     const std::size_t count = value->items.size() - 1;
     Values result;
@@ -174,7 +173,7 @@ Values Evaluator::missing_fields(Value value) {
     return result;
 }
 
-Value Evaluator::extensions(Value value) {
+Value Domains::extensions(Value value) {
     if (!is_named(value)) return store_.set({});
     if (const auto known = extensions_.find(value); known != extensions_.end()) return known->second;
     Value result = nullptr;
@@ -189,7 +188,7 @@ Value Evaluator::extensions(Value value) {
 }
 
 // What ?x in the middle of a prefix ranges over: one field, of the innermost unfinished value.
-Value Evaluator::one_field_extensions(Value value) {
+Value Domains::one_field_extensions(Value value) {
     const Value nothing = store_.set({store_.dot({})});
     if (!is_named(value) || complete(value)) return nothing;
     if (const auto known = one_field_extensions_.find(value); known != one_field_extensions_.end())
@@ -214,11 +213,11 @@ Value Evaluator::one_field_extensions(Value value) {
     return result;
 }
 
-Value Evaluator::productions(Value value) {
+Value Domains::productions(Value value) {
     if (const auto known = productions_.find(value); known != productions_.end()) return known->second;
     Value result = nullptr;
     if (!is_named(value)) {
-        fail("productions of " + text(value) + ", which is neither an event nor of a datatype", {});
+        work_.fail("productions of " + text_(value) + ", which is neither an event nor of a datatype", {});
     } else if (complete(value)) {
         result = store_.set({value});
     } else {
@@ -233,12 +232,12 @@ Value Evaluator::productions(Value value) {
 }
 
 // All tuples, or dots, with one element of each set.
-Value Evaluator::product_of(const Values& sets, Kind kind, Span span) {
+Value Domains::product_of(const Values& sets, Kind kind, Span span) {
     std::vector<Values> partial{{}};
     for (const Value set : sets) {
         const Values& items = elements(set, span);
         if (!items.empty() && partial.size() > max_elements / items.size()) {
-            fail("a type has more than 5000000 values", span);
+            work_.fail("a type has more than 5000000 values", span);
         }
         std::vector<Values> longer;
         longer.reserve(partial.size() * items.size());
@@ -256,7 +255,7 @@ Value Evaluator::product_of(const Values& sets, Kind kind, Span span) {
     return store_.set(std::move(result));
 }
 
-Value Evaluator::datatype_set(const Global& global) {
+Value Domains::datatype_set(const Global& global) {
     Values items;
     for (const int head : global.heads) {
         const Value start = head_value(head);
@@ -269,13 +268,12 @@ Value Evaluator::datatype_set(const Global& global) {
     return store_.set(std::move(items));
 }
 
-Value Evaluator::subtype_set(const Global& global) {
+Value Domains::subtype_set(const Global& global) {
     const Unit& unit = *global.function.clauses.at(0).unit;
     Values items;
     for (const auto& [head, fields_code] : global.subtype) {
-        Frame frame(static_cast<std::size_t>(unit.size), nullptr);
         Value fields = store_.set({store_.dot({})});
-        if (fields_code != nullptr) fields = type_set(share(eval(*fields_code, frame)), global.function.span);
+        if (fields_code != nullptr) fields = type_set(evaluate_(*fields_code, unit), global.function.span);
         for (const Value each : elements(fields, global.function.span)) {
             const Values& all = productions(combine(head_value(head), each, global.function.span))->items;
             items.insert(items.end(), all.begin(), all.end());
@@ -286,7 +284,7 @@ Value Evaluator::subtype_set(const Global& global) {
 
 // ---------------------------------------------------------------- events
 
-Value Evaluator::all_events() {
+Value Domains::all_events() {
     if (all_events_ != nullptr) return all_events_;
     Values items;
     for (std::size_t i = 0; i < program_.heads.size(); ++i) {
@@ -298,17 +296,17 @@ Value Evaluator::all_events() {
     return all_events_;
 }
 
-process::Event Evaluator::event(Value value, Span span) {
+process::Event Domains::event(Value value, Span span) {
     if (const auto known = event_index_.find(value); known != event_index_.end()) return known->second;
     const bool channel = is_named(value) && program_.heads[static_cast<std::size_t>(head_of(value))].channel;
-    if (!channel) fail(text(value) + " is not an event", span);
-    if (!complete(value)) fail(text(value) + " is not a complete event", span);
-    const process::Event result = events_.intern(text(value));
+    if (!channel) work_.fail(text_(value) + " is not an event", span);
+    if (!complete(value)) work_.fail(text_(value) + " is not a complete event", span);
+    const process::Event result = events_.intern(text_(value));
     event_index_.emplace(value, result);
     return result;
 }
 
-const process::EventSet& Evaluator::event_set(Value set, Span span) {
+const process::EventSet& Domains::event_set(Value set, Span span) {
     if (const auto known = event_sets_.find(set); known != event_sets_.end()) return known->second;
     process::EventSet result;
     for (const Value each : elements(set, span)) result.push_back(event(each, span));

@@ -3,7 +3,9 @@
 #include <limits>
 #include <optional>
 
-#include "checker/cspm/eval/evaluator_internal.hpp"
+#include "checker/cspm/eval/evaluator.hpp"
+#include "checker/cspm/eval/process_evaluator.hpp"
+#include "checker/cspm/types/builtins.hpp"
 
 namespace robochart::cspm {
 
@@ -17,7 +19,7 @@ bool is_process_operator(ExprKind kind) {
 }  // namespace
 
 Value Evaluator::eval(const Code& code, Frame& frame) {
-    count_step(code.span);
+    work_.count(code.span);
     if (code.constant != nullptr) return code.constant;
     switch (code.kind) {
         case ExprKind::name:
@@ -45,7 +47,7 @@ Value Evaluator::eval(const Code& code, Frame& frame) {
         case ExprKind::dot: {
             Value result = share(eval(*code.args[0], frame));
             for (std::size_t i = 1; i < code.args.size(); ++i) {
-                result = combine(result, share(eval(*code.args[i], frame)), code.span);
+                result = domains_.combine(result, share(eval(*code.args[i], frame)), code.span);
             }
             return result;
         }
@@ -62,7 +64,7 @@ Value Evaluator::eval(const Code& code, Frame& frame) {
     }
     if (code.kind == ExprKind::guard && truth(*code.args[0], frame)) return eval(*code.args[1], frame);
     if (is_process_operator(code.kind)) {
-        const process::TermId made = process(code, frame);
+        const process::TermId made = process_evaluator_->process(code, frame);
         return store_.make(Kind::process, static_cast<std::int64_t>(made), {});
     }
     return eval_operator(code, frame);
@@ -92,20 +94,20 @@ Value Evaluator::eval_name(const Code& code, Frame& frame) {
         case Reference::global:
             return global(code.slot, code.span);
         case Reference::head:
-            return head_value(code.slot);
+            return domains_.head_value(code.slot);
         case Reference::builtin:
-            return builtin_value(static_cast<Builtin>(code.slot), code.timed);
+            return builtins_.value(static_cast<Builtin>(code.slot), code.timed);
         case Reference::none:
             break;
     }
-    fail("a name without a meaning", code.span);
+    work_.fail("a name without a meaning", code.span);
 }
 
 Value Evaluator::force(Value& value) {
     if (value->kind != Kind::thunk) return value;
     const auto& thunk = static_cast<const Thunk&>(*value);
     if (thunk.result == nullptr) {
-        if (thunk.running) fail("a value is defined by itself", thunk.code->span);
+        if (thunk.running) work_.fail("a value is defined by itself", thunk.code->span);
         const Running running(thunk.running);
         thunk.result = eval(*thunk.code, thunk.frame);
         thunk.frame.clear();
@@ -123,16 +125,16 @@ Value Evaluator::delay(const Code& code, Frame& frame) {
     return store_.thunk(code, frame);
 }
 
-// A part that may never be needed, evaluated at once if that succeeds soon. Where the bound is used up what is under way
-// is finished with parts that wait; where that is still too long, the whole waits.
+// A part that may never be needed, evaluated at once if that succeeds soon. Where the bound is used up what is under
+// way is finished with parts that wait; where that is still too long, the whole waits.
 Value Evaluator::promise(const Code& code, Frame& frame) {
     constexpr std::uint8_t often = 3;
     if (code.constant != nullptr) return code.constant;
     if (code.kind == ExprKind::name && code.reference == Reference::local)
         return frame[static_cast<std::size_t>(code.slot)];
     if (code.kind == ExprKind::lambda) return eval_lambda(code, frame);
-    if (steps_ >= promised_until_ || code.too_long >= often) return store_.thunk(code, frame);
-    const Speculation speculation(*this);
+    if (!work_.may_speculate() || code.too_long >= often) return store_.thunk(code, frame);
+    const Work::Speculation speculation(work_);
     try {
         return eval(code, frame);
     } catch (const EvaluationError&) {  // found again where the value is needed
@@ -147,7 +149,7 @@ Value Evaluator::promise(const Code& code, Frame& frame) {
 Value Evaluator::share(Value value) {
     if (value->shared) return value;
     if (value->kind == Kind::thunk) return share(force(value));
-    count_step({});
+    work_.count({});
     if (value->kind == Kind::stream) return share_stream(value);
     Values items;
     items.reserve(value->items.size());
@@ -161,13 +163,13 @@ Value Evaluator::share(Value value) {
 
 bool Evaluator::truth(const Code& code, Frame& frame) {
     const Value value = eval(code, frame);
-    if (value->kind != Kind::boolean) fail("expected a truth value, found " + text(value), code.span);
+    if (value->kind != Kind::boolean) work_.fail("expected a truth value, found " + text_(value), code.span);
     return value->number != 0;
 }
 
 std::int64_t Evaluator::number(const Code& code, Frame& frame) {
     const Value value = eval(code, frame);
-    if (value->kind != Kind::integer) fail("expected a number, found " + text(value), code.span);
+    if (value->kind != Kind::integer) work_.fail("expected a number, found " + text_(value), code.span);
     return value->number;
 }
 
@@ -238,7 +240,8 @@ Value Evaluator::eval_operator(const Code& code, Frame& frame) {
 // The right side may wait, whether it has an end or not.
 Value Evaluator::eval_concat(const Code& code, Frame& frame) {
     const Value left = eval(*code.args[0], frame);
-    if (left->kind != Kind::sequence && !is_stream(left)) fail("expected a sequence, found " + text(left), code.span);
+    if (left->kind != Kind::sequence && !is_stream(left))
+        work_.fail("expected a sequence, found " + text_(left), code.span);
     if (is_infinite(left)) return left;
     if (left->kind == Kind::sequence && left->items.empty()) return eval(*code.args[1], frame);
     return append(left, promise(*code.args[1], frame));
@@ -278,12 +281,12 @@ Value Evaluator::eval_arithmetic(const Code& code, Frame& frame) {
             overflow = __builtin_mul_overflow(a, b, &result);
             break;
         default:
-            if (b == 0) fail("division by zero", code.span);
+            if (b == 0) work_.fail("division by zero", code.span);
             overflow = a == std::numeric_limits<std::int64_t>::min() && b == -1;
             if (!overflow) result = code.kind == ExprKind::divide ? floor_divide(a, b) : floor_modulus(a, b);
             break;
     }
-    if (overflow) fail("the number does not fit in 64 bits", code.span);
+    if (overflow) work_.fail("the number does not fit in 64 bits", code.span);
     return store_.integer(result);
 }
 
@@ -300,18 +303,18 @@ Value Evaluator::eval_comparison(const Code& code, Frame& frame) {
         case ExprKind::greater_equal:
             return store_.boolean(less_equal(b, a, code.span));
         case ExprKind::less:
-            return store_.boolean(!same(a, b, code.span) && less_equal(a, b, code.span));
+            return store_.boolean(!domains_.same(a, b, code.span) && less_equal(a, b, code.span));
         case ExprKind::greater:
-            return store_.boolean(!same(a, b, code.span) && less_equal(b, a, code.span));
+            return store_.boolean(!domains_.same(a, b, code.span) && less_equal(b, a, code.span));
         default:
-            not_supported("this expression", code.span);
+            work_.not_supported("this expression", code.span);
     }
 }
 
 // ---------------------------------------------------------------- collections
 
 Value Evaluator::eval_map(const Code& code, Frame& frame) {
-    Values result = map_items(builtin_value(Builtin::empty_map, nullptr), code.span);
+    Values result = map_items(builtins_.value(Builtin::empty_map, nullptr), code.span);
     Value map = store_.make(Kind::map, 0, std::move(result));
     for (std::size_t i = 0; i + 1 < code.args.size(); i += 2) {
         Values arguments{map, share(eval(*code.args[i], frame)), promise(*code.args[i + 1], frame)};
@@ -328,7 +331,7 @@ Value Evaluator::eval_range(const Code& code, Frame& frame) {
     Values items;
     if (last >= first) {
         const auto count = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
-        if (count >= max_elements) fail("the range has more than 5000000 elements", code.span);
+        if (count >= max_elements) work_.fail("the range has more than 5000000 elements", code.span);
         items.reserve(count + 1);
         for (std::uint64_t i = 0; i <= count; ++i) {
             items.push_back(store_.integer(first + static_cast<std::int64_t>(i)));
@@ -353,13 +356,13 @@ void Evaluator::generate(const Code& code, const std::vector<ClauseCode>& clause
                          Frame& frame, const Use& use) {
     const ClauseCode& clause = clauses[from];
     if (is_infinite(source))
-        not_supported("a generator over an infinite sequence, other than the first of a sequence comprehension,",
-                      clause.value->span);
+        work_.not_supported("a generator over an infinite sequence, other than the first of a sequence comprehension,",
+                            clause.value->span);
     if (is_stream(source)) source = written_out(source, clause.value->span);
-    if (source->kind != Kind::sequence) source = explicit_set(share(source), clause.value->span);
+    if (source->kind != Kind::sequence) source = domains_.explicit_set(share(source), clause.value->span);
     const Values items = source->items;
     for (Value item : items) {
-        count_step(code.span);
+        work_.count(code.span);
         if (match(clause.pattern, item, frame)) for_each(code, clauses, from + 1, frame, use);
     }
 }
@@ -376,17 +379,17 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
             if (range->kind == Kind::set)
                 items.insert(items.end(), range->items.begin(), range->items.end());
             else
-                united = set_union(united, range, code.span);
+                united = domains_.set_union(united, range, code.span);
         } else if (ranges) {
             const Values more = sequence(eval_range(code, inside), code.span);
             items.insert(items.end(), more.begin(), more.end());
         } else {
             for (const Code* arg : code.args) items.push_back(share(eval(*arg, inside)));
         }
-        if (items.size() > max_elements) fail("more than 5000000 elements", code.span);
+        if (items.size() > max_elements) work_.fail("more than 5000000 elements", code.span);
     };
     for_each(code, code.clauses, 0, frame, collect_elements);
-    if (ranges && set) return set_union(united, store_.set(std::move(items)), code.span);
+    if (ranges && set) return domains_.set_union(united, store_.set(std::move(items)), code.span);
     return set ? store_.set(std::move(items)) : store_.sequence(std::move(items));
 }
 
@@ -399,26 +402,26 @@ Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
     const ClauseCode& clause = code.clauses[first];
     Value source = eval(*clause.value, frame);
     if (is_stream(source)) return stream(store_.sequence({}), source, {&code, first}, frame);
-    if (source->kind != Kind::sequence) source = explicit_set(share(source), clause.value->span);
+    if (source->kind != Kind::sequence) source = domains_.explicit_set(share(source), clause.value->span);
     const Values all = source->items;
     Values items;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::size_t before = items.size();
         try {
-            count_step(code.span);
+            work_.count(code.span);
             Value item = all[i];
             if (!match(clause.pattern, item, frame)) continue;
             for_each(code, code.clauses, first + 1, frame, [&](Frame& inside) {
                 for (const Code* arg : code.args) items.push_back(promise(*arg, inside));
             });
         } catch (const EvaluationError&) {
-            if (steps_ > max_steps) throw;
+            if (work_.used_up()) throw;
             items.resize(before);
             const auto rest = all.begin() + static_cast<std::ptrdiff_t>(i);
             return stream(store_.compound(Kind::sequence, 0, std::move(items)),
                           store_.compound(Kind::sequence, 0, {rest, all.end()}), {&code, first}, frame);
         }
-        if (items.size() > max_elements) fail("more than 5000000 elements", code.span);
+        if (items.size() > max_elements) work_.fail("more than 5000000 elements", code.span);
     }
     return store_.compound(Kind::sequence, 0, std::move(items));
 }
@@ -431,7 +434,7 @@ Value Evaluator::comprehension_from(const Code& code, std::size_t clause, Frame&
         return truth(*next.value, frame) ? comprehension_from(code, clause + 1, frame) : store_.sequence({});
     Value source = eval(*next.value, frame);
     if (source->kind != Kind::sequence && !is_stream(source))
-        source = store_.sequence(elements(share(source), next.value->span));
+        source = store_.sequence(domains_.elements(share(source), next.value->span));
     return stream(store_.sequence({}), source, {&code, clause}, frame);
 }
 
@@ -439,7 +442,7 @@ Value Evaluator::eval_productions(const Code& code, Frame& frame) {
     Values items;
     for_each(code, code.clauses, 0, frame, [&](Frame& inside) {
         for (const Code* arg : code.args) {
-            const Values& more = productions(share(eval(*arg, inside)))->items;
+            const Values& more = domains_.productions(share(eval(*arg, inside)))->items;
             if (items.empty())
                 items = more;
             else

@@ -1,25 +1,26 @@
-// Whether an expression plainly denotes a process, from its shape alone. Such a call or constant becomes a
-// term by name wherever it stands, so that a process handed on as an argument is not looked into.
+// Shapes of expressions, and of the bodies of the functions that they call.
+#include "checker/cspm/eval/process_shape.hpp"
+
 #include <algorithm>
 
-#include "checker/cspm/eval/evaluator_internal.hpp"
+#include "checker/cspm/types/builtins.hpp"
 
 namespace robochart::cspm {
 
-bool Evaluator::makes_process(const Function& function) {
+bool ProcessShape::makes_process(const Function& function) {
     if (function.process >= 0) return function.process == 1;
     function.process = 0;  // a recursion without another branch is not plainly a process
-    ++shapes_;
+    ++open_;
     const bool result = std::ranges::any_of(
         function.clauses, [this](const FunctionClause& clause) { return makes_process(*clause.body); });
     // A "no" found while an outer question was open may have rested on it.
-    const bool open = --shapes_ > 0;
+    const bool open = --open_ > 0;
     function.process = result ? std::int8_t{1} : (open ? std::int8_t{-1} : std::int8_t{0});
     return result;
 }
 
 // A name with so many groups of arguments after it.
-bool Evaluator::makes_process(const Code& name, std::size_t groups) {
+bool ProcessShape::makes_process(const Code& name, std::size_t groups) {
     if (name.kind != ExprKind::name) return false;
     if (name.reference == Reference::builtin) {
         const auto which = static_cast<Builtin>(name.slot);
@@ -38,7 +39,7 @@ bool Evaluator::makes_process(const Code& name, std::size_t groups) {
     return function != nullptr && function->groups.size() == groups && makes_process(*function);
 }
 
-bool Evaluator::makes_process(const Code& code) {
+bool ProcessShape::makes_process(const Code& code) {
     switch (code.kind) {
         case ExprKind::if_then_else:
             return makes_process(*code.args[1]) || makes_process(*code.args[2]);

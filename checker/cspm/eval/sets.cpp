@@ -3,19 +3,15 @@
 // sets of numbers: {0..} and no 1 beside it.
 #include <algorithm>
 
-#include "checker/cspm/eval/evaluator_internal.hpp"
+#include "checker/cspm/eval/domains.hpp"
 
 namespace robochart::cspm {
 
-bool Evaluator::is_set(Value value) {
-    return value->kind == Kind::set || (value->kind >= Kind::integers && value->kind <= Kind::united);
-}
-
-const Values& Evaluator::elements(Value set, Span span) {
+const Values& Domains::elements(Value set, Span span) {
     return explicit_set(set, span)->items;
 }
 
-Value Evaluator::explicit_set(Value set, Span span) {
+Value Domains::explicit_set(Value set, Span span) {
     if (set->kind == Kind::set) return set;
     const auto known = explicit_.find(set);
     if (known != explicit_.end()) return known->second;
@@ -27,7 +23,7 @@ Value Evaluator::explicit_set(Value set, Span span) {
         case Kind::datatype: {
             Global& global = program_.globals[static_cast<std::size_t>(set->number)];
             if (global.running)
-                fail("the datatype '" + global.function.name + "' contains itself: it is infinite", span);
+                work_.fail("the datatype '" + global.function.name + "' contains itself: it is infinite", span);
             const Running running(global.running);
             result = datatype_set(global);
             break;
@@ -36,7 +32,7 @@ Value Evaluator::explicit_set(Value set, Span span) {
             result = maps(set->items[0], set->items[1], span);
             break;
         case Kind::sequences_over:
-            if (!elements(set->items[0], span).empty()) fail("the set " + text(set) + " is infinite", span);
+            if (!elements(set->items[0], span).empty()) work_.fail("the set " + text_(set) + " is infinite", span);
             result = store_.set({});
             break;
         case Kind::united: {
@@ -50,18 +46,18 @@ Value Evaluator::explicit_set(Value set, Span span) {
         }
         case Kind::integers:
         case Kind::integers_from:
-            fail("the set " + text(set) + " is infinite", span);
+            work_.fail("the set " + text_(set) + " is infinite", span);
         case Kind::processes:
-            fail("the elements of Proc cannot be listed", span);
+            work_.fail("the elements of Proc cannot be listed", span);
         default:
-            fail("expected a set, found " + text(set), span);
+            work_.fail("expected a set, found " + text_(set), span);
     }
     explicit_.emplace(set, result);
     return result;
 }
 
-std::optional<std::uint64_t> Evaluator::size_of(Value set, Span span) {
-    count_step(span);
+std::optional<std::uint64_t> Domains::size_of(Value set, Span span) {
+    work_.count(span);
     const auto times = [](std::uint64_t a, std::uint64_t b) {
         std::uint64_t result = 0;
         const bool over = __builtin_mul_overflow(a, b, &result) || result > largest_size;
@@ -116,16 +112,16 @@ std::optional<std::uint64_t> Evaluator::size_of(Value set, Span span) {
         case Kind::processes:
             return std::nullopt;
         default:
-            fail("expected a set, found " + text(set), span);
+            work_.fail("expected a set, found " + text_(set), span);
     }
 }
 
-bool Evaluator::has_size(Value set, std::size_t size) {
+bool Domains::has_size(Value set, std::size_t size) {
     const auto found = size_of(set, {});
     return found && *found == size;
 }
 
-bool Evaluator::can_be_listed(Value set, Span span) {
+bool Domains::can_be_listed(Value set, Span span) {
     if (set->kind == Kind::set) return true;
     if (set->kind == Kind::united) return false;
     const auto size = size_of(set, span);
@@ -133,7 +129,7 @@ bool Evaluator::can_be_listed(Value set, Span span) {
 }
 
 // The union of sets that cannot all be listed.
-Value Evaluator::united(const Values& sets, Span span) {
+Value Domains::united(const Values& sets, Span span) {
     Values endless;
     Values listed;
     for (const Value set : sets) {
@@ -160,7 +156,7 @@ Value Evaluator::united(const Values& sets, Span span) {
     Values others;
     for (std::size_t at = rest->items.size(); at-- > 0;) {  // the largest numbers first: they may go on downwards
         const Value item = rest->items[at];
-        count_step(span);
+        work_.count(span);
         bool inside = false;
         for (Value& part : kept) {
             if (part->kind == Kind::integers_from && item->kind == Kind::integer && item->number + 1 == part->number)
@@ -174,14 +170,14 @@ Value Evaluator::united(const Values& sets, Span span) {
     return kept.size() == 1 ? kept[0] : store_.make(Kind::united, 0, std::move(kept));
 }
 
-Value Evaluator::union_of_all(const Values& sets, Span span) {
+Value Domains::union_of_all(const Values& sets, Span span) {
     Values listed;
     Value result = nullptr;
     for (const Value each : sets) {
-        count_step(span);
+        work_.count(span);
         if (each->kind == Kind::set) {
             listed.insert(listed.end(), each->items.begin(), each->items.end());
-            if (listed.size() > 2 * max_elements) fail("more than 5000000 elements", span);
+            if (listed.size() > 2 * max_elements) work_.fail("more than 5000000 elements", span);
         } else {
             result = result == nullptr ? each : set_union(result, each, span);
         }
@@ -191,25 +187,27 @@ Value Evaluator::union_of_all(const Values& sets, Span span) {
 }
 
 // {from..} without these: what lies between them and beyond.
-Value Evaluator::without_listed(std::int64_t from, const Values& taken, Span span) {
+Value Domains::without_listed(std::int64_t from, const Values& taken, Span span) {
     std::int64_t next = from;
     Values between;
     for (const Value each : taken) {
         if (each->kind != Kind::integer || each->number < next) continue;
         if (static_cast<std::uint64_t>(each->number) - static_cast<std::uint64_t>(next) > max_elements - between.size())
-            fail("more than 5000000 elements", span);
+            work_.fail("more than 5000000 elements", span);
         for (; next < each->number; ++next) between.push_back(store_.integer(next));
-        if (__builtin_add_overflow(each->number, std::int64_t{1}, &next)) fail("the number does not fit in 64 bits", span);
+        if (__builtin_add_overflow(each->number, std::int64_t{1}, &next))
+            work_.fail("the number does not fit in 64 bits", span);
     }
     return set_union(store_.make(Kind::integers_from, next, {}), store_.sorted_set(std::move(between)), span);
 }
 
-Value Evaluator::subsets(Value set, Span span) {
+Value Domains::subsets(Value set, Span span) {
     const Values& items = elements(set, span);
-    if (items.size() > 22) fail("Set of a set with " + std::to_string(items.size()) + " elements is too large", span);
+    if (items.size() > 22)
+        work_.fail("Set of a set with " + std::to_string(items.size()) + " elements is too large", span);
     Values result;
     for (std::size_t mask = 0; mask < (std::size_t{1} << items.size()); ++mask) {
-        count_step(span);
+        work_.count(span);
         Values part;
         for (std::size_t i = 0; i < items.size(); ++i) {
             if ((mask >> i & 1U) != 0) part.push_back(items[i]);
@@ -220,19 +218,19 @@ Value Evaluator::subsets(Value set, Span span) {
 }
 
 // All maps from some of the keys to the values.
-Value Evaluator::maps(Value keys, Value values, Span span) {
+Value Domains::maps(Value keys, Value values, Span span) {
     std::vector<Values> partial{{}};
     for (const Value key : elements(keys, span)) {
         const std::size_t before = partial.size();
         for (const Value value : elements(values, span)) {
             for (std::size_t i = 0; i < before; ++i) {
-                count_step(span);
+                work_.count(span);
                 Values longer = partial[i];
                 longer.push_back(key);
                 longer.push_back(value);
                 partial.push_back(std::move(longer));
             }
-            if (partial.size() > max_elements) fail("more than 5000000 maps", span);
+            if (partial.size() > max_elements) work_.fail("more than 5000000 maps", span);
         }
     }
     Values result;
@@ -240,7 +238,7 @@ Value Evaluator::maps(Value keys, Value values, Span span) {
     return store_.set(std::move(result));
 }
 
-bool Evaluator::member_of(Value value, Value set, Span span) {
+bool Domains::member_of(Value value, Value set, Span span) {
     const auto all_in = [&](Value of) {
         return std::ranges::all_of(value->items, [&](Value item) { return member_of(item, of, span); });
     };
@@ -271,13 +269,13 @@ bool Evaluator::member_of(Value value, Value set, Span span) {
         case Kind::set:
             return std::ranges::binary_search(set->items, value, [](Value a, Value b) { return compare(a, b) < 0; });
         default:
-            fail("expected a set, found " + text(set), span);
+            work_.fail("expected a set, found " + text_(set), span);
     }
 }
 
-Value Evaluator::set_union(Value a, Value b, Span span) {
+Value Domains::set_union(Value a, Value b, Span span) {
     if (a == b) return a;
-    if (!is_set(a) || !is_set(b)) fail("expected a set, found " + text(is_set(a) ? b : a), span);
+    if (!is_set(a) || !is_set(b)) work_.fail("expected a set, found " + text_(is_set(a) ? b : a), span);
     if (a->kind == Kind::processes || b->kind == Kind::processes) return a->kind == Kind::processes ? a : b;
     if (a->kind == Kind::integers || b->kind == Kind::integers) return a->kind == Kind::integers ? a : b;
     if (!can_be_listed(a, span) || !can_be_listed(b, span)) return united({a, b}, span);
@@ -287,7 +285,7 @@ Value Evaluator::set_union(Value a, Value b, Span span) {
     return store_.sorted_set(std::move(result));
 }
 
-Value Evaluator::set_inter(Value a, Value b, Span span) {
+Value Domains::set_inter(Value a, Value b, Span span) {
     if (a == b) return a;
     if (a->kind == Kind::united || b->kind == Kind::united) {
         const Value parts = a->kind == Kind::united ? a : b;
@@ -304,13 +302,13 @@ Value Evaluator::set_inter(Value a, Value b, Span span) {
     const bool first = a->kind == Kind::set || (b->kind != Kind::set && can_be_listed(a, span));
     Values result;
     for (const Value each : elements(first ? a : b, span)) {
-        count_step(span);
+        work_.count(span);
         if (member_of(each, first ? b : a, span)) result.push_back(each);
     }
     return store_.sorted_set(std::move(result));
 }
 
-Value Evaluator::set_diff(Value a, Value b, Span span) {
+Value Domains::set_diff(Value a, Value b, Span span) {
     if (b->kind == Kind::united) {
         for (const Value part : b->items) a = set_diff(a, part, span);
         return a;
@@ -325,25 +323,25 @@ Value Evaluator::set_diff(Value a, Value b, Span span) {
         if (subset(a, b, span)) return store_.set({});
         if (a->kind == Kind::integers_from && b->kind == Kind::set) return without_listed(a->number, b->items, span);
         if (a->kind != Kind::integers_from || b->kind != Kind::integers_from) {
-            fail("the elements of diff(" + text(a) + ", " + text(b) + ") cannot be listed", span);
+            work_.fail("the elements of diff(" + text_(a) + ", " + text_(b) + ") cannot be listed", span);
         }
         Values items;
         for (std::int64_t i = a->number; i < b->number; ++i) {
-            count_step(span);
-            if (items.size() > max_elements) fail("more than 5000000 elements", span);
+            work_.count(span);
+            if (items.size() > max_elements) work_.fail("more than 5000000 elements", span);
             items.push_back(store_.integer(i));
         }
         return store_.sorted_set(std::move(items));
     }
     Values result;
     for (const Value each : elements(a, span)) {
-        count_step(span);
+        work_.count(span);
         if (!member_of(each, b, span)) result.push_back(each);
     }
     return store_.sorted_set(std::move(result));
 }
 
-bool Evaluator::subset(Value a, Value b, Span span) {
+bool Domains::subset(Value a, Value b, Span span) {
     if (a == b || b->kind == Kind::processes) return true;
     if (a->kind == Kind::united)
         return std::ranges::all_of(a->items, [&](Value part) { return subset(part, b, span); });
@@ -356,7 +354,7 @@ bool Evaluator::subset(Value a, Value b, Span span) {
             if (part->number - a->number > static_cast<std::int64_t>(max_elements)) return false;
             bool all = true;
             for (std::int64_t i = a->number; all && i < part->number; ++i) {
-                count_step(span);
+                work_.count(span);
                 all = member_of(store_.integer(i), b, span);
             }
             if (all) return true;
@@ -372,47 +370,18 @@ bool Evaluator::subset(Value a, Value b, Span span) {
     if (space && (!size || *size > *space)) return false;
     if (!size && (a->kind == Kind::integers || a->kind == Kind::integers_from)) return false;
     return std::ranges::all_of(elements(a, span), [&](Value each) {
-        count_step(span);
+        work_.count(span);
         return member_of(each, b, span);
     });
 }
 
 // Equality of sets that are written differently: a set of all sequences never equals a finite one.
-bool Evaluator::same(Value a, Value b, Span span) {
+bool Domains::same(Value a, Value b, Span span) {
     if (a == b) return true;
     if (!is_set(a) || !is_set(b) || a->kind == b->kind) return false;
     const auto size = size_of(a, span);
     if (!size || size != size_of(b, span)) return false;
     return explicit_set(a, span) == explicit_set(b, span);
-}
-
-// The orders of FDR: numbers and characters; prefix of sequences; subset; maps and tuples by parts.
-bool Evaluator::less_equal(Value a, Value b, Span span) {
-    if (is_set(a) && is_set(b)) return subset(a, b, span);
-    if (is_stream(a) || is_stream(b)) fail("an infinite sequence has no place in the order", span);
-    if (a->kind != b->kind) fail("cannot compare " + text(a) + " with " + text(b), span);
-    switch (a->kind) {
-        case Kind::integer:
-        case Kind::character:
-            return a->number <= b->number;
-        case Kind::sequence:
-            return a->items.size() <= b->items.size() && std::equal(a->items.begin(), a->items.end(), b->items.begin());
-        case Kind::tuple:
-            for (std::size_t i = 0; i < a->items.size() && i < b->items.size(); ++i) {
-                if (!same(a->items[i], b->items[i], span)) return less_equal(a->items[i], b->items[i], span);
-            }
-            return true;
-        case Kind::map:
-            for (std::size_t i = 0; i + 1 < a->items.size(); i += 2) {
-                const Values arguments{b, a->items[i]};
-                if (map_builtin(Builtin::map_member, arguments, span)->number == 0) return false;
-                const Value other = map_builtin(Builtin::map_lookup, arguments, span);
-                if (!less_equal(a->items[i + 1], other, span)) return false;
-            }
-            return true;
-        default:
-            fail("values like " + text(a) + " have no order", span);
-    }
 }
 
 }  // namespace robochart::cspm

@@ -1,11 +1,11 @@
-// Sequences that are not written out: <n..>, comprehensions whose elements wait or have no end, and what ^ joins. They are
-// taken apart element by element, as far as is asked (FDR evaluates sequences lazily).
+// Sequences that are not written out: <n..>, comprehensions whose elements wait or have no end, and what ^ joins. They
+// are taken apart element by element, as far as is asked (FDR evaluates sequences lazily).
 //
-// A stream's items are a sequence that comes first and one to go on with. Without a comprehension the second follows as it
-// is; else its elements are those of a generator, and the variables around come after it. `number` tells which.
+// A stream's items are a sequence that comes first and one to go on with. Without a comprehension the second follows as
+// it is; else its elements are those of a generator, and the variables around come after it. `number` tells which.
 #include <algorithm>
 
-#include "checker/cspm/eval/evaluator_internal.hpp"
+#include "checker/cspm/eval/evaluator.hpp"
 
 namespace robochart::cspm {
 namespace {
@@ -16,27 +16,13 @@ constexpr std::int64_t joined = -1;
 
 }  // namespace
 
-bool Evaluator::is_stream(Value sequence) {
-    return sequence->kind == Kind::sequence_from || sequence->kind == Kind::stream;
-}
-
-/// Whether it plainly has no end; what still waits is not asked.
-bool Evaluator::is_infinite(Value sequence) {
-    while (sequence->kind == Kind::stream || sequence->kind == Kind::thunk) {
-        const bool waits = sequence->kind == Kind::thunk;
-        sequence = waits ? static_cast<const Thunk&>(*sequence).result : sequence->items[1];
-        if (sequence == nullptr) return false;
-    }
-    return sequence->kind == Kind::sequence_from;
-}
-
 Value Evaluator::append(Value first, Value rest) {
     if (first->kind == Kind::sequence && first->items.empty()) return force(rest);
     if (rest->kind == Kind::thunk && static_cast<const Thunk&>(*rest).result != nullptr)
         rest = static_cast<const Thunk&>(*rest).result;
     if (first->kind == Kind::sequence && rest->kind == Kind::sequence) {
         Values items = first->items;
-        if (items.size() + rest->items.size() > max_elements) fail("the sequence is too long", {});
+        if (items.size() + rest->items.size() > max_elements) work_.fail("the sequence is too long", {});
         items.insert(items.end(), rest->items.begin(), rest->items.end());
         return store_.compound(Kind::sequence, 0, std::move(items));
     }
@@ -55,7 +41,7 @@ Value Evaluator::stream(Value first, Value source, Comprehension of, const Frame
 
 std::optional<Evaluator::Cut> Evaluator::next(Value sequence, Span span) {
     for (std::size_t tried = 0;; ++tried) {
-        count_step(span);
+        work_.count(span);
         sequence = force(sequence);
         if (sequence->kind == Kind::sequence) {
             if (sequence->items.empty()) return std::nullopt;
@@ -65,10 +51,10 @@ std::optional<Evaluator::Cut> Evaluator::next(Value sequence, Span span) {
         if (sequence->kind == Kind::sequence_from) {
             std::int64_t following = 0;
             if (__builtin_add_overflow(sequence->number, std::int64_t{1}, &following))
-                fail("the number does not fit in 64 bits", span);
+                work_.fail("the number does not fit in 64 bits", span);
             return Cut{store_.integer(sequence->number), store_.make(Kind::sequence_from, following, {})};
         }
-        if (sequence->kind != Kind::stream) fail("expected a sequence, found " + text(sequence), span);
+        if (sequence->kind != Kind::stream) work_.fail("expected a sequence, found " + text_(sequence), span);
         const Values& items = sequence->items;
         if (const std::optional<Cut> first = next(items[0], span)) {
             const bool last = first->tail->kind == Kind::sequence && first->tail->items.empty();
@@ -81,7 +67,7 @@ std::optional<Evaluator::Cut> Evaluator::next(Value sequence, Span span) {
             sequence = items[1];
             continue;
         }
-        if (tried >= most_skipped) fail("none of 200000 elements makes another one of the sequence", span);
+        if (tried >= most_skipped) work_.fail("none of 200000 elements makes another one of the sequence", span);
         const Comprehension of = streams_.at(static_cast<std::size_t>(sequence->number));
         const std::optional<Cut> drawn = next(items[1], span);
         if (!drawn) return std::nullopt;
@@ -98,11 +84,11 @@ std::optional<Evaluator::Cut> Evaluator::next(Value sequence, Span span) {
 Value Evaluator::written_out(Value sequence, Span span) {
     sequence = force(sequence);
     if (sequence->kind == Kind::sequence) return sequence;
-    if (!is_stream(sequence)) fail("expected a sequence, found " + text(sequence), span);
+    if (!is_stream(sequence)) work_.fail("expected a sequence, found " + text_(sequence), span);
     Values items;
     for (;;) {
         sequence = force(sequence);
-        if (is_infinite(sequence)) fail("the sequence " + text(sequence) + " is infinite", span);
+        if (is_infinite(sequence)) work_.fail("the sequence " + text_(sequence) + " is infinite", span);
         if (sequence->kind == Kind::sequence) {
             items.insert(items.end(), sequence->items.begin(), sequence->items.end());
             break;
@@ -117,8 +103,8 @@ Value Evaluator::written_out(Value sequence, Span span) {
             items.push_back(cut->head);
             sequence = cut->tail;
         }
-        count_step(span);
-        if (items.size() > max_elements) fail("the sequence is too long", span);
+        work_.count(span);
+        if (items.size() > max_elements) work_.fail("the sequence is too long", span);
     }
     return store_.compound(Kind::sequence, 0, std::move(items));
 }
@@ -143,21 +129,21 @@ bool Evaluator::element_by_need(Value element, Value sequence, Span span) {
         if (equal_by_need(forced(cut->head), element, span)) return true;
         sequence = forced(cut->tail);
     }
-    fail("not among the first 200000 elements of an infinite sequence", span);
+    work_.fail("not among the first 200000 elements of an infinite sequence", span);
 }
 
 /// Equality of tuples and sequences part by part, up to the first difference.
 bool Evaluator::equal_by_need(Value a, Value b, Span span) {
     if (a == b) return true;
-    count_step(span);
+    work_.count(span);
     const bool sequences = (a->kind == Kind::sequence || is_stream(a)) && (b->kind == Kind::sequence || is_stream(b));
-    if (a->shared && b->shared && !(sequences && (is_stream(a) || is_stream(b)))) return same(a, b, span);
+    if (a->shared && b->shared && !(sequences && (is_stream(a) || is_stream(b)))) return domains_.same(a, b, span);
     if (a->kind == Kind::tuple && b->kind == Kind::tuple) {
         for (std::size_t i = 0; i < a->items.size() && i < b->items.size(); ++i)
             if (!equal_by_need(forced(a->items[i]), forced(b->items[i]), span)) return false;
         return a->items.size() == b->items.size();
     }
-    if (!sequences) return same(share(a), share(b), span);
+    if (!sequences) return domains_.same(share(a), share(b), span);
     for (std::size_t compared = 0; compared < most_skipped || !is_infinite(a) || !is_infinite(b); ++compared) {
         const std::optional<Cut> left = next(a, span);
         const std::optional<Cut> right = next(b, span);
@@ -166,7 +152,36 @@ bool Evaluator::equal_by_need(Value a, Value b, Span span) {
         a = forced(left->tail);
         b = forced(right->tail);
     }
-    fail("two infinite sequences agree in their first 200000 elements", span);
+    work_.fail("two infinite sequences agree in their first 200000 elements", span);
+}
+
+// The orders of FDR: numbers and characters; prefix of sequences; subset; maps and tuples by parts.
+bool Evaluator::less_equal(Value a, Value b, Span span) {
+    if (is_set(a) && is_set(b)) return domains_.subset(a, b, span);
+    if (is_stream(a) || is_stream(b)) work_.fail("an infinite sequence has no place in the order", span);
+    if (a->kind != b->kind) work_.fail("cannot compare " + text_(a) + " with " + text_(b), span);
+    switch (a->kind) {
+        case Kind::integer:
+        case Kind::character:
+            return a->number <= b->number;
+        case Kind::sequence:
+            return a->items.size() <= b->items.size() && std::equal(a->items.begin(), a->items.end(), b->items.begin());
+        case Kind::tuple:
+            for (std::size_t i = 0; i < a->items.size() && i < b->items.size(); ++i) {
+                if (!domains_.same(a->items[i], b->items[i], span)) return less_equal(a->items[i], b->items[i], span);
+            }
+            return true;
+        case Kind::map:
+            for (std::size_t i = 0; i + 1 < a->items.size(); i += 2) {
+                const Values arguments{b, a->items[i]};
+                if (map_builtin(Builtin::map_member, arguments, span)->number == 0) return false;
+                const Value other = map_builtin(Builtin::map_lookup, arguments, span);
+                if (!less_equal(a->items[i + 1], other, span)) return false;
+            }
+            return true;
+        default:
+            work_.fail("values like " + text_(a) + " have no order", span);
+    }
 }
 
 }  // namespace robochart::cspm

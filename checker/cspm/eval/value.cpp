@@ -25,6 +25,23 @@ int compare_items(const Values& a, const Values& b) {
 
 }  // namespace
 
+bool is_set(Value value) {
+    return value->kind == Kind::set || (value->kind >= Kind::integers && value->kind <= Kind::united);
+}
+
+bool is_stream(Value value) {
+    return value->kind == Kind::sequence_from || value->kind == Kind::stream;
+}
+
+bool is_infinite(Value sequence) {
+    while (sequence->kind == Kind::stream || sequence->kind == Kind::thunk) {
+        const bool waits = sequence->kind == Kind::thunk;
+        sequence = waits ? static_cast<const Thunk&>(*sequence).result : sequence->items[1];
+        if (sequence == nullptr) return false;
+    }
+    return sequence->kind == Kind::sequence_from;
+}
+
 int compare(Value a, Value b) {
     if (a == b) return 0;
     if (a->kind != b->kind) return three_way(static_cast<int>(a->kind), static_cast<int>(b->kind));

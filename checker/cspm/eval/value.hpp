@@ -71,6 +71,12 @@ struct Thunk : Object {
     mutable bool running = false;
 };
 
+/// Explicit or not.
+[[nodiscard]] bool is_set(Value value);
+/// A sequence that is not written out.
+[[nodiscard]] bool is_stream(Value value);
+/// Whether a sequence plainly has no end; thunks are not evaluated for it.
+[[nodiscard]] bool is_infinite(Value sequence);
 /// Total structural order of shared values.
 [[nodiscard]] int compare(Value a, Value b);
 

@@ -57,7 +57,10 @@ private:
             if (own || parts.size() == first + 1)
                 parts[i] = in(names_.plain, parts[i]);
             else
-                parts[i] = in(i == first ? names_.first : i + 1 == parts.size() ? names_.last : names_.inside, parts[i]);
+                parts[i] = in(i == first              ? names_.first
+                              : i + 1 == parts.size() ? names_.last
+                                                      : names_.inside,
+                              parts[i]);
         }
         std::string result = parts.front();
         for (std::size_t i = 1; i < parts.size(); ++i) result += "::" + parts[i];

@@ -45,7 +45,9 @@ const Rule option_repeated{"CSPM-P13", Severity::error, "option '{}' is given tw
                            "Each option of an assertion may be given once."};
 const Rule bad_include{"CSPM-P14", Severity::error, "include needs a file name in double quotes",
                        "Write `include \"file.csp\"` on a line of its own."};
-const Rule include_failed{"CSPM-P15", Severity::error, "cannot read '{}': {}", "An included file is looked for beside the file that includes it; it is missing or cannot be read."};
+const Rule include_failed{
+    "CSPM-P15", Severity::error, "cannot read '{}': {}",
+    "An included file is looked for beside the file that includes it; it is missing or cannot be read."};
 const Rule include_cycle{"CSPM-P16", Severity::error, "file '{}' includes itself",
                          "A file may not be included by itself, directly or through others."};
 

@@ -34,4 +34,10 @@ struct BuiltinName {
 [[nodiscard]] const BuiltinName* find_builtin(std::string_view name);
 [[nodiscard]] const BuiltinName& builtin_name(Builtin builtin);
 
+/// Those that evaluate their arguments as far as they need them only.
+[[nodiscard]] inline bool takes_by_need(Builtin which) {
+    return (which >= Builtin::length && which <= Builtin::elem) ||
+           (which >= Builtin::map_from_list && which <= Builtin::map_delete);
+}
+
 }  // namespace robochart::cspm

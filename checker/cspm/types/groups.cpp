@@ -1,5 +1,5 @@
-// Strongly connected components by Boost.Graph: Tarjan's algorithm (1972), without recursion, since scripts may chain any
-// number of declarations. It numbers components as they are finished: after those that they use.
+// Strongly connected components by Boost.Graph: Tarjan's algorithm (1972), without recursion, since scripts may chain
+// any number of declarations. It numbers components as they are finished: after those that they use.
 #include "checker/cspm/types/groups.hpp"
 
 #include <boost/graph/adjacency_list.hpp>
@@ -28,7 +28,8 @@ std::vector<std::vector<Declaration*>> dependency_groups(DeclarationList& list) 
     const auto count = boost::strong_components(
         uses_of(list), boost::make_iterator_property_map(component.begin(), boost::identity_property_map()));
     std::vector<std::vector<Declaration*>> result(count);
-    for (std::size_t index = 0; index < component.size(); ++index) result[component[index]].push_back(&list.items[index]);
+    for (std::size_t index = 0; index < component.size(); ++index)
+        result[component[index]].push_back(&list.items[index]);
     return result;
 }
 

@@ -1,7 +1,7 @@
 #include "checker/cspm/types/type_check.hpp"
 
-#include "checker/cspm/types/deep_stack.hpp"
 #include "checker/cspm/types/builtin_types.hpp"
+#include "checker/cspm/types/deep_stack.hpp"
 #include "checker/cspm/types/infer.hpp"
 #include "checker/cspm/types/names.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "tests/checker/cspm/support.hpp"
 

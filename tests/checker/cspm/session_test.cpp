@@ -83,8 +83,12 @@ TEST(SessionTest, InstancesAreMadeWithinABudget) {
 TEST(SessionTest, LargeComponentsWithinSmallChecksAreDecided) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
-    const Script script = read(sources, sources.add("s.csp", "channel a : {0..999}\nP(n) = a!n -> P((n + 1) % 1000)\n"
-                                                             "Q(n) = n < 4 & a!n -> Q(n + 1)\nassert P(0) [|{|a|}|] Q(0) :[deadlock free]\n"), findings);
+    const Script script =
+        read(sources,
+             sources.add("s.csp",
+                         "channel a : {0..999}\nP(n) = a!n -> P((n + 1) % 1000)\n"
+                         "Q(n) = n < 4 & a!n -> Q(n + 1)\nassert P(0) [|{|a|}|] Q(0) :[deadlock free]\n"),
+             findings);
     ASSERT_TRUE(findings.ok());
     for (const std::uint64_t most : {std::uint64_t{20}, std::uint64_t{100'000}}) {
         Session session(script);

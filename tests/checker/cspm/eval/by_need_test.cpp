@@ -1,5 +1,5 @@
-// What is evaluated by need, as FDR's lazy evaluator has it; work that is given up; sets that cannot be listed. Expected
-// values are by the definition of each operator; `error("never")` stands where nothing may be asked for.
+// What is evaluated by need, as FDR's lazy evaluator has it; work that is given up; sets that cannot be listed.
+// Expected values are by the definition of each operator; `error("never")` stands where nothing may be asked for.
 #include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {
@@ -39,9 +39,11 @@ TEST(ByNeed, PartsOfTuplesAndMaps) {
     EXPECT_EQ(value("mapLookup(mapFromList(<(0, " + never + "), (1, 5)>), 1)"), "5");
     EXPECT_EQ(value("mapLookup((| 0 => " + never + ", 1 => 2 |), 1)"), "2");
     EXPECT_EQ(value("mapMember(mapUpdate(emptyMap, 3, " + never + "), 3)"), "true");
-    EXPECT_EQ(value("let second((_, y)) = y within second(head(tail(mapToList((| 0 => " + never + ", 1 => 8 |)))))"), "8");
+    EXPECT_EQ(value("let second((_, y)) = y within second(head(tail(mapToList((| 0 => " + never + ", 1 => 8 |)))))"),
+              "8");
     EXPECT_EQ(value("mapLookup(mapDelete((| 0 => " + never + ", 1 => 2 |), 0), 1)"), "2");
-    for (const char* whole : {"(1, #)", "mapLookup((| 0 => # |), 0)", "(| # => 1 |)", "mapMember(emptyMap, #)", "{(1, #)}"}) {
+    for (const char* whole :
+         {"(1, #)", "mapLookup((| 0 => # |), 0)", "(| # => 1 |)", "mapMember(emptyMap, #)", "{(1, #)}"}) {
         std::string text = whole;
         text.replace(text.find('#'), 1, never);
         EXPECT_EQ(value(text), asked) << text;
@@ -139,7 +141,8 @@ TEST(SetsWithoutEnd, LargeSets) {
     EXPECT_EQ(value("card(Int)"), "error: the set Int is infinite");
     EXPECT_EQ(value("empty(Set({1..40}))"), "false");
     EXPECT_EQ(value("empty(Seq({}))"), "true");
-    EXPECT_EQ(value("member({1, 40}, union(Set({1..40}), {{50}})) and member({50}, union(Set({1..40}), {{50}}))"), "true");
+    EXPECT_EQ(value("member({1, 40}, union(Set({1..40}), {{50}})) and member({50}, union(Set({1..40}), {{50}}))"),
+              "true");
     EXPECT_EQ(value("Set({1..40}) <= Set({1..41})"), "true");
     EXPECT_EQ(value("Set({1..40}) == Set({1..41})"), "false");
     EXPECT_EQ(value("inter(Set({1..40}), Set({39..60})) == Set({39, 40})"), "true");

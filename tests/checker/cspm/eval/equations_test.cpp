@@ -7,8 +7,8 @@
 #include <regex>
 #include <set>
 
-#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/build.hpp"
 #include "tests/checker/cspm/support.hpp"
 #include "tests/checker/lts/bisimilar.hpp"
 

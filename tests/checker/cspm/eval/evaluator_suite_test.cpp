@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/build.hpp"
 #include "tests/checker/cspm/support.hpp"
 
 namespace robochart::cspm::test {

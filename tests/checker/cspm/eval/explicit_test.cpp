@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/build.hpp"
 #include "checker/lts/graph.hpp"
 #include "tests/checker/cspm/support.hpp"
 #include "tests/checker/processes/random_cases.hpp"

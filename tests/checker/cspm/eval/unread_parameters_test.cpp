@@ -1,8 +1,8 @@
 // Calls that differ in arguments that nothing reads are one state; wherever an argument is read they are not.
 #include <gtest/gtest.h>
 
-#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/build.hpp"
 #include "checker/lts/graph.hpp"
 #include "tests/checker/cspm/support.hpp"
 

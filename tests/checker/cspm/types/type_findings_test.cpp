@@ -64,21 +64,21 @@ TEST(Findings, ClausesDoNotJoinAcrossAnInclude) {
 
 INSTANTIATE_TEST_SUITE_P(
     Forms, Finding,
-    ::testing::Values(
-        Wrong{"CSPM-T22@1", "f(xs ^ ys) = xs"}, Wrong{"CSPM-T22@1", "f(<x> ^ (xs ^ <_> ^ ys)) = xs"},
-        Wrong{"CSPM-T22@1", "v = let f(xs ^ ys) = 1 within f(<>)"}, Wrong{"CSPM-T22@1", "(xs ^ ys) = <1>"},
-        Wrong{"", "f(<x> ^ xs ^ \"ab\" ^ <_>) = xs"}, Wrong{"CSPM-T22@1", "f({x, y}) = x"}, Wrong{"", "f({x}) = x"},
-        Wrong{"CSPM-T22@2", "channel c : {0..1}\nP = c?(x @@ y) -> STOP"},
-        Wrong{"CSPM-T22@2", "channel c : {0..1}.{0..1}\nP = c?x.(y @@ z) -> STOP"},
-        Wrong{"", "channel c : {(0, 1)}\nP = c?(x, y @@ z) -> STOP"},
-        Wrong{"CSPM-T23@4", "channel tock\nchannel c : {0..1}\nTimed(\\_ @ 1) {\n P = c$x -> STOP\n}"},
-        Wrong{"CSPM-T23@3", "channel tock, a, b\nTimed(\\_ @ 1) {\n P = STOP [a <-> b] STOP\n}"},
-        Wrong{"CSPM-T23@3", "channel tock, a, b\nTimed(\\_ @ 1) {\n P = [a <-> b] i : <> @ STOP\n}"},
-        Wrong{"", "channel tock, a, b\nTimed(\\_ @ 1) {\n P = STOP\n}\nQ = P [a <-> b] P"},
-        // A variable splits no event, wherever it stands.
-        Wrong{"CSPM-T08@2", "channel c : {0..1}\nv = let d.x = head(seq({| c |})) within x"},
-        Wrong{"CSPM-T08@2", "channel c : {0..1}\nd.x = c.0"}, Wrong{"", "channel c : {0..1}\nv = let c.x = c.0 within x"},
-        Wrong{"", "a.b = 1.2"}));
+    ::testing::Values(Wrong{"CSPM-T22@1", "f(xs ^ ys) = xs"}, Wrong{"CSPM-T22@1", "f(<x> ^ (xs ^ <_> ^ ys)) = xs"},
+                      Wrong{"CSPM-T22@1", "v = let f(xs ^ ys) = 1 within f(<>)"},
+                      Wrong{"CSPM-T22@1", "(xs ^ ys) = <1>"}, Wrong{"", "f(<x> ^ xs ^ \"ab\" ^ <_>) = xs"},
+                      Wrong{"CSPM-T22@1", "f({x, y}) = x"}, Wrong{"", "f({x}) = x"},
+                      Wrong{"CSPM-T22@2", "channel c : {0..1}\nP = c?(x @@ y) -> STOP"},
+                      Wrong{"CSPM-T22@2", "channel c : {0..1}.{0..1}\nP = c?x.(y @@ z) -> STOP"},
+                      Wrong{"", "channel c : {(0, 1)}\nP = c?(x, y @@ z) -> STOP"},
+                      Wrong{"CSPM-T23@4", "channel tock\nchannel c : {0..1}\nTimed(\\_ @ 1) {\n P = c$x -> STOP\n}"},
+                      Wrong{"CSPM-T23@3", "channel tock, a, b\nTimed(\\_ @ 1) {\n P = STOP [a <-> b] STOP\n}"},
+                      Wrong{"CSPM-T23@3", "channel tock, a, b\nTimed(\\_ @ 1) {\n P = [a <-> b] i : <> @ STOP\n}"},
+                      Wrong{"", "channel tock, a, b\nTimed(\\_ @ 1) {\n P = STOP\n}\nQ = P [a <-> b] P"},
+                      // A variable splits no event, wherever it stands.
+                      Wrong{"CSPM-T08@2", "channel c : {0..1}\nv = let d.x = head(seq({| c |})) within x"},
+                      Wrong{"CSPM-T08@2", "channel c : {0..1}\nd.x = c.0"},
+                      Wrong{"", "channel c : {0..1}\nv = let c.x = c.0 within x"}, Wrong{"", "a.b = 1.2"}));
 
 // A name with :: is one name: neither variables nor other modules of its first part hide it.
 INSTANTIATE_TEST_SUITE_P(
@@ -87,19 +87,20 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"", "module M\nexports\n k = 1\nendmodule\nf(M) = M + M::k\nv = let M = 5 within M + M::k"},
         Wrong{"", "module M\nexports\n channel e\nendmodule\nchannel c : {0..1}\nP = c?M -> M::e -> STOP"},
         Wrong{"", "module M\nexports\n datatype D = A\nendmodule\nf(M, M::A) = M\ng :: (M::D) -> Int\ng(M) = 1"},
-        Wrong{"", "module M\nexports\n k = 1\nendmodule\nmodule N\nexports\n module M\n exports\n  j = 1\n endmodule\n "
-                  "v = M::j + M::k\nendmodule"},
-        Wrong{"CSPM-T01@12", "module M\nexports\n k = 1\nendmodule\nmodule N\n module M\n  k = 2\n exports\n  v = 1\n "
-                            "endmodule\nexports\n w = M::k\nendmodule"},
+        Wrong{"",
+              "module M\nexports\n k = 1\nendmodule\nmodule N\nexports\n module M\n exports\n  j = 1\n endmodule\n "
+              "v = M::j + M::k\nendmodule"},
+        Wrong{"CSPM-T01@12",
+              "module M\nexports\n k = 1\nendmodule\nmodule N\n module M\n  k = 2\n exports\n  v = 1\n "
+              "endmodule\nexports\n w = M::k\nendmodule"},
         Wrong{"CSPM-T01@5", "module M(n)\nexports\n k = n\nendmodule\nf(M) = M::k"}));
 
 // The variables of an annotation meet dots in the body.
-INSTANTIATE_TEST_SUITE_P(
-    AnnotatedDots, Finding,
-    ::testing::Values(Wrong{"", "f :: (b => a, c => b, c) -> a\nf(x, y, z) = x.y.z"},
-                      Wrong{"", "f :: (b => a, b) -> <a>\nf(x, y) = <x.y>"},
-                      Wrong{"CSPM-T08@2", "f :: (b => a, c) -> a\nf(x, z) = x.z"},
-                      Wrong{"CSPM-T08@2", "f :: (b => a, c => b, c) -> b\nf(x, y, z) = x.y.z"}));
+INSTANTIATE_TEST_SUITE_P(AnnotatedDots, Finding,
+                         ::testing::Values(Wrong{"", "f :: (b => a, c => b, c) -> a\nf(x, y, z) = x.y.z"},
+                                           Wrong{"", "f :: (b => a, b) -> <a>\nf(x, y) = <x.y>"},
+                                           Wrong{"CSPM-T08@2", "f :: (b => a, c) -> a\nf(x, z) = x.z"},
+                                           Wrong{"CSPM-T08@2", "f :: (b => a, c => b, c) -> b\nf(x, y, z) = x.y.z"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Names, Finding,

@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/session.hpp"
+#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "tests/checker/cspm/support.hpp"
 

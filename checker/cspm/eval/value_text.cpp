@@ -1,26 +1,28 @@
 // Values as FDR prints them.
-#include "checker/cspm/eval/evaluator_internal.hpp"
+#include "checker/cspm/eval/value_text.hpp"
+
+#include "checker/cspm/types/builtins.hpp"
 #include "diagnostics/escape.hpp"
 
 namespace robochart::cspm {
 
-std::string Evaluator::text(Value value) const {
+std::string ValueText::operator()(Value value) const {
     std::string result;
     print(value, result);
     return result;
 }
 
-void Evaluator::print_items(const Values& items, const char* open, const char* separator, const char* close,
-                            std::string& out) const {
+void ValueText::items(const Values& values, const char* open, const char* separator, const char* close,
+                      std::string& out) const {
     constexpr std::size_t longest = 1000;
     out += open;
-    for (std::size_t i = 0; i < items.size(); ++i) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
         if (i > 0) out += separator;
         if (out.size() > longest) {
             out += "...";
             break;
         }
-        print(items[i], out);
+        print(values[i], out);
     }
     out += close;
 }
@@ -43,7 +45,7 @@ std::string text_literal(Value value) {
 
 }  // namespace
 
-void Evaluator::print(Value value, std::string& out) const {
+void ValueText::print(Value value, std::string& out) const {
     switch (value->kind) {
         case Kind::integer:
             out += std::to_string(value->number);
@@ -55,13 +57,13 @@ void Evaluator::print(Value value, std::string& out) const {
             out += diagnostics::cspm_character(static_cast<char>(value->number));
             return;
         case Kind::tuple:
-            return print_items(value->items, "(", ", ", ")", out);
+            return items(value->items, "(", ", ", ")", out);
         case Kind::sequence:
-            if (!is_text(value)) return print_items(value->items, "<", ", ", ">", out);
+            if (!is_text(value)) return items(value->items, "<", ", ", ">", out);
             out += text_literal(value);
             return;
         case Kind::set:
-            return print_items(value->items, "{", ", ", "}", out);
+            return items(value->items, "{", ", ", "}", out);
         case Kind::map:
             out += "(|";
             for (std::size_t i = 0; i + 1 < value->items.size(); i += 2) {
@@ -76,7 +78,7 @@ void Evaluator::print(Value value, std::string& out) const {
             out += program_.heads[static_cast<std::size_t>(value->number)].name;
             return;
         case Kind::dot:
-            return print_items(value->items, "", ".", "", out);
+            return items(value->items, "", ".", "", out);
         case Kind::process:
             out += "<process>";
             return;
@@ -85,7 +87,7 @@ void Evaluator::print(Value value, std::string& out) const {
             const std::size_t environment = value->function->environment;
             if (value->items.size() > environment) {
                 const auto first = value->items.begin() + static_cast<std::ptrdiff_t>(environment);
-                print_items({first, value->items.end()}, "(", ",", ")", out);
+                items({first, value->items.end()}, "(", ",", ")", out);
             }
             return;
         }
@@ -103,7 +105,7 @@ void Evaluator::print(Value value, std::string& out) const {
             return;
         case Kind::stream:
             if (value->items[0]->kind == Kind::sequence)
-                for (const Value item : value->items[0]->items) print_items({item}, "", "", " ^ ", out);
+                for (const Value item : value->items[0]->items) items({item}, "", "", " ^ ", out);
             out += "<...>";
             return;
         case Kind::processes:
@@ -113,13 +115,13 @@ void Evaluator::print(Value value, std::string& out) const {
             out += program_.globals[static_cast<std::size_t>(value->number)].function.name;
             return;
         case Kind::sequences_over:
-            return print_items(value->items, "Seq(", ", ", ")", out);
+            return items(value->items, "Seq(", ", ", ")", out);
         case Kind::subsets_of:
-            return print_items(value->items, "Set(", ", ", ")", out);
+            return items(value->items, "Set(", ", ", ")", out);
         case Kind::united:
-            return print_items(value->items, "Union({", ", ", "})", out);
+            return items(value->items, "Union({", ", ", "})", out);
         case Kind::maps_over:
-            return print_items(value->items, "Map(", ", ", ")", out);
+            return items(value->items, "Map(", ", ", ")", out);
         case Kind::group:
             out += "<environment>";
             return;

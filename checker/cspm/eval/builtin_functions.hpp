@@ -1,0 +1,46 @@
+// What the predefined names do (FDR manual, chapter CSPM, Built-In Definitions), but those that evaluate their
+// arguments as far as they need them only (takes_by_need, Evaluator::call_builtin).
+#pragma once
+
+#include "checker/cspm/eval/process_terms.hpp"
+#include "checker/cspm/types/builtins.hpp"
+
+namespace robochart::cspm {
+
+/// Owns nothing: computes with evaluated arguments.
+class BuiltinFunctions {
+public:
+    BuiltinFunctions(const Program& program, ValueStore& store, process::EventTable& events, process::TermStore& terms,
+                     const Work& work, Domains& domains, ProcessTerms& processes)
+        : store_(store),
+          events_(events),
+          terms_(terms),
+          work_(work),
+          domains_(domains),
+          processes_(processes),
+          text_(program) {}
+
+    /// What a predefined name denotes; `timed`: the timed section that it occurs in, or null.
+    Value value(Builtin which, const TimedSection* timed);
+    Value call(Value builtin, Values arguments, Span span);
+    void check_arity(Builtin which, std::size_t arguments, Span span) const;
+
+private:
+    const Values& items(Value sequence, Span span) const;
+    Value set_builtin(Builtin which, const Values& arguments, Span span);
+    Value process_builtin(Builtin which, Value builtin, const Values& arguments, Span span);
+    process::RenamingId partial_order(const Values& arguments, Span span);
+    process::TermId buffer(const Values& arguments, Span span);
+    Value representatives(Value relation, Value set, Span span);
+    Value relation_builtin(Builtin which, const Values& arguments, Span span);
+
+    ValueStore& store_;
+    process::EventTable& events_;
+    process::TermStore& terms_;
+    const Work& work_;
+    Domains& domains_;
+    ProcessTerms& processes_;
+    ValueText text_;
+};
+
+}  // namespace robochart::cspm

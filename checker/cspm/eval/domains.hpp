@@ -1,0 +1,95 @@
+// Sets of values, and dotted values: channels and constructors with their fields, what may follow them, and events.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "checker/cspm/eval/code.hpp"
+#include "checker/cspm/eval/work.hpp"
+#include "checker/process/term.hpp"
+
+namespace robochart::cspm {
+
+/// Computes with values that are evaluated already; only types in declarations are evaluated when they are first
+/// needed. Owns what has been computed: elements of sets, extensions, productions, events.
+class Domains {
+public:
+    /// Evaluates a type expression of a declaration.
+    using Evaluate = std::function<Value(const Code&, const Unit&)>;
+    static constexpr std::uint64_t largest_size = std::uint64_t{1} << 63U;
+
+    Domains(Program& program, ValueStore& store, process::EventTable& events, Work& work, Evaluate evaluate)
+        : program_(program),
+          store_(store),
+          events_(events),
+          work_(work),
+          text_(program),
+          evaluate_(std::move(evaluate)) {}
+
+    // sets.cpp
+    const Values& elements(Value set, Span span);
+    bool member_of(Value value, Value set, Span span);
+    Value set_union(Value a, Value b, Span span);
+    Value set_inter(Value a, Value b, Span span);
+    Value set_diff(Value a, Value b, Span span);
+    bool subset(Value a, Value b, Span span);
+    /// Equality of sets that are written differently.
+    bool same(Value a, Value b, Span span);
+    Value explicit_set(Value set, Span span);
+    /// How many elements; largest_size if more; none if there is no end of them.
+    std::optional<std::uint64_t> size_of(Value set, Span span);
+    bool has_size(Value set, std::size_t size);
+    bool can_be_listed(Value set, Span span);
+    Value union_of_all(const Values& sets, Span span);
+
+    // dots.cpp
+    Value head_value(int head);
+    /// The set that a type expression denotes.
+    Value type_set(Value type, Span span);
+    /// base.more: the fields of `more` are appended where `base` lacks fields.
+    Value combine(Value base, Value more, Span span);
+    /// The fields that `whole` has beyond `part`, innermost first; false if it does not begin with `part`.
+    bool missing(Value whole, Value part, Values& out);
+    Value extensions(Value value);
+    Value one_field_extensions(Value value);
+    Value productions(Value value);
+    Value product_of(const Values& sets, Kind kind, Span span);
+    Value subtype_set(const Global& global);
+    Value all_events();
+    process::Event event(Value value, Span span);
+    const process::EventSet& event_set(Value set, Span span);
+
+private:
+    Value united(const Values& sets, Span span);
+    Value without_listed(std::int64_t from, const Values& taken, Span span);
+    Value subsets(Value set, Span span);
+    Value maps(Value keys, Value values, Span span);
+    const Values& fields_of(int head);
+    Values type_fields(Value type, Span span);
+    Values rectangle(Value set, Span span);
+    Value add_field(Value base, Value field, Span span);
+    bool complete(Value value);
+    void check_field(Value field, Value allowed, Value whole, Span span);
+    Values missing_fields(Value value);
+    Value datatype_set(const Global& global);
+
+    Program& program_;
+    ValueStore& store_;
+    process::EventTable& events_;
+    Work& work_;
+    ValueText text_;
+    Evaluate evaluate_;
+    std::unordered_map<Value, process::Event> event_index_;
+    std::unordered_map<Value, process::EventSet> event_sets_;
+    std::unordered_map<Value, Value> explicit_;
+    std::unordered_map<Value, Value> extensions_;
+    std::unordered_map<Value, Value> one_field_extensions_;
+    std::unordered_map<Value, Value> productions_;
+    Value all_events_ = nullptr;
+};
+
+}  // namespace robochart::cspm

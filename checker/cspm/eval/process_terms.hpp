@@ -1,0 +1,65 @@
+// Processes as terms. A call is a term named by its function and arguments, a prefix one named by its place in the
+// script and the values it uses; both are evaluated only when the search asks for them (evaluator.hpp).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "checker/cspm/eval/domains.hpp"
+
+namespace robochart::cspm {
+
+enum class PrefixKind : std::uint8_t { script = 2, chosen = 3, waiting = 4, stopped = 5, skipping = 6, buffer = 7 };
+
+/// The number of a set, renaming or order as the payload of a term.
+template <typename Id>
+std::uint32_t payload(Id id) {
+    return static_cast<std::uint32_t>(id);
+}
+
+/// Owns the keys of calls and prefixes.
+class ProcessTerms {
+public:
+    ProcessTerms(ValueStore& store, process::EventTable& events, process::TermStore& terms, Domains& domains,
+                 const Work& work, const Program& program)
+        : store_(store), events_(events), terms_(terms), domains_(domains), work_(work), text_(program) {}
+
+    process::TermId make(process::Op op, std::vector<process::TermId> children = {}, std::uint32_t payload = 0);
+    /// The operator over the children; one child alone is itself.
+    process::TermId many(process::Op op, std::vector<process::TermId> children, std::uint32_t payload = 0);
+    /// The process that the value is.
+    process::TermId term(Value value, Span span);
+    process::TermId call(Value function, const Values& arguments);
+    process::TermId prefix(PrefixKind kind, Values key);
+    /// Linked parallel: `ties` of an event of the left with one of the right.
+    process::TermId link(process::TermId left, process::TermId right, const std::vector<process::EventPair>& ties,
+                         Span span);
+
+    // Timed sections (semantics 3.10).
+    process::Event tock(const TimedSection& timed);
+    process::SetId tock_set(const TimedSection& timed);
+    process::TermId stop(const TimedSection* timed);
+    process::TermId skip(const TimedSection* timed);
+    process::TermId waiting(process::Event tock, std::int64_t ticks, process::TermId then);
+
+    /// A tuple: function, arguments...
+    [[nodiscard]] Value call_key(std::uint32_t call) const { return calls_[call]; }
+    [[nodiscard]] std::pair<PrefixKind, Value> prefix_key(std::uint32_t prefix) const { return prefixes_[prefix]; }
+
+private:
+    ValueStore& store_;
+    process::EventTable& events_;
+    process::TermStore& terms_;
+    Domains& domains_;
+    const Work& work_;
+    ValueText text_;
+    std::vector<Value> calls_;
+    std::unordered_map<Value, std::uint32_t> call_index_;
+    std::vector<std::pair<PrefixKind, Value>> prefixes_;
+    std::unordered_map<Value, std::uint32_t> prefix_index_[8];
+};
+
+}  // namespace robochart::cspm

@@ -1,0 +1,39 @@
+// Counting steps, and errors with the call stack.
+#include "checker/cspm/eval/work.hpp"
+
+#include "checker/cspm/types/deep_stack.hpp"
+
+namespace robochart::cspm {
+
+void Work::fail(const std::string& message, Span span) const {
+    constexpr std::size_t shown = 30;
+    std::vector<std::string> stack;
+    if (given_up_at_ != no_end) throw EvaluationError(message, span, {});  // may never be seen
+    for (auto call = activations_.rbegin(); call != activations_.rend() && stack.size() < shown; ++call) {
+        std::string line = call->function->name;
+        if (call->arguments != nullptr && !call->arguments->empty()) {
+            text_.items(*call->arguments, "(", ", ", ")", line);
+        }
+        stack.push_back(std::move(line));
+    }
+    if (!span.known()) span = activations_.empty() ? prefix_place_ : activations_.back().function->span;
+    for (auto call = activations_.rbegin(); call != activations_.rend() && !span.known(); ++call)
+        span = call->called.known() ? call->called : call->function->span;
+    throw EvaluationError(message, span, std::move(stack));
+}
+
+void Work::not_supported(const std::string& what, Span span) const {
+    fail(what + " is not supported", span);
+}
+
+void Work::count(Span span) {
+    if (++steps_ > max_steps) fail("evaluation takes too long (2000000000 steps): runaway recursion?", span);
+    if ((steps_ & 255U) == 0 && poll_) poll_();
+    if (steps_ > given_up_at_) throw GivenUp{};
+    const char* here = static_cast<const char*>(__builtin_frame_address(0));
+    if (static_cast<std::size_t>(stack_base_ - here) > deep_stack_bytes / 4 * 3) {
+        fail("evaluation nests too deeply: runaway recursion?", span);
+    }
+}
+
+}  // namespace robochart::cspm
