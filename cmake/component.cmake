@@ -22,8 +22,9 @@ function(unite target)
   endif()
   set(most 12)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # To this warning a source that is included is a header.
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  # To the first of these warnings a source that is included is a header; the second finds names of other sources. The builds
+  # without ROBOCHART_UNITY have both.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage> -Wno-shadow)
   foreach(folder ${ARGN})
     sources_of(sources ${folder})
     list(LENGTH sources count)

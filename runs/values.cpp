@@ -1,4 +1,4 @@
-// How values are printed: checker/cspm/eval/print_value.cpp; what they stand for: csp_emit/base/types.cpp.
+// How values are printed: checker/cspm/eval/value_text.cpp; what they stand for: csp_emit/base/types.cpp.
 #include "runs/values.hpp"
 
 #include <fmt/format.h>

@@ -29,7 +29,7 @@ constexpr std::string_view script_name = "a name in emitted scripts, which users
 constexpr std::string_view shipped = "an identifier in a header that ships with generated code";
 
 constexpr Allowed allowed[] = {
-    {"told", "app/verbs/traces.cpp", R"("told":[)", json_key},
+    {"told", "app/verbs/traces.cpp", R"(json["told"])", json_key},
     {"told", "tests/app/traces_test.cpp", R"(report["told"])", json_key},
     {"told", "docs/traces.md", "`told[]`", json_key},
     {"story", "app/report/report_json.cpp", R"({"story",)", json_key},

@@ -11,9 +11,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class Made {
+class MonitoredModel {
 public:
-    explicit Made(const std::string& folder, const ir::InstantiationOptions& options = {}) : project_(folder, options) {
+    explicit MonitoredModel(const std::string& folder, const ir::InstantiationOptions& options = {})
+        : project_(folder, options) {
         std::string error;
         model_ = CyclicModel::load(project_.system, project_.instantiation, project_.module(), 1, limits_,
                                    project_.sources, project_.diagnostics, error);
@@ -43,7 +44,7 @@ const std::vector<std::pair<Output, double>> drives{{angular, -0.75}, {linear, -
 const std::vector<std::pair<Output, double>> turns{{angular, -5.02}, {linear, 0.0}};
 
 TEST(Monitors, AllowRunsOfTheModel) {
-    const Made made("corpus/aggregation");
+    const MonitoredModel made("corpus/aggregation");
     ASSERT_STREQ(made.build->tables().input[see_wall].name, "seeWall");
     ASSERT_STREQ(made.build->tables().output[angular].name, "angularSpeed");
     Monitor monitor(made.build->tables());
@@ -56,7 +57,7 @@ TEST(Monitors, AllowRunsOfTheModel) {
 }
 
 TEST(Monitors, StopAtTheFirstEventThatIsNot) {
-    const Made made("corpus/aggregation");
+    const MonitoredModel made("corpus/aggregation");
     Monitor late(made.build->tables());
     cycle(late, true, false, drives);
     cycle(late, false, true, {});
@@ -79,7 +80,7 @@ TEST(Monitors, StopAtTheFirstEventThatIsNot) {
 /// The speeds of this model are tested (preconditions), so one outside of the finite instantiation leaves everything
 /// open.
 TEST(Monitors, SayWhereTheyKnowNothing) {
-    const Made made("corpus/aggregation");
+    const MonitoredModel made("corpus/aggregation");
     Monitor monitor(made.build->tables());
     cycle(monitor, true, false, {{angular, -0.7512}});
     EXPECT_EQ(monitor.verdict(), MonitorVerdict::unknown);
@@ -90,14 +91,14 @@ TEST(Monitors, SayWhereTheyKnowNothing) {
 /// Minimal: the two states of the machine, and the cycle's stages, no more than the automaton by hand. Each mode
 /// (start, S1, S2) has 2 reads that may matter and up to 2 writes: at most 3 x 6 states.
 TEST(Monitors, AreSmall) {
-    const Made made("corpus/aggregation");
+    const MonitoredModel made("corpus/aggregation");
     EXPECT_LE(made.build->tables().states, 18U);
     EXPECT_LT(made.build->tables().states, made.build->nodes());
 }
 
 /// The generated header, alone with the one that ships with it, without exceptions, run-time types or warnings.
 TEST(Monitors, StandAlone) {
-    const Made made("corpus/aggregation");
+    const MonitoredModel made("corpus/aggregation");
     auto files = monitor_files(made.build->tables(), "Aggregation");
     files.push_back({"use.cpp", R"(#include "Aggregation_monitor.hpp"
 extern "C" __attribute__((visibility("default"))) int run(double first, double second) {
@@ -127,7 +128,7 @@ extern "C" __attribute__((visibility("default"))) int run(double first, double s
 
 /// Headings are only passed on: any may be turned by, and another than was heard is found, but for few.
 TEST(Monitors, FollowValuesThatArePassedOn) {
-    const Made made("corpus/swarm_taxis");
+    const MonitoredModel made("corpus/swarm_taxis");
     const MonitorTables& tables = made.build->tables();
     const auto output = [&](const std::string& name) {
         for (std::uint32_t o = 0; o < tables.outputs; ++o)
