@@ -1,5 +1,6 @@
-# Builds the texts of cpp_emit/projects into the program: one table from path to text.
+# Builds the texts of cpp_emit/projects into the program: one table from path to text. The layout switch is no text.
 file(GLOB_RECURSE paths RELATIVE ${PROJECTS_DIR} ${PROJECTS_DIR}/*)
+list(REMOVE_ITEM paths .clang-format)
 list(SORT paths)
 set(text "// Texts of cpp_emit/projects, built in by embed_projects.cmake.\n#include \"cpp_emit/project.hpp\"\n\n#include <stdexcept>\n\nnamespace robochart::cpp_emit {\n\nstd::string project_template(std::string_view path) {\n")
 foreach(path ${paths})

@@ -25,12 +25,12 @@ typedef struct rc_input {
 
 /* An output: event sent, operation called, shared variable written. */
 typedef struct rc_output {
-    const char* name; /* "out.out", "MoveCall", "set_linearSpeed" */
+    const char* name;        /* "out.out", "MoveCall", "set_linearSpeed" */
     uint32_t arguments;
 } rc_output;
 
 typedef struct rc_record {
-    uint32_t output; /* index into outputs */
+    uint32_t output;         /* index into outputs */
     uint32_t count;
     int64_t argument[ROBOCHART_MAX_ARGUMENTS];
 } rc_record;
@@ -42,7 +42,7 @@ typedef struct rc_record {
 /* The records are the caller's, who calls again with more of them where they were too few. */
 typedef struct rc_log {
     uint32_t count;
-    uint32_t overflow; /* what did not fit, 0: all did */
+    uint32_t overflow;       /* what did not fit, 0: all did */
     uint32_t capacity;
     rc_record* record;
     /* Probabilistic junctions: the k-th that the cycle passes takes way choice[k] if k < given, else way 0. `step` sets
@@ -54,11 +54,11 @@ typedef struct rc_log {
 } rc_log;
 
 typedef enum rc_result {
-    RC_QUIESCENT = 0, /* nothing more can happen in this cycle */
+    RC_QUIESCENT = 0,        /* nothing more can happen in this cycle */
     RC_TERMINATED = 1,
-    RC_STEP_BOUND = 2,   /* a loop without time: the model diverges, or the bound is too small */
-    RC_PRECONDITION = 3, /* an operation was called outside its precondition */
-    RC_DEADLINE = 4      /* a deadline was missed */
+    RC_STEP_BOUND = 2,       /* a loop without time: the model diverges, or the bound is too small */
+    RC_PRECONDITION = 3,     /* an operation was called outside its precondition */
+    RC_DEADLINE = 4          /* a deadline was missed */
 } rc_result;
 
 /* One register in one cycle: present 0/1 and the index of its value in rc_input.value. */
@@ -69,20 +69,20 @@ typedef struct rc_register {
 
 typedef struct rc_interface {
     uint32_t abi_version;
-    const char* component; /* "AggregationFSM" */
-    uint32_t state_size;   /* bytes of the state, trivially copyable and canonical: equal states have equal bytes */
+    const char* component;   /* "AggregationFSM" */
+    uint32_t state_size;     /* bytes of the state, trivially copyable and canonical: equal states have equal bytes */
     uint32_t inputs;
     const rc_input* input;
     uint32_t outputs;
     const rc_output* output;
-    int64_t scale; /* reals are multiples of 1/scale */
+    int64_t scale;           /* reals are multiples of 1/scale */
     void (*initial)(void* state);
     rc_result (*step)(void* state, const rc_register* registers, rc_log* log);
     /* Writes "state=S1 T=3 reached=true" (at most size bytes, terminated). */
     void (*print)(const void* state, char* buffer, size_t size);
     /* The event API of the same state; null where no event is received. The first `events` inputs are events.
-     * `dispatch` takes one, with the value that its register has, whatever the others hold; `event` = events: it
-     * begins, or does what needs no event. `pass` is a cycle without inputs and adds to what the log has. */
+     * `dispatch` takes one, with the value that its register has, whatever the others hold; `event` = events: it begins,
+     * or does what needs no event. `pass` is a cycle without inputs and adds to what the log has. */
     uint32_t events;
     rc_result (*dispatch)(void* state, uint32_t event, const rc_register* registers, rc_log* log);
     rc_result (*pass)(void* state, rc_log* log);
@@ -92,8 +92,7 @@ typedef struct rc_interface {
 #if defined(__GNUC__)
 __attribute__((visibility("default")))
 #endif
-const rc_interface*
-robochart_explore(void);
+const rc_interface* robochart_explore(void);
 
 #ifdef __cplusplus
 }

@@ -21,20 +21,23 @@
         this->require(__VA_ARGS__); \
     } while (false)
 
-/// Around what is computed for the model. Comparisons that are always true or always false, and variables that are
-/// stored in themselves, are the model's affair: no warnings about them.
+/// Around what is computed for the model. Comparisons that are always true or always false, and variables that are stored
+/// in themselves, are the model's affair: no warnings about them.
 #if defined(__clang__)
-#define ROBOCHART_MODEL_BEGIN                                                                         \
-    _Pragma("clang diagnostic push") _Pragma("clang diagnostic ignored \"-Wunknown-warning-option\"") \
-        _Pragma("clang diagnostic ignored \"-Wtautological-compare\"")                                \
-            _Pragma("clang diagnostic ignored \"-Wtype-limits\"")                                     \
-                _Pragma("clang diagnostic ignored \"-Wself-assign\"")
+#define ROBOCHART_MODEL_BEGIN                                       \
+    _Pragma("clang diagnostic push")                                \
+    _Pragma("clang diagnostic ignored \"-Wunknown-warning-option\"") \
+    _Pragma("clang diagnostic ignored \"-Wtautological-compare\"")   \
+    _Pragma("clang diagnostic ignored \"-Wtype-limits\"")            \
+    _Pragma("clang diagnostic ignored \"-Wself-assign\"")
 #define ROBOCHART_MODEL_END _Pragma("clang diagnostic pop")
 #elif defined(__GNUC__)
-#define ROBOCHART_MODEL_BEGIN                                                      \
-    _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wpragmas\"") \
-        _Pragma("GCC diagnostic ignored \"-Wtautological-compare\"")               \
-            _Pragma("GCC diagnostic ignored \"-Wbool-compare\"") _Pragma("GCC diagnostic ignored \"-Wtype-limits\"")
+#define ROBOCHART_MODEL_BEGIN                                     \
+    _Pragma("GCC diagnostic push")                                \
+    _Pragma("GCC diagnostic ignored \"-Wpragmas\"")                \
+    _Pragma("GCC diagnostic ignored \"-Wtautological-compare\"")   \
+    _Pragma("GCC diagnostic ignored \"-Wbool-compare\"")           \
+    _Pragma("GCC diagnostic ignored \"-Wtype-limits\"")
 #define ROBOCHART_MODEL_END _Pragma("GCC diagnostic pop")
 #else
 #define ROBOCHART_MODEL_BEGIN
