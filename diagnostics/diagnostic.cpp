@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "diagnostics/utf8.hpp"
+
 namespace robochart::diagnostics {
 
 std::string Diagnostic::message() const {
@@ -22,7 +24,7 @@ void shorten(std::string& argument) {
     constexpr std::size_t max_shown = 1000;
     if (argument.size() <= max_shown) return;
     std::size_t end = max_shown;
-    while (end > 0 && (static_cast<unsigned char>(argument[end]) & 0xC0U) == 0x80U) --end;
+    while (end > 0 && is_continuation(argument[end])) --end;
     argument.resize(end);
     argument += "...";
 }

@@ -3,17 +3,18 @@
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
 #include "app/command/output.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/json.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace robochart::app {
 namespace {
@@ -43,7 +44,7 @@ std::string short_number(double value) {
 std::string fitted(std::string text, std::size_t width) {
     std::size_t columns = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U && ++columns > width) {
+        if (!diagnostics::is_continuation(text[i]) && ++columns > width) {
             text.resize(i);
             break;
         }

@@ -16,6 +16,7 @@
 #include "checker/process/operational_semantics.hpp"
 #include "checker/process/term_system.hpp"
 #include "checker/refine/search/budget.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace robochart::cspm {
 
@@ -51,7 +52,7 @@ std::string brief(std::string text) {
     constexpr std::size_t longest = 80;
     if (text.size() <= longest) return text;
     std::size_t end = longest;
-    while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    while (diagnostics::is_continuation(text[end])) --end;
     return text.substr(0, end) + "…";
 }
 

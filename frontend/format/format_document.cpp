@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include "diagnostics/utf8.hpp"
+
 namespace robochart::frontend {
 
 namespace {
 
 std::size_t columns(std::string_view text) {
-    const auto begins_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+    const auto begins_character = [](char c) { return !diagnostics::is_continuation(c); };
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
 }
 

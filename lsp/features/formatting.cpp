@@ -1,6 +1,7 @@
 // Formatting in the standard layout (docs/format.md).
 #include <algorithm>
 
+#include "diagnostics/utf8.hpp"
 #include "frontend/format/format.hpp"
 #include "lsp/features/features.hpp"
 
@@ -15,18 +16,15 @@ struct Difference {
     std::string text;
 };
 
-bool is_continuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
 Difference difference(SourceId source, std::string_view before, std::string_view after) {
     std::size_t begin = 0;
     const std::size_t shorter = std::min(before.size(), after.size());
     while (begin < shorter && before[begin] == after[begin]) ++begin;
-    while (begin > 0 && begin < before.size() && (is_continuation(before[begin]) || before[begin] == '\n')) --begin;
+    while (begin > 0 && begin < before.size() && (diagnostics::is_continuation(before[begin]) || before[begin] == '\n'))
+        --begin;
     std::size_t end = 0;
     while (end < shorter - begin && before[before.size() - 1 - end] == after[after.size() - 1 - end]) ++end;
-    while (end > 0 && is_continuation(before[before.size() - end])) --end;
+    while (end > 0 && diagnostics::is_continuation(before[before.size() - end])) --end;
     return {{source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(before.size() - end)},
             std::string(after.substr(begin, after.size() - end - begin))};
 }
