@@ -26,9 +26,20 @@ std::string message_of(const ir::Type& type) {
             return "Float64";
         case TypeKind::enumeration:
             return is_struct(type) ? "" : "Int64";
-        default:
-            return "";
+        case TypeKind::string:
+        case TypeKind::given:
+        case TypeKind::sequence:
+        case TypeKind::set:
+        case TypeKind::product:
+        case TypeKind::record:
+        case TypeKind::function:
+        case TypeKind::relation:
+        case TypeKind::vector:
+        case TypeKind::matrix:
+        case TypeKind::unit:
+            break;
     }
+    return "";
 }
 
 std::string message_of(const Generation& generation, const std::optional<ir::TypeId>& type) {

@@ -25,9 +25,21 @@ Carried carried(ir::TypeKind kind) {
             return Carried::whole;
         case ir::TypeKind::real:
             return Carried::real;
-        default:
-            return Carried::enumeration;
+        case ir::TypeKind::string:
+        case ir::TypeKind::enumeration:
+        case ir::TypeKind::given:
+        case ir::TypeKind::sequence:
+        case ir::TypeKind::set:
+        case ir::TypeKind::product:
+        case ir::TypeKind::record:
+        case ir::TypeKind::function:
+        case ir::TypeKind::relation:
+        case ir::TypeKind::vector:
+        case ir::TypeKind::matrix:
+        case ir::TypeKind::unit:
+            break;
     }
+    return Carried::enumeration;
 }
 
 /// A port with what the emitted text needs.
@@ -121,9 +133,22 @@ private:
             case ir::TypeKind::nat:
             case ir::TypeKind::integer:
                 return static_cast<double>(variable.initial.number);
-            default:
-                return 0;
+            case ir::TypeKind::boolean:
+            case ir::TypeKind::string:
+            case ir::TypeKind::enumeration:
+            case ir::TypeKind::given:
+            case ir::TypeKind::sequence:
+            case ir::TypeKind::set:
+            case ir::TypeKind::product:
+            case ir::TypeKind::record:
+            case ir::TypeKind::function:
+            case ir::TypeKind::relation:
+            case ir::TypeKind::vector:
+            case ir::TypeKind::matrix:
+            case ir::TypeKind::unit:
+                break;
         }
+        return 0;
     }
 
     void head() {

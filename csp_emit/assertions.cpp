@@ -30,9 +30,11 @@ cspm::Model model_of(ir::PropertyModel model) {
             return cspm::Model::traces;
         case ir::PropertyModel::failures:
             return cspm::Model::failures;
-        default:
-            return cspm::Model::failures_divergences;
+        case ir::PropertyModel::failures_divergences:
+        case ir::PropertyModel::tick_tock:
+            break;
     }
+    return cspm::Model::failures_divergences;
 }
 
 /// Timed deadlock freedom (assertions.md 4), with Ev = Events \ {tock, tock'}:
@@ -66,9 +68,12 @@ std::string opposite(const ir::Property& property) {
             return "no run terminates, and none ends in a deadlock";
         case PropertyKind::reachable:
             return "no run reaches the state";
-        default:
-            return "it refines the other";
+        case PropertyKind::refines:
+        case PropertyKind::equals:
+        case PropertyKind::clock_initialised:
+            break;
     }
+    return "it refines the other";
 }
 
 /// `SKIP [T= P`: P performs no event but ✓; negated: it performs one. RoboTool's specification is STOP, which forbids ✓

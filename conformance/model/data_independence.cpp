@@ -2,6 +2,8 @@
 // variable (Roscoe UCS 17.2, "data independence", without tests for equality). What is not recognised counts against.
 #include "conformance/model/data_independence.hpp"
 
+#include <algorithm>
+
 namespace robochart::conformance {
 
 namespace {
@@ -46,7 +48,15 @@ private:
             case ir::TypeKind::given:
             case ir::TypeKind::unit:
                 return;
-            default:  // composed: it may hold numbers of any kind
+            // composed: it may hold numbers of any kind
+            case ir::TypeKind::sequence:
+            case ir::TypeKind::set:
+            case ir::TypeKind::product:
+            case ir::TypeKind::record:
+            case ir::TypeKind::function:
+            case ir::TypeKind::relation:
+            case ir::TypeKind::vector:
+            case ir::TypeKind::matrix:
                 result = {false, false, false};
         }
     }
@@ -79,18 +89,10 @@ private:
 
     /// Depends on no variable. As deep as the model's expressions, which the reader bounds.
     static bool constant(const ir::Expr& expr) {
-        switch (expr.kind) {
-            case ir::ExprKind::boolean:
-            case ir::ExprKind::integer:
-            case ir::ExprKind::real:
-            case ir::ExprKind::string:
-            case ir::ExprKind::constant:
-                return true;
-            case ir::ExprKind::negate:
-                return constant(*expr.args.front());
-            default:
-                return false;
-        }
+        constexpr ir::ExprKind alone[] = {ir::ExprKind::boolean, ir::ExprKind::integer, ir::ExprKind::real,
+                                          ir::ExprKind::string, ir::ExprKind::constant};
+        if (expr.kind == ir::ExprKind::negate) return constant(*expr.args.front());
+        return std::find(std::begin(alone), std::end(alone), expr.kind) != std::end(alone);
     }
 
     /// A value that goes on as it is.

@@ -26,9 +26,22 @@ const std::vector<std::int64_t>* numbers(const ir::Instantiation& instantiation,
             return &instantiation.integer;
         case TypeKind::real:
             return &instantiation.real;
-        default:
-            return nullptr;
+        case TypeKind::boolean:
+        case TypeKind::string:
+        case TypeKind::enumeration:
+        case TypeKind::given:
+        case TypeKind::sequence:
+        case TypeKind::set:
+        case TypeKind::product:
+        case TypeKind::record:
+        case TypeKind::function:
+        case TypeKind::relation:
+        case TypeKind::vector:
+        case TypeKind::matrix:
+        case TypeKind::unit:
+            break;
     }
+    return nullptr;
 }
 
 std::uint64_t mixed(std::string_view text, std::uint64_t salt) {
@@ -77,9 +90,12 @@ private:
                 return row(type, type.sizes.at(0), begin);
             case TypeKind::matrix:
                 return repeated(type, type.sizes.at(0), begin, [&] { return row(type, type.sizes.at(1), begin); });
-            default:
-                return tuple(type, begin);
+            case TypeKind::product:
+            case TypeKind::record:
+            case TypeKind::unit:
+                break;
         }
+        return tuple(type, begin);
     }
 
     // ------------------------------------------------------------ without parts
@@ -253,9 +269,16 @@ private:
             case TypeKind::record:
             case TypeKind::product:
                 return fmt::format("{} values `(...,...)`", type.args.size());
-            default:
-                return "one value of its type";
+            case TypeKind::boolean:
+            case TypeKind::nat:
+            case TypeKind::integer:
+            case TypeKind::real:
+            case TypeKind::string:
+            case TypeKind::given:
+            case TypeKind::unit:
+                break;
         }
+        return "one value of its type";
     }
 
     const ir::System& system_;
@@ -367,9 +390,13 @@ public:
             case TypeKind::record:
             case TypeKind::product:
                 return tuple(type, value);
-            default:
-                return fmt::format("{}", value.number);
+            case TypeKind::nat:
+            case TypeKind::integer:
+            case TypeKind::given:
+            case TypeKind::unit:
+                break;
         }
+        return fmt::format("{}", value.number);
     }
 
 private:

@@ -51,10 +51,16 @@ bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr&
                    waits_to_send(generation.component.event(unit, stmt->communication.event));
         case StmtKind::call:
             return unit.definitions[stmt->operation.index].valid();
-        default:
-            return std::any_of(stmt->body.begin(), stmt->body.end(),
-                               [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
+        case StmtKind::skip:
+        case StmtKind::sequence:
+        case StmtKind::if_then_else:
+        case StmtKind::assign:
+        case StmtKind::clock_reset:
+        case StmtKind::deadline:
+            break;
     }
+    return std::any_of(stmt->body.begin(), stmt->body.end(),
+                       [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
 }
 
 /// Another machine has to take it; the platform always does.

@@ -373,9 +373,8 @@ CppExpr ExpressionWriter::right(const ir::Expr& expr) const {
             return CppExpr(bound_identifier(expr.text));
         case ExprKind::let:
             return CppExpr(let(expr));
-        default:
-            return {};  // refused before (unsupported.cpp)
     }
+    return {};
 }
 
 }  // namespace robochart::cpp_emit

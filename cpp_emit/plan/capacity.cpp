@@ -61,9 +61,15 @@ Count count(const ir::System& system, ir::TypeId id, const Rules& rules) {
         case TypeKind::function:
             return rules.power(count<Count>(system, type.args.at(1), rules),
                                count<Count>(system, type.args.at(0), rules));
-        default:
-            return rules.longest();
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real:
+        case TypeKind::string:
+        case TypeKind::given:
+        case TypeKind::unit:
+            break;
     }
+    return rules.longest();
 }
 
 struct Numbers {

@@ -4,6 +4,7 @@
 
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/walk.hpp"
+#include "semantics/evaluate/preconditions.hpp"
 #include "semantics/evaluate/toolkit.hpp"
 
 namespace robochart::cpp_emit {
@@ -15,30 +16,16 @@ namespace {
 
 /// The types whose values an expression visits.
 std::vector<ir::TypeId> visited(const ir::System& system, const ir::Expr& expr) {
-    switch (expr.kind) {
-        case ExprKind::forall:
-        case ExprKind::exists:
-        case ExprKind::exists_unique:
-        case ExprKind::lambda:
-        case ExprKind::the:
-        case ExprKind::set_comprehension:
-            return expr.bound_types;
-        case ExprKind::function_value:
-            return {system.type(expr.type).args.at(0)};
-        case ExprKind::range: {
-            const ir::TypeId member = system.type(expr.type).args.at(0);
-            return system.type(member).kind == TypeKind::real ? std::vector<ir::TypeId>{member}
-                                                              : std::vector<ir::TypeId>{};
-        }
-        case ExprKind::toolkit: {
-            std::vector<ir::TypeId> result;
-            for (const std::size_t place : ir::toolkit_carriers(expr.text))
-                result.push_back(expr.bound_types.at(place));
-            return result;
-        }
-        default:
-            return {};
+    if (ir::binds(expr.kind)) return expr.bound_types;
+    std::vector<ir::TypeId> result;
+    if (expr.kind == ExprKind::function_value) result.push_back(system.type(expr.type).args.at(0));
+    if (expr.kind == ExprKind::range) {
+        const ir::TypeId member = system.type(expr.type).args.at(0);
+        if (system.type(member).kind == TypeKind::real) result.push_back(member);
     }
+    if (expr.kind == ExprKind::toolkit)
+        for (const std::size_t place : ir::toolkit_carriers(expr.text)) result.push_back(expr.bound_types.at(place));
+    return result;
 }
 
 class Uses {

@@ -35,9 +35,18 @@ bool composed(const ir::Type& type) {
         case TypeKind::matrix:
         case TypeKind::string:
             return true;
-        default:
-            return is_struct(type);
+        case TypeKind::boolean:
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real:
+        case TypeKind::enumeration:
+        case TypeKind::given:
+        case TypeKind::product:
+        case TypeKind::record:
+        case TypeKind::unit:
+            break;
     }
+    return is_struct(type);
 }
 
 bool block(const ir::Type& type) {
@@ -76,10 +85,17 @@ bool supported_below(const ir::System& system, ir::TypeId id, std::size_t depth)
         case TypeKind::function:
             return supported_below(system, type.args.at(0), depth + 1) &&
                    supported_below(system, type.args.at(1), depth + 1);
-        default:
-            return numeric(type.kind) || type.kind == TypeKind::boolean || type.kind == TypeKind::given ||
-                   type.kind == TypeKind::string;
+        case TypeKind::boolean:
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real:
+        case TypeKind::string:
+        case TypeKind::given:
+        case TypeKind::unit:
+            break;
     }
+    return numeric(type.kind) || type.kind == TypeKind::boolean || type.kind == TypeKind::given ||
+           type.kind == TypeKind::string;
 }
 
 }  // namespace
@@ -150,9 +166,14 @@ std::string cpp_type(const ir::System& system, ir::TypeId id, const Spelling& sp
             return fmt::format("robochart::Vector<{}, {}>", part(0), type.sizes.at(0));
         case TypeKind::matrix:
             return fmt::format("robochart::Matrix<{}, {}, {}>", part(0), type.sizes.at(0), type.sizes.at(1));
-        default:
-            return spelling.core + declared_name(type) + (is_struct(type) ? "<" + spelling.types + ">" : "");
+        case TypeKind::enumeration:
+        case TypeKind::given:
+        case TypeKind::product:
+        case TypeKind::record:
+        case TypeKind::unit:
+            break;
     }
+    return spelling.core + declared_name(type) + (is_struct(type) ? "<" + spelling.types + ">" : "");
 }
 
 std::string cpp_pair(const ir::System& system, const ir::Type& type, const Spelling& spelling) {
@@ -333,9 +354,13 @@ std::string cpp_value(const ir::System& system, const ir::Instantiation& inst, i
         case TypeKind::function:
             return fmt::format("{}::of({})", cpp_type(system, id, spelling),
                                pair_values(system, inst, type, value, spelling));
-        default:
-            return fmt::format("{}({})", cpp_type(system, id, spelling), value.number);
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::given:
+        case TypeKind::unit:
+            break;
     }
+    return fmt::format("{}({})", cpp_type(system, id, spelling), value.number);
 }
 
 namespace {
@@ -396,9 +421,14 @@ std::string cspm_value(const ir::System& system, ir::TypeId id, const ir::Value&
             const std::string parts = cspm_parts(system, type.args, value, ", ");
             return value.parts.size() == 1 ? parts : "(" + parts + ")";
         }
-        default:
-            return fmt::format("{}", value.number);
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real:
+        case TypeKind::given:
+        case TypeKind::unit:
+            break;
     }
+    return fmt::format("{}", value.number);
 }
 
 }  // namespace robochart::cpp_emit

@@ -31,69 +31,6 @@ constexpr std::size_t max_bound_values = 1024;
 /// Beyond this a decimal literal is not exact in binary floating point times the scale.
 constexpr std::int64_t max_exact = std::int64_t{1} << 52;
 
-/// Null: there is C++ for it.
-const char* refused_expression(ExprKind kind) {
-    switch (kind) {
-        case ExprKind::boolean:
-        case ExprKind::integer:
-        case ExprKind::real:
-        case ExprKind::enum_literal:
-        case ExprKind::variable:
-        case ExprKind::trigger_value:
-        case ExprKind::constant:
-        case ExprKind::since:
-        case ExprKind::since_entry:
-        case ExprKind::negate:
-        case ExprKind::logical_not:
-        case ExprKind::iff:
-        case ExprKind::implies:
-        case ExprKind::disjunction:
-        case ExprKind::conjunction:
-        case ExprKind::equal:
-        case ExprKind::not_equal:
-        case ExprKind::greater:
-        case ExprKind::greater_equal:
-        case ExprKind::less:
-        case ExprKind::less_equal:
-        case ExprKind::plus:
-        case ExprKind::minus:
-        case ExprKind::times:
-        case ExprKind::divide:
-        case ExprKind::modulus:
-        case ExprKind::if_then_else:
-        case ExprKind::call:
-        case ExprKind::tuple:
-        case ExprKind::record:
-        case ExprKind::sequence:
-        case ExprKind::set:
-        case ExprKind::matrix:
-        case ExprKind::member:
-        case ExprKind::index:
-        case ExprKind::concat:
-        case ExprKind::is_in:
-        case ExprKind::cast:
-        case ExprKind::bound:
-        case ExprKind::let:
-        case ExprKind::string:
-        case ExprKind::set_range:
-        case ExprKind::range:
-        case ExprKind::forall:
-        case ExprKind::exists:
-        case ExprKind::exists_unique:
-        case ExprKind::lambda:
-        case ExprKind::the:
-        case ExprKind::set_comprehension:
-        case ExprKind::function_value:
-        case ExprKind::apply:
-        case ExprKind::toolkit:
-        case ExprKind::is_type:
-        case ExprKind::transpose:
-            return nullptr;
-        default:
-            return "this kind of expression";
-    }
-}
-
 /// Operators of numbers, which vectors have too.
 bool arithmetic(ExprKind kind) {
     return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::divide ||
@@ -241,10 +178,6 @@ private:
     }
 
     void check_expression(const std::string& where, const ir::Expr& expr) {
-        if (const char* what = refused_expression(expr.kind)) {
-            diagnostics_.report(rules::unsupported_expr, expr.span, {what, where});
-            return;
-        }
         if (!supported(system_, expr.type))
             diagnostics_.report(rules::unsupported_type, expr.span, {where, system_.type(expr.type).name});
         const ir::Type& type = system_.type(expr.type);

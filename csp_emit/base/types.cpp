@@ -46,9 +46,19 @@ ExprPtr composed_set(const Project& project, const ir::Type& type) {
             const auto columns = static_cast<std::size_t>(type.sizes.at(1));
             return tuples_of(std::vector<ExprPtr>(rows, tuples_of(std::vector<ExprPtr>(columns, args.at(0)))));
         }
-        default:
-            return tuples_of(args);
+        case TypeKind::boolean:
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real:
+        case TypeKind::string:
+        case TypeKind::enumeration:
+        case TypeKind::given:
+        case TypeKind::product:
+        case TypeKind::record:
+        case TypeKind::unit:
+            break;
     }
+    return tuples_of(args);
 }
 
 ExprPtr string_literal(const ir::Value& value) {
@@ -115,9 +125,17 @@ ExprPtr type_set(const Project& project, ir::TypeId id) {
             return b::name(type_name(type));
         case TypeKind::unit:
             return b::set({b::number(0)});
-        default:
-            return composed_set(project, type);
+        case TypeKind::sequence:
+        case TypeKind::set:
+        case TypeKind::product:
+        case TypeKind::record:
+        case TypeKind::function:
+        case TypeKind::relation:
+        case TypeKind::vector:
+        case TypeKind::matrix:
+            break;
     }
+    return composed_set(project, type);
 }
 
 ExprPtr value_literal(const Project& project, ir::TypeId id, const ir::Value& value) {
@@ -145,9 +163,14 @@ ExprPtr value_literal(const Project& project, ir::TypeId id, const ir::Value& va
         case TypeKind::record:
         case TypeKind::vector:
             return tuple_or_one(part_literals(project, type, value));
-        default:
-            return b::number(value.number);
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real:
+        case TypeKind::given:
+        case TypeKind::unit:
+            break;
     }
+    return b::number(value.number);
 }
 
 ExprPtr default_literal(const Project& project, ir::TypeId type) {

@@ -1,7 +1,8 @@
-// One function per family of ExprKind.
+// One case per ExprKind; no default, so that the compiler finds a kind that is missing.
 #include "csp_emit/expressions/expressions.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/base/names.hpp"
@@ -41,41 +42,14 @@ ExprPtr Translator::real_literal(const ir::Expr& expr) const {
     return units ? b::number(*units) : refused("a real literal beyond 64 bits", expr);
 }
 
-ExprPtr Translator::literal(const ir::Expr& expr) const {
-    switch (expr.kind) {
-        case ExprKind::boolean:
-            return b::boolean(expr.number != 0);
-        case ExprKind::real:
-            return real_literal(expr);
-        case ExprKind::string:
-            return b::string(expr.characters.unescaped());
-        case ExprKind::enum_literal: {
-            b::Exprs parts{
-                b::name(literal_name(project_.system.type(expr.type), static_cast<std::size_t>(expr.number)))};
-            for (auto& value : args(expr)) parts.push_back(value);
-            return b::dot(parts);
-        }
-        default:
-            return is_real(expr.type) ? b::number(expr.number * scale()) : b::number(expr.number);
-    }
+ExprPtr Translator::enum_literal(const ir::Expr& expr) const {
+    b::Exprs parts{b::name(literal_name(project_.system.type(expr.type), static_cast<std::size_t>(expr.number)))};
+    for (auto& value : args(expr)) parts.push_back(value);
+    return b::dot(parts);
 }
 
-ExprPtr Translator::name(const ir::Expr& expr) const {
-    switch (expr.kind) {
-        case ExprKind::variable:
-            return scope_.variable(expr.variable);
-        case ExprKind::constant:
-            return scope_.constant(expr.constant);
-        case ExprKind::since:
-            return scope_.clock(expr.clock);
-        case ExprKind::since_entry:
-            return scope_.entry_clock(expr.node);
-        case ExprKind::trigger_value:
-            return scope_.trigger_value ? scope_.trigger_value
-                                        : refused("a trigger's value outside its transition", expr);
-        default:
-            return b::name(bound_name(expr.text));
-    }
+ExprPtr Translator::trigger_value(const ir::Expr& expr) const {
+    return scope_.trigger_value ? scope_.trigger_value : refused("a trigger's value outside its transition", expr);
 }
 
 ExprPtr Translator::as_type(const ir::Expr& expr, ir::TypeId wanted) const {
@@ -86,67 +60,30 @@ ExprPtr Translator::as_type(const ir::Expr& expr, ir::TypeId wanted) const {
     return b::binary(Op::times, value, b::number(scale()));
 }
 
-ExprPtr Translator::logic(const ir::Expr& expr) const {
-    switch (expr.kind) {
-        case ExprKind::logical_not:
-            return b::logical_not(arg(expr, 0));
-        case ExprKind::iff:
-            return b::binary(Op::equal, arg(expr, 0), arg(expr, 1));
-        case ExprKind::implies:
-            return b::binary(Op::logical_or, b::logical_not(arg(expr, 0)), arg(expr, 1));
-        case ExprKind::disjunction:
-            return b::binary(Op::logical_or, arg(expr, 0), arg(expr, 1));
-        default:
-            return b::binary(Op::logical_and, arg(expr, 0), arg(expr, 1));
-    }
-}
-
-namespace {
-
-Op comparison_operator(ExprKind kind) {
-    switch (kind) {
-        case ExprKind::equal:
-            return Op::equal;
-        case ExprKind::not_equal:
-            return Op::not_equal;
-        case ExprKind::greater:
-            return Op::greater;
-        case ExprKind::greater_equal:
-            return Op::greater_equal;
-        case ExprKind::less:
-            return Op::less;
-        default:
-            return Op::less_equal;
-    }
-}
-
-}  // namespace
-
 /// Both sides in the same unit: a real on either side makes the other one real.
-ExprPtr Translator::comparison(const ir::Expr& expr) const {
+ExprPtr Translator::comparison(const ir::Expr& expr, cspm::ExprKind op) const {
     const ir::Expr& left = *expr.args.at(0);
     const ir::Expr& right = *expr.args.at(1);
     const ir::TypeId common = is_real(left.type) ? left.type : right.type;
-    return b::binary(comparison_operator(expr.kind), as_type(left, common), as_type(right, common));
+    return b::binary(op, as_type(left, common), as_type(right, common));
 }
 
 namespace {
 
+struct Clipping {
+    ExprKind kind;
+    const char* whole;
+    const char* real;  ///< where reals have a scale
+};
+
+constexpr Clipping clippings[] = {{ExprKind::plus, "Plus", "Plus"},          {ExprKind::minus, "Minus", "Minus"},
+                                  {ExprKind::times, "Mult", "RealMult"},     {ExprKind::divide, "Div", "RealDiv"},
+                                  {ExprKind::modulus, "Modulus", "Modulus"}, {ExprKind::negate, "Neg", "Neg"}};
+
 const char* clipping_function(ExprKind kind, bool scaled_real) {
-    switch (kind) {
-        case ExprKind::plus:
-            return "Plus";
-        case ExprKind::minus:
-            return "Minus";
-        case ExprKind::times:
-            return scaled_real ? "RealMult" : "Mult";
-        case ExprKind::divide:
-            return scaled_real ? "RealDiv" : "Div";
-        case ExprKind::negate:
-            return "Neg";
-        default:
-            return "Modulus";
-    }
+    for (const Clipping& each : clippings)
+        if (each.kind == kind) return scaled_real ? each.real : each.whole;
+    throw std::logic_error("an operation on numbers without a function that clips its result");
 }
 
 }  // namespace
@@ -220,24 +157,6 @@ ExprPtr Translator::range(const ir::Expr& expr) const {
                                          b::condition(b::binary(open_high ? Op::less : Op::less_equal, elem, high))});
 }
 
-ExprPtr Translator::composed(const ir::Expr& expr) const {
-    const b::Exprs parts = args(expr);
-    switch (expr.kind) {
-        case ExprKind::sequence:
-            return b::sequence(parts);
-        case ExprKind::set:
-            return b::set(parts);
-        case ExprKind::set_range:
-            return b::set_range(parts.at(0), parts.at(1));
-        case ExprKind::concat:
-            return b::binary(Op::concat, parts.at(0), parts.at(1));
-        case ExprKind::is_in:
-            return b::call("member", parts);
-        default:
-            return tuple_or_one(parts);
-    }
-}
-
 /// A function is applied even without arguments: RoboTool's instantiations define `f() = 0`.
 ExprPtr Translator::call(const ir::Expr& expr) const {
     return b::apply(b::name(function_name(project_.system.functions.at(expr.function.index))), call_arguments(expr));
@@ -306,27 +225,30 @@ ExprPtr Translator::bound_tuple(const ir::Expr& expr) {
     return tuple_or_one(bound);
 }
 
-ExprPtr Translator::quantified(const ir::Expr& expr) const {
+/// The generators of the bound variables, and the predicate.
+std::vector<cspm::Clause> Translator::satisfying(const ir::Expr& expr) const {
     std::vector<cspm::Clause> clauses = generators(expr);
-    const ExprPtr all = bound_tuple(expr);
     if (expr.args.at(0)) clauses.push_back(b::condition(arg(expr, 0)));
-    switch (expr.kind) {
-        case ExprKind::forall:
-            clauses.push_back(b::condition(b::logical_not(arg(expr, 1))));
-            return b::call("empty", {b::set_comprehension({all}, clauses)});
-        case ExprKind::exists:
-            clauses.push_back(b::condition(arg(expr, 1)));
-            return b::logical_not(b::call("empty", {b::set_comprehension({all}, clauses)}));
-        case ExprKind::exists_unique:
-            clauses.push_back(b::condition(arg(expr, 1)));
-            return b::binary(Op::equal, b::call("card", {b::set_comprehension({all}, clauses)}), b::number(1));
-        case ExprKind::lambda:
-            return b::set_comprehension({b::tuple({all, arg(expr, 1)})}, clauses);
-        case ExprKind::set_comprehension:
-            return b::set_comprehension({expr.args.size() > 1 ? arg(expr, 1) : all}, clauses);
-        default:
-            return b::call("theOnly__", {b::set_comprehension({expr.args.size() > 1 ? arg(expr, 1) : all}, clauses)});
-    }
+    return clauses;
+}
+
+/// The bound values that satisfy the predicate and for which the body holds, or with `negated` does not hold.
+ExprPtr Translator::witnesses(const ir::Expr& expr, bool negated) const {
+    std::vector<cspm::Clause> clauses = satisfying(expr);
+    const ExprPtr body = arg(expr, 1);
+    clauses.push_back(b::condition(negated ? b::logical_not(body) : body));
+    return b::set_comprehension({bound_tuple(expr)}, clauses);
+}
+
+/// The body's values, or the bound ones where it is left out.
+ExprPtr Translator::comprehension(const ir::Expr& expr) const {
+    const std::vector<cspm::Clause> clauses = satisfying(expr);
+    return b::set_comprehension({expr.args.size() > 1 ? arg(expr, 1) : bound_tuple(expr)}, clauses);
+}
+
+ExprPtr Translator::lambda(const ir::Expr& expr) const {
+    const std::vector<cspm::Clause> clauses = satisfying(expr);
+    return b::set_comprehension({b::tuple({bound_tuple(expr), arg(expr, 1)})}, clauses);
 }
 
 /// The first bindings around a body. CSPM's own `let` is recursive; each value here sees only the bindings before it.
@@ -344,31 +266,49 @@ ExprPtr Translator::translate(const ir::Expr& expr) const {
     project_.diagnostics.poll();
     switch (expr.kind) {
         case ExprKind::boolean:
+            return b::boolean(expr.number != 0);
         case ExprKind::integer:
+            return b::number(is_real(expr.type) ? expr.number * scale() : expr.number);
         case ExprKind::real:
+            return real_literal(expr);
         case ExprKind::string:
+            return b::string(expr.characters.unescaped());
         case ExprKind::enum_literal:
-            return literal(expr);
+            return enum_literal(expr);
         case ExprKind::variable:
+            return scope_.variable(expr.variable);
         case ExprKind::trigger_value:
+            return trigger_value(expr);
         case ExprKind::constant:
+            return scope_.constant(expr.constant);
         case ExprKind::since:
+            return scope_.clock(expr.clock);
         case ExprKind::since_entry:
+            return scope_.entry_clock(expr.node);
         case ExprKind::bound:
-            return name(expr);
+            return b::name(bound_name(expr.text));
         case ExprKind::logical_not:
+            return b::logical_not(arg(expr, 0));
         case ExprKind::iff:
+            return b::binary(Op::equal, arg(expr, 0), arg(expr, 1));
         case ExprKind::implies:
+            return b::binary(Op::logical_or, b::logical_not(arg(expr, 0)), arg(expr, 1));
         case ExprKind::disjunction:
+            return b::binary(Op::logical_or, arg(expr, 0), arg(expr, 1));
         case ExprKind::conjunction:
-            return logic(expr);
+            return b::binary(Op::logical_and, arg(expr, 0), arg(expr, 1));
         case ExprKind::equal:
+            return comparison(expr, Op::equal);
         case ExprKind::not_equal:
+            return comparison(expr, Op::not_equal);
         case ExprKind::greater:
+            return comparison(expr, Op::greater);
         case ExprKind::greater_equal:
+            return comparison(expr, Op::greater_equal);
         case ExprKind::less:
+            return comparison(expr, Op::less);
         case ExprKind::less_equal:
-            return comparison(expr);
+            return comparison(expr, Op::less_equal);
         case ExprKind::negate:
         case ExprKind::plus:
         case ExprKind::minus:
@@ -382,12 +322,17 @@ ExprPtr Translator::translate(const ir::Expr& expr) const {
             return call(expr);
         case ExprKind::tuple:
         case ExprKind::record:
+            return tuple_or_one(args(expr));
         case ExprKind::sequence:
+            return b::sequence(args(expr));
         case ExprKind::set:
+            return b::set(args(expr));
         case ExprKind::set_range:
+            return b::set_range(arg(expr, 0), arg(expr, 1));
         case ExprKind::concat:
+            return b::binary(Op::concat, arg(expr, 0), arg(expr, 1));
         case ExprKind::is_in:
-            return composed(expr);
+            return b::call("member", args(expr));
         case ExprKind::matrix:
             return block_literal(expr);
         case ExprKind::transpose:
@@ -411,12 +356,17 @@ ExprPtr Translator::translate(const ir::Expr& expr) const {
         case ExprKind::let:
             return let(expr);
         case ExprKind::forall:
+            return b::call("empty", {witnesses(expr, true)});
         case ExprKind::exists:
+            return b::logical_not(b::call("empty", {witnesses(expr, false)}));
         case ExprKind::exists_unique:
+            return b::binary(Op::equal, b::call("card", {witnesses(expr, false)}), b::number(1));
         case ExprKind::lambda:
+            return lambda(expr);
         case ExprKind::the:
+            return b::call("theOnly__", {comprehension(expr)});
         case ExprKind::set_comprehension:
-            return quantified(expr);
+            return comprehension(expr);
     }
     return refused("this kind of expression", expr);
 }

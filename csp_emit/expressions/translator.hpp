@@ -32,14 +32,12 @@ private:
     // expressions.cpp
     ExprPtr arg(const ir::Expr& expr, std::size_t index) const { return translate(*expr.args.at(index)); }
     Exprs args(const ir::Expr& expr) const;
-    ExprPtr literal(const ir::Expr& expr) const;
+    ExprPtr enum_literal(const ir::Expr& expr) const;
     ExprPtr real_literal(const ir::Expr& expr) const;
-    ExprPtr name(const ir::Expr& expr) const;
-    ExprPtr logic(const ir::Expr& expr) const;
-    ExprPtr comparison(const ir::Expr& expr) const;
+    ExprPtr trigger_value(const ir::Expr& expr) const;
+    ExprPtr comparison(const ir::Expr& expr, cspm::ExprKind op) const;
     ExprPtr clipped(ir::ExprKind kind, Exprs operands, ir::TypeId type) const;
     ExprPtr arithmetic(const ir::Expr& expr) const;
-    ExprPtr composed(const ir::Expr& expr) const;
     ExprPtr member(const ir::Expr& expr) const;
     ExprPtr index(const ir::Expr& expr) const;
     ExprPtr cast(const ir::Expr& expr) const;
@@ -50,7 +48,10 @@ private:
     ExprPtr toolkit(const ir::Expr& expr) const;
     ExprPtr apply(const ir::Expr& expr) const;
     ExprPtr function_value(const ir::Expr& expr) const;
-    ExprPtr quantified(const ir::Expr& expr) const;
+    std::vector<cspm::Clause> satisfying(const ir::Expr& expr) const;
+    ExprPtr witnesses(const ir::Expr& expr, bool negated) const;
+    ExprPtr comprehension(const ir::Expr& expr) const;
+    ExprPtr lambda(const ir::Expr& expr) const;
     ExprPtr let(const ir::Expr& expr) const;
     ExprPtr bind_let(const ir::Expr& expr, std::size_t count, ExprPtr body) const;
     Exprs call_arguments(const ir::Expr& expr) const;

@@ -289,9 +289,18 @@ Value default_value(const System& system, const Instantiation& instantiation, Ty
                 value.parts.push_back({0, {argument, image}});
             return value;
         }
-        default:
-            return value;
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real:
+        case TypeKind::string:
+        case TypeKind::given:
+        case TypeKind::sequence:
+        case TypeKind::set:
+        case TypeKind::relation:
+        case TypeKind::unit:
+            break;
     }
+    return value;
 }
 
 }  // namespace robochart::ir

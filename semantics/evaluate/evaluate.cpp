@@ -3,6 +3,7 @@
 #include "semantics/evaluate/evaluate.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "semantics/evaluate/evaluate_composed.hpp"
@@ -64,53 +65,16 @@ Value Evaluator::bound(const Expr& expr) {
     fault(expr, "'" + expr.text + "' is not bound here");
 }
 
-Value Evaluator::logic(const Expr& expr) {
-    bool result = false;
-    switch (expr.kind) {
-        case ExprKind::logical_not:
-            result = !truth(expr, 0);
-            break;
-        case ExprKind::conjunction:
-            result = truth(expr, 0) && truth(expr, 1);
-            break;
-        case ExprKind::disjunction:
-            result = truth(expr, 0) || truth(expr, 1);
-            break;
-        case ExprKind::implies:
-            result = !truth(expr, 0) || truth(expr, 1);
-            break;
-        default:
-            result = truth(expr, 0) == truth(expr, 1);
-            break;
-    }
-    return {result ? 1 : 0, {}};
-}
-
-Value Evaluator::comparison(const Expr& expr) {
+template <class Holds>
+Value Evaluator::compared(const Expr& expr, const Holds& holds) {
     const Value left = operand(expr, 0);
     const Value right = operand(expr, 1);
-    bool result = false;
-    switch (expr.kind) {
-        case ExprKind::equal:
-            result = left == right;
-            break;
-        case ExprKind::not_equal:
-            result = left != right;
-            break;
-        case ExprKind::greater:
-            result = left.number > right.number;
-            break;
-        case ExprKind::greater_equal:
-            result = left.number >= right.number;
-            break;
-        case ExprKind::less:
-            result = left.number < right.number;
-            break;
-        default:
-            result = left.number <= right.number;
-            break;
-    }
-    return {result ? 1 : 0, {}};
+    return truth_value(holds(left, right));
+}
+
+template <class Holds>
+Value Evaluator::ordered(const Expr& expr, const Holds& holds) {
+    return compared(expr, [&](const Value& left, const Value& right) { return holds(left.number, right.number); });
 }
 
 Value Evaluator::value(const Expr& expr) {
@@ -130,18 +94,27 @@ Value Evaluator::value(const Expr& expr) {
         case ExprKind::bound:
             return bound(expr);
         case ExprKind::logical_not:
+            return truth_value(!truth(expr, 0));
         case ExprKind::iff:
+            return truth_value(truth(expr, 0) == truth(expr, 1));
         case ExprKind::implies:
+            return truth_value(!truth(expr, 0) || truth(expr, 1));
         case ExprKind::disjunction:
+            return truth_value(truth(expr, 0) || truth(expr, 1));
         case ExprKind::conjunction:
-            return logic(expr);
+            return truth_value(truth(expr, 0) && truth(expr, 1));
         case ExprKind::equal:
+            return compared(expr, std::equal_to<>());
         case ExprKind::not_equal:
+            return compared(expr, std::not_equal_to<>());
         case ExprKind::greater:
+            return ordered(expr, std::greater<>());
         case ExprKind::greater_equal:
+            return ordered(expr, std::greater_equal<>());
         case ExprKind::less:
+            return ordered(expr, std::less<>());
         case ExprKind::less_equal:
-            return comparison(expr);
+            return ordered(expr, std::less_equal<>());
         case ExprKind::plus:
         case ExprKind::minus:
         case ExprKind::times:
@@ -157,24 +130,34 @@ Value Evaluator::value(const Expr& expr) {
         case ExprKind::tuple:
         case ExprKind::record:
         case ExprKind::sequence:
+            return {0, operands(expr)};
         case ExprKind::matrix:
+            return kind(expr.type) == TypeKind::vector ? Value{0, operands(expr)}
+                                                       : matrix_of(operands(expr), expr.number);
         case ExprKind::set:
+            return set_of(operands(expr));
         case ExprKind::set_range:
-            return constructed(expr);
+            return range_set(operand(expr, 0).number, operand(expr, 1).number, expr.span);
         case ExprKind::member:
         case ExprKind::index:
         case ExprKind::apply:
         case ExprKind::concat:
             return access(expr);
         case ExprKind::is_in:
-            return {is_part(operand(expr, 1), operand(expr, 0)) ? 1 : 0, {}};
-        case ExprKind::forall:
+            return truth_value(is_part(operand(expr, 1), operand(expr, 0)));
+        case ExprKind::forall: {
+            const std::vector<Value> bodies = where_satisfied(expr);
+            return truth_value(true_ones(bodies) == bodies.size());
+        }
         case ExprKind::exists:
+            return truth_value(true_ones(where_satisfied(expr)) > 0);
         case ExprKind::exists_unique:
-        case ExprKind::lambda:
+            return truth_value(true_ones(where_satisfied(expr)) == 1);
         case ExprKind::the:
+            return only(expr, where_satisfied(expr));
+        case ExprKind::lambda:
         case ExprKind::set_comprehension:
-            return quantified(expr);
+            return set_of(where_satisfied(expr));
         case ExprKind::let:
             return let(expr);
         case ExprKind::string:
@@ -186,7 +169,7 @@ Value Evaluator::value(const Expr& expr) {
         case ExprKind::toolkit:
             return toolkit_call(expr);
         case ExprKind::is_type:
-            return {has_type(operand(expr, 0), argument(expr, 0).type, expr.bound_types.at(0)) ? 1 : 0, {}};
+            return truth_value(has_type(operand(expr, 0), argument(expr, 0).type, expr.bound_types.at(0)));
         case ExprKind::range:
             return range(expr);
         case ExprKind::transpose:

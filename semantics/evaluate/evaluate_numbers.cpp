@@ -1,5 +1,6 @@
 // Evaluation of arithmetic, of numbers and of vectors and matrices entry by entry (semantics 3.13).
 #include <algorithm>
+#include <stdexcept>
 
 #include "semantics/evaluate/evaluate.hpp"
 #include "semantics/evaluate/evaluate_composed.hpp"
@@ -12,18 +13,12 @@ namespace {
 
 /// The result before clipping; nothing if it lies beyond 64 bits, hence outside every carrier.
 std::optional<std::int64_t> exact(ExprKind kind, bool real, std::int64_t scale, std::int64_t left, std::int64_t right) {
-    switch (kind) {
-        case ExprKind::plus:
-            return checked_add(left, right);
-        case ExprKind::minus:
-            return checked_subtract(left, right);
-        case ExprKind::times:
-            return real ? multiply_divide(left, right, scale) : checked_multiply(left, right);
-        case ExprKind::divide:
-            return real ? multiply_divide(left, scale, right) : floor_divide(left, right);
-        default:
-            return floor_modulus(left, right);
-    }
+    if (kind == ExprKind::plus) return checked_add(left, right);
+    if (kind == ExprKind::minus) return checked_subtract(left, right);
+    if (kind == ExprKind::times) return real ? multiply_divide(left, right, scale) : checked_multiply(left, right);
+    if (kind == ExprKind::divide) return real ? multiply_divide(left, scale, right) : floor_divide(left, right);
+    if (kind == ExprKind::modulus) return floor_modulus(left, right);
+    throw std::logic_error("an operation on numbers without a value");
 }
 
 }  // namespace

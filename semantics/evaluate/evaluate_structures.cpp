@@ -11,20 +11,6 @@
 
 namespace robochart::ir {
 
-Value Evaluator::constructed(const Expr& expr) {
-    switch (expr.kind) {
-        case ExprKind::set:
-            return set_of(operands(expr));
-        case ExprKind::matrix:
-            return kind(expr.type) == TypeKind::vector ? Value{0, operands(expr)}
-                                                       : matrix_of(operands(expr), expr.number);
-        case ExprKind::set_range:
-            return range_set(operand(expr, 0).number, operand(expr, 1).number, expr.span);
-        default:
-            return {0, operands(expr)};
-    }
-}
-
 Value Evaluator::access(const Expr& expr) {
     Value base = operand(expr, 0);
     if (expr.kind == ExprKind::concat) {
@@ -43,9 +29,9 @@ Value Evaluator::access(const Expr& expr) {
     return base;
 }
 
-Value Evaluator::quantified(const Expr& expr) {
+std::vector<Value> Evaluator::where_satisfied(const Expr& expr) {
     const std::size_t bindings = bindings_.size();
-    std::vector<Value> found;  // value of the body wherever the predicate holds
+    std::vector<Value> found;
     each_binding(expr, 0, [&] {
         if (!truth(expr, 0)) return;
         Value arguments = bound_tuple(bindings_, bindings);
@@ -56,20 +42,17 @@ Value Evaluator::quantified(const Expr& expr) {
         else
             found.push_back(operand(expr, 1));
     });
-    const auto holds = std::count_if(found.begin(), found.end(), [](const Value& v) { return v.number != 0; });
-    switch (expr.kind) {
-        case ExprKind::forall:
-            return {holds == static_cast<std::ptrdiff_t>(found.size()) ? 1 : 0, {}};
-        case ExprKind::exists:
-            return {holds > 0 ? 1 : 0, {}};
-        case ExprKind::exists_unique:
-            return {holds == 1 ? 1 : 0, {}};
-        case ExprKind::the:
-            if (found.size() != 1) fault(expr, "`the` needs exactly one candidate");
-            return found.front();
-        default:
-            return set_of(std::move(found));
-    }
+    return found;
+}
+
+Value Evaluator::only(const Expr& expr, const std::vector<Value>& candidates) {
+    if (candidates.size() != 1) fault(expr, "`the` needs exactly one candidate");
+    return candidates.front();
+}
+
+std::size_t Evaluator::true_ones(const std::vector<Value>& values) {
+    const auto count = std::count_if(values.begin(), values.end(), [](const Value& v) { return v.number != 0; });
+    return static_cast<std::size_t>(count);
 }
 
 Value Evaluator::function_call(const Expr& expr) {

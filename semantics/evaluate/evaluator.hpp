@@ -41,8 +41,13 @@ private:
 
     Value literal(const Expr& expr);
     Value name(const Expr& expr);
-    Value logic(const Expr& expr);
-    Value comparison(const Expr& expr);
+    static Value truth_value(bool holds) { return {holds ? 1 : 0, {}}; }
+    /// What `holds` says of the operands.
+    template <class Holds>
+    Value compared(const Expr& expr, const Holds& holds);
+    /// The same of numbers.
+    template <class Holds>
+    Value ordered(const Expr& expr, const Holds& holds);
     Value arithmetic(const Expr& expr);
     Value clipped(const Expr& expr, ExprKind kind, TypeId type, const Value& left, const Value& right);
     Value negate(const Expr& expr);
@@ -59,9 +64,11 @@ private:
     Value converted_pairs(const Expr& expr, const Value& pairs, const std::vector<TypeId>& from, const Type& target);
     Value converted_set(const Expr& expr, const Value& value, const Type& source, const Type& target);
     std::vector<TypeId> pair_types(const Type& type);
-    Value constructed(const Expr& expr);
     Value access(const Expr& expr);
-    Value quantified(const Expr& expr);
+    /// The body's values, or what stands for them, for the bound values that satisfy the predicate, in their order.
+    std::vector<Value> where_satisfied(const Expr& expr);
+    static Value only(const Expr& expr, const std::vector<Value>& candidates);
+    static std::size_t true_ones(const std::vector<Value>& values);
     Value let(const Expr& expr);
     Value function_call(const Expr& expr);
     Value function_result(const Function& function, const std::vector<Value>& arguments, const Expr& expr);

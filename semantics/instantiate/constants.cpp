@@ -82,9 +82,20 @@ ExprPtr parse_literal(const System& system, TypeId id, const std::string& text) 
             return decimal_number(text, id);
         case TypeKind::enumeration:
             return literal_of(type, text, id);
-        default:
-            return nullptr;
+        case TypeKind::string:
+        case TypeKind::given:
+        case TypeKind::sequence:
+        case TypeKind::set:
+        case TypeKind::product:
+        case TypeKind::record:
+        case TypeKind::function:
+        case TypeKind::relation:
+        case TypeKind::vector:
+        case TypeKind::matrix:
+        case TypeKind::unit:
+            break;
     }
+    return nullptr;
 }
 
 std::string suggestion(const std::string& name, const std::vector<NamedConstant>& constants) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "semantics/ir/dump.hpp"
 #include "semantics/ir/numbers.hpp"
 
@@ -92,9 +94,26 @@ const char* operator_text(ExprKind kind) {
             return "range";
         case ExprKind::transpose:
             return "transpose";
-        default:
-            return "?";
+        // written otherwise
+        case ExprKind::boolean:
+        case ExprKind::integer:
+        case ExprKind::real:
+        case ExprKind::string:
+        case ExprKind::enum_literal:
+        case ExprKind::variable:
+        case ExprKind::trigger_value:
+        case ExprKind::constant:
+        case ExprKind::since:
+        case ExprKind::since_entry:
+        case ExprKind::bound:
+        case ExprKind::call:
+        case ExprKind::function_value:
+        case ExprKind::toolkit:
+        case ExprKind::member:
+        case ExprKind::cast:
+            break;
     }
+    return "?";
 }
 
 class ExpressionText {
@@ -102,6 +121,17 @@ public:
     ExpressionText(const System& system, const Machine* machine) : system_(system), machine_(machine) {}
 
     std::string text(const Expr& expr) {
+        if (const std::optional<std::string> own = own_form(expr)) return *own;
+        if (expr.args.empty() && expr.bound_names.empty()) return leaf(expr);
+        const bool infix = expr.kind >= ExprKind::iff && expr.kind <= ExprKind::modulus;
+        if (infix || expr.kind == ExprKind::is_in || expr.kind == ExprKind::concat)
+            return fmt::format("({} {} {})", at(expr, 0), operator_text(expr.kind), at(expr, 1));
+        return operator_text(expr.kind) + bindings(expr) + arguments(expr, 0);
+    }
+
+private:
+    /// Of those that are neither a name, an operator nor a head with operands.
+    std::optional<std::string> own_form(const Expr& expr) {
         switch (expr.kind) {
             case ExprKind::boolean:
                 return expr.number != 0 ? "true" : "false";
@@ -130,17 +160,51 @@ public:
             case ExprKind::negate:
             case ExprKind::logical_not:
                 return std::string(operator_text(expr.kind)) + arguments(expr, 0);
-            default:
+            case ExprKind::variable:
+            case ExprKind::constant:
+            case ExprKind::since:
+            case ExprKind::since_entry:
+            case ExprKind::iff:
+            case ExprKind::implies:
+            case ExprKind::disjunction:
+            case ExprKind::conjunction:
+            case ExprKind::equal:
+            case ExprKind::not_equal:
+            case ExprKind::greater:
+            case ExprKind::greater_equal:
+            case ExprKind::less:
+            case ExprKind::less_equal:
+            case ExprKind::plus:
+            case ExprKind::minus:
+            case ExprKind::times:
+            case ExprKind::divide:
+            case ExprKind::modulus:
+            case ExprKind::if_then_else:
+            case ExprKind::apply:
+            case ExprKind::tuple:
+            case ExprKind::record:
+            case ExprKind::sequence:
+            case ExprKind::set:
+            case ExprKind::matrix:
+            case ExprKind::index:
+            case ExprKind::concat:
+            case ExprKind::is_in:
+            case ExprKind::set_range:
+            case ExprKind::forall:
+            case ExprKind::exists:
+            case ExprKind::exists_unique:
+            case ExprKind::lambda:
+            case ExprKind::the:
+            case ExprKind::set_comprehension:
+            case ExprKind::let:
+            case ExprKind::is_type:
+            case ExprKind::range:
+            case ExprKind::transpose:
                 break;
         }
-        if (expr.args.empty() && expr.bound_names.empty()) return leaf(expr);
-        const bool infix = expr.kind >= ExprKind::iff && expr.kind <= ExprKind::modulus;
-        if (infix || expr.kind == ExprKind::is_in || expr.kind == ExprKind::concat)
-            return fmt::format("({} {} {})", at(expr, 0), operator_text(expr.kind), at(expr, 1));
-        return operator_text(expr.kind) + bindings(expr) + arguments(expr, 0);
+        return std::nullopt;
     }
 
-private:
     std::string leaf(const Expr& expr) {
         if (expr.kind == ExprKind::sequence || expr.kind == ExprKind::set || expr.kind == ExprKind::tuple)
             return std::string(operator_text(expr.kind)) + "()";

@@ -157,9 +157,16 @@ ExprPtr Expressions::default_of(const ast::Expr& source, TypeId id) {
                 if (!expr.args.back()) return nullptr;
             }
             return share(std::move(expr));
-        default:
-            return nullptr;
+        case TypeKind::string:
+        case TypeKind::given:
+        case TypeKind::function:
+        case TypeKind::relation:
+        case TypeKind::vector:
+        case TypeKind::matrix:
+        case TypeKind::unit:
+            break;
     }
+    return nullptr;
 }
 
 /// A field that is left out has its type's default.

@@ -113,9 +113,18 @@ std::string written(const System& system, const Type& type) {
             return fmt::format("vector({}, {})", part(0), type.sizes.at(0));
         case TypeKind::matrix:
             return fmt::format("matrix({}, {}, {})", part(0), type.sizes.at(0), type.sizes.at(1));
-        default:
-            return type.name;
+        case TypeKind::boolean:
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real:
+        case TypeKind::string:
+        case TypeKind::enumeration:
+        case TypeKind::given:
+        case TypeKind::record:
+        case TypeKind::unit:
+            break;
     }
+    return type.name;
 }
 
 TypeId add(Lowering& lowering, Type type) {

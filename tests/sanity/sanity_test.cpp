@@ -188,5 +188,30 @@ TEST(Sanity, TheSemanticsNamesFunctionsAndTestsThatExist) {
     }
 }
 
+/// Of the source's switches those over a kind of the IR that have a `default:`, by its line.
+std::vector<std::size_t> silent_switches(const fs::path& path) {
+    const std::regex over_kind(R"(^\s*case (ir::)?(Type|Expr|Stmt|Node|Machine|Comm|Component|Property|End)Kind::.*)");
+    std::vector<std::size_t> found;
+    std::vector<bool> kinds;  // of the switches that are open, whether they are over a kind
+    std::istringstream lines(contents(path));
+    std::string line;
+    for (std::size_t number = 1; std::getline(lines, line); ++number) {
+        if (std::regex_match(line, std::regex(R"(^\s*switch \(.*)"))) kinds.push_back(false);
+        if (kinds.empty()) continue;
+        if (std::regex_match(line, over_kind)) kinds.back() = true;
+        if (!std::regex_match(line, std::regex(R"(^\s*default:.*)"))) continue;
+        if (kinds.back()) found.push_back(number);
+        kinds.pop_back();
+    }
+    return found;
+}
+
+/// The compiler names every switch that a new kind is missing from, unless a `default:` takes it in.
+TEST(Sanity, SwitchesOverKindsOfTheIrHaveNoDefault) {
+    for (const char* component : {"semantics", "csp_emit", "cpp_emit", "conformance"})
+        for (const fs::path& path : files(root() / component, {".cpp", ".hpp"}))
+            EXPECT_THAT(silent_switches(path), ::testing::IsEmpty()) << path;
+}
+
 }  // namespace
 }  // namespace robochart::sanity
