@@ -7,6 +7,7 @@
 
 #include "cpp_emit/api/class_api.hpp"
 #include "cpp_emit/api/console_class.hpp"
+#include "cpp_emit/faults/faulty_model.hpp"
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/files/shipped_headers.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
@@ -67,7 +68,8 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     const std::optional<Component> component = resolve(system, inst, ref, diagnostics);
     if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
     Mutation mutation(options.fault, options.fault_site);
-    const Generation generation{system, inst, options, *component, mutation};
+    const FaultyModel model(system, inst, *component, mutation);
+    const Generation generation{model.system(), inst, options, model.component(), mutation};
     const bool explored = explorable(generation, diagnostics);
     if (!explored && options.explored) return emission;
     const Core core = make_core(generation);

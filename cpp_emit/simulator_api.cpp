@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cpp_emit/faults/faulty_model.hpp"
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/files/shipped_headers.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
@@ -398,7 +399,8 @@ DriveEmission emit_drive(const ir::System& system, const ir::Instantiation& inst
     if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
     if (!carries_numbers(*component, system, diagnostics)) return emission;
     Mutation mutation(options.fault, options.fault_site);
-    const Generation generation{system, inst, options, *component, mutation};
+    const FaultyModel model(system, inst, *component, mutation);
+    const Generation generation{model.system(), inst, options, model.component(), mutation};
     const Core core = make_core(generation);
     DriveWriter writer(generation, core);
     emission.sources = {component->cpp_name + "_drive.cpp"};

@@ -18,9 +18,8 @@ std::string store(const Generation& generation, const Unit& unit, ir::VariableId
 
 std::string clock_reset(const Generation& generation, const Unit& unit, ir::ClockId id) {
     const auto [owner, own] = generation.component.clock(unit, id);
-    if (!owner->clock_read[own.index] || generation.mutation.hits(Fault::clock_not_reset)) return {};
-    const bool off_by_one = generation.mutation.hits(Fault::clock_off_by_one);
-    return fmt::format("{} = {};", ExpressionWriter(generation, unit).clock(id), off_by_one ? 1 : 0);
+    if (!owner->clock_read[own.index]) return {};
+    return fmt::format("{} = 0;", ExpressionWriter(generation, unit).clock(id));
 }
 
 }  // namespace robochart::cpp_emit

@@ -225,11 +225,7 @@ void MachineWriter::advance_function() {
 }
 
 void MachineWriter::advance_clock(const std::string& clock, std::int64_t saturation) {
-    if (generation_.mutation.hits(Fault::clock_stopped)) return;
-    if (generation_.mutation.hits(Fault::clock_saturated)) --saturation;
-    const std::string line = fmt::format("advance_clock(f.{}, cycle_length, {});", clock, saturation);
-    out_.line(line);
-    if (generation_.mutation.hits(Fault::clock_twice)) out_.line(line);
+    out_.line(fmt::format("advance_clock(f.{}, cycle_length, {});", clock, saturation));
 }
 
 void MachineWriter::advance_thread(const Thread& thread) {
@@ -265,8 +261,7 @@ void MachineWriter::watch_function() {
         const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
         if (!transition.guard) continue;
         const std::string anew = start_of(watch);
-        if (!anew.empty() && !generation_.mutation.hits(Fault::deadline_not_restarted))
-            out_.line(fmt::format("if (f.{} > 0 && !({})) {}", watch.field, holds(transition), anew));
+        out_.line(fmt::format("if (f.{} > 0 && !({})) {}", watch.field, holds(transition), anew));
     }
     out_.close();
 }
@@ -279,15 +274,14 @@ void MachineWriter::advance_watch(const Watch& watch) {
 
 std::string MachineWriter::start_of(const Watch& watch) const {
     const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
-    return watch_from(generation_, unit_, watch.field, *transition.deadline, &transition);
+    return watch_from(generation_, unit_, watch.field, *transition.deadline);
 }
 
 std::string MachineWriter::finished(const std::string& frame) const {
     std::vector<std::string> places;
     for (const NodeId id : plan_.finals())
         places.push_back(fmt::format("{}.at == {}", frame, control_.at(plan_.label(id))));
-    const bool unnoticed = !places.empty() && generation_.mutation.hits(Fault::end_unnoticed);
-    return places.empty() || unnoticed ? "false" : fmt::format("{}", fmt::join(places, " || "));
+    return places.empty() ? "false" : fmt::format("{}", fmt::join(places, " || "));
 }
 
 void MachineWriter::run_function() {
@@ -326,11 +320,6 @@ void MachineWriter::run_alone(const std::string& parts, bool watches) {
     out_.doc("Everything that can happen in this cycle.");
     out_.open(signature("void run"));
     if (watches) out_.line(call("watch") + ";");
-    if (generation_.mutation.hits(Fault::single_transition_step)) {
-        out_.line(call("control") + ";");
-        if (!during_.empty()) out_.line(call("during") + ";");
-        return out_.line(fmt::format("if ({}) {};", call("transition"), call("control")));
-    }
     out_.open(fmt::format("while ({}({})) {{", bound_test(generation_), parts));
     if (watches) out_.line(call("watch") + ";");
     out_.close();
@@ -338,8 +327,7 @@ void MachineWriter::run_alone(const std::string& parts, bool watches) {
 
 std::vector<Field> MachineWriter::variable_fields() const {
     std::vector<Field> fields;
-    const auto add = [&](const std::string& name, const ir::Variable& variable, const ir::Value& wanted) {
-        const ir::Value initial = begins_with(generation_, variable, wanted);
+    const auto add = [&](const std::string& name, const ir::Variable& variable, const ir::Value& initial) {
         const Extent extent = cpp_extent(generation_.system, generation_.inst, variable.type);
         fields.push_back({cpp_type(generation_.system, variable.type), name,
                           cpp_value(generation_.system, generation_.inst, variable.type, initial),

@@ -57,8 +57,8 @@ void MachineWriter::choice(NodeId id) {
 bool MachineWriter::ways(NodeId id, CodeWriter& out, const char* end) {
     const auto& outgoing = plan_.node(id).outgoing;
     if (generation_.options.choices && outgoing.size() > 1) return pick_way(id, out, end);
-    for (const std::size_t way : order(generation_, outgoing.size(), Fault::junction_reversed)) {
-        const ir::Transition& transition = plan_.machine().transitions[outgoing[way].index];
+    for (const ir::TransitionId way : outgoing) {
+        const ir::Transition& transition = plan_.machine().transitions[way.index];
         out.comment(generation_.place(transition.origin));
         const CppExpr condition = guard(transition, "");
         if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition.whole()));
@@ -66,7 +66,7 @@ bool MachineWriter::ways(NodeId id, CodeWriter& out, const char* end) {
             const std::string reset = clock_reset(generation_, unit_, clock);
             if (!reset.empty()) out.line(reset);
         }
-        out.line(tell_taken(outgoing[way]));
+        out.line(tell_taken(way));
         out.line(proceed(transition));
         if (!condition.empty() || *end == 'b') out.line(end);
         if (condition.empty()) return false;
@@ -126,8 +126,7 @@ void MachineWriter::draw_place(NodeId id) {
     program.code().line(fmt::format("const double chances[] = {{{}}};", chances));
     program.code().open("switch (robochart::choose(platform_, chances)) {");
     for (std::size_t way = 0; way < ways.size(); ++way) {
-        const std::size_t taken = generation_.mutation.hits(Fault::way_exchanged) ? (way + 1) % ways.size() : way;
-        const ir::Transition& transition = plan_.machine().transitions[ways[taken].index];
+        const ir::Transition& transition = plan_.machine().transitions[ways[way].index];
         program.code().comment(generation_.place(transition.origin));
         program.code().line(way + 1 == ways.size() ? "default:" : fmt::format("case {}:", way));
         for (const ir::ClockId clock : transition.resets) program.line(clock_reset(generation_, unit_, clock));
@@ -148,7 +147,7 @@ void MachineWriter::enter_place(NodeId id) {
     const std::string label = plan_.enter_label(id);
     program.begin(label, "enters " + generation_.place(node.origin));
     if (enters_child_first(id)) return enter_child_first(program, id);
-    if (node.entry && !generation_.mutation.hits(Fault::entry_dropped)) program.statement(node.entry, label);
+    if (node.entry) program.statement(node.entry, label);
     settle(id, program.code(), "break;");
     program.line("break;");
 }
@@ -226,10 +225,10 @@ void MachineWriter::mark_entered(NodeId id, CodeWriter& out) {
     const ir::ClockId clock = entry_clock(plan_.machine(), id);
     if (clock.valid()) {
         const std::string line = clock_reset(generation_, unit_, clock);
-        if (!line.empty()) out.line(line);
+        if (!line.empty() && !generation_.mutation.hits(Fault::clock_not_reset)) out.line(line);
     }
     for (const DuringThread& during : during_)
-        if (during.state == id && !generation_.mutation.hits(Fault::during_never)) out.line(during.thread.go("start"));
+        if (during.state == id) out.line(during.thread.go("start"));
     for (const Watch& watch : watches_) {
         if (watch.state != id) continue;
         const std::string line = start_of(watch);
@@ -256,7 +255,7 @@ void MachineWriter::exit_place(NodeId id) {
     act_before(program, id);
     const bool waits = suspends(generation_, unit_, node.exit);
     if (node.exit && !waits && !(plan_.notes_leaving(id) && exits_first(id))) program.line(call(label) + ";");
-    if (waits && !generation_.mutation.hits(Fault::exit_dropped)) program.statement(node.exit, label);
+    if (waits) program.statement(node.exit, label);
     for (const ir::TransitionId transition : node.outgoing) {
         if (!plan_.notes_leaving(id)) break;
         program.code().open(fmt::format("if (f.leaving == {}::{}) {{", leaving_, plan_.take_label(transition)));
@@ -336,11 +335,10 @@ void MachineWriter::take_place(ir::TransitionId id) {
     const bool exits = suspends(generation_, unit_, source.exit) && !plan_.shared_exit(transition.source);
     const bool first = acts_first(transition);
     if (first && exits) program.statement(transition.action, label);
-    if (exits && !generation_.mutation.hits(Fault::exit_dropped)) program.statement(source.exit, label);
+    if (exits) program.statement(source.exit, label);
     if (acts_late(transition)) return act_late(program, transition, label);
-    if (transition.action && !first && !generation_.mutation.hits(Fault::action_dropped))
-        program.statement(transition.action, label);
-    program.line(arrive(target_of(transition)));
+    if (transition.action && !first) program.statement(transition.action, label);
+    program.line(arrive(transition.target));
     program.line("break;");
 }
 
@@ -351,25 +349,12 @@ void MachineWriter::act_late(ProgramWriter& program, const ir::Transition& trans
     program.jump(plan_.label(transition.target));
 }
 
-/// Fault::during_again: in the next cycle from the start.
-void MachineWriter::run_again(ProgramWriter& program, Thread& thread) {
-    const std::string label = thread.labels->numbered("again");
-    thread.waits = true;
-    program.code().line(thread.wait + " = 1;");
-    program.jump(label);
-    program.begin(label, "again");
-    program.code().line(fmt::format("if ({} > 0) return moved;", thread.wait));
-    program.jump("start");
-    program.begin(thread.labels->numbered("never"), "never");
-}
-
 void MachineWriter::during_places() {
     for (DuringThread& during : during_) {
         const ir::Node& state = plan_.node(during.state);
         ProgramWriter program(generation_, unit_, during.thread, during.state);
         program.begin("start", "during action of " + generation_.place(state.origin));
         program.statement(state.during, "step");
-        if (generation_.mutation.hits(Fault::during_again)) run_again(program, during.thread);
         program.jump("idle");
     }
 }

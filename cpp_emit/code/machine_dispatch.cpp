@@ -113,18 +113,14 @@ void MachineWriter::case_effect(const ir::Transition& transition, const EventPor
     for (const Watch& watch : watches_) {
         const std::vector<NodeId> around = plan_.chain(watch.state);
         const bool left = std::find(around.begin(), around.end(), transition.source) != around.end();
-        if (left && !hits(Fault::dispatch_deadline_kept)) out.line(fmt::format("f.{} = 0;", watch.field));
+        if (left) out.line(fmt::format("f.{} = 0;", watch.field));
     }
-    std::string exits = leave(transition.source);
-    if (!exits.empty() && hits(Fault::dispatch_exits_dropped)) {
-        const bool own = plan_.node(transition.source).composite() && plan_.node(transition.source).exit;
-        exits = own ? call(plan_.exit_label(transition.source)) + ";" : "";
-    }
+    const std::string exits = leave(transition.source);
     if (!exits.empty()) out.line(exits);
     out.line(proceed(transition));
     const bool again = port != nullptr && !consumes ? true : look_after(transition.target);
     if (!again || hits(Fault::dispatch_look_dropped)) return out.line(rest_result());
-    if (consumes && !hits(Fault::dispatch_event_kept)) out.line("event = nothing;");
+    if (consumes) out.line("event = nothing;");
     out.line("break;");
 }
 
@@ -155,13 +151,10 @@ std::vector<const ir::Transition*> MachineWriter::candidates(NodeId leaf, const 
 }
 
 /// What has to hold for a transition in a case; "" if nothing.
-CppExpr MachineWriter::case_condition(const ir::Transition& transition, NodeId leaf) {
+CppExpr MachineWriter::case_condition(const ir::Transition& transition) const {
     const std::string value = transition.trigger ? incoming(transition) : "";
     const CppExpr wanted = transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : CppExpr();
-    CppExpr holds = guard(transition, value);
-    if (!holds.empty() && generation_.mutation.hits(Fault::dispatch_guard_dropped, &plan_.node(leaf), &transition))
-        holds = {};
-    return conjunction(wanted, holds);
+    return conjunction(wanted, guard(transition, value));
 }
 
 /// Where control is before it rests in a state: the beginning, or a junction without an enabled transition.
@@ -189,7 +182,7 @@ std::string MachineWriter::case_body(NodeId leaf, const EventPort* port, std::si
     const std::vector<const ir::Transition*> tried = candidates(leaf, port);
     for (const ir::Transition* transition : tried) {
         out.comment(generation_.place(transition->origin));
-        const CppExpr condition = case_condition(*transition, leaf);
+        const CppExpr condition = case_condition(*transition);
         if (!condition.empty()) out.open(fmt::format("if ({}) {{", condition.whole()));
         case_effect(*transition, port, out);
         if (condition.empty()) return out.text();
@@ -272,14 +265,14 @@ void MachineWriter::pass_function_of_time(const std::vector<const EventPort*>& c
     out_.doc("A cycle without inputs, once the machine has begun.");
     out_.open("robochart::StepResult pass() noexcept {");
     out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
-    if (columns.back() == nullptr && !generation_.mutation.hits(Fault::pass_not_quiet)) {
+    if (columns.back() == nullptr) {
         out_.line("const robochart::StepResult result = begin();");
     } else {
         out_.line(fmt::format("const robochart::StepResult result = {};", plan_.finals().empty()
                                                                               ? "robochart::StepResult::quiescent"
                                                                               : "this->result(finished(f))"));
     }
-    if (timed() && !generation_.mutation.hits(Fault::pass_timeless)) {
+    if (timed()) {
         out_.line("if (result == robochart::StepResult::quiescent) advance(f);");
         if (!watches_.empty()) out_.line("if (late()) return robochart::StepResult::deadline;");
     }

@@ -50,14 +50,14 @@ void MachineWriter::straight_function(const std::string& name, const diagnostics
 void MachineWriter::enter_function(NodeId id) {
     const ir::Node& node = plan_.node(id);
     straight_function(plan_.enter_label(id), "Enters " + generation_.place(node.origin));
-    if (node.entry && !generation_.mutation.hits(Fault::entry_dropped)) out_.raw(straight_program(node.entry, 2));
+    if (node.entry) out_.raw(straight_program(node.entry, 2));
     settle(id, out_, "return;");
     out_.close();
 }
 
 void MachineWriter::exit_function(NodeId id) {
     straight_function(plan_.exit_label(id), "Exit action of " + generation_.place(plan_.node(id).origin));
-    if (!generation_.mutation.hits(Fault::exit_dropped)) out_.raw(straight_program(plan_.node(id).exit, 2));
+    out_.raw(straight_program(plan_.node(id).exit, 2));
     out_.close();
 }
 
@@ -92,9 +92,8 @@ std::string MachineWriter::leave(NodeId id) const {
 void MachineWriter::take_function(ir::TransitionId id) {
     const ir::Transition& transition = plan_.machine().transitions[id.index];
     straight_function(plan_.take_label(id), "Action of " + generation_.place(transition.origin));
-    if (!acts_first(transition) && !generation_.mutation.hits(Fault::action_dropped))
-        out_.raw(straight_program(transition.action, 2));
-    out_.line(arrive(target_of(transition)));
+    if (!acts_first(transition)) out_.raw(straight_program(transition.action, 2));
+    out_.line(arrive(transition.target));
     out_.close();
 }
 
@@ -122,7 +121,7 @@ const std::string& MachineWriter::proceed(const ir::Transition& transition) {
     if (!text.empty()) return text;
     const std::string& label = plan_.take_label(id);
     if (has_place(transition)) return text = control_.go(label);
-    return text = transition.action ? call(label) + ";" : arrive(target_of(transition));
+    return text = transition.action ? call(label) + ";" : arrive(transition.target);
 }
 
 }  // namespace robochart::cpp_emit

@@ -63,11 +63,8 @@ CppExpr MachineWriter::in_turn(const CppExpr& guard) const {
 std::vector<std::string> MachineWriter::attempts(NodeId leaf) const {
     std::vector<std::string> calls;
     const std::vector<NodeId> chain = plan_.chain(leaf);
-    std::vector<NodeId> states;
     for (const NodeId state : chain)
-        if (!plan_.node(state).outgoing.empty()) states.push_back(state);
-    for (const std::size_t place : order(generation_, states.size(), Fault::outer_first))
-        calls.push_back(call("from_" + plan_.label(states[place])));
+        if (!plan_.node(state).outgoing.empty()) calls.push_back(call("from_" + plan_.label(state)));
     return calls;
 }
 
@@ -76,10 +73,9 @@ void MachineWriter::from_function(NodeId id) {
     out_.doc("Transitions of " + generation_.place(plan_.node(id).origin));
     out_.open(signature("bool from_" + plan_.label(id)));
     bool certain = false;
-    const auto& ways = plan_.node(id).outgoing;
-    for (const std::size_t way : order(generation_, ways.size(), Fault::transitions_reversed)) {
+    for (const ir::TransitionId way : plan_.node(id).outgoing) {
         if (certain) break;
-        certain = try_transition(plan_.machine().transitions[ways[way].index]);
+        certain = try_transition(plan_.machine().transitions[way.index]);
     }
     if (!certain) out_.line("return false;");
     out_.close();
@@ -135,18 +131,11 @@ std::string MachineWriter::tell_taken(ir::TransitionId id) const {
     return fmt::format("taken({});", transition_number(unit_, id));
 }
 
-CppExpr MachineWriter::guard(const ir::Transition& transition, const std::string& incoming) {
-    if (!transition.guard || generation_.mutation.hits(Fault::guard_dropped)) return {};
+CppExpr MachineWriter::guard(const ir::Transition& transition, const std::string& incoming) const {
+    if (!transition.guard) return {};
     ExpressionWriter expressions(generation_, unit_);
-    if (transition.trigger) {
-        const ir::VariableId stored = transition.trigger->variable;
-        const bool old = stored.valid() && generation_.mutation.hits(Fault::trigger_value_old);
-        const std::string kept = old ? expressions.variable(stored) : "";
-        expressions.set_incoming(kept.empty() ? incoming : kept);
-    }
-    const CppExpr holds = expressions.expression(*transition.guard);
-    return conjunction(expressions.asked(*transition.guard),
-                       generation_.mutation.hits(Fault::guard_negated) ? negation(holds) : holds);
+    if (transition.trigger) expressions.set_incoming(incoming);
+    return expressions.expression_asked(*transition.guard);
 }
 
 /// Cuts the during actions of the state and of all below it, and starts the exits.
@@ -154,13 +143,12 @@ void MachineWriter::depart(NodeId source, ir::TransitionId id) {
     for (const DuringThread& during : during_) {
         const std::vector<NodeId> around = plan_.chain(during.state);
         const bool left = std::find(around.begin(), around.end(), source) != around.end();
-        if (left && !generation_.mutation.hits(Fault::during_not_cut))
-            out_.line(fmt::format("cut_{}(f);", during.suffix));
+        if (left) out_.line(fmt::format("cut_{}(f);", during.suffix));
     }
     for (const Watch& watch : watches_) {
         const std::vector<NodeId> around = plan_.chain(watch.state);
         const bool left = std::find(around.begin(), around.end(), source) != around.end();
-        if (left && !generation_.mutation.hits(Fault::deadline_kept)) out_.line(fmt::format("f.{} = 0;", watch.field));
+        if (left) out_.line(fmt::format("f.{} = 0;", watch.field));
     }
     const ir::Transition& transition = plan_.machine().transitions[id.index];
     const bool composite = plan_.node(source).composite();
@@ -178,18 +166,6 @@ void MachineWriter::depart(NodeId source, ir::TransitionId id) {
     }
     out_.line(fmt::format("f.leaving = {}::{};", leaving_, plan_.take_label(id)));
     out_.line(skips || !composite ? control_.go(plan_.exit_label(source)) : "leave(f);");
-}
-
-/// The transition's target; Fault::wrong_target takes the next state beside it.
-NodeId MachineWriter::target_of(const ir::Transition& transition) {
-    const ir::Node& target = plan_.node(transition.target);
-    const auto& siblings = target.parent.valid() ? plan_.node(target.parent).children : plan_.machine().top;
-    std::vector<NodeId> others;
-    for (const NodeId id : siblings)
-        if (id != transition.target && plan_.node(id).kind == NodeKind::state) others.push_back(id);
-    if (others.empty() || !generation_.mutation.hits(Fault::wrong_target)) return transition.target;
-    const auto next = std::find_if(others.begin(), others.end(), [&](NodeId id) { return id > transition.target; });
-    return next == others.end() ? others.front() : *next;
 }
 
 }  // namespace robochart::cpp_emit

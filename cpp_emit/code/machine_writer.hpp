@@ -76,7 +76,6 @@ private:
     void act_before(ProgramWriter&, ir::NodeId);
     [[nodiscard]] bool acts_late(const ir::Transition&);
     void act_late(ProgramWriter&, const ir::Transition&, const std::string& label);
-    void run_again(ProgramWriter&, Thread&);
 
     // machine_dispatch.cpp: one event at a time
     [[nodiscard]] bool direct() const;
@@ -88,7 +87,7 @@ private:
     [[nodiscard]] std::string incoming(const ir::Transition&) const;
     void case_effect(const ir::Transition&, const EventPort*, CodeWriter&);
     [[nodiscard]] std::vector<const ir::Transition*> candidates(ir::NodeId leaf, const EventPort*) const;
-    [[nodiscard]] CppExpr case_condition(const ir::Transition&, ir::NodeId leaf);
+    [[nodiscard]] CppExpr case_condition(const ir::Transition&) const;
     void place_body(ir::NodeId, CodeWriter&);
     [[nodiscard]] const EventPort* taken_for(ir::NodeId row, const EventPort&,
                                              const std::vector<const EventPort*>& columns);
@@ -108,14 +107,13 @@ private:
     void reset_too_soon(const ir::Transition&);
     bool try_trigger(const ir::Transition&, ir::TransitionId);
     void begin_transition(const ir::Transition&, ir::TransitionId);
-    [[nodiscard]] CppExpr guard(const ir::Transition&, const std::string& incoming);
+    [[nodiscard]] CppExpr guard(const ir::Transition&, const std::string& incoming) const;
     /// The call of the trace hook.
     [[nodiscard]] std::string tell_taken(ir::TransitionId) const;
     void depart(ir::NodeId source, ir::TransitionId);
     void pick_function();
     [[nodiscard]] CppExpr in_turn(const CppExpr& guard) const;
     [[nodiscard]] std::vector<std::string> attempts(ir::NodeId leaf) const;
-    [[nodiscard]] ir::NodeId target_of(const ir::Transition&);
 
     // machine_code.cpp: functions around them, the struct
     void thread_function(const Thread&, const std::string& name, const diagnostics::ForeignText& comment, bool control);

@@ -53,22 +53,21 @@ private:
         then_();
     }
 
-    void from_port(const EventPort& own) {
-        const EventPort& port = received_port(generation_, own);
+    void from_port(const EventPort& port) {
         const std::string input = "inputs_." + port.input;
         out_.open(fmt::format("if ({}) {{", wanted(input + ".present", input + ".value")));
-        take(consume(generation_, port), stores(input + ".value"));
+        take(consume(port), stores(input + ".value"));
         out_.close();
     }
 
-    /// The reader empties the buffer (semantics 3.9); Fault::buffer_kept leaves its content.
+    /// The reader empties the buffer (semantics 3.9).
     void from_buffer(const Buffer& buffer) {
         const std::string place = "state_." + buffer.field;
         out_.open(fmt::format("if ({}) {{", wanted(place + ".full()", place + ".value")));
         const std::string stored = stores("incoming");
         if (!stored.empty())
             out_.line(fmt::format("const {} incoming = {}.value;", cpp_type(generation_.system, *use_.type), place));
-        take(generation_.mutation.hits(Fault::buffer_kept) ? "" : place + " = {};", stored);
+        take(place + " = {};", stored);
         out_.close();
     }
 
@@ -117,7 +116,7 @@ bool receive(const Generation& generation, const Unit& unit, const ir::Communica
 
 CppExpr predicate(const Generation& generation, const Unit& unit, const ir::Communication& communication,
                   const std::string& incoming) {
-    if (!communication.predicate || generation.mutation.hits(Fault::predicate_dropped)) return {};
+    if (!communication.predicate) return {};
     ExpressionWriter expressions(generation, unit);
     expressions.set_incoming(incoming);
     return expressions.expression_asked(*communication.predicate).enclosed();

@@ -18,6 +18,15 @@ namespace robochart::cpp_emit {
 using ir::CommKind;
 using ir::StmtKind;
 
+namespace {
+
+/// What runs where the condition does not hold; null if nothing.
+ir::StmtPtr otherwise(const ir::Stmt& stmt) {
+    return stmt.body.size() > 1 ? stmt.body[1] : nullptr;
+}
+
+}  // namespace
+
 ProgramWriter::ProgramWriter(const Generation& generation, const Unit& unit, Thread& thread, ir::NodeId state)
     : generation_(generation), unit_(unit), thread_(thread), state_(state) {}
 
@@ -106,19 +115,8 @@ void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) 
     }
 }
 
-void ProgramWriter::sequence(std::vector<ir::StmtPtr> parts, const std::string& stem) {
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const bool exchanged = i + 1 < parts.size() && generation_.mutation.hits(Fault::statements_exchanged);
-        if (exchanged) std::swap(parts[i], parts[i + 1]);
-        statement(parts[i], stem);
-    }
-}
-
-/// What runs where the condition holds, and where not.
-ProgramWriter::Branches ProgramWriter::branches(const ir::Stmt& stmt) {
-    Branches result{stmt.body[0], stmt.body.size() > 1 ? stmt.body[1] : nullptr};
-    if (generation_.mutation.hits(Fault::branches_exchanged)) std::swap(result.then, result.otherwise);
-    return result;
+void ProgramWriter::sequence(const std::vector<ir::StmtPtr>& parts, const std::string& stem) {
+    for (const ir::StmtPtr& part : parts) statement(part, stem);
 }
 
 void ProgramWriter::if_statement(const ir::Stmt& stmt, const std::string& stem) {
@@ -126,12 +124,11 @@ void ProgramWriter::if_statement(const ir::Stmt& stmt, const std::string& stem) 
         (stmt.body.size() > 1 && suspends(generation_, unit_, stmt.body[1])))
         return suspending_if(stmt, stem);
     const ExpressionWriter expressions(generation_, unit_);
-    const Branches parts = branches(stmt);
     code().open(fmt::format("if ({}) {{", expressions.write(*stmt.condition)));
-    statement(parts.then, stem);
-    if (parts.otherwise && parts.otherwise->kind != StmtKind::skip) {
+    statement(stmt.body[0], stem);
+    if (otherwise(stmt) && otherwise(stmt)->kind != StmtKind::skip) {
         code().reopen("} else {");
-        statement(parts.otherwise, stem);
+        statement(otherwise(stmt), stem);
     }
     code().close();
 }
@@ -144,12 +141,11 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
     code().line(fmt::format("{} = {} ? {} : {};", thread_.variable, expressions.operand(*stmt.condition),
                             thread_.at(then_label), thread_.at(else_label)));
     code().line("break;");
-    const Branches parts = branches(stmt);
     begin(then_label, "then");
-    statement(parts.then, stem);
+    statement(stmt.body[0], stem);
     jump(end_label);
     begin(else_label, "else");
-    statement(parts.otherwise, stem);
+    statement(otherwise(stmt), stem);
     resume_at(end_label, "end if");
 }
 
@@ -160,7 +156,6 @@ void ProgramWriter::look_at_deadlines() {
 }
 
 void ProgramWriter::assign(const ir::Stmt& stmt) {
-    if (generation_.mutation.hits(Fault::assignment_dropped)) return;
     const ir::Variable& variable = unit_.machine->variables[stmt.variable.index];
     if (variable.scope == ir::VariableScope::required) look_at_deadlines();
     const ExpressionWriter expressions(generation_, unit_);
@@ -197,8 +192,7 @@ void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
         in_row = outer.kind == ir::TypeKind::matrix && !in_row;
         if (!in_row) type = outer.args.at(0);
     }
-    if (!generation_.mutation.hits(Fault::part_not_assigned))
-        code().line(fmt::format("{} = {};", part, expressions.write_as(*stmt.value, type)));
+    code().line(fmt::format("{} = {};", part, expressions.write_as(*stmt.value, type)));
     for (auto change = back.rbegin(); change != back.rend(); ++change) code().line(*change);
     line(store(generation_, unit_, stmt.variable, "changed"));
     code().close();
@@ -219,19 +213,15 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     if (!from_register(use)) {
         return await_any(stmt, use, stem);
     }
-    const EventPort& port = received_port(generation_, generation_.component.events[use.ports.front()]);
+    const EventPort& port = generation_.component.events[use.ports.front()];
     const std::string value = "inputs_." + port.input + ".value";
-    const bool unawaited =
-        generation_.mutation.hits(Fault::input_not_awaited) || generation_.mutation.hits(Fault::loop_never_ends);
-    if (!unawaited) {
-        resume_at(fresh(stem), fmt::format("waits for {}", use.name));
-        const CppExpr there("inputs_." + port.input + ".present");
-        const CppExpr wanted = conjunction(there, predicate(generation_, unit_, communication, value));
-        code().open(fmt::format("if (!({})) {{", wanted.whole()));
-        code().line("return moved;");
-        code().close();
-    }
-    line(consume(generation_, port));
+    resume_at(fresh(stem), fmt::format("waits for {}", use.name));
+    const CppExpr there("inputs_." + port.input + ".present");
+    const CppExpr wanted = conjunction(there, predicate(generation_, unit_, communication, value));
+    code().open(fmt::format("if (!({})) {{", wanted.whole()));
+    code().line("return moved;");
+    code().close();
+    line(consume(port));
     line(received(generation_, unit_, communication, value));
 }
 
@@ -261,7 +251,6 @@ void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const s
 }
 
 void ProgramWriter::send(const ir::Stmt& stmt, const std::string& stem) {
-    if (generation_.mutation.hits(Fault::send_dropped)) return;
     const EventUse& use = generation_.component.event(unit_, stmt.communication.event);
     const ExpressionWriter expressions(generation_, unit_);
     const ir::ExprPtr& expr = stmt.communication.value;
@@ -277,21 +266,15 @@ void ProgramWriter::send(const ir::Stmt& stmt, const std::string& stem) {
 void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) {
     for (const std::size_t index : use.filled) {
         const std::string place = "state_." + generation_.component.buffers[index].field;
-        const bool keeps = generation_.mutation.hits(Fault::buffer_first);
-        code().line(fmt::format("{}{}.fill({});", keeps ? fmt::format("if (!{}.full()) ", place) : "", place, value));
+        code().line(fmt::format("{}.fill({});", place, value));
     }
 }
 
 /// Outputs are made at once and in order (docs/conformance.md, A2). Of the platform and machines that could take it the
 /// platform does, which is always ready.
 void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
-    const EventPort& port = sent_port(generation_, generation_.component.events[use.ports.front()]);
-    made(fmt::format("platform_.{}({});", port.output, value));
-}
-
-void ProgramWriter::made(const std::string& output) {
-    code().line(output);
-    if (generation_.mutation.hits(Fault::output_repeated)) code().line(output);
+    const EventPort& port = generation_.component.events[use.ports.front()];
+    code().line(fmt::format("platform_.{}({});", port.output, value));
 }
 
 /// The machine that takes it moves this thread on.
@@ -312,13 +295,10 @@ std::vector<std::string> ProgramWriter::arguments(const ir::Stmt& stmt) {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < stmt.args.size(); ++i)
         texts.push_back(expressions.write_as(*stmt.args[i], parameters[i]));
-    const bool swappable = texts.size() >= 2 && parameters[0] == parameters[1];
-    if (swappable && generation_.mutation.hits(Fault::argument_swapped)) std::swap(texts[0], texts[1]);
     return texts;
 }
 
 void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
-    if (generation_.mutation.hits(Fault::call_dropped)) return;
     const std::vector<std::string> texts = arguments(stmt);
     if (unit_.definitions[stmt.operation.index].valid()) {
         call_operation(stmt, texts, stem);
@@ -329,8 +309,8 @@ void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
 
 void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts) {
     look_at_deadlines();
-    const PlatformCall& call = called(generation_, generation_.component.call(unit_, stmt.operation));
-    made(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
+    const PlatformCall& call = generation_.component.call(unit_, stmt.operation);
+    code().line(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
 }
 
 CallFrame& ProgramWriter::call_frame(const Unit& operation) {
@@ -347,8 +327,7 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     CallFrame& frame = call_frame(operation);
     const std::string place = "f." + frame.field;
     for (std::size_t i = 0; i < texts.size(); ++i)
-        if (!generation_.mutation.hits(Fault::argument_dropped))
-            code().line(fmt::format("{}.{} = {};", place, operation.variable_fields[i], texts[i]));
+        code().line(fmt::format("{}.{} = {};", place, operation.variable_fields[i], texts[i]));
     require_preconditions(operation, place);
     offer_to_platform(operation, place);
     if (!operation.machine->initial.valid()) {
@@ -360,14 +339,10 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     resume_at(label, fmt::format("operation {}", operation.machine->name));
     const std::string run =
         fmt::format("run({}, moved)", frame_arguments(generation_.component, operation, unit_, place));
-    if (generation_.mutation.hits(Fault::operation_not_awaited)) {
-        code().line(fmt::format("static_cast<void>({});", run));
-    } else {
-        code().open(fmt::format("if (!{}) {{", run));
-        code().line("return moved;");
-        code().close();
-    }
-    if (!generation_.mutation.hits(Fault::operation_kept)) code().line(place + " = {};");
+    code().open(fmt::format("if (!{}) {{", run));
+    code().line("return moved;");
+    code().close();
+    code().line(place + " = {};");
 }
 
 /// A violated precondition of an operation is reported.
@@ -375,8 +350,7 @@ void ProgramWriter::require_preconditions(const Unit& operation, const std::stri
     const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
         const CppExpr holds = expressions.expression_asked(*condition);
-        const bool negated = generation_.mutation.hits(Fault::precondition_negated);
-        code().line(fmt::format("ROBOCHART_PRECONDITION({});", (negated ? negation(holds) : holds).whole()));
+        code().line(fmt::format("ROBOCHART_PRECONDITION({});", holds.whole()));
     }
 }
 
@@ -403,21 +377,18 @@ void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
     if (!suspends(generation_, unit_, stmt.body[0])) return statement(stmt.body[0], stem);
     const std::string field = thread_.fields->unique(fmt::format("deadline_{}{}", thread_.prefix, stmt.point));
     thread_.deadlines.push_back(field);
-    line(watch_from(generation_, unit_, field, *stmt.value, stmt.value.get()));
+    line(watch_from(generation_, unit_, field, *stmt.value));
     statement(stmt.body[0], stem);
-    if (!generation_.mutation.hits(Fault::deadline_kept)) code().line(fmt::format("f.{} = 0;", field));
+    code().line(fmt::format("f.{} = 0;", field));
 }
 
 void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {
-    if (generation_.mutation.hits(Fault::wait_dropped) || generation_.mutation.hits(Fault::loop_never_ends)) return;
     const ExpressionWriter expressions(generation_, unit_);
     std::string length = fmt::format("duration({})", expressions.write(*stmt.value));
     if (generation_.options.choices && stmt.kind == StmtKind::wait_interval && stmt.upper)
         length =
             fmt::format("robochart::pick_between(platform_, {}, duration({}))", length, expressions.write(*stmt.upper));
-    const bool late = generation_.mutation.hits(Fault::wait_late);
-    code().line(fmt::format("{} = {}{};", thread_.wait, length, late ? " + 1" : ""));
-    if (generation_.mutation.hits(Fault::wait_early)) code().line(fmt::format("advance_wait({}, 1);", thread_.wait));
+    code().line(fmt::format("{} = {};", thread_.wait, length));
     thread_.waits = true;
     resume_at(fresh(stem), "waits");
     code().open(fmt::format("if ({} > 0) {{", thread_.wait));

@@ -80,11 +80,7 @@ private:
     [[nodiscard]] std::string fresh(const std::string& stem);
     void ask(const ir::Stmt&);
     [[nodiscard]] const std::string& stuck_place();
-    void sequence(std::vector<ir::StmtPtr> parts, const std::string& stem);
-    struct Branches {
-        ir::StmtPtr then, otherwise;
-    };
-    [[nodiscard]] Branches branches(const ir::Stmt&);
+    void sequence(const std::vector<ir::StmtPtr>& parts, const std::string& stem);
     void if_statement(const ir::Stmt&, const std::string& stem);
     void suspending_if(const ir::Stmt&, const std::string& stem);
     void look_at_deadlines();
@@ -96,7 +92,6 @@ private:
     void send(const ir::Stmt&, const std::string& stem);
     void fill_buffers(const EventUse&, const std::string& value);
     void send_out(const EventUse&, const std::string& value);
-    void made(const std::string& output);
     void offer(const EventUse&, const std::string& value, const std::string& at, const std::string& next);
     void call(const ir::Stmt&, const std::string& stem);
     void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments);

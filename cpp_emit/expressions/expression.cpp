@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "cpp_emit/expressions/expression_faults.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/walk.hpp"
 
@@ -163,8 +162,7 @@ std::string ExpressionWriter::list(const ir::Expr& expr, const std::vector<ir::T
     std::string text;
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         const ir::TypeId type = types.at(types.size() > 1 ? i : 0);
-        const bool lost = generation_.mutation.hits(Fault::field_dropped, &unit_, expr.args[i].get());
-        text += (i == 0 ? "" : ", ") + (lost ? type_text(type) + "{}" : write_as(*expr.args[i], type));
+        text += (i == 0 ? "" : ", ") + write_as(*expr.args[i], type);
     }
     return text;
 }
@@ -212,8 +210,7 @@ std::string ExpressionWriter::platform_call(ir::FunctionId id, const std::string
 }
 
 std::string ExpressionWriter::place(const ir::Expr& index) const {
-    const bool off = generation_.mutation.hits(Fault::index_off_by_one, &unit_, &index);
-    return fmt::format("place_of({}){}", write(index), off ? " + 1" : "");
+    return fmt::format("place_of({})", write(index));
 }
 
 /// Places of sequences and vectors; of a matrix, row by row and then within the row.
@@ -257,14 +254,13 @@ std::string ExpressionWriter::bound_by_let(const ir::Expr& expr, std::size_t cou
 
 CppExpr ExpressionWriter::expression(const ir::Expr& expr) const {
     generation_.inst.poll();
-    const std::optional<ir::Expr> wrong = faulty(generation_, unit_, expr);
-    CppExpr text = right(wrong ? *wrong : expr);
+    CppExpr text = of_kind(expr);
     if (text.empty())
         throw std::logic_error("generated code reads what it has no place for, in " + unit_.machine->name);
     return text;
 }
 
-CppExpr ExpressionWriter::right(const ir::Expr& expr) const {
+CppExpr ExpressionWriter::of_kind(const ir::Expr& expr) const {
     switch (expr.kind) {
         case ExprKind::boolean:
             return CppExpr(expr.number != 0 ? "true" : "false");
@@ -339,11 +335,8 @@ CppExpr ExpressionWriter::right(const ir::Expr& expr) const {
         case ExprKind::concat:
             return CppExpr(
                 fmt::format("concat({}, {})", write_as(*expr.args[0], expr.type), write_as(*expr.args[1], expr.type)));
-        case ExprKind::is_in: {
-            const CppExpr contained(membership(expr));
-            const bool wrong = generation_.mutation.hits(Fault::set_operation_wrong, &unit_, &expr);
-            return wrong ? negation(contained) : contained;
-        }
+        case ExprKind::is_in:
+            return CppExpr(membership(expr));
         case ExprKind::string:
             return CppExpr(fmt::format("{}::of({})", type_text(expr.type), diagnostics::cpp_string(expr.characters)));
         case ExprKind::set_range:

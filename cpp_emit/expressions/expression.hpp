@@ -57,7 +57,7 @@ public:
     [[nodiscard]] std::string place(const ir::Expr& index) const;
 
 private:
-    [[nodiscard]] CppExpr right(const ir::Expr&) const;  ///< without a seeded fault
+    [[nodiscard]] CppExpr of_kind(const ir::Expr&) const;  ///< none for a kind without C++
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
     [[nodiscard]] CppExpr arithmetic(const ir::Expr&, const char* symbol, Binding) const;
     [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;

@@ -3,8 +3,9 @@
 
 #include <string>
 
-#include "cpp_emit/expressions/mutation.hpp"
+#include "cpp_emit/faults/mutation.hpp"
 #include "cpp_emit/plan/component.hpp"
+#include "cpp_emit/plan/options.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

@@ -97,13 +97,8 @@ private:
         out_.line("return true;");
     }
 
-    /// Fault::offer_kept: the sender stays where it is.
     void accept(const Place& place) {
-        if (generation_.mutation.hits(Fault::offer_kept)) {
-            out_.line("static_cast<void>(f);");
-        } else {
-            out_.line(fmt::format("{} = {};", place.site->thread, place.site->next));
-        }
+        out_.line(fmt::format("{} = {};", place.site->thread, place.site->next));
         out_.line("return;");
     }
 
@@ -145,8 +140,7 @@ std::vector<Field> common_fields(const Generation& generation) {
         if (!stored.stored() || stored.home != no_part) continue;
         const Extent extent = cpp_extent(generation.system, generation.inst, stored.variable->type);
         fields.push_back({cpp_type(generation.system, stored.variable->type), stored.field,
-                          cpp_value(generation.system, generation.inst, stored.variable->type,
-                                    begins_with(generation, *stored.variable, stored.initial)),
+                          cpp_value(generation.system, generation.inst, stored.variable->type, stored.initial),
                           generation.place(stored.variable->origin), extent.size, extent.alignment});
     }
     return fields;
@@ -167,20 +161,14 @@ void write_composition(const Generation& generation, const Core& core, CodeWrite
     out.gap();
     out.doc("Everything that can happen in this cycle, in any machine.");
     out.open("void run() noexcept {");
-    if (generation.mutation.hits(Fault::single_transition_step)) {
-        for (const std::string& round : each_part(generation, "round({});")) out.line(round);
-    } else {
-        std::vector<std::string> rounds = each_part(generation, "round({})");
-        if (generation.mutation.hits(Fault::machines_reversed)) std::reverse(rounds.begin(), rounds.end());
-        out.open(fmt::format("while ({}({})) {{", bound_test(generation), fmt::join(rounds, " || ")));
-        out.close();
-    }
+    const std::vector<std::string> rounds = each_part(generation, "round({})");
+    out.open(fmt::format("while ({}({})) {{", bound_test(generation), fmt::join(rounds, " || ")));
+    out.close();
     out.close();
     out.gap();
     out.doc("All machines have ended: they terminate together.");
     out.open("[[nodiscard]] bool finished() const noexcept {");
-    const bool one = generation.mutation.hits(Fault::ended_by_one);
-    out.line(fmt::format("return {};", fmt::join(each_part(generation, "finished({})"), one ? " || " : " && ")));
+    out.line(fmt::format("return {};", fmt::join(each_part(generation, "finished({})"), " && ")));
     out.close();
     if (!core.layout.timed) return;
     out.gap();

@@ -8,6 +8,7 @@
 #include "cpp_emit/code/carriers.hpp"
 #include "cpp_emit/code/dispatch.hpp"
 #include "cpp_emit/expressions/expression.hpp"
+#include "cpp_emit/faults/code_faults.hpp"
 #include "cpp_emit/files/channels.hpp"
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/files/shipped_headers.hpp"
@@ -280,7 +281,6 @@ void keep(CodeWriter& out, const EventPort& event) {
 /// What is written from outside is seen at once; Fault::outside_write_late: `late`, after the cycle.
 void write_outside(const Generation& generation, const StoredVariable& variable, CodeWriter& out,
                    std::vector<std::string>& late) {
-    if (generation.mutation.hits(Fault::outside_write_lost)) return;
     const std::string line =
         fmt::format("if (inputs_.{0}.present) state_.{1} = inputs_.{0}.value;", variable.input, variable.path);
     if (generation.mutation.hits(Fault::outside_write_late))
@@ -482,7 +482,7 @@ std::string core_header(const Generation& generation, const Core& core) {
     write_dispatch_functions(generation, out);
     out.gap();
     out.line(fmt::format("}}  // namespace {}", core.name_space));
-    return out.text();
+    return faulty_code(out.text(), generation.mutation);
 }
 
 }  // namespace robochart::cpp_emit

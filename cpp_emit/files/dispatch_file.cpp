@@ -46,22 +46,19 @@ void write_dispatch(const Generation& generation, const std::string& direct, Cod
     if (!direct.empty()) return out.raw(direct);
     const std::string type = event_type(generation);
     out.open(fmt::format("robochart::StepResult dispatch({} event) noexcept {{", type));
-    Mutation& mutation = generation.mutation;
     out.line("[[maybe_unused]] const Inputs<Types> values = inputs_;");
-    if (!mutation.hits(Fault::dispatch_others_read)) out.line("inputs_ = {};");
+    out.line("inputs_ = {};");
     out.open("switch (event) {");
     for (const EventPort* event : events) {
         out.line(fmt::format("case {}::{}:", type, event->input));
-        if (event->type && !mutation.hits(Fault::dispatch_other_value))
-            out.line(fmt::format("    inputs_.{0}.value = values.{0}.value;", event->input));
+        if (event->type) out.line(fmt::format("    inputs_.{0}.value = values.{0}.value;", event->input));
         out.line(fmt::format("    inputs_.{}.present = true;", event->input));
         out.line("    break;");
     }
     out.close();
     const char* const state = generation.component.composed() ? "" : "state_";
     out.line(fmt::format("run({});", state));
-    out.line(mutation.hits(Fault::dispatch_end_unnoticed) ? "return this->result(false);"
-                                                          : fmt::format("return this->result(finished({}));", state));
+    out.line(fmt::format("return this->result(finished({}));", state));
     out.close();
     out.gap();
     out.doc("What needs no event.");

@@ -1,15 +1,17 @@
-// The seeded fault of one generator run. Emitters ask `hits` at every place a fault applies to;
-// the answer is yes at one of them at most, and never in production.
+// The seeded fault of one generator run: which kind, and at which of the places that it applies to.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <utility>
 
-#include "cpp_emit/plan/options.hpp"
+#include "cpp_emit/plan/fault.hpp"
 
 namespace robochart::cpp_emit {
 
+/// Whoever could do something wrong asks `hits` at every place a fault applies to; the answer is yes at one of them at
+/// most, and never in production. The rewriting of the model asks first (faulty_model.hpp), then the emitters about
+/// what the IR cannot express.
 class Mutation {
 public:
     Mutation(Fault fault, std::uint32_t site) : fault_(fault), site_(site) {}
@@ -26,6 +28,8 @@ public:
     }
     /// Whether this run has the fault, wherever.
     [[nodiscard]] bool seeded(Fault fault) const { return fault == fault_ && fault != Fault::none; }
+    /// The kind of this run; `none` in production.
+    [[nodiscard]] Fault fault() const { return fault_; }
     /// Places met so far that the requested fault applies to.
     [[nodiscard]] std::uint32_t sites() const { return sites_; }
 

@@ -1,0 +1,45 @@
+// Seeded faults in expressions: the expression that a faulty generator would have read.
+#pragma once
+
+#include <map>
+
+#include "cpp_emit/faults/mutation.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::cpp_emit {
+
+/// A literal with the default value of a type; null for types whose default no literal states.
+[[nodiscard]] ir::ExprPtr default_literal(const ir::System&, const ir::Instantiation&, ir::TypeId);
+/// The number one as a literal of a numeric type.
+[[nodiscard]] ir::ExprPtr one(const ir::System&, ir::TypeId);
+/// `expr` + 1. Over a finite carrier the largest number stays (semantics 3.13), but not where it is a literal.
+[[nodiscard]] ir::ExprPtr one_more(const ir::System&, const ir::ExprPtr& expr);
+/// `expr` - 1, and 0 where that is negative; null for the literal 0.
+[[nodiscard]] ir::ExprPtr one_less(const ir::System&, const ir::ExprPtr& expr);
+/// `not expr`.
+[[nodiscard]] ir::ExprPtr negated(const ir::ExprPtr& expr);
+
+/// Rewrites the expressions of one machine. A part that several expressions share is one place.
+class ExpressionFaults {
+public:
+    ExpressionFaults(const ir::System& system, const ir::Instantiation& inst, Mutation& mutation)
+        : system_(system), inst_(inst), mutation_(mutation) {}
+
+    /// The expression with the fault, operands before what they are operands of; the same object where it is not in it,
+    /// null for null.
+    [[nodiscard]] ir::ExprPtr rewrite(const ir::ExprPtr&);
+    /// The place of an item, which the fault index_off_by_one changes too.
+    [[nodiscard]] ir::ExprPtr rewrite_place(const ir::ExprPtr&);
+
+private:
+    [[nodiscard]] std::vector<ir::ExprPtr> operands(const ir::Expr&);
+    [[nodiscard]] ir::ExprPtr field(const ir::Expr& whole, std::size_t number, const ir::ExprPtr&);
+
+    const ir::System& system_;
+    const ir::Instantiation& inst_;
+    Mutation& mutation_;
+    std::map<const ir::Expr*, ir::ExprPtr> known_;  ///< looked up, never iterated
+};
+
+}  // namespace robochart::cpp_emit

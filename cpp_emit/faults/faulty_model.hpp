@@ -1,0 +1,38 @@
+// A model with the seeded fault of a run in it, beside the plan of the model without it.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "cpp_emit/faults/mutation.hpp"
+#include "cpp_emit/plan/component.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::cpp_emit {
+
+/// What the emitters read: without a fault the model and its component themselves. With one, the units' machines,
+/// first values and the preconditions of functions are changed; everything else of the plan (what is stored, the
+/// boundary, capacities) stays that of the model, so that code with a fault has the same interface.
+class FaultyModel {
+public:
+    /// All of them have to outlive it.
+    FaultyModel(const ir::System&, const ir::Instantiation&, const Component&, Mutation&);
+    FaultyModel(const FaultyModel&) = delete;
+    FaultyModel& operator=(const FaultyModel&) = delete;
+
+    [[nodiscard]] const ir::System& system() const { return changed_system_ ? *changed_system_ : system_; }
+    [[nodiscard]] const Component& component() const { return changed_component_ ? *changed_component_ : component_; }
+
+private:
+    void change_functions(const ir::Instantiation&, Mutation&);
+    void change_initials(const ir::Instantiation&, Mutation&);
+
+    const ir::System& system_;
+    const Component& component_;
+    std::deque<ir::Machine> machines_;  ///< of the changed component's units
+    std::optional<ir::System> changed_system_;
+    std::optional<Component> changed_component_;
+};
+
+}  // namespace robochart::cpp_emit

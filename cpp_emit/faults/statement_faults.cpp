@@ -1,0 +1,248 @@
+#include "cpp_emit/faults/statement_faults.hpp"
+
+#include <algorithm>
+
+#include "cpp_emit/plan/types.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::StmtKind;
+using ir::StmtPtr;
+
+namespace {
+
+StmtPtr made(ir::Stmt stmt) {
+    return std::make_shared<ir::Stmt>(std::move(stmt));
+}
+
+StmtPtr nothing(const ir::Stmt& in_place_of) {
+    ir::Stmt skip;
+    skip.point = in_place_of.point;
+    skip.origin = in_place_of.origin;
+    return made(std::move(skip));
+}
+
+StmtPtr one_after_the_other(std::vector<StmtPtr> parts) {
+    ir::Stmt all;
+    all.kind = StmtKind::sequence;
+    all.point = parts.front()->point;
+    all.origin = parts.front()->origin;
+    all.body = std::move(parts);
+    return made(std::move(all));
+}
+
+StmtPtr pause(const ir::Stmt& at, ir::ExprPtr duration) {
+    ir::Stmt wait;
+    wait.kind = StmtKind::wait;
+    wait.point = at.point;
+    wait.origin = at.origin;
+    wait.value = std::move(duration);
+    return made(std::move(wait));
+}
+
+}  // namespace
+
+StmtPtr StatementFaults::rewrite(const StmtPtr& stmt) {
+    if (!stmt) return stmt;
+    ir::Stmt changed = *stmt;
+    rewrite_parts(changed);
+    return wrong(changed);
+}
+
+void StatementFaults::rewrite_parts(ir::Stmt& stmt) {
+    for (StmtPtr& part : stmt.body) part = rewrite(part);
+    stmt.condition = expressions_.rewrite(stmt.condition);
+    rewrite_path(stmt);
+    stmt.value = expressions_.rewrite(stmt.value);
+    stmt.upper = expressions_.rewrite(stmt.upper);
+    for (ir::ExprPtr& argument : stmt.args) argument = expressions_.rewrite(argument);
+    if (stmt.kind != StmtKind::communicate) return;
+    if (stmt.communication.kind == ir::CommKind::input)
+        receive(stmt.communication);
+    else
+        stmt.communication.value = expressions_.rewrite(stmt.communication.value);
+}
+
+/// Steps to a field are numbers of fields; those to an item are expressions.
+void StatementFaults::rewrite_path(ir::Stmt& stmt) {
+    if (stmt.path.empty()) return;
+    ir::TypeId type = unit_.machine->variables[stmt.variable.index].type;
+    bool in_row = false;  // the first place in a matrix leads to a row
+    for (ir::ExprPtr& step : stmt.path) {
+        const ir::Type& outer = system_.type(type);
+        if (is_struct(outer)) {
+            const std::int64_t first = outer.kind == ir::TypeKind::product ? 1 : 0;
+            type = outer.args.at(static_cast<std::size_t>(step->number - first));
+            continue;
+        }
+        step = expressions_.rewrite_place(step);
+        in_row = outer.kind == ir::TypeKind::matrix && !in_row;
+        if (!in_row) type = outer.args.at(0);
+    }
+}
+
+StmtPtr StatementFaults::wrong(const ir::Stmt& stmt) {
+    switch (stmt.kind) {
+        case StmtKind::sequence:
+            return sequence(stmt);
+        case StmtKind::if_then_else:
+            return branches(stmt);
+        case StmtKind::assign:
+            return assignment(stmt);
+        case StmtKind::communicate:
+            return communication(stmt);
+        case StmtKind::call:
+            return call(stmt);
+        case StmtKind::wait:
+        case StmtKind::wait_interval:
+            return wait(stmt);
+        case StmtKind::clock_reset:
+            return counts(stmt.clock) && mutation_.hits(Fault::clock_not_reset) ? nothing(stmt) : made(stmt);
+        case StmtKind::deadline:
+            return deadline_statement(stmt);
+        case StmtKind::skip:
+            break;
+    }
+    return made(stmt);
+}
+
+StmtPtr StatementFaults::sequence(ir::Stmt stmt) {
+    for (std::size_t i = 0; i + 1 < stmt.body.size(); ++i)
+        if (mutation_.hits(Fault::statements_exchanged)) std::swap(stmt.body[i], stmt.body[i + 1]);
+    return made(std::move(stmt));
+}
+
+StmtPtr StatementFaults::branches(ir::Stmt stmt) {
+    if (!mutation_.hits(Fault::branches_exchanged)) return made(std::move(stmt));
+    if (stmt.body.size() < 2) stmt.body.push_back(nothing(stmt));
+    std::swap(stmt.body[0], stmt.body[1]);
+    return made(std::move(stmt));
+}
+
+StmtPtr StatementFaults::assignment(ir::Stmt stmt) {
+    if (mutation_.hits(Fault::assignment_dropped)) return nothing(stmt);
+    if (stmt.path.empty() || !mutation_.hits(Fault::part_not_assigned)) return made(std::move(stmt));
+    ir::Expr same;
+    same.kind = ir::ExprKind::variable;
+    same.variable = stmt.variable;
+    same.type = unit_.machine->variables[stmt.variable.index].type;
+    stmt.value = std::make_shared<ir::Expr>(std::move(same));
+    stmt.path.clear();
+    return made(std::move(stmt));
+}
+
+StmtPtr StatementFaults::communication(ir::Stmt stmt) {
+    ir::Communication& what = stmt.communication;
+    if (what.kind == ir::CommKind::input)
+        return mutation_.hits(Fault::loop_never_ends) ? nothing(stmt) : made(std::move(stmt));
+    if (mutation_.hits(Fault::send_dropped)) return nothing(stmt);
+    const EventUse& use = component_.event(unit_, what.event);
+    if (use.ports.empty() || !use.filled.empty()) return made(std::move(stmt));
+    const ir::EventId other = other_event(what.event, false);
+    if (other.valid() && mutation_.hits(Fault::wrong_output)) what.event = other;
+    return repeated(std::move(stmt));
+}
+
+/// An output of the component.
+StmtPtr StatementFaults::repeated(ir::Stmt stmt) {
+    const StmtPtr once = made(std::move(stmt));
+    return mutation_.hits(Fault::output_repeated) ? one_after_the_other({once, once}) : once;
+}
+
+void StatementFaults::receive(ir::Communication& what) {
+    what.predicate = expressions_.rewrite(what.predicate);
+    if (what.predicate && mutation_.hits(Fault::predicate_dropped)) what.predicate = nullptr;
+    const ir::EventId other = other_event(what.event, true);
+    if (other.valid() && mutation_.hits(Fault::wrong_input)) what.event = other;
+    if (what.variable.valid() && mutation_.hits(Fault::value_not_stored)) what.variable = {};
+}
+
+/// The machine's next event of the same type at the boundary of the component, in a circle; invalid if there is none.
+ir::EventId StatementFaults::other_event(ir::EventId own, bool received) const {
+    const EventUse& use = component_.event(unit_, own);
+    const auto& all = unit_.machine->events;
+    if (use.ports.empty()) return {};
+    for (std::size_t step = 1; step < all.size(); ++step) {
+        const auto place = static_cast<std::uint32_t>((own.index + step) % all.size());
+        const EventUse* const next = component_.event(Peer{unit_.part, all[place].name});
+        if (next == nullptr || next->ports.empty() || next->type != use.type) continue;
+        const EventPort& port = component_.events[next->ports.front()];
+        if (received ? port.received : port.sent) return {place};
+    }
+    return {};
+}
+
+StmtPtr StatementFaults::call(ir::Stmt stmt) {
+    if (mutation_.hits(Fault::call_dropped)) return nothing(stmt);
+    exchange_arguments(stmt);
+    if (!unit_.definitions[stmt.operation.index].valid()) {
+        const ir::OperationId other = other_operation(stmt.operation);
+        if (other.valid() && mutation_.hits(Fault::wrong_output)) stmt.operation = other;
+        return repeated(std::move(stmt));
+    }
+    const auto& parameters = unit_.machine->operations[stmt.operation.index].parameters;
+    for (std::size_t i = 0; i < stmt.args.size(); ++i) {
+        const ir::ExprPtr kept = default_literal(system_, inst_, parameters[i]);
+        if (kept && mutation_.hits(Fault::argument_dropped)) stmt.args[i] = kept;
+    }
+    return made(std::move(stmt));
+}
+
+void StatementFaults::exchange_arguments(ir::Stmt& stmt) {
+    const auto& parameters = unit_.machine->operations[stmt.operation.index].parameters;
+    const bool alike = stmt.args.size() >= 2 && parameters[0] == parameters[1];
+    if (alike && mutation_.hits(Fault::argument_swapped)) std::swap(stmt.args[0], stmt.args[1]);
+}
+
+/// The machine's next operation of the platform with the same parameters, in a circle; invalid if there is none.
+ir::OperationId StatementFaults::other_operation(ir::OperationId own) const {
+    const auto& all = unit_.machine->operations;
+    for (std::size_t step = 1; step < all.size(); ++step) {
+        const auto place = static_cast<std::uint32_t>((own.index + step) % all.size());
+        const bool called =
+            std::any_of(component_.calls.begin(), component_.calls.end(),
+                        [&](const PlatformCall& call) { return call.signature->name == all[place].name; });
+        if (called && !unit_.definitions[place].valid() && all[place].parameters == all[own.index].parameters)
+            return {place};
+    }
+    return {};
+}
+
+StmtPtr StatementFaults::wait(ir::Stmt stmt) {
+    if (mutation_.hits(Fault::wait_dropped) || mutation_.hits(Fault::loop_never_ends)) return nothing(stmt);
+    const ir::ExprPtr less = one_less(system_, stmt.value);
+    if (less && mutation_.hits(Fault::wait_early)) stmt.value = less;
+    const ir::ExprPtr unit = one(system_, stmt.value->type);
+    const StmtPtr all = made(std::move(stmt));
+    return mutation_.hits(Fault::wait_late) ? one_after_the_other({all, pause(*all, unit)}) : all;
+}
+
+StmtPtr StatementFaults::deadline_statement(ir::Stmt stmt) {
+    if (mutation_.hits(Fault::deadline_ignored)) return stmt.body[0];
+    stmt.value = deadline(stmt.value);
+    return made(std::move(stmt));
+}
+
+ir::ExprPtr StatementFaults::deadline(const ir::ExprPtr& bound) {
+    if (mutation_.hits(Fault::deadline_late)) return one_more(system_, bound);
+    const ir::ExprPtr less = one_less(system_, bound);
+    return less && mutation_.hits(Fault::deadline_early) ? less : bound;
+}
+
+StmtPtr StatementFaults::run_again(const StmtPtr& program) const {
+    ir::Expr unit;
+    unit.kind = ir::ExprKind::integer;
+    unit.number = 1;
+    const auto nat = std::find_if(system_.types.begin(), system_.types.end(),
+                                  [](const ir::Type& type) { return type.kind == ir::TypeKind::nat; });
+    if (nat == system_.types.end()) return program;
+    unit.type = {static_cast<std::uint32_t>(nat - system_.types.begin())};
+    return one_after_the_other({program, pause(*program, std::make_shared<ir::Expr>(std::move(unit))), program});
+}
+
+bool StatementFaults::counts(ir::ClockId clock) const {
+    const auto [owner, own] = component_.clock(unit_, clock);
+    return owner->clock_read[own.index];
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,57 @@
+// Seeded faults in statements.
+#pragma once
+
+#include "cpp_emit/faults/expression_faults.hpp"
+#include "cpp_emit/plan/component.hpp"
+
+namespace robochart::cpp_emit {
+
+/// Rewrites the programs and communications of one machine.
+class StatementFaults {
+public:
+    StatementFaults(const ir::System& system, const ir::Instantiation& inst, const Component& component,
+                    const Unit& unit, Mutation& mutation)
+        : system_(system),
+          inst_(inst),
+          component_(component),
+          unit_(unit),
+          mutation_(mutation),
+          expressions_(system, inst, mutation) {}
+
+    /// The statement with the fault, parts before the whole; null for null.
+    [[nodiscard]] ir::StmtPtr rewrite(const ir::StmtPtr&);
+    /// What receives: a trigger, or the communication of an input statement.
+    void receive(ir::Communication&);
+    /// A deadline of a statement or transition, but for the fault that ignores it.
+    [[nodiscard]] ir::ExprPtr deadline(const ir::ExprPtr& bound);
+    /// A program that runs a second time, one time unit after it has ended.
+    [[nodiscard]] ir::StmtPtr run_again(const ir::StmtPtr&) const;
+    [[nodiscard]] ExpressionFaults& expressions() { return expressions_; }
+    /// Whether resetting the clock does anything.
+    [[nodiscard]] bool counts(ir::ClockId) const;
+
+private:
+    void rewrite_parts(ir::Stmt&);
+    void rewrite_path(ir::Stmt&);
+    [[nodiscard]] ir::StmtPtr wrong(const ir::Stmt&);
+    [[nodiscard]] ir::StmtPtr sequence(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr branches(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr assignment(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr communication(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr call(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr wait(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr deadline_statement(ir::Stmt);
+    [[nodiscard]] ir::StmtPtr repeated(ir::Stmt);
+    void exchange_arguments(ir::Stmt&);
+    [[nodiscard]] ir::EventId other_event(ir::EventId, bool received) const;
+    [[nodiscard]] ir::OperationId other_operation(ir::OperationId) const;
+
+    const ir::System& system_;
+    const ir::Instantiation& inst_;
+    const Component& component_;
+    const Unit& unit_;
+    Mutation& mutation_;
+    ExpressionFaults expressions_;
+};
+
+}  // namespace robochart::cpp_emit
