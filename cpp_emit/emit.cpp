@@ -62,6 +62,10 @@ diagnostics::ForeignText Generation::file(diagnostics::Span span) const {
     return path.substr(path.rfind('/') + 1);
 }
 
+std::string Generation::bound_test() const {
+    return mutation.seeded(Fault::loop_never_ends) ? "" : "!exhausted() && ";
+}
+
 Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
               const Options& options, diagnostics::Diagnostics& diagnostics) {
     Emission emission;

@@ -22,4 +22,17 @@ std::string clock_reset(const Generation& generation, const Unit& unit, ir::Cloc
     return fmt::format("{} = 0;", ExpressionWriter(generation, unit).clock(id));
 }
 
+void reset_clocks(const Generation& generation, const Unit& unit, const std::vector<ir::ClockId>& clocks,
+                  CodeWriter& out) {
+    for (const ir::ClockId clock : clocks) {
+        const std::string line = clock_reset(generation, unit, clock);
+        if (!line.empty()) out.line(line);
+    }
+}
+
+std::string watch_from(const Generation& generation, const Unit& unit, const std::string& field,
+                       const ir::Expr& bound) {
+    return fmt::format("f.{} = duration({}) + 1;", field, ExpressionWriter(generation, unit).write(bound));
+}
+
 }  // namespace robochart::cpp_emit

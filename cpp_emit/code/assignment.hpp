@@ -1,8 +1,10 @@
-// Assignments to variables and clocks, wherever they live.
+// Assignments to variables, clocks and deadlines, wherever they live.
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "cpp_emit/expressions/code_writer.hpp"
 #include "cpp_emit/expressions/generation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -12,5 +14,9 @@ namespace robochart::cpp_emit {
 [[nodiscard]] std::string store(const Generation&, const Unit&, ir::VariableId, const std::string& value);
 /// `f.T = 0;`; "" for clocks that nothing reads.
 [[nodiscard]] std::string clock_reset(const Generation&, const Unit&, ir::ClockId);
+/// A line for each of the clocks that something reads.
+void reset_clocks(const Generation&, const Unit&, const std::vector<ir::ClockId>&, CodeWriter&);
+/// A deadline that runs from here: `f.d = duration(3) + 1;`.
+[[nodiscard]] std::string watch_from(const Generation&, const Unit&, const std::string& field, const ir::Expr& bound);
 
 }  // namespace robochart::cpp_emit

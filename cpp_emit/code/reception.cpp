@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cpp_emit/code/fault_injection.hpp"
+#include "cpp_emit/code/assignment.hpp"
 #include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "semantics/evaluate/carrier.hpp"
@@ -10,6 +10,27 @@
 namespace robochart::cpp_emit {
 
 namespace {
+
+/// Of the senders of a connection the one that is heard; Fault::wrong_sender: another of the same type.
+const EventUse& heard(const Generation& generation, const EventUse& sender) {
+    for (const Part& part : generation.component.parts) {
+        for (const EventUse& use : part.events) {
+            if (&use == &sender || use.channel.empty() || use.type != sender.type || use.channel == sender.channel)
+                continue;
+            return generation.mutation.hits(Fault::wrong_sender) ? use : sender;
+        }
+    }
+    return sender;
+}
+
+/// The last field of a value takes the place of that in `variable`; the others stay as they were.
+std::string last_field(const Generation& generation, const Unit& unit, ir::VariableId variable,
+                       const std::string& value, const std::string& field) {
+    const std::string place = ExpressionWriter(generation, unit).variable(variable);
+    if (place.empty()) return {};
+    return fmt::format("{{ auto partly = {}; partly.{} = {}.{}; {} }}", place, field, value, field,
+                       store(generation, unit, variable, "partly"));
+}
 
 class Reception {
 public:
@@ -86,10 +107,8 @@ private:
     /// Connected to nothing: it happens on its own as soon as it can, with some value (semantics 3.9).
     bool by_itself() {
         const CppExpr guard = condition("");
-        if (!guard.empty()) out_.open(fmt::format("if ({}) {{", guard.whole()));
         const std::string value = use_.type ? default_text(generation_, *use_.type) : "";
-        take("", stores(value));
-        if (!guard.empty()) out_.close();
+        out_.when(guard, [&] { take("", stores(value)); });
         return guard.empty();
     }
 
@@ -103,6 +122,20 @@ private:
 };
 
 }  // namespace
+
+std::string consume(const EventPort& port) {
+    return fmt::format("inputs_.{}.present = false;", port.input);
+}
+
+std::string received(const Generation& generation, const Unit& unit, const ir::Communication& communication,
+                     const std::string& value) {
+    if (!communication.variable.valid()) return {};
+    const ir::Type& type = generation.system.type(unit.machine->variables[communication.variable.index].type);
+    const bool fields = type.kind == ir::TypeKind::record || type.kind == ir::TypeKind::product;
+    if (fields && generation.mutation.hits(Fault::fields_lost))
+        return last_field(generation, unit, communication.variable, value, members(type).back().name);
+    return store(generation, unit, communication.variable, value);
+}
 
 std::string default_text(const Generation& generation, ir::TypeId type) {
     return cpp_value(generation.system, generation.inst, type,

@@ -22,6 +22,10 @@ bool receive(const Generation&, const Unit&, const ir::Communication&, CodeWrite
 
 /// The communication's own predicate on the value; none if it has none.
 [[nodiscard]] CppExpr predicate(const Generation&, const Unit&, const ir::Communication&, const std::string& incoming);
+/// `inputs_.x.present = false;`.
+[[nodiscard]] std::string consume(const EventPort&);
+/// Stores what was received, "" if nothing is to be stored; Fault::fields_lost.
+[[nodiscard]] std::string received(const Generation&, const Unit&, const ir::Communication&, const std::string& value);
 /// Some value of the type, as C++ text: what an event connected to nothing carries.
 [[nodiscard]] std::string default_text(const Generation&, ir::TypeId);
 /// The event's only source is a register of the platform.

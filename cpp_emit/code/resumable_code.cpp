@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "cpp_emit/code/assignment.hpp"
-#include "cpp_emit/code/fault_injection.hpp"
 #include "cpp_emit/code/machine_plan.hpp"
 #include "cpp_emit/code/reception.hpp"
 #include "cpp_emit/code/suspension.hpp"
@@ -41,6 +40,13 @@ void ProgramWriter::begin(const std::string& label, const diagnostics::ForeignTe
 void ProgramWriter::jump(const std::string& label) {
     code().line(thread_.go(label));
     code().line("break;");
+}
+
+/// Control is given up where the condition holds.
+void ProgramWriter::return_if(const std::string& condition) {
+    code().open(fmt::format("if ({}) {{", condition));
+    code().line("return moved;");
+    code().close();
 }
 
 void ProgramWriter::line(const std::string& text) {
@@ -218,9 +224,7 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     resume_at(fresh(stem), fmt::format("waits for {}", use.name));
     const CppExpr there("inputs_." + port.input + ".present");
     const CppExpr wanted = conjunction(there, predicate(generation_, unit_, communication, value));
-    code().open(fmt::format("if (!({})) {{", wanted.whole()));
-    code().line("return moved;");
-    code().close();
+    return_if(fmt::format("!({})", wanted.whole()));
     line(consume(port));
     line(received(generation_, unit_, communication, value));
 }
@@ -231,15 +235,12 @@ void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const s
     const std::string next = fresh(stem);
     const std::string name = "await_" + thread_.prefix + at;
     resume_at(at, fmt::format("waits for {}", use.name));
-    code().open(fmt::format("if (!{}({})) {{", name, frame_arguments(generation_.component, unit_)));
-    code().line("return moved;");
-    code().close();
+    return_if(fmt::format("!{}({})", name, frame_arguments(generation_.component, unit_)));
     code().line("break;");
     begin(next, fmt::format("has {}", use.name));
     CodeWriter& helper = thread_.helpers;
-    helper.gap();
-    helper.doc(fmt::format("Takes {} if it is there.", use.name));
-    helper.open(fmt::format("bool {}({}) noexcept {{", name, frame_parameters(generation_.component, unit_)));
+    helper.declaration(fmt::format("Takes {} if it is there.", use.name),
+                       fmt::format("bool {}({}) noexcept {{", name, frame_parameters(generation_.component, unit_)));
     const bool always = receive(
         generation_, unit_, stmt.communication, helper, [](const std::string&) { return CppExpr(); },
         [&] {
@@ -339,9 +340,7 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     resume_at(label, fmt::format("operation {}", operation.machine->name));
     const std::string run =
         fmt::format("run({}, moved)", frame_arguments(generation_.component, operation, unit_, place));
-    code().open(fmt::format("if (!{}) {{", run));
-    code().line("return moved;");
-    code().close();
+    return_if(fmt::format("!{}", run));
     code().line(place + " = {};");
 }
 
@@ -391,9 +390,7 @@ void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {
     code().line(fmt::format("{} = {};", thread_.wait, length));
     thread_.waits = true;
     resume_at(fresh(stem), "waits");
-    code().open(fmt::format("if ({} > 0) {{", thread_.wait));
-    code().line("return moved;");
-    code().close();
+    return_if(fmt::format("{} > 0", thread_.wait));
 }
 
 }  // namespace robochart::cpp_emit

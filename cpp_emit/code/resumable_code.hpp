@@ -78,6 +78,7 @@ private:
     void resume_at(const std::string& label, const diagnostics::ForeignText& comment);
     [[nodiscard]] std::string resume_here(const std::string& stem, const diagnostics::ForeignText& comment);
     [[nodiscard]] std::string fresh(const std::string& stem);
+    void return_if(const std::string& condition);
     void ask(const ir::Stmt&);
     [[nodiscard]] const std::string& stuck_place();
     void sequence(const std::vector<ir::StmtPtr>& parts, const std::string& stem);

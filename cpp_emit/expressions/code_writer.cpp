@@ -49,6 +49,19 @@ void CodeWriter::open(std::string_view text) {
     fresh_ = true;
 }
 
+void CodeWriter::declaration(const diagnostics::ForeignText& comment, std::string_view head) {
+    gap();
+    doc(comment);
+    open(head);
+}
+
+void CodeWriter::when(const CppExpr& condition, const std::function<void()>& body) {
+    if (condition.empty()) return body();
+    open(fmt::format("if ({}) {{", condition.whole()));
+    body();
+    close();
+}
+
 void CodeWriter::close(std::string_view text) {
     if (depth_ > 0) --depth_;
     line(text);

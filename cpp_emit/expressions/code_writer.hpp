@@ -1,9 +1,11 @@
 // Indented text of generated files. Blocks are opened and closed, so that the output needs no formatter.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
+#include "cpp_emit/expressions/cpp_expr.hpp"
 #include "diagnostics/escape.hpp"
 
 namespace robochart::cpp_emit {
@@ -18,6 +20,10 @@ public:
     void line(std::string_view text = {});
     /// `text` ends in a brace or colon that the following lines belong to.
     void open(std::string_view text);
+    /// A function or type behind an empty line, with its comment; `head` ends in a brace that `close` answers.
+    void declaration(const diagnostics::ForeignText& comment, std::string_view head);
+    /// What `body` writes, in the braces of an `if` where there is a condition.
+    void when(const CppExpr& condition, const std::function<void()>& body);
     /// Ends a block: "}", "};", "} else {" come one level further out.
     void close(std::string_view text = "}");
     /// "public:" and the like, one level further out.

@@ -24,6 +24,8 @@ struct Generation {
     [[nodiscard]] diagnostics::ForeignText line(diagnostics::Span) const;
     /// "aggregation.rct"; "" if it is unknown.
     [[nodiscard]] diagnostics::ForeignText file(diagnostics::Span) const;
+    /// The test of the bound of steps in a loop's condition; "" with Fault::loop_never_ends.
+    [[nodiscard]] std::string bound_test() const;
     [[nodiscard]] diagnostics::ForeignText place(const ir::Origin& origin) const {
         return place(origin.element, origin.span);
     }

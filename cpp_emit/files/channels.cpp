@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "cpp_emit/code/fault_injection.hpp"
 #include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
 
@@ -158,22 +157,17 @@ FrameLayout composed_layout(const Generation& generation, const Core& core, std:
 }
 
 void write_composition(const Generation& generation, const Core& core, CodeWriter& out) {
-    out.gap();
-    out.doc("Everything that can happen in this cycle, in any machine.");
-    out.open("void run() noexcept {");
+    out.declaration("Everything that can happen in this cycle, in any machine.", "void run() noexcept {");
     const std::vector<std::string> rounds = each_part(generation, "round({})");
-    out.open(fmt::format("while ({}({})) {{", bound_test(generation), fmt::join(rounds, " || ")));
+    out.open(fmt::format("while ({}({})) {{", generation.bound_test(), fmt::join(rounds, " || ")));
     out.close();
     out.close();
-    out.gap();
-    out.doc("All machines have ended: they terminate together.");
-    out.open("[[nodiscard]] bool finished() const noexcept {");
+    out.declaration("All machines have ended: they terminate together.",
+                    "[[nodiscard]] bool finished() const noexcept {");
     out.line(fmt::format("return {};", fmt::join(each_part(generation, "finished({})"), " && ")));
     out.close();
     if (!core.layout.timed) return;
-    out.gap();
-    out.doc("Time passes for all.");
-    out.open("void advance() noexcept {");
+    out.declaration("Time passes for all.", "void advance() noexcept {");
     for (const Part& part : generation.component.parts)
         if (core.machines[part.root].layout.timed) out.line(fmt::format("advance({});", part.place()));
     out.close();

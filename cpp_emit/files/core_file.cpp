@@ -254,10 +254,9 @@ void write_platform_comment(const Generation& generation, CodeWriter& out) {
 void write_variables(const Generation& generation, CodeWriter& out) {
     for (const StoredVariable& variable : generation.component.variables) {
         if (!variable.visible) continue;
-        out.gap();
-        out.doc("Shared variable " + generation.place(variable.variable->origin));
-        out.open(fmt::format("void {}({} value) noexcept {{", variable.writer,
-                             cpp_type(generation.system, variable.variable->type)));
+        out.declaration("Shared variable " + generation.place(variable.variable->origin),
+                        fmt::format("void {}({} value) noexcept {{", variable.writer,
+                                    cpp_type(generation.system, variable.variable->type)));
         if (variable.stored()) out.line(fmt::format("state_.{} = value;", variable.path));
         out.line(fmt::format("platform_.{}(value);", variable.output));
         out.close();
@@ -308,16 +307,15 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
 
 /// Nothing is left of it where the platform does not listen.
 void write_hook(const Generation& generation, CodeWriter& out) {
-    out.gap();
-    out.doc(fmt::format("Tells a platform that has a method `taken` of a transition; {}_trace.hpp names them.",
-                        generation.component.cpp_name));
-    out.open("void taken([[maybe_unused]] std::uint32_t transition) noexcept {");
+    out.declaration(fmt::format("Tells a platform that has a method `taken` of a transition; {}_trace.hpp names them.",
+                                generation.component.cpp_name),
+                    "void taken([[maybe_unused]] std::uint32_t transition) noexcept {");
     out.line("if constexpr (robochart::Listens<Platform>::value) platform_.taken(transition);");
     out.close();
     if (!generation.options.choices) return;
-    out.gap();
-    out.doc("Whether an enabled transition is the one to take, while a platform that has a method `pick` is asked.");
-    out.open("bool in_turn() noexcept {");
+    out.declaration(
+        "Whether an enabled transition is the one to take, while a platform that has a method `pick` is asked.",
+        "bool in_turn() noexcept {");
     out.open("if constexpr (robochart::Picks<Platform>::value) {");
     out.line("return turn_.come();");
     out.reopen("} else {");

@@ -30,10 +30,9 @@ std::string event_type(const Generation& generation) {
 void write_event_type(const Generation& generation, CodeWriter& out) {
     const auto events = input_events(generation.component);
     if (events.empty()) return;
-    out.gap();
-    out.doc("The events received, for dispatch().");
-    out.open(fmt::format("enum class {} : {} {{", event_type(generation),
-                         events.size() < 256 ? "std::uint8_t" : "std::uint16_t"));
+    out.declaration("The events received, for dispatch().",
+                    fmt::format("enum class {} : {} {{", event_type(generation),
+                                events.size() < 256 ? "std::uint8_t" : "std::uint16_t"));
     for (const EventPort* event : events) out.line(event->input + ",");
     out.close("};");
 }
@@ -60,16 +59,12 @@ void write_dispatch(const Generation& generation, const std::string& direct, Cod
     out.line(fmt::format("run({});", state));
     out.line(fmt::format("return this->result(finished({}));", state));
     out.close();
-    out.gap();
-    out.doc("What needs no event.");
-    out.open("robochart::StepResult begin() noexcept {");
+    out.declaration("What needs no event.", "robochart::StepResult begin() noexcept {");
     out.line("inputs_ = {};");
     out.line(fmt::format("run({});", state));
     out.line(fmt::format("return this->result(finished({}));", state));
     out.close();
-    out.gap();
-    out.doc("A cycle without inputs.");
-    out.open("robochart::StepResult pass() noexcept {");
+    out.declaration("A cycle without inputs.", "robochart::StepResult pass() noexcept {");
     out.line("inputs_ = {};");
     out.line("return cycle();");
     out.close();

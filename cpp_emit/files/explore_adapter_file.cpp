@@ -80,9 +80,7 @@ private:
         carrier_struct("Nat", inst.nat, 1);
         carrier_struct("Int", inst.integer, 1);
         carrier_struct("Real", inst.real, inst.scale);
-        out_.gap();
-        out_.doc("The model's basic types over the carriers of its instantiation.");
-        out_.open("struct Checking {");
+        out_.declaration("The model's basic types over the carriers of its instantiation.", "struct Checking {");
         for (const char* name : {"Real", "Nat", "Int"})
             out_.line(fmt::format("using {0} = robochart::Finite<{0}Carrier>;", name));
         out_.line(fmt::format("[[maybe_unused]] static constexpr std::size_t longest = {};", longest(inst)));
@@ -193,9 +191,7 @@ private:
     }
 
     void log_class() {
-        out_.gap();
-        out_.doc("The platform of the exploration: writes down what the controller does.");
-        out_.open("class Log {");
+        out_.declaration("The platform of the exploration: writes down what the controller does.", "class Log {");
         out_.label("public:");
         out_.line("explicit Log(rc_log& log) noexcept : log_(log) {}");
         out_.gap();

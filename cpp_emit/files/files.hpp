@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "cpp_emit/code/machine_code.hpp"
 #include "cpp_emit/expressions/generation.hpp"
+#include "cpp_emit/machine/machine_code.hpp"
 
 namespace robochart::cpp_emit {
 

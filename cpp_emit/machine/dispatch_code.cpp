@@ -1,6 +1,5 @@
-// The event API of a machine whose programs never wait: what a state does on an event is one case, chosen by a
-// nested switch or, from five states on, by a dense table. Each case tries the transitions as step() does: inner states
-// first, then textual order (semantics 3.4); then what needs no event, until nothing is enabled.
+#include "cpp_emit/machine/dispatch_code.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,8 +7,6 @@
 
 #include "cpp_emit/code/assignment.hpp"
 #include "cpp_emit/code/dispatch.hpp"
-#include "cpp_emit/code/fault_injection.hpp"
-#include "cpp_emit/code/machine_writer.hpp"
 #include "cpp_emit/code/reception.hpp"
 #include "cpp_emit/code/suspension.hpp"
 
@@ -26,7 +23,7 @@ constexpr std::size_t leaves_for_table = 5;
 
 /// Every transition is one straight effect, so control rests in states only (or in a junction without an enabled
 /// transition).
-bool MachineWriter::direct() const {
+bool DispatchCode::direct() const {
     const auto& nodes = plan_.machine().nodes;
     for (std::uint32_t index = 0; index < nodes.size(); ++index)
         if (!plan_.straight(NodeId{index})) return false;
@@ -43,18 +40,18 @@ bool MachineWriter::direct() const {
 }
 
 /// The transition waits for no event of the platform.
-bool MachineWriter::urgent(const ir::Transition& transition) const {
+bool DispatchCode::urgent(const ir::Transition& transition) const {
     return !transition.trigger || generation_.component.event(unit_, transition.trigger->event).spontaneous();
 }
 
-bool MachineWriter::asks_for(const ir::Transition& transition, const EventPort& port) const {
+bool DispatchCode::asks_for(const ir::Transition& transition, const EventPort& port) const {
     if (urgent(transition)) return false;
     const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
     return &generation_.component.events[use.ports.front()] == &port;
 }
 
 /// Something in the node or around it needs no event, or control may go on from a junction.
-bool MachineWriter::goes_on(NodeId rest) const {
+bool DispatchCode::goes_on(NodeId rest) const {
     if (!plan_.settles(rest)) return true;
     const std::vector<NodeId> chain = plan_.chain(rest);
     return std::any_of(chain.begin(), chain.end(), [&](NodeId state) {
@@ -65,7 +62,7 @@ bool MachineWriter::goes_on(NodeId rest) const {
 }
 
 /// Whether a look at what needs no event is due after entering a node.
-bool MachineWriter::look_after(NodeId target) const {
+bool DispatchCode::look_after(NodeId target) const {
     std::vector<bool> seen(plan_.machine().nodes.size(), false);
     std::vector<NodeId> open = {target};
     while (!open.empty()) {
@@ -90,14 +87,14 @@ bool MachineWriter::look_after(NodeId target) const {
     return false;
 }
 
-std::string MachineWriter::rest_result() const {
+std::string DispatchCode::rest_result() const {
     return plan_.finals().empty() ? "return robochart::StepResult::quiescent;"
                                   : "return finished(f) ? robochart::StepResult::terminated : "
                                     "robochart::StepResult::quiescent;";
 }
 
 /// A transition out of a leaf, taken on `port`'s event or, null, on none.
-void MachineWriter::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
+void DispatchCode::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     const bool consumes = !urgent(transition);
     const auto hits = [&](Fault fault) { return generation_.mutation.hits(fault, port, &transition); };
@@ -109,22 +106,22 @@ void MachineWriter::case_effect(const ir::Transition& transition, const EventPor
         const std::string line = clock_reset(generation_, unit_, clock);
         if (!line.empty() && !hits(Fault::dispatch_reset_dropped)) out.line(line);
     }
-    out.line(tell_taken(id));
+    out.line(steps_.tell_taken(id));
     for (const Watch& watch : watches_) {
         const std::vector<NodeId> around = plan_.chain(watch.state);
         const bool left = std::find(around.begin(), around.end(), transition.source) != around.end();
         if (left) out.line(fmt::format("f.{} = 0;", watch.field));
     }
-    const std::string exits = leave(transition.source);
+    const std::string exits = steps_.leave(transition.source);
     if (!exits.empty()) out.line(exits);
-    out.line(proceed(transition));
+    out.line(steps_.proceed(transition));
     const bool again = port != nullptr && !consumes ? true : look_after(transition.target);
     if (!again || hits(Fault::dispatch_look_dropped)) return out.line(rest_result());
     if (consumes) out.line("event = nothing;");
     out.line("break;");
 }
 
-std::string MachineWriter::incoming(const ir::Transition& transition) const {
+std::string DispatchCode::incoming(const ir::Transition& transition) const {
     const EventUse& use = generation_.component.event(unit_, transition.trigger->event);
     if (use.spontaneous()) return use.type ? default_text(generation_, *use.type) : "";
     return "inputs_." + generation_.component.events[use.ports.front()].input + ".value";
@@ -132,7 +129,7 @@ std::string MachineWriter::incoming(const ir::Transition& transition) const {
 
 /// The transitions out of a leaf and of what is around it that an event (null: none) may take, in the order in which
 /// they are tried.
-std::vector<const ir::Transition*> MachineWriter::candidates(NodeId leaf, const EventPort* port) const {
+std::vector<const ir::Transition*> DispatchCode::candidates(NodeId leaf, const EventPort* port) const {
     std::vector<NodeId> chain = plan_.chain(leaf);
     std::vector<std::vector<const ir::Transition*>> by_state;
     for (const NodeId state : chain) {
@@ -151,21 +148,21 @@ std::vector<const ir::Transition*> MachineWriter::candidates(NodeId leaf, const 
 }
 
 /// What has to hold for a transition in a case; "" if nothing.
-CppExpr MachineWriter::case_condition(const ir::Transition& transition) const {
+CppExpr DispatchCode::case_condition(const ir::Transition& transition) const {
     const std::string value = transition.trigger ? incoming(transition) : "";
     const CppExpr wanted = transition.trigger ? predicate(generation_, unit_, *transition.trigger, value) : CppExpr();
-    return conjunction(wanted, guard(transition, value));
+    return conjunction(wanted, steps_.guard(transition, value));
 }
 
 /// Where control is before it rests in a state: the beginning, or a junction without an enabled transition.
-void MachineWriter::place_body(NodeId place, CodeWriter& out) {
+void DispatchCode::place_body(NodeId place, CodeWriter& out) {
     out.comment("from " + generation_.place(plan_.node(place).origin));
     if (place == plan_.machine().initial) {
         if (generation_.mutation.hits(Fault::dispatch_not_begun, nullptr, &plan_.node(place)))
             return out.line(rest_result());
         begin_machine(out);
     } else {
-        begin(place, out);
+        steps_.begin(place, out);
     }
     if (!plan_.passes(place))
         out.line(fmt::format("if (f.at == {}) {}", control_.at(plan_.label(place)), rest_result()));
@@ -173,7 +170,7 @@ void MachineWriter::place_body(NodeId place, CodeWriter& out) {
 }
 
 /// What a leaf does on an event; "" if nothing.
-std::string MachineWriter::case_body(NodeId leaf, const EventPort* port, std::size_t depth) {
+std::string DispatchCode::case_body(NodeId leaf, const EventPort* port, std::size_t depth) {
     CodeWriter out(depth);
     if (!plan_.settles(leaf)) {
         place_body(leaf, out);
@@ -197,9 +194,9 @@ std::string MachineWriter::case_body(NodeId leaf, const EventPort* port, std::si
     return out.text();
 }
 
-void MachineWriter::dispatch_function() {
+void DispatchCode::dispatch_function() {
     std::vector<NodeId> rows;
-    for (const Enumerator& value : points().values)
+    for (const Enumerator& value : frame_.points().values)
         for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index)
             if (plan_.label(NodeId{index}) == value.name) rows.push_back(NodeId{index});
     std::vector<const EventPort*> columns = input_events(generation_.component);
@@ -235,18 +232,17 @@ void MachineWriter::dispatch_function() {
 }
 
 /// The clocks start with the machine: a cycle before that does not count.
-void MachineWriter::begin_machine(CodeWriter& out) {
+void DispatchCode::begin_machine(CodeWriter& out) {
     for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index)
         if (unit_.clock_read[index] &&
             !generation_.mutation.hits(Fault::dispatch_clock_early, &unit_, &unit_.clock_fields[index]))
             out.line(fmt::format("f.{} = 0;", unit_.clock_fields[index]));
-    begin(plan_.machine().initial, out);
+    steps_.begin(plan_.machine().initial, out);
 }
 
-void MachineWriter::begin_function(const std::vector<const EventPort*>& columns) {
-    out_.gap();
-    out_.doc("What the machine does before the first event. It does nothing later.");
-    out_.open("robochart::StepResult begin() noexcept {");
+void DispatchCode::begin_function(const std::vector<const EventPort*>& columns) {
+    out_.declaration("What the machine does before the first event. It does nothing later.",
+                     "robochart::StepResult begin() noexcept {");
     if (columns.back() == nullptr) {
         out_.line(fmt::format("return dispatch(static_cast<{}>({}));", event_type(generation_), columns.size() - 1));
     } else {
@@ -260,10 +256,8 @@ void MachineWriter::begin_function(const std::vector<const EventPort*>& columns)
 }
 
 /// A cycle without inputs: what needs no event, then time passes.
-void MachineWriter::pass_function_of_time(const std::vector<const EventPort*>& columns) {
-    out_.gap();
-    out_.doc("A cycle without inputs, once the machine has begun.");
-    out_.open("robochart::StepResult pass() noexcept {");
+void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& columns) {
+    out_.declaration("A cycle without inputs, once the machine has begun.", "robochart::StepResult pass() noexcept {");
     out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
     if (columns.back() == nullptr) {
         out_.line("const robochart::StepResult result = begin();");
@@ -272,7 +266,7 @@ void MachineWriter::pass_function_of_time(const std::vector<const EventPort*>& c
                                                                               ? "robochart::StepResult::quiescent"
                                                                               : "this->result(finished(f))"));
     }
-    if (timed()) {
+    if (time_.timed()) {
         out_.line("if (result == robochart::StepResult::quiescent) advance(f);");
         if (!watches_.empty()) out_.line("if (late()) return robochart::StepResult::deadline;");
     }
@@ -281,8 +275,8 @@ void MachineWriter::pass_function_of_time(const std::vector<const EventPort*>& c
 }
 
 /// The event itself; Fault::dispatch_shifted: the one beside it, where that is another case.
-const EventPort* MachineWriter::taken_for(NodeId row, const EventPort& port,
-                                          const std::vector<const EventPort*>& columns) {
+const EventPort* DispatchCode::taken_for(NodeId row, const EventPort& port,
+                                         const std::vector<const EventPort*>& columns) {
     const auto place = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), &port) - columns.begin());
     const EventPort* const beside = columns[(place + 1) % columns.size()];
     const bool other =
@@ -290,7 +284,7 @@ const EventPort* MachineWriter::taken_for(NodeId row, const EventPort& port,
     return other && generation_.mutation.hits(Fault::dispatch_shifted) ? beside : &port;
 }
 
-void MachineWriter::dispatch_switch(const std::vector<NodeId>& rows, const std::vector<const EventPort*>& columns) {
+void DispatchCode::dispatch_switch(const std::vector<NodeId>& rows, const std::vector<const EventPort*>& columns) {
     const std::string type = event_type(generation_);
     out_.open("for (;;) {");
     out_.open("switch (f.at) {");
@@ -327,7 +321,7 @@ void MachineWriter::dispatch_switch(const std::vector<NodeId>& rows, const std::
     out_.close();
 }
 
-void MachineWriter::dispatch_table(const std::vector<NodeId>& rows, const std::vector<const EventPort*>& columns) {
+void DispatchCode::dispatch_table(const std::vector<NodeId>& rows, const std::vector<const EventPort*>& columns) {
     std::vector<std::string> bodies;
     std::vector<std::string> lines;
     for (const NodeId row : rows) {

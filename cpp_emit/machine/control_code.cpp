@@ -1,0 +1,168 @@
+#include "cpp_emit/machine/control_code.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/code/suspension.hpp"
+#include "cpp_emit/expressions/expression.hpp"
+#include "cpp_emit/plan/types.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+using ir::NodeKind;
+
+void ControlCode::control_places() {
+    const ir::Machine& machine = plan_.machine();
+    for (std::uint32_t index = 0; index < machine.nodes.size(); ++index) {
+        const NodeId id{index};
+        const ir::Node& node = machine.nodes[index];
+        if (node.kind == NodeKind::initial || node.kind == NodeKind::junction) choice(id);
+        if (node.kind == NodeKind::probabilistic) draw_place(id);
+        if (plan_.needs_entry(id)) {
+            if (steps_.straight(id)) {
+                straight_.enter_function(id);
+            } else {
+                enter_place(id);
+            }
+        }
+        exits(id);
+        for (const ir::TransitionId transition : node.outgoing) take(transition);
+    }
+}
+
+/// Initial nodes and junctions.
+void ControlCode::choice(NodeId id) {
+    const bool first = id == plan_.machine().initial;
+    const bool stays = plan_.straight(id) && !plan_.passes(id) && straight_.pass_function(id);
+    if (plan_.straight(id) && !first && !stays) return;
+    ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
+    program.begin(plan_.label(id), generation_.place(plan_.node(id).origin));
+    if (!plan_.straight(id)) {
+        if (steps_.ways(id, program.code(), "break;")) program.code().line("return moved;");
+        return;
+    }
+    steps_.begin(id, program.code());
+    if (stays) program.line(fmt::format("if (f.at == {}) return moved;", control_.at(plan_.label(id))));
+    program.line("break;");
+}
+
+/// Probabilistic junctions: a free choice in the semantics, drawn by the platform.
+void ControlCode::draw_place(NodeId id) {
+    ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
+    program.begin(plan_.label(id), generation_.place(plan_.node(id).origin));
+    const auto& ways = plan_.node(id).outgoing;
+    if (ways.empty()) return program.code().line("return moved;");
+    const ExpressionWriter expressions(generation_, unit_);
+    std::string chances;
+    for (const ir::TransitionId way : ways) {
+        const ir::ExprPtr& probability = plan_.machine().transitions[way.index].probability;
+        const std::string text = !probability ? "1.0"
+                                 : probability->kind == ir::ExprKind::real
+                                     ? decimal_text(probability->decimal)
+                                     : fmt::format("robochart::chance({})", expressions.write(*probability));
+        chances += (chances.empty() ? "" : ", ") + text;
+    }
+    program.code().open("{");
+    program.code().line(fmt::format("const double chances[] = {{{}}};", chances));
+    program.code().open("switch (robochart::choose(platform_, chances)) {");
+    for (std::size_t way = 0; way < ways.size(); ++way) {
+        const ir::Transition& transition = plan_.machine().transitions[ways[way].index];
+        program.code().comment(generation_.place(transition.origin));
+        program.code().line(way + 1 == ways.size() ? "default:" : fmt::format("case {}:", way));
+        reset_clocks(generation_, unit_, transition.resets, program.code());
+        program.line(steps_.tell_taken(ways[way]));
+        program.line(steps_.proceed(transition));
+        program.line("break;");
+    }
+    program.code().close();
+    program.code().close();
+    program.code().line("break;");
+}
+
+/// The entry of a node whose entry action may wait.
+void ControlCode::enter_place(NodeId id) {
+    const bool state = plan_.node(id).kind == NodeKind::state;
+    ProgramWriter program(generation_, unit_, control_, state ? id : plan_.node(id).parent);
+    const ir::Node& node = plan_.node(id);
+    const std::string label = plan_.enter_label(id);
+    program.begin(label, "enters " + generation_.place(node.origin));
+    if (faults_.enters_child_first(id)) return order_.enter_child_first(program, id);
+    if (node.entry) program.statement(node.entry, label);
+    steps_.settle(id, program.code(), "break;");
+    program.line("break;");
+}
+
+void ControlCode::exits(NodeId id) {
+    const auto left = [&](NodeId state) { return !plan_.node(state).outgoing.empty(); };
+    const std::vector<NodeId> around = plan_.chain(id);
+    if (plan_.node(id).kind != NodeKind::state || std::none_of(around.begin(), around.end(), left)) return;
+    if (plan_.node(id).exit && !suspends(generation_, unit_, plan_.node(id).exit)) straight_.exit_function(id);
+    if (plan_.straight_exits(id) && plan_.exits_below(id)) straight_.leave_function(id);
+    if (plan_.shared_exit(id)) exit_place(id);
+}
+
+/// A shared exit place: the state's exit action, then the transition that leaves it or the exit around it.
+void ControlCode::exit_place(NodeId id) {
+    ProgramWriter program(generation_, unit_, control_, id);
+    const ir::Node& node = plan_.node(id);
+    const std::string label = plan_.exit_label(id);
+    program.begin(label, "leaves " + generation_.place(node.origin));
+    order_.exit_outer_before(program, id);
+    order_.act_before(program, id);
+    const bool waits = suspends(generation_, unit_, node.exit);
+    if (node.exit && !waits && !(plan_.notes_leaving(id) && faults_.exits_first(id))) program.line(call(label) + ";");
+    if (waits) program.statement(node.exit, label);
+    for (const ir::TransitionId transition : node.outgoing) {
+        if (!plan_.notes_leaving(id)) break;
+        program.code().open(fmt::format("if (f.leaving == {}::{}) {{", context_.leaving, plan_.take_label(transition)));
+        program.code().line(fmt::format("f.leaving = {}::nothing;", context_.leaving));
+        program.line(steps_.proceed(plan_.machine().transitions[transition.index]));
+        program.line("break;");
+        program.code().close();
+    }
+    if (node.parent.valid() && plan_.shared_exit(node.parent)) return program.jump(plan_.exit_label(node.parent));
+    program.code().line("return moved;");
+}
+
+void ControlCode::take(ir::TransitionId id) {
+    const ir::Transition& transition = plan_.machine().transitions[id.index];
+    if (steps_.has_place(transition)) return take_place(id);
+    if (transition.action) straight_.take_function(id);
+}
+
+/// Exit action of the source, unless it has a place of its own, and the transition's action, one of which may wait.
+void ControlCode::take_place(ir::TransitionId id) {
+    ProgramWriter program(generation_, unit_, control_, shown_while_taking(id));
+    const ir::Transition& transition = plan_.machine().transitions[id.index];
+    const std::string label = plan_.take_label(id);
+    program.begin(label, "takes " + generation_.place(transition.origin));
+    const ir::Node& source = plan_.node(transition.source);
+    const bool exits = suspends(generation_, unit_, source.exit) && !plan_.shared_exit(transition.source);
+    const bool first = faults_.acts_first(transition);
+    if (first && exits) program.statement(transition.action, label);
+    if (exits) program.statement(source.exit, label);
+    if (faults_.acts_late(transition)) return order_.act_late(program, transition, label);
+    if (transition.action && !first) program.statement(transition.action, label);
+    program.line(steps_.arrive(transition.target));
+    program.line("break;");
+}
+
+/// During a transition's action the machine shows its source, or the state around an initial node or junction.
+ir::NodeId ControlCode::shown_while_taking(ir::TransitionId id) const {
+    const NodeId source = plan_.machine().transitions[id.index].source;
+    return plan_.node(source).kind == NodeKind::state ? source : plan_.node(source).parent;
+}
+
+void ControlCode::during_places() {
+    for (DuringThread& during : during_) {
+        const ir::Node& state = plan_.node(during.state);
+        ProgramWriter program(generation_, unit_, during.thread, during.state);
+        program.begin("start", "during action of " + generation_.place(state.origin));
+        program.statement(state.during, "step");
+        program.jump("idle");
+    }
+}
+
+}  // namespace robochart::cpp_emit

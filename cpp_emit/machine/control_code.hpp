@@ -1,0 +1,41 @@
+// Control and during threads: entry, exit and transition actions in the order of semantics 3.4:
+// exits innermost first, transition action, target's entry, initial transition and first child, `entered`.
+#pragma once
+
+#include "cpp_emit/machine/order_fault_code.hpp"
+#include "cpp_emit/machine/straight_code.hpp"
+
+namespace robochart::cpp_emit {
+
+/// Writes the places of the threads, and the functions of what never waits.
+class ControlCode : private MachineCodePart {
+public:
+    ControlCode(MachineContext& context, OrderFaults& faults, ControlSteps& steps)
+        : MachineCodePart(context),
+          faults_(faults),
+          steps_(steps),
+          straight_(context, faults, steps),
+          order_(context, faults, steps) {}
+
+    /// All functions and places of nodes and transitions.
+    void control_places();
+    /// The programs of the during actions.
+    void during_places();
+
+private:
+    void choice(ir::NodeId);
+    void draw_place(ir::NodeId);
+    void enter_place(ir::NodeId);
+    void exits(ir::NodeId);
+    void exit_place(ir::NodeId);
+    void take(ir::TransitionId);
+    void take_place(ir::TransitionId);
+    [[nodiscard]] ir::NodeId shown_while_taking(ir::TransitionId) const;
+
+    OrderFaults& faults_;
+    ControlSteps& steps_;
+    StraightCode straight_;
+    OrderFaultCode order_;
+};
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,181 @@
+#include "cpp_emit/machine/control_steps.hpp"
+
+#include <fmt/format.h>
+
+#include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/code/suspension.hpp"
+#include "cpp_emit/code/transition_numbers.hpp"
+#include "cpp_emit/expressions/expression.hpp"
+#include "cpp_emit/plan/walk.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+using ir::NodeKind;
+
+bool ControlSteps::straight(NodeId id) {
+    return plan_.straight(id) && !faults_.enters_child_first(id);
+}
+
+bool ControlSteps::has_place(const ir::Transition& transition) {
+    return plan_.acts(transition) || faults_.acts_late(transition);
+}
+
+/// The lines of a program that never waits.
+std::string ControlSteps::straight_program(const ir::StmtPtr& program, std::size_t depth) {
+    Thread lines;
+    ProgramWriter writer(generation_, unit_, lines, {});
+    writer.begin("", "");
+    writer.code() = CodeWriter(depth);
+    writer.statement(program, "");
+    return writer.code().text();
+}
+
+/// The statement that runs the exits of a state and of what is active in it; "" if there are none.
+std::string ControlSteps::leave(NodeId id) const {
+    if (plan_.exits_below(id)) return call("leave_" + plan_.label(id)) + ";";
+    return plan_.node(id).exit ? call(plan_.exit_label(id)) + ";" : "";
+}
+
+/// The statement that brings control into a node.
+std::string ControlSteps::arrive(NodeId id) {
+    if (plan_.needs_entry(id))
+        return straight(id) ? call(plan_.enter_label(id)) + ";" : control_.go(plan_.enter_label(id));
+    const bool rests = plan_.settles(id) || !plan_.straight(id);
+    return rests ? control_.go(plan_.label(id)) : call("pass_" + plan_.label(id)) + ";";
+}
+
+/// The statement that goes on with a transition after the exits.
+const std::string& ControlSteps::proceed(const ir::Transition& transition) {
+    const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
+    std::string& text = proceeds_[id.index];
+    if (!text.empty()) return text;
+    const std::string& label = plan_.take_label(id);
+    if (has_place(transition)) return text = control_.go(label);
+    return text = transition.action ? call(label) + ";" : arrive(transition.target);
+}
+
+/// What follows a node's entry action.
+void ControlSteps::settle(NodeId id, CodeWriter& out, const char* end) {
+    if (!plan_.node(id).composite()) {
+        note_entry(id, out);
+        out.line(control_.go(plan_.label(id)));
+        if (context_.runs_on_entry(id)) out.raw(straight_program(plan_.node(id).during, *end == 'b' ? 5 : 2));
+        return;
+    }
+    if (plan_.notes_entry(id)) out.line(fmt::format("f.entering_{} = true;", plan_.label(id)));
+    if (faults_.resumes(id)) {
+        const std::string history = fmt::format("f.history_{}", plan_.label(id));
+        out.open(fmt::format("if ({} != {}{{}}) {{", history, unit_.points));
+        out.line(fmt::format("f.at = {};", history));
+        out.line(end);
+        out.close();
+    }
+    begin(plan_.node(id).initial, out);
+}
+
+/// Control comes to an initial node, and if it asks for nothing on to where it leads.
+void ControlSteps::begin(NodeId initial, CodeWriter& out) {
+    if (!plan_.passes(initial)) return out.line(arrive(initial));
+    const ir::TransitionId only = plan_.node(initial).outgoing.front();
+    out.comment(generation_.place(plan_.machine().transitions[only.index].origin));
+    out.line(tell_taken(only));
+    out.line(proceed(plan_.machine().transitions[only.index]));
+}
+
+/// The state itself is entered, and with its first child each composite around it (semantics 3.3 a).
+void ControlSteps::note_entry(NodeId id, CodeWriter& out) {
+    if (plan_.notes_entry(id)) mark_entered(id, out);
+    for (const NodeId outer : plan_.ancestors(id)) {
+        if (!plan_.notes_entry(outer)) continue;
+        out.open(fmt::format("if (f.entering_{}) {{", plan_.label(outer)));
+        out.line(fmt::format("f.entering_{} = false;", plan_.label(outer)));
+        mark_entered(outer, out);
+        out.close();
+    }
+}
+
+void ControlSteps::mark_entered(NodeId id, CodeWriter& out) {
+    const ir::ClockId clock = entry_clock(plan_.machine(), id);
+    if (clock.valid()) {
+        const std::string line = clock_reset(generation_, unit_, clock);
+        if (!line.empty() && !generation_.mutation.hits(Fault::clock_not_reset)) out.line(line);
+    }
+    for (const DuringThread& during : during_)
+        if (during.state == id) out.line(during.thread.go("start"));
+    for (const Watch& watch : watches_) {
+        if (watch.state != id) continue;
+        const std::string line = start_of(watch);
+        if (!line.empty()) out.line(line);
+    }
+}
+
+/// The first transition whose guard holds is taken. True if there may be none: control stays (semantics 3.3, 3.4).
+bool ControlSteps::ways(NodeId id, CodeWriter& out, const char* end) {
+    const auto& outgoing = plan_.node(id).outgoing;
+    if (generation_.options.choices && outgoing.size() > 1) return pick_way(id, out, end);
+    for (const ir::TransitionId way : outgoing) {
+        const ir::Transition& transition = plan_.machine().transitions[way.index];
+        out.comment(generation_.place(transition.origin));
+        const CppExpr condition = guard(transition, "");
+        out.when(condition, [&] {
+            reset_clocks(generation_, unit_, transition.resets, out);
+            out.line(tell_taken(way));
+            out.line(proceed(transition));
+            if (!condition.empty() || *end == 'b') out.line(end);
+        });
+        if (condition.empty()) return false;
+    }
+    return true;
+}
+
+/// The same where the platform picks one of those whose guards hold.
+bool ControlSteps::pick_way(NodeId id, CodeWriter& out, const char* end) {
+    const bool function = *end == 'r';
+    const auto& outgoing = plan_.node(id).outgoing;
+    std::string open;
+    for (const ir::TransitionId transition : outgoing) {
+        const CppExpr condition = guard(plan_.machine().transitions[transition.index], "");
+        open += (open.empty() ? "" : ", ") + (condition.empty() ? "true" : condition.whole());
+    }
+    out.open("{");
+    out.line(fmt::format("const bool open[] = {{{}}};", open));
+    out.open("switch (robochart::pick_open(platform_, open)) {");
+    for (std::size_t way = 0; way < outgoing.size(); ++way) {
+        const ir::Transition& transition = plan_.machine().transitions[outgoing[way].index];
+        out.comment(generation_.place(transition.origin));
+        out.line(fmt::format("case {}:", way));
+        reset_clocks(generation_, unit_, transition.resets, out);
+        out.line(tell_taken(outgoing[way]));
+        out.line(proceed(transition));
+        out.line(end);
+    }
+    out.line(function ? "default: break;" : "default: return moved;");
+    out.close();
+    out.close();
+    if (!function) out.line("break;");
+    return function;
+}
+
+CppExpr ControlSteps::guard(const ir::Transition& transition, const std::string& incoming) const {
+    if (!transition.guard) return {};
+    ExpressionWriter expressions(generation_, unit_);
+    if (transition.trigger) expressions.set_incoming(incoming);
+    return expressions.expression_asked(*transition.guard);
+}
+
+std::string ControlSteps::tell_taken(ir::TransitionId id) const {
+    return fmt::format("taken({});", transition_number(unit_, id));
+}
+
+/// With choices: the guard, and that it is the transition's turn.
+CppExpr ControlSteps::in_turn(const CppExpr& guard) const {
+    return generation_.options.choices ? conjunction(guard, CppExpr("in_turn()")) : guard;
+}
+
+std::string ControlSteps::start_of(const Watch& watch) const {
+    const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
+    return watch_from(generation_, unit_, watch.field, *transition.deadline);
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,47 @@
+// The event API of a machine whose programs never wait: what a state does on an event is one case, chosen by a
+// nested switch or, from five states on, by a dense table. Each case tries the transitions as step() does: inner states
+// first, then textual order (semantics 3.4); then what needs no event, until nothing is enabled.
+#pragma once
+
+#include "cpp_emit/machine/frame_code.hpp"
+
+namespace robochart::cpp_emit {
+
+/// Writes it, once the threads are written.
+class DispatchCode : private MachineCodePart {
+public:
+    DispatchCode(MachineContext& context, ControlSteps& steps, const TimeCode& time, const FrameCode& frame)
+        : MachineCodePart(context), steps_(steps), time_(time), frame_(frame) {}
+
+    /// Every transition is one straight effect, so control rests in states only (or in a junction without an enabled
+    /// transition), and dispatch can be written out.
+    [[nodiscard]] bool direct() const;
+    /// dispatch, begin and pass.
+    void dispatch_function();
+
+private:
+    [[nodiscard]] bool urgent(const ir::Transition&) const;
+    [[nodiscard]] bool asks_for(const ir::Transition&, const EventPort& port) const;
+    [[nodiscard]] bool goes_on(ir::NodeId rest) const;
+    [[nodiscard]] bool look_after(ir::NodeId target) const;
+    [[nodiscard]] std::string rest_result() const;
+    void case_effect(const ir::Transition&, const EventPort* port, CodeWriter&);
+    [[nodiscard]] std::string incoming(const ir::Transition&) const;
+    [[nodiscard]] std::vector<const ir::Transition*> candidates(ir::NodeId leaf, const EventPort* port) const;
+    [[nodiscard]] CppExpr case_condition(const ir::Transition&) const;
+    void place_body(ir::NodeId place, CodeWriter&);
+    [[nodiscard]] std::string case_body(ir::NodeId leaf, const EventPort* port, std::size_t depth);
+    void begin_machine(CodeWriter&);
+    void begin_function(const std::vector<const EventPort*>& columns);
+    void pass_function_of_time(const std::vector<const EventPort*>& columns);
+    [[nodiscard]] const EventPort* taken_for(ir::NodeId row, const EventPort& port,
+                                             const std::vector<const EventPort*>& columns);
+    void dispatch_switch(const std::vector<ir::NodeId>& rows, const std::vector<const EventPort*>& columns);
+    void dispatch_table(const std::vector<ir::NodeId>& rows, const std::vector<const EventPort*>& columns);
+
+    ControlSteps& steps_;
+    const TimeCode& time_;
+    const FrameCode& frame_;
+};
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,28 @@
+// The struct of a machine's state, and the enumerations of its members.
+#pragma once
+
+#include "cpp_emit/machine/time_code.hpp"
+
+namespace robochart::cpp_emit {
+
+/// Describes them, once the threads are written.
+class FrameCode : private MachineCodePart {
+public:
+    FrameCode(MachineContext& context, const TimeCode& time) : MachineCodePart(context), time_(time) {}
+
+    /// The struct of the machine's state, with `more` members.
+    [[nodiscard]] FrameLayout layout(const std::vector<Field>& more);
+    /// The values of Frame::at: nodes in which control rests, places of programs that may wait.
+    [[nodiscard]] Enumeration points() const;
+    /// All enumerations of the frame, that of the places first.
+    [[nodiscard]] std::vector<Enumeration> enumerations() const;
+
+private:
+    [[nodiscard]] std::vector<Field> variable_fields() const;
+    void thread_field(std::vector<Field>& fields, const Thread&, const std::string& wait) const;
+    [[nodiscard]] std::vector<Field> thread_fields() const;
+
+    const TimeCode& time_;
+};
+
+}  // namespace robochart::cpp_emit

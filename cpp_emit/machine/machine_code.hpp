@@ -1,0 +1,27 @@
+// The code of one machine: enumerations of its places, the struct of its state, and its functions
+// (control, during actions, transitions, time), as text to be assembled by core_file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cpp_emit/code/resumable_code.hpp"
+#include "cpp_emit/machine/frame_layout.hpp"
+
+namespace robochart::cpp_emit {
+
+struct MachineCode {
+    std::vector<Enumeration> enumerations;
+    FrameLayout layout;
+    std::string methods;           ///< members of Step
+    std::string dispatch;          ///< Step::dispatch of a machine whose programs never wait; "" for others
+    std::vector<SendSite> sites;   ///< where its threads wait to send
+    std::vector<CallFrame> calls;  ///< operations its threads run
+};
+
+/// `done` holds the layouts of the operations that the unit calls, `type_names` is the scope of the core's namespace,
+/// `more` are further members of the state.
+[[nodiscard]] MachineCode generate(const Generation&, const Unit&, const Layouts& done, NameScope& type_names,
+                                   const std::vector<Field>& more);
+
+}  // namespace robochart::cpp_emit

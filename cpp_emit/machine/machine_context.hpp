@@ -1,0 +1,84 @@
+// What the writers of one machine's code share: its plan, its threads, the text written so far.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cpp_emit/code/machine_plan.hpp"
+#include "cpp_emit/code/resumable_code.hpp"
+#include "cpp_emit/expressions/code_writer.hpp"
+#include "cpp_emit/machine/frame_layout.hpp"
+
+namespace robochart::cpp_emit {
+
+/// A state's during action as a thread of its own.
+struct DuringThread {
+    ir::NodeId state;
+    std::string suffix;  ///< of its members and functions: during_SUFFIX, cut_SUFFIX
+    NameScope labels;
+    Thread thread;
+};
+
+/// The deadline of a transition: once its source is entered and while its guard holds, the source must be left in
+/// time (semantics 3.10).
+struct Watch {
+    ir::TransitionId transition;
+    ir::NodeId state;
+    std::string field;  ///< of the frame: time left plus one, 0 when the state is not active
+};
+
+struct MachineContext {
+    /// All of the arguments have to outlive it. Takes names for the enumerations of the machine.
+    MachineContext(const Generation&, const Unit&, const Layouts& done, NameScope& type_names);
+    MachineContext(const MachineContext&) = delete;
+    MachineContext& operator=(const MachineContext&) = delete;
+
+    /// The during action of a state without children never waits, and no other runs beside it: it is run once the
+    /// state is entered, which is what a thread of its own would do.
+    [[nodiscard]] bool runs_on_entry(ir::NodeId) const;
+    /// The head of a function of the unit: `name(frames) noexcept {`.
+    [[nodiscard]] std::string signature(const std::string& name) const;
+    /// `name(f)`, with the states that the unit's functions take.
+    [[nodiscard]] std::string call(const std::string& name) const;
+
+    const Generation& generation;
+    const Unit& unit;
+    const Layouts& done;  ///< of the operations that the unit calls
+    MachinePlan plan;
+    NameScope fields;  ///< members of the frame
+    Thread control;
+    std::vector<DuringThread> during;
+    std::vector<Watch> watches;
+    std::string leaving;                ///< enumeration of transitions in progress; "" if none is noted
+    std::vector<ir::NodeId> histories;  ///< Fault::composite_resumed
+    CodeWriter out{1};
+};
+
+/// The same for a class that writes a part of the code, by the names that such classes use.
+class MachineCodePart {
+protected:
+    explicit MachineCodePart(MachineContext& context)
+        : context_(context),
+          generation_(context.generation),
+          unit_(context.unit),
+          plan_(context.plan),
+          control_(context.control),
+          during_(context.during),
+          watches_(context.watches),
+          out_(context.out) {}
+
+    [[nodiscard]] std::string signature(const std::string& name) const { return context_.signature(name); }
+    [[nodiscard]] std::string call(const std::string& name) const { return context_.call(name); }
+    [[nodiscard]] std::string frame_type() const { return unit_.frame + "<Types>"; }
+
+    MachineContext& context_;
+    const Generation& generation_;
+    const Unit& unit_;
+    const MachinePlan& plan_;
+    Thread& control_;
+    std::vector<DuringThread>& during_;
+    std::vector<Watch>& watches_;
+    CodeWriter& out_;
+};
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,67 @@
+#include "cpp_emit/machine/straight_code.hpp"
+
+#include <fmt/format.h>
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+using ir::NodeKind;
+
+void StraightCode::straight_function(const std::string& name, const diagnostics::ForeignText& comment) {
+    out_.declaration(comment, signature("void " + name));
+}
+
+void StraightCode::enter_function(NodeId id) {
+    const ir::Node& node = plan_.node(id);
+    straight_function(plan_.enter_label(id), "Enters " + generation_.place(node.origin));
+    if (node.entry) out_.raw(steps_.straight_program(node.entry, 2));
+    steps_.settle(id, out_, "return;");
+    out_.close();
+}
+
+void StraightCode::exit_function(NodeId id) {
+    straight_function(plan_.exit_label(id), "Exit action of " + generation_.place(plan_.node(id).origin));
+    out_.raw(steps_.straight_program(plan_.node(id).exit, 2));
+    out_.close();
+}
+
+/// The exits of a composite state begin at the innermost active state.
+void StraightCode::leave_function(NodeId id) {
+    straight_function("leave_" + plan_.label(id),
+                      "Leaves " + generation_.place(plan_.node(id).origin) + ", from the innermost active state out.");
+    const std::string own = plan_.node(id).exit ? call(plan_.exit_label(id)) + ";" : "";
+    const bool outer_first = faults_.exits_first(id);
+    if (outer_first) out_.line(own);
+    out_.open("switch (f.at) {");
+    for (const NodeId child : plan_.node(id).children) {
+        const std::string exits = steps_.leave(child);
+        if (exits.empty()) continue;
+        for (const NodeId leaf : plan_.leaves(child))
+            out_.line(fmt::format("case {}:", control_.at(plan_.label(leaf))));
+        out_.line("    " + exits);
+        out_.line("    break;");
+    }
+    out_.line("default: break;");
+    out_.close();
+    if (!own.empty() && !outer_first) out_.line(own);
+    out_.close();
+}
+
+void StraightCode::take_function(ir::TransitionId id) {
+    const ir::Transition& transition = plan_.machine().transitions[id.index];
+    straight_function(plan_.take_label(id), "Action of " + generation_.place(transition.origin));
+    if (!faults_.acts_first(transition)) out_.raw(steps_.straight_program(transition.action, 2));
+    out_.line(steps_.arrive(transition.target));
+    out_.close();
+}
+
+/// Initial nodes and junctions; true if control may have to stay there.
+bool StraightCode::pass_function(NodeId id) {
+    straight_function("pass_" + plan_.label(id), "Chooses at " + generation_.place(plan_.node(id).origin));
+    const bool stays = steps_.ways(id, out_, "return;");
+    if (stays) out_.line(control_.go(plan_.label(id)));
+    out_.close();
+    return stays;
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,33 @@
+// Programs that never wait, as functions: a transition whose exits, action and entries are of this kind is one straight
+// effect, in the order of semantics 3.4 (exits from the innermost out, action, entries).
+#pragma once
+
+#include "cpp_emit/machine/control_steps.hpp"
+
+namespace robochart::cpp_emit {
+
+/// Writes them one by one.
+class StraightCode : private MachineCodePart {
+public:
+    StraightCode(MachineContext& context, OrderFaults& faults, ControlSteps& steps)
+        : MachineCodePart(context), faults_(faults), steps_(steps) {}
+
+    /// Entry of a node.
+    void enter_function(ir::NodeId);
+    /// Exit action of a state.
+    void exit_function(ir::NodeId);
+    /// The exits of a composite state, from the innermost active state out.
+    void leave_function(ir::NodeId);
+    /// Action of a transition, then the entry of its target.
+    void take_function(ir::TransitionId);
+    /// Initial nodes and junctions; true if control may have to stay there.
+    bool pass_function(ir::NodeId);
+
+private:
+    void straight_function(const std::string& name, const diagnostics::ForeignText& comment);
+
+    OrderFaults& faults_;
+    ControlSteps& steps_;
+};
+
+}  // namespace robochart::cpp_emit

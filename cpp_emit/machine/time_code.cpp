@@ -1,0 +1,92 @@
+#include "cpp_emit/machine/time_code.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_emit/code/suspension.hpp"
+#include "cpp_emit/expressions/expression.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+
+namespace robochart::cpp_emit {
+
+using ir::NodeId;
+using ir::NodeKind;
+
+bool TimeCode::timed() const {
+    const auto& read = unit_.clock_read;
+    const auto timed_calls = [&](const Thread& thread) {
+        return thread.waits || !thread.deadlines.empty() ||
+               std::any_of(thread.calls.begin(), thread.calls.end(),
+                           [&](const CallFrame& call) { return context_.done.at(call.operation).timed; });
+    };
+    return std::find(read.begin(), read.end(), true) != read.end() || !watches_.empty() || timed_calls(control_) ||
+           std::any_of(during_.begin(), during_.end(),
+                       [&](const DuringThread& during) { return timed_calls(during.thread); });
+}
+
+void TimeCode::advance_function() {
+    if (!timed()) return;
+    out_.declaration("Time passes: clocks, waits and deadlines.", signature("void advance"));
+    for (const Watch& watch : watches_) advance_watch(watch);
+    for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index) {
+        if (!unit_.clock_read[index]) continue;
+        const std::int64_t saturation =
+            std::min(generation_.inst.clock_bound,
+                     ir::clock_saturation(generation_.system, generation_.inst, *unit_.machine, ir::ClockId{index}));
+        advance_clock(unit_.clock_fields[index], saturation);
+    }
+    advance_thread(control_);
+    for (const DuringThread& during : during_) advance_thread(during.thread);
+    if (guards_deadlines(*unit_.machine)) out_.line(call("watch") + ";");
+    out_.close();
+}
+
+void TimeCode::advance_clock(const std::string& clock, std::int64_t saturation) {
+    out_.line(fmt::format("advance_clock(f.{}, cycle_length, {});", clock, saturation));
+}
+
+void TimeCode::advance_thread(const Thread& thread) {
+    if (thread.waits) out_.line(fmt::format("advance_wait({}, cycle_length);", thread.wait));
+    for (const std::string& deadline : thread.deadlines)
+        out_.line(fmt::format("advance_deadline(f.{}, cycle_length);", deadline));
+    for (const CallFrame& call : thread.calls) {
+        if (!context_.done.at(call.operation).timed) continue;
+        std::vector<std::string> running;
+        for (const auto& label : call.live)
+            running.push_back(fmt::format("{} == {}", thread.variable, thread.at(label)));
+        const Unit& operation = generation_.component.unit(call.operation);
+        out_.line(fmt::format("if ({}) advance({});", fmt::join(running, " || "),
+                              frame_arguments(generation_.component, operation, unit_, "f." + call.field)));
+    }
+}
+
+std::string TimeCode::holds(const ir::Transition& transition) const {
+    ExpressionWriter expressions(generation_, unit_);
+    const bool stores = transition.trigger && transition.trigger->variable.valid();
+    if (stores) expressions.set_incoming(expressions.variable(transition.trigger->variable));
+    return expressions.expression_asked(*transition.guard).whole();
+}
+
+/// The guard is looked at wherever the model could be found waiting: after each step, before what others see, and
+/// when clocks have gone on.
+void TimeCode::watch_function() {
+    if (!guards_deadlines(*unit_.machine)) return;
+    out_.declaration("A deadline begins anew while its guard does not hold.", signature("void watch"));
+    for (const Watch& watch : watches_) {
+        const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
+        if (!transition.guard) continue;
+        const std::string anew = steps_.start_of(watch);
+        out_.line(fmt::format("if (f.{} > 0 && !({})) {}", watch.field, holds(transition), anew));
+    }
+    out_.close();
+}
+
+void TimeCode::advance_watch(const Watch& watch) {
+    const ir::Transition& transition = plan_.machine().transitions[watch.transition.index];
+    const std::string advance = fmt::format("advance_deadline(f.{}, cycle_length);", watch.field);
+    out_.line(transition.guard ? fmt::format("if ({}) {}", holds(transition), advance) : advance);
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,29 @@
+// Time in a machine: clocks, waits, deadlines.
+#pragma once
+
+#include "cpp_emit/machine/control_steps.hpp"
+
+namespace robochart::cpp_emit {
+
+/// Writes the functions that let time pass, once the threads are written.
+class TimeCode : private MachineCodePart {
+public:
+    TimeCode(MachineContext& context, ControlSteps& steps) : MachineCodePart(context), steps_(steps) {}
+
+    /// Something in the frame changes with time.
+    [[nodiscard]] bool timed() const;
+    /// Clocks, waits and deadlines advance.
+    void advance_function();
+    /// A deadline begins anew while its guard does not hold.
+    void watch_function();
+
+private:
+    void advance_clock(const std::string& clock, std::int64_t saturation);
+    void advance_thread(const Thread&);
+    [[nodiscard]] std::string holds(const ir::Transition&) const;
+    void advance_watch(const Watch&);
+
+    ControlSteps& steps_;
+};
+
+}  // namespace robochart::cpp_emit
