@@ -21,7 +21,7 @@ struct LineRule {
 constexpr const char* of_cycle = "(?!dispatch$|begin$|pass$).*";
 constexpr const char* of_events = "dispatch|begin|pass";
 
-constexpr LineRule rules[] = {
+constexpr LineRule line_rules[] = {
     {Fault::single_transition_step, "run", R"(while \((.*)\) \{)", "if ($1) {"},
     {Fault::during_not_cut, of_cycle, R"(cut_\w+\(f\);)", ""},
     {Fault::input_not_awaited, of_cycle, R"(if \(!\(inputs_\.\w+\.present.*\)\) \{)", "if (false) {"},
@@ -113,7 +113,7 @@ private:
     }
 
     std::string wrong(const std::string& line) {
-        for (const LineRule& rule : rules) {
+        for (const LineRule& rule : line_rules) {
             if (!mutation_.seeded(rule.fault) || !in(rule.function)) continue;
             const std::regex pattern(rule.line);
             if (std::regex_match(line, pattern) && mutation_.hits(rule.fault))
@@ -134,7 +134,7 @@ private:
 
 bool of_lines(const Mutation& mutation) {
     const auto seeded = [&](const auto& rule) { return mutation.seeded(rule.fault); };
-    return std::any_of(std::begin(rules), std::end(rules), seeded) ||
+    return std::any_of(std::begin(line_rules), std::end(line_rules), seeded) ||
            std::any_of(std::begin(order_rules), std::end(order_rules), seeded);
 }
 
