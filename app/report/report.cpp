@@ -102,6 +102,9 @@ void write_conformance(std::string& out, const ConformanceReport& c, const Optio
     if (r.dispatched > 0)
         out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n",
                            with_commas(r.dispatched));
+    for (const conformance::FewValues& each : r.represented)
+        out += fmt::format("               {} values of {} explored, which the component only passes on\n", each.values,
+                           each.type);
     if (!r.reason.empty()) out += fmt::format("               {}\n", r.reason);
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
     write_cycles(out, r.cycles);

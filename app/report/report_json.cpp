@@ -64,6 +64,8 @@ Json conformance_json(const ConformanceReport& c) {
               {"codeStates", r.code_states}, {"codeCycles", r.code_cycles},
               {"dispatched", r.dispatched},  {"statistics", statistics(r.product)},
               {"seconds", c.seconds}};
+    for (const conformance::FewValues& each : r.represented)
+        json["represented"].push_back({{"type", each.type}, {"values", each.values}});
     if (!r.reason.empty()) json["reason"] = r.reason;
     if (!r.warnings.empty()) json["warnings"] = r.warnings;
     if (r.api_difference)

@@ -8,13 +8,18 @@
 #include "checker/process/term_system.hpp"
 #include "conformance/check/conformance_check.hpp"
 #include "conformance/check/export.hpp"
+#include "conformance/check/open_choice.hpp"
 #include "conformance/check/partial_readings.hpp"
 #include "conformance/check/random_walk.hpp"
 #include "conformance/code/shared_object.hpp"
 #include "conformance/model/component.hpp"
 #include "conformance/model/cyclic_model.hpp"
 #include "conformance/model/normal_form.hpp"
+#include "conformance/model/normal_form_system.hpp"
 #include "conformance/model/renamed_model.hpp"
+#include "conformance/model/representatives.hpp"
+#include "cpp_emit/plan/exploration_ports.hpp"
+#include "cpp_emit/plan/resolve_component.hpp"
 #include "csp_emit/emit.hpp"
 
 namespace robochart::conformance {
@@ -107,10 +112,45 @@ Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Inter
     return walked(std::move(result), session, model.get(), process, interface, code, options);
 }
 
-}  // namespace
+/// For each output, which of its arguments are represented by few values. Empty: none of any output.
+using Represented = std::vector<std::vector<bool>>;
 
-Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
-                  const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
+Represented represented_arguments(const ir::System& system, const Representatives& few,
+                                  const cpp_emit::Component& component) {
+    Represented result;
+    if (few.types.empty()) return result;
+    for (const cpp_emit::Output& output : cpp_emit::outputs(component)) {
+        std::vector<bool>& arguments = result.emplace_back();
+        for (const ir::TypeId type : output.types) arguments.push_back(represented(system, few, type));
+    }
+    return result;
+}
+
+/// The outcome for few values is that for all unless the model chooses between values.
+void decide_for_all(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
+                    const Represented& represented, const Options& options) {
+    if (represented.empty() || result.outcome != Outcome::conforms) return;
+    std::string reason;
+    try {
+        const auto model = session.system(process, options.limits);
+        ModelGraph graph(*model, alphabet);
+        NormalFormSystem normal_form(graph, alphabet, options.cycle_length);
+        const auto found = open_choice(normal_form, alphabet, represented, options.limits);
+        if (!found) return;
+        reason = fmt::format(
+            "no difference for the few values explored, but they do not stand for all: after one trace the model may "
+            "make either of {} and {}",
+            found->one, found->other);
+    } catch (const process::Interrupted& limit) {
+        reason = fmt::format("whether few values stand for all was not decided: {}", limit.what());
+    }
+    result.outcome = Outcome::inconclusive;
+    result.reason = std::move(reason);
+}
+
+Result judged(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
+              const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
+              const Options& options) {
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
     Interface interface = interface_of(code);
@@ -119,6 +159,7 @@ Result judge_code(const csp_emit::Emission& script, const ir::System& system, co
         cspm::Session session(script.definitions);
         Result result = checked(session, process, interface, code, options);
         const Alphabet alphabet(interface, session.event_table());
+        decide_for_all(result, session, process, alphabet, represented, options);
         result.normal_form = normal_form_text(script, process, alphabet, options.cycle_length);
         if (options.exported != Export::none) export_code(result, {script, process, code, alphabet}, options);
         return result;
@@ -134,10 +175,26 @@ Result judge_code(const csp_emit::Emission& script, const ir::System& system, co
     }
 }
 
+}  // namespace
+
+Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
+                  const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
+    return judged(script, system, instantiation, component, code, {}, options);
+}
+
 Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,
                const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
-    const RenamedModel model = renamed_model(system, instantiation, component, diagnostics);
+    RenamedModel model = renamed_model(system, instantiation, component, diagnostics);
+    Represented represented;
+    std::vector<FewValues> few_values;
+    diagnostics::Diagnostics apart;  // the emitter reports the same
+    if (const auto resolved = cpp_emit::resolve(model.system, model.instantiation, model.component, apart)) {
+        Representatives few = representatives(model.system, model.instantiation, *resolved);
+        represented = represented_arguments(model.system, few, *resolved);
+        for (const RepresentedType& each : few.types) few_values.push_back({each.name, each.values});
+        model.instantiation = std::move(few.instantiation);
+    }
     const csp_emit::Emission script =
         csp_emit::emit(model.system, model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
     const cspm::ExprPtr process = component_process(script.definitions, model.component);
@@ -164,7 +221,10 @@ Result conform(const ir::System& system, const ir::Instantiation& instantiation,
         return result;
     }
     if (!object) return not_generated(std::move(error));
-    return judge_code(script, model.system, model.instantiation, model.component, object->interface(), options);
+    Result result =
+        judged(script, model.system, model.instantiation, model.component, object->interface(), represented, options);
+    result.represented = std::move(few_values);
+    return result;
 }
 
 }  // namespace robochart::conformance

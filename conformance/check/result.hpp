@@ -48,6 +48,12 @@ struct ApiDifference {
     Behaviour dispatched;
 };
 
+/// A type of which few values were explored, since the component only passes them on.
+struct FewValues {
+    std::string type;  ///< as the model writes it
+    std::size_t values = 0;
+};
+
 struct Result {
     Outcome outcome = Outcome::inconclusive;
     std::string reason;
@@ -62,6 +68,7 @@ struct Result {
     std::optional<Aside> register_cycles;
     /// No deadline passes while an input is awaited that does not come. Nothing: not decided.
     std::optional<Aside> deadlines;
+    std::vector<FewValues> represented;
     std::uint64_t dispatched = 0;  ///< (state, event or none) pairs in which both APIs were compared
     std::optional<ApiDifference> api_difference;
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)

@@ -189,18 +189,23 @@ CycleRole Alphabet::cycle_role(process::Event event) const {
     return {CycleRole::Kind::other};
 }
 
-std::string Alphabet::tell_write(std::uint32_t output, std::string_view name) const {
+std::vector<std::string> Alphabet::arguments(process::Event write) const {
+    const std::uint32_t output = cycle_role(write).index;
     const std::size_t prefix = std::string_view("registerWrite.wrote__").size() + output_names_[output].size();
+    return split_arguments(std::string_view(events_->name(write)).substr(prefix), interface_.outputs[output].arguments);
+}
+
+std::string Alphabet::tell_write(std::uint32_t output, process::Event write) const {
     const Output& shown = interface_.outputs[output];
-    const std::vector<std::string> parts = split_arguments(name.substr(prefix), shown.arguments);
-    std::string arguments;
+    const std::vector<std::string> parts = arguments(write);
+    std::string texts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Carrier carrier = i < shown.arguments.size() ? shown.arguments[i] : Carrier{};
         const auto value = number_of(carrier, parts[i]);
-        arguments += (i == 0 ? "" : ", ") + (value ? people_text(carrier, *value, interface_.scale) : parts[i]);
+        texts += (i == 0 ? "" : ", ") + (value ? people_text(carrier, *value, interface_.scale) : parts[i]);
     }
-    if (starts_with(shown.name, "set_")) return fmt::format("{} = {}", shown.name.substr(4), arguments);
-    return fmt::format("{}({})", short_name(shown.name), arguments);
+    if (starts_with(shown.name, "set_")) return fmt::format("{} = {}", shown.name.substr(4), texts);
+    return fmt::format("{}({})", short_name(shown.name), texts);
 }
 
 std::string Alphabet::tell(process::Event event) const {
@@ -211,7 +216,7 @@ std::string Alphabet::tell(process::Event event) const {
         case CycleRole::Kind::tick:
             return "termination";
         case CycleRole::Kind::write:
-            return tell_write(role.index, events_->name(event));
+            return tell_write(role.index, event);
         case CycleRole::Kind::other:
             return events_->name(event);
         case CycleRole::Kind::read:

@@ -91,6 +91,8 @@ public:
     [[nodiscard]] process::Event write(std::uint32_t output, const std::vector<std::int64_t>& arguments) const;
     [[nodiscard]] ModelRole model_role(process::Event) const;
     [[nodiscard]] CycleRole cycle_role(process::Event) const;
+    /// The arguments of a write as text. An event of that role.
+    [[nodiscard]] std::vector<std::string> arguments(process::Event write) const;
     /// "present__heading" and so on: the constructors of the NF script's datatypes.
     [[nodiscard]] const std::string& input_constructor(std::uint32_t input) const { return input_names_[input]; }
     [[nodiscard]] const std::string& output_constructor(std::uint32_t output) const { return output_names_[output]; }
@@ -99,7 +101,7 @@ public:
 
 private:
     [[nodiscard]] ModelRole find_role(const std::string& name) const;
-    [[nodiscard]] std::string tell_write(std::uint32_t output, std::string_view name) const;
+    [[nodiscard]] std::string tell_write(std::uint32_t output, process::Event write) const;
 
     Interface interface_;
     process::EventTable* events_;

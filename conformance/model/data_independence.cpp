@@ -48,7 +48,7 @@ private:
             case ir::TypeKind::given:
             case ir::TypeKind::unit:
                 return;
-            // composed: it may hold numbers of any kind
+            // with parts: it may hold numbers of any kind
             case ir::TypeKind::sequence:
             case ir::TypeKind::set:
             case ir::TypeKind::product:
@@ -57,30 +57,31 @@ private:
             case ir::TypeKind::relation:
             case ir::TypeKind::vector:
             case ir::TypeKind::matrix:
-                result = {false, false, false};
+                looked_into(id);
         }
+    }
+
+    void looked_into(ir::TypeId id) {
+        result.nat = result.integer = result.real = false;
+        result.looked_into.push_back(id);
+    }
+
+    /// Every value of the type, and of its parts, is looked at.
+    void enumerated(ir::TypeId id) {
+        tested(id);
+        const ir::Type& type = system_.type(id);
+        for (const ir::TypeId part : type.args) enumerated(part);
+        for (const auto& arguments : type.literal_args)
+            for (const ir::TypeId part : arguments) enumerated(part);
     }
 
     /// The same value in a place of another type is a conversion.
     void stored(const ir::ExprPtr& value, ir::TypeId place) {
         passed(value);
         if (!value || constant(*value) || !value->type.valid() || !place.valid()) return;
-        if (same(value->type, place)) return;
+        if (same_type(system_, value->type, place)) return;
         tested(value->type);
         tested(place);
-    }
-
-    /// Declared types by their names, others by what they are made of.
-    bool same(ir::TypeId a, ir::TypeId b) {
-        const ir::Type& x = system_.type(a);
-        const ir::Type& y = system_.type(b);
-        if (x.kind != y.kind || x.sizes != y.sizes) return false;
-        const bool by_name =
-            x.kind == ir::TypeKind::record || x.kind == ir::TypeKind::enumeration || x.kind == ir::TypeKind::given;
-        if (by_name) return x.name == y.name && x.package == y.package;
-        bool all = x.args.size() == y.args.size();
-        for (std::size_t i = 0; all && i < x.args.size(); ++i) all = same(x.args[i], y.args[i]);
-        return all;
     }
 
     static bool leaf(ir::ExprKind kind) {
@@ -95,13 +96,27 @@ private:
         return std::find(std::begin(alone), std::end(alone), expr.kind) != std::end(alone);
     }
 
-    /// A value that goes on as it is.
+    /// A value that goes on as it is. Where it is taken out of another, or another is made of it, that one is looked
+    /// into.
     void passed(const ir::ExprPtr& expr) {
         if (!expr || leaf(expr->kind) || constant(*expr)) return;
-        if (expr->kind != ir::ExprKind::if_then_else) return used(expr);
+        const ir::ExprKind kind = expr->kind;
+        if (kind == ir::ExprKind::record || kind == ir::ExprKind::tuple) return made(*expr);
+        if (kind == ir::ExprKind::member) {
+            tested(expr->args[0]->type);
+            return passed(expr->args[0]);
+        }
+        if (kind != ir::ExprKind::if_then_else) return used(expr);
         used(expr->args[0]);
         passed(expr->args[1]);
         passed(expr->args[2]);
+    }
+
+    void made(const ir::Expr& whole) {
+        tested(whole.type);
+        const std::vector<ir::TypeId>& parts = system_.type(whole.type).args;
+        for (std::size_t i = 0; i < whole.args.size(); ++i)
+            stored(whole.args[i], i < parts.size() ? parts[i] : ir::TypeId{});
     }
 
     /// A value that something depends on.
@@ -109,6 +124,7 @@ private:
         if (!expr || constant(*expr)) return;
         const bool clock = expr->kind == ir::ExprKind::since || expr->kind == ir::ExprKind::since_entry;
         if (!clock) tested(expr->type);
+        for (const ir::TypeId type : expr->bound_types) enumerated(type);
         for (const ir::ExprPtr& part : expr->args) used(part);
     }
 
@@ -119,7 +135,7 @@ private:
         if (communication.value && event.type) stored(communication.value, *event.type);
         if (!communication.variable.valid() || !event.type) return;
         const ir::TypeId variable = machine_->variables[communication.variable.index].type;
-        if (same(variable, *event.type)) return;
+        if (same_type(system_, variable, *event.type)) return;
         tested(variable);
         tested(*event.type);
     }
@@ -129,7 +145,7 @@ private:
         used(stmt->condition);
         used(stmt->upper);
         for (const ir::ExprPtr& step : stmt->path) used(step);
-        if (!stmt->path.empty()) result = {false, false, false};
+        if (!stmt->path.empty()) enumerated(machine_->variables[stmt->variable.index].type);
         if (stmt->kind == ir::StmtKind::assign)
             stored(stmt->value, machine_->variables[stmt->variable.index].type);
         else
@@ -147,6 +163,43 @@ private:
 };
 
 }  // namespace
+
+bool same_type(const ir::System& system, ir::TypeId a, ir::TypeId b) {
+    const ir::Type& x = system.type(a);
+    const ir::Type& y = system.type(b);
+    if (x.kind != y.kind || x.sizes != y.sizes) return false;
+    const bool by_name =
+        x.kind == ir::TypeKind::record || x.kind == ir::TypeKind::enumeration || x.kind == ir::TypeKind::given;
+    if (by_name) return x.name == y.name && x.package == y.package;
+    bool all = x.args.size() == y.args.size();
+    for (std::size_t i = 0; all && i < x.args.size(); ++i) all = same_type(system, x.args[i], y.args[i]);
+    return all;
+}
+
+bool DataIndependence::of(const ir::System& system, ir::TypeId id) const {
+    switch (system.type(id).kind) {
+        case ir::TypeKind::boolean:
+        case ir::TypeKind::nat:
+        case ir::TypeKind::integer:
+        case ir::TypeKind::real:
+        case ir::TypeKind::enumeration:
+        case ir::TypeKind::string:
+        case ir::TypeKind::given:
+        case ir::TypeKind::unit:
+            return false;
+        case ir::TypeKind::sequence:
+        case ir::TypeKind::set:
+        case ir::TypeKind::function:
+        case ir::TypeKind::relation:
+        case ir::TypeKind::product:
+        case ir::TypeKind::record:
+        case ir::TypeKind::vector:
+        case ir::TypeKind::matrix:
+            return std::none_of(looked_into.begin(), looked_into.end(),
+                                [&](ir::TypeId other) { return same_type(system, id, other); });
+    }
+    return false;
+}
 
 bool DataIndependence::of(ir::TypeKind kind) const {
     return (kind == ir::TypeKind::nat && nat) || (kind == ir::TypeKind::integer && integer) ||

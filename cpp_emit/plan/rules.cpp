@@ -48,7 +48,7 @@ const Rule no_project{"RC-G14", Severity::error, "no {} project for '{}': {}",
 const Rule not_explored{
     "RC-G15", Severity::note, "the code of '{}' has no exploration interface: of {}, {}",
     "The controller is whole; only `conform`, which tries all values of its inputs, functions and outputs over the "
-    "finite carriers, refuses it (RC-G13) until they are fewer."};
+    "finite carriers, refuses it (RC-G13) until they are fewer, unless the component only passes them on."};
 
 std::span<const Rule* const> all() {
     static constexpr std::array table = {

@@ -109,6 +109,12 @@ std::string literal_name(const ir::Type& type, std::size_t literal) {
 
 ExprPtr type_set(const Project& project, ir::TypeId id) {
     const ir::Type& type = project.system.type(id);
+    const auto few = project.instantiation.representatives.find(id.index);
+    if (few != project.instantiation.representatives.end()) {
+        b::Exprs values;
+        for (const ir::Value& value : few->second) values.push_back(value_literal(project, id, value));
+        return b::set(values);
+    }
     switch (type.kind) {
         case TypeKind::boolean:
             return b::name("core_boolean");

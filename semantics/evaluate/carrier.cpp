@@ -130,6 +130,8 @@ Values Carriers::functions(const Type& type) {
 
 Values Carriers::of(TypeId id) {
     instantiation_.poll();
+    const auto few = instantiation_.representatives.find(id.index);
+    if (few != instantiation_.representatives.end()) return few->second;
     const Type& type = system_.types.at(id.index);
     switch (type.kind) {
         case TypeKind::boolean:
@@ -218,6 +220,9 @@ Value filled(std::int64_t count, const Value& item) {
 
 bool in_carrier(const System& system, const Instantiation& instantiation, TypeId id, const Value& value) {
     instantiation.poll();
+    const auto few = instantiation.representatives.find(id.index);
+    if (few != instantiation.representatives.end())
+        return std::binary_search(few->second.begin(), few->second.end(), value);
     const Type& type = system.types.at(id.index);
     switch (type.kind) {
         case TypeKind::boolean:

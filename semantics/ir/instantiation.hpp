@@ -46,6 +46,9 @@ struct Instantiation {
     /// Constants without a value in the model, and those an option sets: qualified name as in CSP (`const_P_S_c`, see
     /// query.hpp) -> value. An entry here goes before the value in the model.
     std::map<std::string, Value> constants;
+    /// Types with parts of which only these values are looked at, ascending: number of the type -> values. Empty but
+    /// for conformance of components that only pass such values on (conformance/model/representatives.hpp).
+    std::map<std::uint32_t, std::vector<Value>> representatives;
     /// The limits within which it is worked with: what goes through carriers and evaluates polls here.
     diagnostics::Budget* budget = nullptr;
 

@@ -1,0 +1,257 @@
+// The values by which a data independent type is represented (Lazić 1999; Roscoe UCS 17.2).
+#include "conformance/model/representatives.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "conformance/model/data_independence.hpp"
+#include "cpp_emit/plan/exploration_ports.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/plan/unsupported.hpp"
+#include "semantics/evaluate/carrier.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/dump_expressions.hpp"
+#include "semantics/ir/visit.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+/// More valuations of all registers than the search of L(G) takes.
+constexpr double most_valuations = 16'777'216;
+constexpr std::size_t values_of_one_register = 4096;
+/// Attempts to find a value that is not taken.
+constexpr std::size_t attempts = 64;
+
+/// Values that differ in every part: each leaf takes the next value of its carrier, `shift` says where they begin.
+class Sample {
+public:
+    Sample(const ir::System& system, const ir::Instantiation& instantiation, std::size_t shift)
+        : system_(system), instantiation_(instantiation), next_(shift) {}
+
+    /// As deep as types nest. Nothing for functions and relations, whose values have no fixed shape.
+    std::optional<ir::Value> of(ir::TypeId id) {
+        const ir::Type& type = system_.type(id);
+        switch (type.kind) {
+            case ir::TypeKind::function:
+            case ir::TypeKind::relation:
+                return std::nullopt;
+            case ir::TypeKind::sequence:
+                return parts(
+                    std::vector<ir::TypeId>(static_cast<std::size_t>(instantiation_.sequence_bound), type.args[0]));
+            case ir::TypeKind::set:
+                return parts({type.args[0]});
+            case ir::TypeKind::vector:
+                return parts(std::vector<ir::TypeId>(static_cast<std::size_t>(type.sizes[0]), type.args[0]));
+            case ir::TypeKind::matrix:
+                return matrix(type);
+            case ir::TypeKind::product:
+            case ir::TypeKind::record:
+                return parts(type.args);
+            case ir::TypeKind::boolean:
+            case ir::TypeKind::nat:
+            case ir::TypeKind::integer:
+            case ir::TypeKind::real:
+            case ir::TypeKind::string:
+            case ir::TypeKind::enumeration:
+            case ir::TypeKind::given:
+            case ir::TypeKind::unit:
+                break;
+        }
+        const std::vector<ir::Value> values = ir::carrier(system_, instantiation_, id);
+        if (values.empty()) return std::nullopt;
+        return values[next_++ % values.size()];
+    }
+
+private:
+    std::optional<ir::Value> parts(const std::vector<ir::TypeId>& types) {
+        ir::Value value;
+        for (const ir::TypeId type : types) {
+            std::optional<ir::Value> part = of(type);
+            if (!part) return std::nullopt;
+            value.parts.push_back(std::move(*part));
+        }
+        return value;
+    }
+
+    std::optional<ir::Value> matrix(const ir::Type& type) {
+        ir::Value value;
+        for (std::int64_t row = 0; row < type.sizes[0]; ++row) {
+            std::optional<ir::Value> each =
+                parts(std::vector<ir::TypeId>(static_cast<std::size_t>(type.sizes[1]), type.args[0]));
+            if (!each) return std::nullopt;
+            value.parts.push_back(std::move(*each));
+        }
+        return value;
+    }
+
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+    std::size_t next_;
+};
+
+class Chooser {
+public:
+    Chooser(const ir::System& system, const ir::Instantiation& instantiation, const cpp_emit::Component& component)
+        : system_(system), component_(component), result_{instantiation, {}} {
+        std::vector<ir::MachineId> machines;
+        for (const cpp_emit::Unit& unit : component.units) machines.push_back(unit.id);
+        independent_ = data_independence(system, machines);
+    }
+
+    Representatives choose() {
+        if (too_many())
+            for (const ir::TypeId type : at_the_boundary()) parts_first(type);
+        if (too_many()) {
+            numbers(ir::TypeKind::nat, result_.instantiation.nat);
+            numbers(ir::TypeKind::integer, result_.instantiation.integer);
+            numbers(ir::TypeKind::real, result_.instantiation.real);
+        }
+        return std::move(result_);
+    }
+
+private:
+    [[nodiscard]] bool too_many() const {
+        if (!cpp_emit::beyond_exploration(system_, result_.instantiation, component_).empty()) return true;
+        double valuations = 1;
+        for (const cpp_emit::Register& input : cpp_emit::registers(component_)) {
+            const double values =
+                input.type
+                    ? static_cast<double>(
+                          ir::carrier(system_, result_.instantiation, *input.type, values_of_one_register).size())
+                    : 1;
+            valuations *= 1 + values;
+        }
+        return valuations > most_valuations;
+    }
+
+    [[nodiscard]] std::vector<ir::TypeId> at_the_boundary() const {
+        std::vector<ir::TypeId> types;
+        for (const cpp_emit::Register& input : cpp_emit::registers(component_))
+            if (input.type) types.push_back(*input.type);
+        for (const cpp_emit::Output& output : cpp_emit::outputs(component_))
+            types.insert(types.end(), output.types.begin(), output.types.end());
+        return types;
+    }
+
+    /// What is passed on as a whole is represented as a whole; else its parts are. As deep as types nest.
+    void parts_first(ir::TypeId id) {
+        if (!seen_.insert(id.index).second) return;
+        if (independent_.of(system_, id) && represent(id)) return;
+        const ir::Type& type = system_.type(id);
+        for (const ir::TypeId part : type.args) parts_first(part);
+        for (const auto& arguments : type.literal_args)
+            for (const ir::TypeId part : arguments) parts_first(part);
+    }
+
+    bool represent(ir::TypeId id) {
+        std::set<ir::Value> values = fixed(id);
+        const std::size_t all = values.size() + 2;
+        for (std::size_t shift = 0; shift < attempts && values.size() < all; ++shift) {
+            std::optional<ir::Value> value = Sample(system_, result_.instantiation, shift).of(id);
+            if (!value) return false;
+            values.insert(std::move(*value));
+        }
+        if (values.size() < all) return false;
+        const std::vector<ir::Value> chosen(values.begin(), values.end());
+        for (std::uint32_t other = 0; other < system_.types.size(); ++other)
+            if (same_type(system_, id, ir::TypeId{other})) result_.instantiation.representatives[other] = chosen;
+        result_.types.push_back({id, ir::type_text(system_, id), chosen.size()});
+        return true;
+    }
+
+    /// The values of the type that variables and constants have from the start.
+    [[nodiscard]] std::set<ir::Value> fixed(ir::TypeId id) const {
+        std::set<ir::Value> values{ir::default_value(system_, result_.instantiation, id)};
+        for_each_fixed([&](ir::TypeId type, const ir::Value& value) {
+            if (same_type(system_, id, type)) values.insert(value);
+        });
+        return values;
+    }
+
+    template <class Take>
+    void for_each_fixed(const Take& take) const {
+        for (const cpp_emit::Unit& unit : component_.units) {
+            for (std::size_t i = 0; i < unit.constants.size(); ++i)
+                take(unit.machine->constants[i].type, unit.constants[i]);
+            for (std::size_t i = 0; i < unit.initials.size(); ++i)
+                take(unit.machine->variables[i].type, unit.initials[i]);
+        }
+        for (const cpp_emit::StoredVariable& stored : component_.variables) take(stored.variable->type, stored.initial);
+    }
+
+    /// A kind of numbers at the boundary: those that the component has from the start or writes, and the two that are
+    /// next to them.
+    void numbers(ir::TypeKind kind, std::vector<std::int64_t>& carrier) {
+        const bool used = std::any_of(seen_.begin(), seen_.end(),
+                                      [&](std::uint32_t index) { return system_.types[index].kind == kind; });
+        if (!used || !independent_.of(kind)) return;
+        std::set<std::int64_t> kept{0};
+        for_each_fixed([&](ir::TypeId type, const ir::Value& value) { leaves(system_.type(type), value, kind, kept); });
+        for (const cpp_emit::Unit& unit : component_.units) literals(*unit.machine, kept);
+        std::vector<std::int64_t> chosen;
+        std::size_t more = 2;
+        for (const std::int64_t number : carrier)
+            if (kept.count(number) > 0 || (more > 0 && more-- > 0)) chosen.push_back(number);
+        if (more > 0 || chosen.size() == carrier.size()) return;
+        carrier = std::move(chosen);
+        for (std::uint32_t index = 0; index < system_.types.size(); ++index) {
+            if (system_.types[index].kind != kind) continue;
+            result_.types.push_back({ir::TypeId{index}, ir::type_text(system_, ir::TypeId{index}), carrier.size()});
+            break;
+        }
+    }
+
+    /// The numbers of a kind in a value. As deep as types nest.
+    void leaves(const ir::Type& type, const ir::Value& value, ir::TypeKind kind, std::set<std::int64_t>& found) const {
+        if (type.kind == kind) found.insert(value.number);
+        for (std::size_t i = 0; i < value.parts.size(); ++i) {
+            const bool literal = type.kind == ir::TypeKind::enumeration;
+            const std::vector<ir::TypeId>& args =
+                literal ? type.literal_args.at(static_cast<std::size_t>(value.number)) : type.args;
+            const bool row = args.empty();  // of a matrix: met with the type of its elements
+            leaves(row ? type : system_.type(args[args.size() > 1 ? i : 0]), value.parts[i], kind, found);
+        }
+    }
+
+    /// Each literal as a number of any kind.
+    void literals(const ir::Machine& machine, std::set<std::int64_t>& found) const {
+        ir::visit_expressions(machine, [&](const ir::Expr& root, ir::ExprRole) {
+            ir::visit_operands(root, [&](const ir::Expr& expr) {
+                const auto value = ir::evaluate_constant(system_, result_.instantiation, &machine, expr);
+                if (!value || !value->parts.empty()) return;
+                found.insert(value->number);
+                const std::int64_t most = std::numeric_limits<std::int64_t>::max() / result_.instantiation.scale;
+                if (std::abs(value->number) <= most) found.insert(value->number * result_.instantiation.scale);
+            });
+        });
+    }
+
+    const ir::System& system_;
+    const cpp_emit::Component& component_;
+    Representatives result_;
+    DataIndependence independent_;
+    std::set<std::uint32_t> seen_;
+};
+
+}  // namespace
+
+bool represented(const ir::System& system, const Representatives& few, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    const auto same = [&](const RepresentedType& each) { return same_type(system, each.type, id); };
+    if (std::any_of(few.types.begin(), few.types.end(), same)) return true;
+    const auto inside = [&](ir::TypeId part) { return represented(system, few, part); };
+    return std::any_of(type.args.begin(), type.args.end(), inside) ||
+           std::any_of(type.literal_args.begin(), type.literal_args.end(),
+                       [&](const auto& arguments) { return std::any_of(arguments.begin(), arguments.end(), inside); });
+}
+
+Representatives representatives(const ir::System& system, const ir::Instantiation& instantiation,
+                                const cpp_emit::Component& component) {
+    return Chooser(system, instantiation, component).choose();
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,198 @@
+// Few values for all (docs/conformance.md): which types are represented and by what, and that faults are found with few
+// values where they are found with all.
+#include "conformance/model/representatives.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "conformance/check/conform.hpp"
+#include "cpp_emit/plan/resolve_component.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+using cpp_emit::Fault;
+
+/// Passes records on.
+constexpr const char* relay = R"(
+datatype Scan { a : real b : real c : real d : real e : real f : real }
+enumeration Kind { near far }
+interface Out { show(one : Scan, two : Scan, k : Kind) }
+stm Relay {
+    requires Out
+    event scan : Scan
+    event answer : Scan
+    event again
+    var last : Scan
+    var none : Scan
+    initial i
+    state Idle { }
+    state Busy { }
+    transition t0 { from i to Idle }
+    transition t1 { from Idle to Busy trigger scan?last action show(last, none, Kind::near); wait(1) }
+    transition t3 { from Busy to Idle trigger again action answer!last; wait(1) }
+}
+)";
+
+/// Takes them out of others and puts them into others, of which it looks at the rest.
+constexpr const char* unpack = R"(
+datatype Scan { a : real b : real c : real d : real e : real f : real }
+enumeration Kind { near far }
+datatype Message { kind : Kind scan : Scan }
+stm Unpack {
+    event message : Message
+    event answer : Scan
+    event forward : Message
+    var m : Message
+    initial i
+    state Idle { }
+    transition t0 { from i to Idle }
+    transition t1 { from Idle to Idle trigger message?m condition m.kind == Kind::far action answer!(m.scan); wait(1) }
+    transition t2 { from Idle to Idle trigger message?m condition m.kind == Kind::near
+                    action forward!Message (| kind = Kind::far, scan = m.scan |); wait(1) }
+}
+)";
+
+ir::InstantiationOptions two_numbers() {
+    ir::InstantiationOptions options;
+    for (const char* const kind : {"nat", "int", "real"}) options.ranges[kind] = {0, 1};
+    return options;
+}
+
+Representatives chosen(const std::string& text) {
+    const test::TemporaryFolder folder(text);
+    test::Model model(folder.path());
+    const auto component = cpp_emit::resolve(model.system, model.instantiation,
+                                             model.machine(model.system.machines.front().name), model.diagnostics);
+    return representatives(model.system, model.instantiation, *component);
+}
+
+Result checked(const std::string& text, Fault fault = Fault::none, const ir::InstantiationOptions& values = {}) {
+    const test::TemporaryFolder folder(text);
+    test::Model model(folder.path(), values);
+    Options options;
+    options.generator.fault = fault;
+    options.walks.cycles = 0;
+    diagnostics::Diagnostics found;
+    return conform(model.system, model.instantiation, model.machine(model.system.machines.front().name), options,
+                   model.sources, found);
+}
+
+TEST(Representatives, AreTheDefaultAndTwoThatDifferInEveryPart) {
+    const Representatives few = chosen(relay);
+    ASSERT_EQ(few.types.size(), 1U);
+    EXPECT_EQ(few.types[0].name, "Scan");
+    EXPECT_EQ(few.types[0].values, 3U);
+    const std::vector<ir::Value>& values = few.instantiation.representatives.at(few.types[0].type.index);
+    ASSERT_EQ(values.size(), 3U);
+    for (std::size_t part = 0; part < 6; ++part)
+        EXPECT_NE(values[0].parts[part], values[1].parts[part]) << "the first two are not the default";
+    std::set<ir::Value> parts(values[0].parts.begin(), values[0].parts.end());
+    EXPECT_EQ(parts.size(), 5U) << "as many as there are reals";
+}
+
+TEST(Representatives, AreNotUsedWhereAllCanBeExplored) {
+    const test::TemporaryFolder folder(relay);
+    test::Model model(folder.path(), two_numbers());
+    const auto component =
+        cpp_emit::resolve(model.system, model.instantiation, model.machine("Relay"), model.diagnostics);
+    EXPECT_TRUE(representatives(model.system, model.instantiation, *component).types.empty());
+}
+
+/// A machine with a block of 15 reals, and what it does with it.
+std::string with_block(const std::string& action) {
+    return "stm S { event block : matrix(real, 3, 5) event answer : matrix(real, 3, 5) var b : matrix(real, 3, 5)\n"
+           "var c : matrix(real, 3, 5) initial i state A { } transition t0 { from i to A }\n"
+           "transition t1 { from A to A trigger block?b " +
+           action + " } }\n";
+}
+
+TEST(Representatives, OnlyOfWhatNothingDependsOn) {
+    EXPECT_EQ(chosen(with_block("action answer!b")).types.size(), 1U);
+    EXPECT_EQ(chosen(with_block("action c = b; wait(1); answer!c")).types.size(), 1U);
+    for (const char* const depends :
+         {"condition b == c action answer!b", "action answer!(b + c)",
+          "action answer!(if b[1, 1] > 0 then b else c end)", "action b[1, 1] = 0; answer!b",
+          "condition exists x : matrix(real, 3, 5) @ x == b action answer!b"})
+        EXPECT_TRUE(chosen(with_block(depends)).types.empty()) << depends;
+}
+
+/// Constants that variables begin with are among the values.
+TEST(Representatives, HaveTheValuesFromTheStart) {
+    const std::string text =
+        "datatype R { a : real b : real c : real d : real e : real f : real }\n"
+        "stm S { const k : R = R (| a = 1, b = 1, c = 1, d = 1, e = 1, f = 1 |) event in1 : R event answer : R var v : "
+        "R\n"
+        "initial i state A { } transition t0 { from i to A }\n"
+        "transition t1 { from A to A trigger in1?v action answer!v; wait(1); v = k } }\n";
+    const Representatives few = chosen(text);
+    ASSERT_EQ(few.types.size(), 1U);
+    EXPECT_EQ(few.types[0].values, 4U);
+}
+
+/// Numbers too, where a literal makes a carrier large.
+TEST(Representatives, OfNumbers) {
+    const std::string text =
+        "stm S { event given1 : real event answer : real var v : real initial i state A { } transition t0 { from i to "
+        "A "
+        "}\n"
+        "transition t1 { from A to A trigger given1?v action answer!v; wait(1); v = 9000 } }\n";
+    const Representatives few = chosen(text);
+    ASSERT_EQ(few.types.size(), 1U);
+    EXPECT_EQ(few.types[0].name, "real");
+    EXPECT_EQ(few.instantiation.real, (std::vector<std::int64_t>{-2, -1, 0, 1, 9000})) << "1 is a literal too";
+    const Result result = checked(text);
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+}
+
+TEST(FewValues, ConformWhereAllDo) {
+    const Result few = checked(relay);
+    EXPECT_EQ(few.outcome, Outcome::conforms) << few.reason;
+    ASSERT_EQ(few.represented.size(), 1U);
+    EXPECT_EQ(few.represented[0].type, "Scan");
+    const Result all = checked(relay, Fault::none, two_numbers());
+    EXPECT_EQ(all.outcome, Outcome::conforms) << all.reason;
+    EXPECT_TRUE(all.represented.empty());
+    EXPECT_LT(few.code_states, all.code_states);
+}
+
+TEST(FewValues, OfPartsOfWhatIsLookedInto) {
+    const Result result = checked(unpack);
+    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    ASSERT_EQ(result.represented.size(), 1U);
+    EXPECT_EQ(result.represented[0].type, "Scan");
+    EXPECT_EQ(checked(unpack, Fault::field_dropped).outcome, Outcome::differs);
+}
+
+TEST(FewValues, FindTheFaultsThatAllFind) {
+    int found = 0;
+    for (const Fault fault : {Fault::value_not_stored, Fault::fields_lost, Fault::wrong_output,
+                              Fault::assignment_dropped, Fault::send_dropped, Fault::argument_swapped,
+                              Fault::wrong_input, Fault::guard_dropped, Fault::wait_dropped}) {
+        const Result few = checked(relay, fault);
+        const Result all = checked(relay, fault, two_numbers());
+        EXPECT_EQ(few.outcome, all.outcome) << static_cast<int>(fault) << " " << few.reason << " | " << all.reason;
+        found += all.outcome == Outcome::differs ? 1 : 0;
+    }
+    EXPECT_GE(found, 5);
+}
+
+/// Which of two records is put out is left open, and the code may take either: with few values a wrong one could pass
+/// for a right one that is equal to it by chance.
+TEST(FewValues, DoNotStandForAllWhereTheModelChoosesBetweenValues) {
+    const std::string text =
+        "datatype R { a : real b : real c : real d : real e : real f : real }\n"
+        "stm S { event one : R event two : R event answer : R var x : R var y : R\n"
+        "initial i state A { } state B { } junction j transition t0 { from i to A }\n"
+        "transition t1 { from A to B trigger one?x } transition t2 { from B to j trigger two?y }\n"
+        "transition t3 { from j to A action wait(1); answer!x } transition t4 { from j to A action wait(1); answer!y } "
+        "}\n";
+    const Result result = checked(text);
+    EXPECT_EQ(result.outcome, Outcome::inconclusive);
+    EXPECT_NE(result.reason.find("do not stand for all"), std::string::npos) << result.reason;
+}
+
+}  // namespace
+}  // namespace robochart::conformance
