@@ -9,11 +9,23 @@ namespace robochart::cpp_emit {
 
 std::string store(const Generation& generation, const Unit& unit, ir::VariableId id, const std::string& value) {
     const StoredVariable* stored = generation.component.stored(unit, id);
-    if (stored != nullptr && stored->visible) return fmt::format("{}({});", stored->writer, value);
+    const std::string relay =
+        stored != nullptr && !stored->holders.empty() ? fmt::format(" {}();", stored->relay) : std::string();
+    if (stored != nullptr && stored->visible) return fmt::format("{}({});{}", stored->writer, value, relay);
     const bool propagated = stored != nullptr && stored->shared && generation.component.composed();
     if (propagated && generation.mutation.hits(Fault::write_not_relayed)) return {};
     const std::string place = ExpressionWriter(generation, unit).variable(id);
-    return place.empty() ? "" : fmt::format("{} = {};", place, value);
+    return place.empty() ? relay : fmt::format("{} = {};{}", place, value, relay);
+}
+
+bool may_be_held_up(const Generation& generation, const Unit& unit, ir::VariableId id) {
+    const StoredVariable* const stored = id.valid() ? generation.component.stored(unit, id) : nullptr;
+    return stored != nullptr && !stored->holders.empty();
+}
+
+CppExpr may_write(const Generation& generation, const Unit& unit, ir::VariableId id) {
+    if (!may_be_held_up(generation, unit, id)) return {};
+    return negation(CppExpr(generation.component.stored(unit, id)->held_up + "()"));
 }
 
 std::string clock_reset(const Generation& generation, const Unit& unit, ir::ClockId id) {

@@ -56,7 +56,9 @@ public:
 
 private:
     [[nodiscard]] CppExpr condition(const std::string& incoming) const {
-        return conjunction(predicate(generation_, unit_, communication_, incoming), condition_(incoming));
+        const CppExpr free = may_write(generation_, unit_, communication_.variable);
+        return conjunction(conjunction(free, predicate(generation_, unit_, communication_, incoming)),
+                           condition_(incoming));
     }
 
     /// The event is there, and its value is what is asked for.

@@ -30,11 +30,19 @@ ProgramWriter::ProgramWriter(const Generation& generation, const Unit& unit, Thr
     : generation_(generation), unit_(unit), thread_(thread), state_(state) {}
 
 CodeWriter& ProgramWriter::code() {
+    resumed_.reset();
     return thread_.places.back().code;
 }
 
 void ProgramWriter::begin(const std::string& label, const diagnostics::ForeignText& comment) {
+    resumed_.reset();
     thread_.places.push_back({label, comment, state_, CodeWriter(5)});
+}
+
+void ProgramWriter::goes_on_from_here(const std::string& condition) {
+    if (!calls_hold_up_writes(generation_, unit_)) return;
+    const std::string place = thread_.at(thread_.places.back().label);
+    resumed_ = {fmt::format("{} == {}{}", thread_.variable, place, condition), {}};
 }
 
 void ProgramWriter::jump(const std::string& label) {
@@ -104,7 +112,7 @@ void ProgramWriter::statement(const ir::StmtPtr& stmt, const std::string& stem) 
         case StmtKind::if_then_else:
             return if_statement(*stmt, stem);
         case StmtKind::assign:
-            return assign(*stmt);
+            return assign(*stmt, stem);
         case StmtKind::communicate:
             return communicate(*stmt, stem);
         case StmtKind::call:
@@ -155,15 +163,26 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
     resume_at(end_label, "end if");
 }
 
-/// Before what others see of the machine.
-void ProgramWriter::look_at_deadlines() {
-    if (!guards_deadlines(*unit_.machine)) return;
-    code().line(fmt::format("watch({});", frame_arguments(generation_.component, unit_)));
+/// Before what others see of the machine; nothing if none counts only while a guard holds.
+std::string ProgramWriter::look_at_deadlines() const {
+    if (!guards_deadlines(*unit_.machine)) return {};
+    return fmt::format("watch({});", frame_arguments(generation_.component, unit_));
 }
 
-void ProgramWriter::assign(const ir::Stmt& stmt) {
+/// A variable that is not relayed yet takes no other write (semantics 3.7).
+void ProgramWriter::await_relays(const ir::Stmt& assignment, const std::string& stem) {
+    const CppExpr free = may_write(generation_, unit_, assignment.variable);
+    if (free.empty()) return;
+    const std::string label = fresh(stem);
+    resume_at(label, fmt::format("writes {}", unit_.machine->variables[assignment.variable.index].name));
+    thread_.held_up.push_back(label);
+    return_if(negation(free).whole());
+}
+
+void ProgramWriter::assign(const ir::Stmt& stmt, const std::string& stem) {
     const ir::Variable& variable = unit_.machine->variables[stmt.variable.index];
-    if (variable.scope == ir::VariableScope::required) look_at_deadlines();
+    await_relays(stmt, stem);
+    if (variable.scope == ir::VariableScope::required) line(look_at_deadlines());
     const ExpressionWriter expressions(generation_, unit_);
     const ir::TypeId type = variable.type;
     if (!stmt.path.empty()) return assign_part(stmt, type);
@@ -205,7 +224,8 @@ void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
 }
 
 void ProgramWriter::communicate(const ir::Stmt& stmt, const std::string& stem) {
-    look_at_deadlines();
+    waiting_.clear();
+    line(look_at_deadlines());
     if (stmt.communication.kind == CommKind::input) {
         await_input(stmt, stem);
     } else {
@@ -221,9 +241,11 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     }
     const EventPort& port = generation_.component.events[use.ports.front()];
     const std::string value = "inputs_." + port.input + ".value";
-    resume_at(fresh(stem), fmt::format("waits for {}", use.name));
+    waiting_ = fresh(stem);
+    resume_at(waiting_, fmt::format("waits for {}", use.name));
     const CppExpr there("inputs_." + port.input + ".present");
-    const CppExpr wanted = conjunction(there, predicate(generation_, unit_, communication, value));
+    const CppExpr free = conjunction(there, may_write(generation_, unit_, communication.variable));
+    const CppExpr wanted = conjunction(free, predicate(generation_, unit_, communication, value));
     return_if(fmt::format("!({})", wanted.whole()));
     line(consume(port));
     line(received(generation_, unit_, communication, value));
@@ -234,6 +256,7 @@ void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const s
     const std::string at = fresh(stem);
     const std::string next = fresh(stem);
     const std::string name = "await_" + thread_.prefix + at;
+    waiting_ = at;
     resume_at(at, fmt::format("waits for {}", use.name));
     return_if(fmt::format("!{}({})", name, frame_arguments(generation_.component, unit_)));
     code().line("break;");
@@ -281,6 +304,7 @@ void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
 /// The machine that takes it moves this thread on.
 void ProgramWriter::offer(const EventUse& use, const std::string& value, const std::string& at,
                           const std::string& next) {
+    waiting_ = at;
     thread_.sites.push_back({use.channel, thread_.variable, thread_.at(at), thread_.at(next), value});
     if (generation_.mutation.hits(Fault::send_not_awaited)) {
         jump(next);
@@ -288,6 +312,7 @@ void ProgramWriter::offer(const EventUse& use, const std::string& value, const s
         code().line("return moved;");
     }
     begin(next, fmt::format("has sent {}", use.name));
+    goes_on_from_here();
 }
 
 std::vector<std::string> ProgramWriter::arguments(const ir::Stmt& stmt) {
@@ -304,14 +329,27 @@ void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
     if (unit_.definitions[stmt.operation.index].valid()) {
         call_operation(stmt, texts, stem);
     } else {
-        call_platform(stmt, texts);
+        call_platform(stmt, texts, stem);
     }
 }
 
-void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts) {
-    look_at_deadlines();
+/// Where the thread goes on with the call, others may have to wait for it before they write (semantics 3.7): then it is
+/// also among the thread's prompt steps, and ends its place.
+void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts,
+                                  const std::string& stem) {
+    std::optional<PromptStep> prompt = reads_variables(stmt) ? std::nullopt : std::move(resumed_);
+    std::vector<std::string> lines;
+    if (const std::string watch = look_at_deadlines(); !watch.empty()) lines.push_back(watch);
     const PlatformCall& call = generation_.component.call(unit_, stmt.operation);
-    code().line(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
+    lines.push_back(fmt::format("platform_.{}({});", call.method, fmt::join(texts, ", ")));
+    for (const std::string& text : lines) code().line(text);
+    if (!prompt) return;
+    const std::string next = fresh(stem);
+    prompt->lines.insert(prompt->lines.end(), lines.begin(), lines.end());
+    prompt->lines.push_back(thread_.go(next));
+    thread_.prompt_steps.push_back(std::move(*prompt));
+    resume_at(next, fmt::format("has called {}", call.method));
+    goes_on_from_here();
 }
 
 CallFrame& ProgramWriter::call_frame(const Unit& operation) {
@@ -371,14 +409,38 @@ void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& 
     }
 }
 
-/// `S <{d}` (semantics 3.10): where S may have to wait, a counter tells when it has waited too long.
+/// `S <{d}` (semantics 3.10): where S may have to wait, a counter tells when it has waited too long. A thread that goes
+/// on with a communication holds up writes at once.
 void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
     if (!suspends(generation_, unit_, stmt.body[0])) return statement(stmt.body[0], stem);
     const std::string field = thread_.fields->unique(fmt::format("deadline_{}{}", thread_.prefix, stmt.point));
     thread_.deadlines.push_back(field);
-    line(watch_from(generation_, unit_, field, *stmt.value));
+    const bool holds = stmt.body[0]->kind == StmtKind::communicate;
+    std::optional<PromptStep> prompt = holds ? std::move(resumed_) : std::nullopt;
+    std::vector<std::string> lines{watch_from(generation_, unit_, field, *stmt.value)};
+    if (holds) begin_to_hold(lines);
+    for (const std::string& text : lines) line(text);
     statement(stmt.body[0], stem);
-    code().line(fmt::format("f.{} = 0;", field));
+    if (holds && !waiting_.empty()) thread_.holding.push_back(waiting_);
+    if (prompt && !waiting_.empty()) {
+        prompt->lines.insert(prompt->lines.end(), lines.begin(), lines.end());
+        prompt->lines.push_back(thread_.go(waiting_));
+        thread_.prompt_steps.push_back(std::move(*prompt));
+    }
+    std::optional<PromptStep> resumed = std::move(resumed_);
+    const std::string ended = fmt::format("f.{} = 0;", field);
+    code().line(ended);
+    if (resumed) resumed->lines.push_back(ended);
+    resumed_ = std::move(resumed);
+}
+
+/// What was relayed before is no longer on its way, unless another thread holds it up.
+void ProgramWriter::begin_to_hold(std::vector<std::string>& lines) const {
+    const Part& part = generation_.component.part(unit_);
+    for (const StoredVariable& variable : generation_.component.variables)
+        for (const RelayHolder& holder : variable.holders)
+            if (holder.part == unit_.part)
+                lines.push_back(fmt::format("if (!holds_up({})) state_.{} = 0;", part.place(), holder.field));
 }
 
 void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {
@@ -391,6 +453,7 @@ void ProgramWriter::wait(const ir::Stmt& stmt, const std::string& stem) {
     thread_.waits = true;
     resume_at(fresh(stem), "waits");
     return_if(fmt::format("{} > 0", thread_.wait));
+    goes_on_from_here(fmt::format(" && {} == 0", thread_.wait));
 }
 
 }  // namespace robochart::cpp_emit

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,13 @@ struct SendSite {
     std::string value;   ///< "" if the event carries none
 };
 
+/// What a thread does before others write: a call of the platform with which it goes on from where it was left, or the
+/// arrival at a communication with a deadline.
+struct PromptStep {
+    std::string there;               ///< the thread is in front of it: "f.at == At::S1_1 && f.wait == 0"
+    std::vector<std::string> lines;  ///< what is done, and where the thread is then
+};
+
 /// One line of control of a machine: its transitions and entries, or a state's during action.
 struct Thread {
     std::string variable;     ///< where its place is stored: "f.at"
@@ -48,6 +56,9 @@ struct Thread {
     std::vector<Place> places;    ///< in textual order
     std::vector<CallFrame> calls;
     std::vector<SendSite> sites;
+    std::vector<PromptStep> prompt_steps;
+    std::vector<std::string> holding;            ///< labels: waits with a deadline for a communication
+    std::vector<std::string> held_up;            ///< labels: has to write before time passes
     std::vector<std::string> deadlines;          ///< members of the frame: time left plus one, 0 when none runs
     CodeWriter helpers{1};                       ///< functions that its places call
     std::map<std::uint32_t, std::string> stuck;  ///< by the state shown: where a false precondition leads
@@ -67,6 +78,8 @@ public:
     void begin(const std::string& label, const diagnostics::ForeignText& comment);
     /// Ends the current place: control goes on at another.
     void jump(const std::string& label);
+    /// The thread may be left in front of the current place and goes on from it without another event.
+    void goes_on_from_here(const std::string& condition = "");
     /// Ends the current place in a way written by the caller.
     [[nodiscard]] CodeWriter& code();
     /// A statement; places in the middle of it are called `stem`_1, `stem`_2, ...
@@ -84,8 +97,10 @@ private:
     void sequence(const std::vector<ir::StmtPtr>& parts, const std::string& stem);
     void if_statement(const ir::Stmt&, const std::string& stem);
     void suspending_if(const ir::Stmt&, const std::string& stem);
-    void look_at_deadlines();
-    void assign(const ir::Stmt&);
+    [[nodiscard]] std::string look_at_deadlines() const;
+    void await_relays(const ir::Stmt& assignment, const std::string& stem);
+    void begin_to_hold(std::vector<std::string>& lines) const;
+    void assign(const ir::Stmt&, const std::string& stem);
     void assign_part(const ir::Stmt&, ir::TypeId whole);
     void communicate(const ir::Stmt&, const std::string& stem);
     void await_input(const ir::Stmt&, const std::string& stem);
@@ -95,7 +110,7 @@ private:
     void send_out(const EventUse&, const std::string& value);
     void offer(const EventUse&, const std::string& value, const std::string& at, const std::string& next);
     void call(const ir::Stmt&, const std::string& stem);
-    void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments);
+    void call_platform(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
     void call_operation(const ir::Stmt&, const std::vector<std::string>& arguments, const std::string& stem);
     void offer_to_platform(const Unit& operation, const std::string& frame);
     void require_preconditions(const Unit& operation, const std::string& frame);
@@ -108,6 +123,8 @@ private:
     const Unit& unit_;
     Thread& thread_;
     ir::NodeId state_;
+    std::string waiting_;                ///< label of the place where the last communication waits; "" if it does not
+    std::optional<PromptStep> resumed_;  ///< nothing but these lines is written in the place where the thread goes on
 };
 
 }  // namespace robochart::cpp_emit

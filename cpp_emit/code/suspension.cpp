@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "cpp_emit/code/assignment.hpp"
 #include "semantics/evaluate/preconditions.hpp"
+#include "semantics/ir/visit.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -49,12 +51,13 @@ bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr&
         case StmtKind::communicate:
             return stmt->communication.kind == CommKind::input ||
                    waits_to_send(generation.component.event(unit, stmt->communication.event));
+        case StmtKind::assign:
+            return may_be_held_up(generation, unit, stmt->variable);
         case StmtKind::call:
             return unit.definitions[stmt->operation.index].valid();
         case StmtKind::skip:
         case StmtKind::sequence:
         case StmtKind::if_then_else:
-        case StmtKind::assign:
         case StmtKind::clock_reset:
         case StmtKind::deadline:
             break;
@@ -66,6 +69,48 @@ bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr&
 /// Another machine has to take it; the platform always does.
 bool waits_to_send(const EventUse& use) {
     return use.filled.empty() && use.ports.empty() && !use.peers.empty();
+}
+
+namespace {
+
+/// Writes of a variable in a machine: by statements and by triggers.
+std::size_t writes(const ir::Machine& machine, const std::string& name) {
+    std::size_t count = 0;
+    const auto into = [&](ir::VariableId id) {
+        if (id.valid() && machine.variables[id.index].name == name) ++count;
+    };
+    ir::visit_statements(machine, [&](const ir::Stmt& stmt) {
+        if (stmt.kind == StmtKind::assign) into(stmt.variable);
+        if (stmt.kind == StmtKind::communicate) into(stmt.communication.variable);
+    });
+    for (const ir::Transition& transition : machine.transitions)
+        if (transition.trigger) into(transition.trigger->variable);
+    return count;
+}
+
+}  // namespace
+
+bool calls_hold_up_writes(const Generation& generation, const Unit& unit) {
+    const Component& component = generation.component;
+    std::size_t count = 0;
+    for (const auto& [name, index] : component.part(unit).variables) {
+        const StoredVariable& required = component.variables[index];
+        if (!required.shared || required.level == nullptr) continue;
+        for (const Unit& other : component.units) {
+            const auto& theirs = component.part(other).variables;
+            for (const auto& [their_name, their_index] : theirs)
+                if (their_index == index) count += writes(*other.machine, their_name);
+        }
+    }
+    return count > 1;
+}
+
+bool reads_variables(const ir::Stmt& call) {
+    bool found = false;
+    for (const ir::ExprPtr& argument : call.args)
+        ir::visit_operands(*argument,
+                           [&](const ir::Expr& part) { found = found || part.kind == ir::ExprKind::variable; });
+    return found;
 }
 
 }  // namespace robochart::cpp_emit

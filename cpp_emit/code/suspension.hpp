@@ -8,8 +8,8 @@
 
 namespace robochart::cpp_emit {
 
-/// Whether running the statement can stop half-way: waits, inputs, outputs, calls of defined operations, and functions
-/// outside their preconditions.
+/// Whether running the statement can stop half-way: waits, inputs, outputs, calls of defined operations, functions
+/// outside their preconditions, and writes that may be held up.
 [[nodiscard]] bool suspends(const Generation&, const Unit&, const ir::StmtPtr&);
 
 /// Whether a transition of the machine has a deadline that counts only while its guard holds (semantics 3.10).
@@ -21,5 +21,14 @@ namespace robochart::cpp_emit {
 /// What the statement evaluates before it does anything, in the order in which the semantics asks for preconditions. An
 /// input asks with its value, which is not there yet.
 [[nodiscard]] std::vector<const ir::Expr*> evaluated_first(const ir::Stmt&);
+
+/// Whether a thread of the unit that is in front of a call of the platform may hold up writes of others: nothing is
+/// relayed to a machine while one of its threads is there, and a variable takes no other write before it is relayed to
+/// all machines that require it (semantics 3.7). True where others write at least twice what the unit's machine
+/// requires.
+[[nodiscard]] bool calls_hold_up_writes(const Generation&, const Unit&);
+
+/// Whether an argument of the call depends on a variable. Before it is read others may write.
+[[nodiscard]] bool reads_variables(const ir::Stmt& call);
 
 }  // namespace robochart::cpp_emit

@@ -45,7 +45,7 @@ public:
         out_.close();
         out_.gap();
         out_.open(fmt::format("void accept_{}([[maybe_unused]] std::uint32_t site) noexcept {{", use.channel));
-        switch_of([&](const Place& place) { accept(place); }, "return;", "auto& ");
+        switch_of([&](const Place& place) { accept(part, place); }, "return;", "auto& ");
         out_.close();
     }
 
@@ -96,8 +96,9 @@ private:
         out_.line("return true;");
     }
 
-    void accept(const Place& place) {
+    void accept(const Part& part, const Place& place) {
         out_.line(fmt::format("{} = {};", place.site->thread, place.site->next));
+        if (core_.machines[part.root].layout.prompt) out_.line(fmt::format("prompt({});", part.place()));
         out_.line("return;");
     }
 
@@ -134,6 +135,12 @@ std::vector<Field> common_fields(const Generation& generation) {
         fields.push_back({type, buffer.field, "{}", "connection of " + buffer.name, extent.size + extent.alignment,
                           extent.alignment});
     }
+    for (const StoredVariable& variable : generation.component.variables)
+        for (const RelayHolder& holder : variable.holders)
+            fields.push_back({"std::uint8_t", holder.field, "0",
+                              fmt::format("writes of {} on their way to {}", variable.variable->name,
+                                          generation.component.parts[holder.part].name),
+                              1, 1});
     if (!generation.component.composed()) return fields;
     for (const StoredVariable& stored : generation.component.variables) {
         if (!stored.stored() || stored.home != no_part) continue;
@@ -158,6 +165,8 @@ FrameLayout composed_layout(const Generation& generation, const Core& core, std:
 
 void write_composition(const Generation& generation, const Core& core, CodeWriter& out) {
     out.declaration("Everything that can happen in this cycle, in any machine.", "void run() noexcept {");
+    for (const Part& part : generation.component.parts)
+        if (core.machines[part.root].layout.prompt) out.line(fmt::format("prompt({});", part.place()));
     const std::vector<std::string> rounds = each_part(generation, "round({})");
     out.open(fmt::format("while ({}({})) {{", generation.bound_test(), fmt::join(rounds, " || ")));
     out.close();

@@ -160,6 +160,7 @@ void ControlCode::during_places() {
         const ir::Node& state = plan_.node(during.state);
         ProgramWriter program(generation_, unit_, during.thread, during.state);
         program.begin("start", "during action of " + generation_.place(state.origin));
+        program.goes_on_from_here();
         program.statement(state.during, "step");
         program.jump("idle");
     }

@@ -85,4 +85,15 @@ std::string MachineContext::call(const std::string& name) const {
     return fmt::format("{}({})", name, frame_arguments(generation.component, unit));
 }
 
+std::string MachineContext::in_call(const Thread& thread, const CallFrame& call) {
+    std::vector<std::string> places;
+    for (const auto& label : call.live) places.push_back(fmt::format("{} == {}", thread.variable, thread.at(label)));
+    return fmt::format("{}", fmt::join(places, " || "));
+}
+
+std::string MachineContext::call_inside(const CallFrame& call, const std::string& name) const {
+    const Unit& operation = generation.component.unit(call.operation);
+    return fmt::format("{}({})", name, frame_arguments(generation.component, operation, unit, "f." + call.field));
+}
+
 }  // namespace robochart::cpp_emit

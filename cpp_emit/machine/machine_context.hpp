@@ -40,6 +40,10 @@ struct MachineContext {
     [[nodiscard]] std::string signature(const std::string& name) const;
     /// `name(f)`, with the states that the unit's functions take.
     [[nodiscard]] std::string call(const std::string& name) const;
+    /// The thread is in a call of the operation: "f.at == At::S1_1 || f.at == At::S1_2".
+    [[nodiscard]] static std::string in_call(const Thread&, const CallFrame&);
+    /// `name(f.turn, ...)` of the operation called.
+    [[nodiscard]] std::string call_inside(const CallFrame&, const std::string& name) const;
 
     const Generation& generation;
     const Unit& unit;

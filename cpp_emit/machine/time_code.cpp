@@ -17,7 +17,7 @@ using ir::NodeKind;
 bool TimeCode::timed() const {
     const auto& read = unit_.clock_read;
     const auto timed_calls = [&](const Thread& thread) {
-        return thread.waits || !thread.deadlines.empty() ||
+        return thread.waits || !thread.deadlines.empty() || !thread.held_up.empty() ||
                std::any_of(thread.calls.begin(), thread.calls.end(),
                            [&](const CallFrame& call) { return context_.done.at(call.operation).timed; });
     };
@@ -51,15 +51,12 @@ void TimeCode::advance_thread(const Thread& thread) {
     if (thread.waits) out_.line(fmt::format("advance_wait({}, cycle_length);", thread.wait));
     for (const std::string& deadline : thread.deadlines)
         out_.line(fmt::format("advance_deadline(f.{}, cycle_length);", deadline));
-    for (const CallFrame& call : thread.calls) {
-        if (!context_.done.at(call.operation).timed) continue;
-        std::vector<std::string> running;
-        for (const auto& label : call.live)
-            running.push_back(fmt::format("{} == {}", thread.variable, thread.at(label)));
-        const Unit& operation = generation_.component.unit(call.operation);
-        out_.line(fmt::format("if ({}) advance({});", fmt::join(running, " || "),
-                              frame_arguments(generation_.component, operation, unit_, "f." + call.field)));
-    }
+    for (const std::string& label : thread.held_up)
+        out_.line(fmt::format("if ({} == {}) stop_time();", thread.variable, thread.at(label)));
+    for (const CallFrame& call : thread.calls)
+        if (context_.done.at(call.operation).timed)
+            out_.line(fmt::format("if ({}) {};", MachineContext::in_call(thread, call),
+                                  context_.call_inside(call, "advance")));
 }
 
 std::string TimeCode::holds(const ir::Transition& transition) const {

@@ -381,6 +381,7 @@ private:
         if (at_controller != nullptr && at_controller->scope == ir::VariableScope::local) {
             entry.level = module_ == nullptr ? static_cast<const void*>(context().controller)
                                              : &module_->controllers[component_.parts[part_].controller];
+            entry.relays = 1;
             return nullptr;
         }
         if (context().module == nullptr) {
@@ -388,6 +389,7 @@ private:
             return nullptr;
         }
         entry.level = module_;
+        entry.relays = 2;  // the module's, then the controller's
         const ir::Variable* at_platform = find_named(module_->platform.variables, name);
         if (at_platform == nullptr) return nullptr;
         entry.visible = at_platform->scope == ir::VariableScope::required;
@@ -518,6 +520,7 @@ private:
         NameScope writers;
         taken_ = taken;
         for (auto& entry : component_.variables) name_variable(entry, state, frames, inputs, platform, writers);
+        for (std::size_t index = 0; index < component_.variables.size(); ++index) find_holders(index, state, writers);
         NameScope types = core_type_scope(component_);
         for (const ir::TypeId type : component_.enumerations) types.take(declared_name(system_.type(type)));
         for (auto& unit : component_.units) name_unit(unit, component_.composed() ? frames[unit.part] : state, types);
@@ -546,6 +549,44 @@ private:
             entry.output = platform.unique("set_" + name);
             entry.writer = writers.unique("write_" + name);
         }
+    }
+
+    /// A machine with one thread that writes the variable alone does not wait for itself.
+    void find_holders(std::size_t index, NameScope& state, NameScope& writers) {
+        StoredVariable& entry = component_.variables[index];
+        if (!entry.shared || entry.relays == 0) return;
+        for (std::size_t place = 0; place < component_.parts.size(); ++place) {
+            const Part& part = component_.parts[place];
+            const auto required = part.variables.find(entry.variable->name);
+            if (required == part.variables.end() || required->second != index || !waits_with_deadline(place)) continue;
+            if (!component_.composed() && !has_during(component_.root(place))) continue;
+            entry.holders.push_back({place, state.unique("held_" + part.tag + "_" + entry.variable->name)});
+        }
+        if (entry.holders.empty()) return;
+        entry.held_up = writers.unique("held_up_" + entry.variable->name);
+        entry.relay = writers.unique("relay_" + entry.variable->name);
+    }
+
+    static bool has_during(const Unit& unit) {
+        return std::any_of(unit.machine->nodes.begin(), unit.machine->nodes.end(),
+                           [](const ir::Node& node) { return node.during != nullptr; });
+    }
+
+    /// Whether a program of the part communicates with a deadline and may have to wait for it.
+    [[nodiscard]] bool waits_with_deadline(std::size_t part) const {
+        bool found = false;
+        for (const Unit& unit : component_.units)
+            if (unit.part == part)
+                ir::visit_statements(*unit.machine, [&](const ir::Stmt& stmt) {
+                    if (stmt.kind != ir::StmtKind::deadline) return;
+                    const ir::Stmt& inside = *stmt.body.at(0);
+                    if (inside.kind != ir::StmtKind::communicate) return;
+                    const EventUse& use = component_.event(unit, inside.communication.event);
+                    const bool received = inside.communication.kind == ir::CommKind::input;
+                    const bool offered = use.filled.empty() && use.ports.empty() && !use.peers.empty();
+                    found = found || (received ? !use.spontaneous() : offered);
+                });
+        return found;
     }
 
     /// Another machine's copy of a variable whose writes the environment propagates.

@@ -284,6 +284,8 @@ public:
         late_ = late_ || left <= units;
         left = left > units ? left - units : 1;
     }
+    /// Something had to be done before time passes, and was not.
+    constexpr void stop_time() noexcept { late_ = true; }
     [[nodiscard]] constexpr bool late() const noexcept { return late_; }
     constexpr void require(bool precondition) noexcept { violated_ = violated_ || !precondition; }
     [[nodiscard]] constexpr bool exhausted() const noexcept { return budget_ == 0; }

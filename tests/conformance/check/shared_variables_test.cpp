@@ -106,5 +106,95 @@ TEST_F(SharedVariables, ThereIsOneWhereTheModuleDoes) {
     EXPECT_THAT(Driven(object->interface()).cycle(), Contains(EndsWith("seen.out")));
 }
 
+/// Machines of a controller in a module whose platform provides `v` and the operations.
+std::string with_platform(const std::string& controller) {
+    return "interface D { var v : nat }\ninterface O { move() stop() }\ninterface P { op() }\n"
+           "module M {\n"
+           "  robotic platform R { provides D provides O event e : nat }\n"
+           "  controller C { requires D requires O event e : nat\n" +
+           controller + "}\n  connection R on e to C on e ( _async )\n}\n";
+}
+
+struct HeldUp {
+    const char* what;
+    const char* controller;
+};
+
+/// Nothing is relayed to a machine while one of its threads is in front of a call of the platform (semantics 3.7), and
+/// the relays take one write each: three writes in a row do not go before the call. Code that makes them first differs.
+const HeldUp held_up[] = {
+    {"a during action begins with the call", R"(stm A { requires D requires O initial i
+        state S { initial j state T { during move() } transition tj { from j to T }
+                  during v = 1; v = 2; v = 1 }
+        transition ti { from i to S } })"},
+    {"both begin with calls", R"(stm A { requires D requires O initial i
+        state S { initial j state T { during move(); v = 1; v = 2; v = 1 } transition tj { from j to T }
+                  during stop(); v = 1; v = 2; v = 1 }
+        transition ti { from i to S } })"},
+    {"the third write is that of a reception", R"(stm A { requires D requires O event e : nat initial i
+        state S { initial j state T { during move(); stop() } transition tj { from j to T }
+                  during v = 1; v = 2; e?D::v }
+        transition ti { from i to S } }
+        connection C on e to A on e)"},
+    {"both wait until the same moment", R"(stm A { requires D requires O initial i
+        state S { initial j state T { during wait(1); move() } transition tj { from j to T }
+                  during wait(1); v = 1; v = 2; v = 1 }
+        transition ti { from i to S } })"},
+    {"a wait with a deadline in another machine", R"(stm A { requires D initial i
+        state S { entry wait(1); v = 1; v = 2; v = 1 } transition ti { from i to S } }
+        stm B { requires D requires O initial i
+        state S { during wait(1) <{1}; move(); stop(); v = 0; v = 1; v = 2 } transition ti { from i to S } })"},
+    {"a wait at the end of an operation", R"(opref o = op
+        stm A { requires D initial i
+        state S { entry wait(1); v = 1; v = 2; v = 1 } transition ti { from i to S } }
+        stm B { requires D requires O requires P initial i
+        state S { during op(); v = 0; v = 1; v = 2 } transition ti { from i to S } })"},
+    {"a machine that has sent goes on with the call", R"(stm A { requires D requires O event s : nat initial i
+        state S { during s!1; move() } transition ti { from i to S } }
+        stm B { requires D event s : nat var y : nat initial i
+        state S { during s?y; v = 1; v = 2; v = 1 } transition ti { from i to S } }
+        connection A on s to B on s)"},
+    {"an input with a deadline beside the writes", R"(stm A { requires D event e : nat var w : nat initial i
+        state S { initial j state T { during e?w <{2} } transition tj { from j to T }
+                  during v = 1; v = 2; v = 1 }
+        transition ti { from i to S } }
+        connection C on e to A on e)"},
+    {"an input with a deadline, and a write a cycle", R"(stm A { requires D event e : nat var w : nat initial i
+        state S { } transition ti { from i to S action e?w <{3} } }
+        stm B { requires D initial i state S { }
+        transition ti { from i to S } transition tt { from S to S action v = v + 1; wait(1) } }
+        connection C on e to A on e)"},
+    {"a machine that sends with a deadline", R"(stm A { requires D event s : nat initial i
+        state S { during s!1 <{2}; wait(1); v = 0 } transition ti { from i to S } }
+        stm B { requires D event s : nat event e : nat var y : nat var z : nat initial i
+        state S { initial j state T { during e?z; s?y } transition tj { from j to T }
+                  during v = 1; v = 2; v = 1 }
+        transition ti { from i to S } }
+        connection A on s to B on s connection C on e to B on e)"},
+    {"an operation that waits with a deadline", R"(opref o = op
+        stm A { requires D event e : nat var w : nat requires P initial i
+        state S { during op() } transition ti { from i to S } }
+        stm B { requires D initial i state S { } transition ti { from i to S action v = 1; v = 2; wait(1); v = 1; v = 2; wait(1); v = 1 } }
+        connection C on e to A on e)"},
+};
+
+TEST(WritesHeldUp, WritesWaitForThem) {
+    for (const HeldUp& each : held_up) {
+        const std::string_view controller = each.controller;
+        const std::string operation = controller.find("requires O") != std::string_view::npos
+                                          ? "operation op() { requires O initial i final f transition t { from i to f "
+                                            "action wait(1); move() } }\n"
+                                          : "operation op() { event e : nat var w : nat initial i final f\n"
+                                            "transition t { from i to f action e?w <{3} } }\n";
+        const test::TemporaryFolder folder(with_platform(each.controller) + operation);
+        test::Model model(folder.path());
+        ASSERT_FALSE(model.system.modules.empty()) << each.what;
+        diagnostics::Diagnostics found;
+        const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
+        EXPECT_EQ(result.outcome, Outcome::conforms) << each.what << ": " << result.reason;
+        EXPECT_GT(result.code_cycles, 1U) << each.what;
+    }
+}
+
 }  // namespace
 }  // namespace robochart::conformance

@@ -1,0 +1,73 @@
+// Both functions test at which places the threads are, those of operations inside their calls.
+#include "cpp_emit/machine/relay_code.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace robochart::cpp_emit {
+
+template <class Test>
+bool RelayCode::any_thread(const Test& test) const {
+    return test(control_) ||
+           std::any_of(during_.begin(), during_.end(), [&](const DuringThread& during) { return test(during.thread); });
+}
+
+bool RelayCode::prompt() const {
+    return any_thread([&](const Thread& thread) {
+        return !thread.prompt_steps.empty() ||
+               std::any_of(thread.calls.begin(), thread.calls.end(),
+                           [&](const CallFrame& call) { return context_.done.at(call.operation).prompt; });
+    });
+}
+
+void RelayCode::prompt_function() {
+    if (!prompt()) return;
+    out_.declaration("Threads that go on with what writes of others may have to wait for do it.",
+                     signature("void prompt"));
+    for (const DuringThread& during : during_) prompt_steps(during.thread);
+    prompt_steps(control_);
+    out_.close();
+}
+
+void RelayCode::prompt_steps(const Thread& thread) {
+    for (const PromptStep& each : thread.prompt_steps) {
+        out_.open(fmt::format("if ({}) {{", each.there));
+        for (const std::string& line : each.lines) out_.line(line);
+        out_.close();
+    }
+    for (const CallFrame& call : thread.calls)
+        if (context_.done.at(call.operation).prompt)
+            out_.line(fmt::format("if ({}) {};", MachineContext::in_call(thread, call),
+                                  context_.call_inside(call, "prompt")));
+}
+
+bool RelayCode::holds() const {
+    return any_thread([&](const Thread& thread) {
+        return !thread.holding.empty() ||
+               std::any_of(thread.calls.begin(), thread.calls.end(),
+                           [&](const CallFrame& call) { return context_.done.at(call.operation).holds; });
+    });
+}
+
+/// Of a machine that holders name (Component::variables), and of the operations that it calls.
+void RelayCode::holds_up_function() {
+    if (!holds()) return;
+    out_.declaration("A thread waits for a communication with a deadline: meanwhile nothing is relayed to the machine.",
+                     fmt::format("[[nodiscard]] static bool holds_up(const {}& f) noexcept {{", frame_type()));
+    for (const DuringThread& during : during_) holding(during.thread);
+    holding(control_);
+    out_.line("return false;");
+    out_.close();
+}
+
+void RelayCode::holding(const Thread& thread) {
+    for (const std::string& label : thread.holding)
+        out_.line(fmt::format("if ({} == {}) return true;", thread.variable, thread.at(label)));
+    for (const CallFrame& call : thread.calls)
+        if (context_.done.at(call.operation).holds)
+            out_.line(fmt::format("if (({}) && holds_up(f.{})) return true;", MachineContext::in_call(thread, call),
+                                  call.field));
+}
+
+}  // namespace robochart::cpp_emit
