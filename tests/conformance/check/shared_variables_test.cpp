@@ -4,6 +4,7 @@
 
 #include "conformance/check/conform.hpp"
 #include "tests/conformance/bench.hpp"
+#include "tests/conformance/check/expect_conforming.hpp"
 
 namespace robochart::conformance {
 namespace {
@@ -49,10 +50,8 @@ protected:
 
 TEST_F(SharedVariables, EachMachineHasItsCopyWhereTheEnvironmentPropagates) {
     test::Model model(folder_.path());
-    diagnostics::Diagnostics found;
     const ir::ComponentRef controller = model.controller();
-    const Result result = conform(model.system, model.instantiation, controller, {}, model.sources, found);
-    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    (void)test::expect_conforming(model, controller);
     // What is written inside does not reach the reader, what comes from outside does.
     const std::string code = core(model, controller);
     EXPECT_EQ(code.find("write_v(Nat value) noexcept {\n        state_."), std::string::npos);
@@ -61,9 +60,7 @@ TEST_F(SharedVariables, EachMachineHasItsCopyWhereTheEnvironmentPropagates) {
 
 TEST_F(SharedVariables, ThereIsOneWhereTheModuleDoes) {
     test::Model model(folder_.path());
-    diagnostics::Diagnostics found;
-    const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
-    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    (void)test::expect_conforming(model, model.module());
     EXPECT_NE(core(model, model.module()).find("write_v(Nat value) noexcept {\n        state_."), std::string::npos);
 }
 
