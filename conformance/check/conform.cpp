@@ -14,7 +14,6 @@
 #include "conformance/model/component.hpp"
 #include "conformance/model/cyclic_model.hpp"
 #include "conformance/model/normal_form.hpp"
-#include "conformance/model/renamed_model.hpp"
 #include "csp_emit/emit.hpp"
 
 namespace robochart::conformance {
@@ -134,22 +133,30 @@ Result judge_code(const csp_emit::Emission& script, const ir::System& system, co
     }
 }
 
-Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,
-               const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+TimedModel timed_model(const ir::System& system, const ir::Instantiation& instantiation,
+                       diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
-    const RenamedModel model = renamed_model(system, instantiation, component, diagnostics);
-    const csp_emit::Emission script =
-        csp_emit::emit(model.system, model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
-    const cspm::ExprPtr process = component_process(script.definitions, model.component);
-    if (diagnostics.errors() != errors || !process)
-        return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
+    TimedModel timed{renamed_system(system, instantiation, diagnostics), {}};
+    timed.script =
+        csp_emit::emit(timed.model.system, timed.model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+    timed.sound = diagnostics.errors() == errors;
+    return timed;
+}
+
+Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
+               diagnostics::Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    const RenamedSystem& model = timed.model;
+    const ir::ComponentRef component = renamed_component(model, named);
+    if (!timed.sound || !component_process(timed.script.definitions, component))
+        return not_generated(fmt::format("{} has no timed CSP semantics here", named.path));
 
     cpp_emit::Options generator = options.generator;
     generator.cycle_length = options.cycle_length;
     const cpp_emit::Emission code =
-        cpp_emit::emit(model.system, model.instantiation, model.component, generator, diagnostics);
+        cpp_emit::emit(model.system, model.instantiation, component, generator, diagnostics);
     if (diagnostics.errors() != errors || code.shim.empty())
-        return not_generated(fmt::format("no C++ is generated for {}", component.path));
+        return not_generated(fmt::format("no C++ is generated for {}", named.path));
 
     std::string error;
     diagnostics::Budget own(options.limits);
@@ -164,7 +171,12 @@ Result conform(const ir::System& system, const ir::Instantiation& instantiation,
         return result;
     }
     if (!object) return not_generated(std::move(error));
-    return judge_code(script, model.system, model.instantiation, model.component, object->interface(), options);
+    return judge_code(timed.script, model.system, model.instantiation, component, object->interface(), options);
+}
+
+Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,
+               const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+    return conform(timed_model(system, instantiation, sources, diagnostics), component, options, diagnostics);
 }
 
 }  // namespace robochart::conformance
