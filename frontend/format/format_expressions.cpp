@@ -1,58 +1,19 @@
 // Expressions. One that does not fit breaks before the operators that bind weakest, then inside its operands.
-#include <algorithm>
-#include <array>
 
 #include "frontend/format/format_expressions.hpp"
+#include "frontend/syntax/operators.hpp"
 
 namespace robochart::frontend {
-
-namespace {
-
-struct Operator {
-    std::string_view word;
-    int level;
-};
-
-// How tightly operators bind, as in parser_expressions.cpp.
-constexpr int compare_level = 5;
-constexpr int let_level = 6;
-constexpr int cast_level = 7;
-constexpr int plus_level = 8;
-constexpr int concat_level = 10;
-constexpr std::array<Operator, 20> operators = {{{"iff", 0},
-                                                 {"=>", 1},
-                                                 {"\\/", 2},
-                                                 {"/\\", 3},
-                                                 {"==", compare_level},
-                                                 {"!=", compare_level},
-                                                 {">", compare_level},
-                                                 {">=", compare_level},
-                                                 {"<", compare_level},
-                                                 {"<=", compare_level},
-                                                 {"in", compare_level},
-                                                 {"as", cast_level},
-                                                 {"is", cast_level},
-                                                 {"+", plus_level},
-                                                 {"-", plus_level},
-                                                 {"*", 9},
-                                                 {"/", 9},
-                                                 {"%", 9},
-                                                 {"cat", concat_level},
-                                                 {"^", concat_level}}};
-
-}  // namespace
 
 Doc ExpressionLayout::expression(Gap gap) {
     return operand(gap, 0);
 }
 
-/// Does the escaped name here follow an operand on its line? Then its `^` is the operator.
+/// Of `as` and `is` too, which have a type on their right; -1 where no operator follows.
 int ExpressionLayout::operator_level() const {
-    const Token& token = peek();
-    if (token.escaped) return token.first_on_line ? -1 : concat_level;
-    const auto* found =
-        std::find_if(operators.begin(), operators.end(), [&](const Operator& o) { return token.is(o.word); });
-    return found == operators.end() ? -1 : found->level;
+    if (at("as") || at("is")) return cast_level;
+    const BinaryOperator* found = binary_operator(peek());
+    return found == nullptr ? -1 : found->level;
 }
 
 Doc ExpressionLayout::operand(Gap gap, int level) {

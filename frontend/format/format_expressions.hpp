@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "frontend/format/format_gaps.hpp"
+#include "frontend/syntax/operators.hpp"
 
 namespace robochart::frontend {
 
@@ -17,7 +18,7 @@ protected:
         : WordLayout(text, stream), is_assertions_(is_assertions) {}
     ~ExpressionLayout() = default;
 
-    static constexpr int value_level = 12;  ///< of what follows `!` and `.`: no operators; above every operand of one
+    static constexpr int value_level = concat_level + 2;  ///< after `!` and `.`: no operators; above operands of any
     Doc expression(Gap gap);
     /// Operators that bind at least as tightly as `level`, with their operands.
     Doc operand(Gap gap, int level);
