@@ -1,8 +1,12 @@
 # ccache and mold are used where they are found; neither is needed.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  if(ROBOCHART_PRECOMPILED)  # without this ccache compiles anew whatever reads a precompiled header
+    set(ccache_sloppiness CCACHE_SLOPPINESS=pch_defines,time_macros)
+  endif()
   set(CMAKE_CXX_COMPILER_LAUNCHER
-      ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE_PROGRAM})
+      ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
+      ${ccache_sloppiness} ${CCACHE_PROGRAM})
 endif()
 find_program(MOLD_PROGRAM mold)
 if(MOLD_PROGRAM AND NOT ROBOCHART_SANITIZE)

@@ -39,14 +39,22 @@ function(unite target)
   endforeach()
 endfunction()
 
-# robochart_component(NAME FOLDERS ... [SOURCES made files ...] DEPENDS ...): a static library, robochart_NAME.
+# robochart_component(NAME [LIGHT] FOLDERS ... [SOURCES made files ...] DEPENDS ...): a static library, robochart_NAME.
+# LIGHT: its work is little beside that of the engine, so a release optimises it less: a quarter of its compile time.
 function(robochart_component name)
-  cmake_parse_arguments(COMPONENT "" "" "FOLDERS;SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(COMPONENT "LIGHT" "" "FOLDERS;SOURCES;DEPENDS" ${ARGN})
   sources_of(sources ${COMPONENT_FOLDERS})
   add_library(robochart_${name} STATIC ${sources} ${COMPONENT_SOURCES})
   target_link_libraries(robochart_${name} PUBLIC fmt::fmt ${COMPONENT_DEPENDS})
   unite(robochart_${name} ${COMPONENT_FOLDERS})
+  precompile(robochart_${name} program)
+  if(COMPONENT_LIGHT AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
+    target_compile_options(robochart_${name} PRIVATE -O1)
+  endif()
 endfunction()
+
+# Optimising tests took half of a cold build, and their own code takes little time to run.
+set(test_options -O0)
 
 # robochart_tests(NAME FOLDERS ... [ALONE folders ...] [SOURCES more files ...] DEPENDS ...): a GoogleTest program, tests_NAME.
 # ALONE: folders whose sources use the same names for different things; they are compiled one by one.
@@ -60,8 +68,8 @@ function(robochart_tests name)
   set(united ${TESTS_FOLDERS})
   list(REMOVE_ITEM united ${TESTS_ALONE})
   unite(tests_${name} ${united})
-  # Optimising tests took half of a cold build, and their own code takes little time to run.
-  target_compile_options(tests_${name} PRIVATE -O0)
+  target_compile_options(tests_${name} PRIVATE ${test_options})
+  precompile(tests_${name} tests)
   target_link_libraries(tests_${name} PRIVATE ${TESTS_DEPENDS} robochart_source_folder GTest::gtest GTest::gmock GTest::gtest_main)
   gtest_discover_tests(tests_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
 endfunction()

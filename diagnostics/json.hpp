@@ -3,7 +3,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 
 namespace robochart::diagnostics {
 
@@ -11,8 +10,6 @@ using Json = nlohmann::ordered_json;
 
 /// The value as text: on one line, or with so many blanks a level. Bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(const Json& value, int indent = -1);
-/// A string as a JSON literal, quotes included (RFC 8259, 7). Bytes that are not UTF-8 become U+FFFD.
-[[nodiscard]] std::string json_string(std::string_view text);
 /// Rounded to so many decimal places, as times and rates are written.
 [[nodiscard]] double rounded(double value, int places);
 

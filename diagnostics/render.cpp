@@ -7,6 +7,7 @@
 
 #include "diagnostics/escape.hpp"
 #include "diagnostics/excerpt.hpp"
+#include "diagnostics/paint.hpp"
 
 namespace robochart::diagnostics {
 
@@ -14,28 +15,23 @@ namespace {
 
 struct Look {
     std::string_view word;
-    std::string_view color;
+    Paint paint;
 };
 
 Look look(Severity severity) {
     switch (severity) {
         case Severity::note:
-            return {"note", "\x1b[1;36m"};
+            return {"note", Paint::note};
         case Severity::warning:
-            return {"warning", "\x1b[1;33m"};
+            return {"warning", Paint::warning};
         case Severity::error:
-            return {"error", "\x1b[1;31m"};
+            return {"error", Paint::error};
     }
-    return {"error", "\x1b[1;31m"};
-}
-
-std::string paint(const TextStyle& style, std::string_view color, std::string_view text) {
-    if (!style.color) return std::string(text);
-    return fmt::format("{}{}\x1b[0m", color, text);
+    return {"error", Paint::error};
 }
 
 /// `  --> path:line:column` and the marked line.
-std::string draw_place(const SourceManager& sources, Span span, const TextStyle& style, std::string_view color) {
+std::string draw_place(const SourceManager& sources, Span span, const TextStyle& style, Paint paint) {
     const Position begin = sources.position(span.source, span.begin);
     const Position end = sources.position(span.source, span.end);
     const std::string_view line = sources.line(span.source, begin.line);
@@ -47,8 +43,8 @@ std::string draw_place(const SourceManager& sources, Span span, const TextStyle&
 
     const std::string number = std::to_string(begin.line);
     const std::string margin(number.size(), ' ');
-    const std::string mark =
-        std::string(excerpt.mark_begin, ' ') + paint(style, color, "^" + std::string(excerpt.mark_width - 1, '~'));
+    const std::string mark = std::string(excerpt.mark_begin, ' ') +
+                             painted("^" + std::string(excerpt.mark_width - 1, '~'), paint, style.color);
     return fmt::format("{0} --> {1}:{2}:{3}\n{0}  |\n {4} | {5}\n{0}  | {6}\n", margin,
                        shown(sources.path(span.source)), begin.line, begin.column, number, excerpt.text, mark);
 }
@@ -56,8 +52,8 @@ std::string draw_place(const SourceManager& sources, Span span, const TextStyle&
 std::string draw_note(const SourceManager& sources, const Note& note, const TextStyle& style) {
     if (!note.span.known()) return fmt::format("   = note: {}\n", shown_lines(note.message));
     const Look as_note = look(Severity::note);
-    return fmt::format("{}: {}\n{}", paint(style, as_note.color, as_note.word), shown_lines(note.message),
-                       draw_place(sources, note.span, style, as_note.color));
+    return fmt::format("{}: {}\n{}", painted(as_note.word, as_note.paint, style.color), shown_lines(note.message),
+                       draw_place(sources, note.span, style, as_note.paint));
 }
 
 /// What to do, and the line as it will be.
@@ -82,7 +78,7 @@ std::string draw_fix(const SourceManager& sources, const FixIt& fix, const TextS
     const std::string margin(number.size(), ' ');
     const std::string mark = removes ? ""
                                      : std::string(excerpt.mark_begin + 1, ' ') +
-                                           paint(style, "\x1b[1;32m", std::string(excerpt.mark_width, '+'));
+                                           painted(std::string(excerpt.mark_width, '+'), Paint::addition, style.color);
     return out + fmt::format("{0}  |\n {1} | {2}\n{0}  |{3}\n", margin, number, excerpt.text, mark);
 }
 
@@ -102,9 +98,9 @@ std::string count(std::size_t n, std::string_view noun) {
 std::string render_text(const SourceManager& sources, const Diagnostic& diagnostic, const TextStyle& style) {
     const Look severity = look(diagnostic.rule->severity);
     std::string out = fmt::format(
-        "{}: {}\n", paint(style, severity.color, fmt::format("{}[{}]", severity.word, diagnostic.rule->code)),
+        "{}: {}\n", painted(fmt::format("{}[{}]", severity.word, diagnostic.rule->code), severity.paint, style.color),
         shown_lines(diagnostic.message()));
-    if (diagnostic.span.known()) out += draw_place(sources, diagnostic.span, style, severity.color);
+    if (diagnostic.span.known()) out += draw_place(sources, diagnostic.span, style, severity.paint);
     for (const Note& note : diagnostic.notes)
         if (!note.span.known()) out += draw_note(sources, note, style);
     for (const FixIt& fix : diagnostic.fixes) out += draw_fix(sources, fix, style);

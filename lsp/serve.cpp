@@ -51,7 +51,8 @@ Arrival arrival_of(Frame frame) {
 
 /// `exit` is the last message: reading behind it could wait for ever.
 bool is_exit(const Arrival& arrival) {
-    return arrival.fault.empty() && arrival.message["method"].text() == "exit" && !arrival.message.has("id");
+    const View message = arrival.message;
+    return arrival.fault.empty() && message["method"].text() == "exit" && !message.has("id");
 }
 
 void read_all(std::istream& in, Inbox& inbox, Interruption& interruption) {

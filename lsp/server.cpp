@@ -17,11 +17,11 @@ namespace {
 
 struct RequestRow {
     std::string_view method;
-    Json (*answer)(Session&, const Json&);
+    Json (*answer)(Session&, View);
 };
 struct NotificationRow {
     std::string_view method;
-    void (*handle)(Session&, const Json&);
+    void (*handle)(Session&, View);
 };
 
 constexpr std::array requests = {
@@ -57,7 +57,7 @@ auto row_of(const Rows& rows, std::string_view method) {
     return std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.method == method; });
 }
 
-bool is_id(const Json& id) {
+bool is_id(View id) {
     return id.is_text() || id.is_number();
 }
 
@@ -71,7 +71,7 @@ diagnostics::Limits limits_of(const Interruption& interruption) {
 }  // namespace
 
 Server::Server(std::function<void(const std::string&)> send) : budget_(limits_of(interruption_)), session_(&budget_) {
-    session_.send = [send = std::move(send)](const Json& message) { send(message.write()); };
+    session_.send = [send = std::move(send)](const Json& message) { send(json_text(message)); };
 }
 
 void Server::receive(const std::string& text) {
@@ -105,7 +105,7 @@ void Server::idle() {
     }
 }
 
-void Server::handle(const Json& message) {
+void Server::handle(View message) {
     if (!message.is_object()) return fail(nullptr, ErrorCode::invalid_request, "a message must be an object");
     const bool is_response = !message.has("method") && message.has("id");
     if (is_response) return;
@@ -116,12 +116,13 @@ void Server::handle(const Json& message) {
 
 bool Server::is_cancelled(const Json& id) const {
     return interruption_.is_cancelled(id) || std::any_of(queue_.begin(), queue_.end(), [&](const Message& m) {
-               return m.json["method"].text() == "$/cancelRequest" && m.json["params"]["id"] == id;
+               const View message = m.json;
+               return message["method"].text() == "$/cancelRequest" && message["params"]["id"].json() == id;
            });
 }
 
-void Server::request(const Json& message) {
-    const Json& id = message["id"];
+void Server::request(View message) {
+    const Json& id = message["id"].json();
     if (!is_id(id)) return fail(nullptr, ErrorCode::invalid_request, "an id must be a number or a string");
     // Ending is always possible.
     if (message["method"].text() != "shutdown" && is_cancelled(id))
@@ -144,7 +145,7 @@ void Server::ended_early(const Json& id) {
     fail(id, ErrorCode::request_cancelled, "cancelled");
 }
 
-Json Server::answer(const std::string& method, const Json& params) {
+Json Server::answer(const std::string& method, View params) {
     if (method == "initialize") return initialize(params);
     if (phase_ == Phase::fresh) throw Refusal(ErrorCode::not_initialized, "the first request must be `initialize`");
     if (phase_ == Phase::shut_down) throw Refusal(ErrorCode::invalid_request, "after `shutdown` only `exit` may come");
@@ -157,7 +158,7 @@ Json Server::answer(const std::string& method, const Json& params) {
     return row->answer(session_, params);
 }
 
-Json Server::initialize(const Json& params) {
+Json Server::initialize(View params) {
     if (phase_ != Phase::fresh) throw Refusal(ErrorCode::invalid_request, "`initialize` may come once");
     session_.client = client_of(params["capabilities"]);
     for (const std::string& folder : folders_of(params)) session_.workspace.add_folder(folder);
@@ -166,7 +167,7 @@ Json Server::initialize(const Json& params) {
 }
 
 /// Notifications are never answered, so faults in them go no further than the editor's log.
-void Server::notification(const std::string& method, const Json& params) {
+void Server::notification(const std::string& method, View params) {
     if (method == "exit") {
         exit_code_ = phase_ == Phase::shut_down ? 0 : 1;
         return;

@@ -41,11 +41,11 @@ private:
     };
     enum class Phase { fresh, running, shut_down };
 
-    void handle(const Json& message);
-    void request(const Json& message);
-    void notification(const std::string& method, const Json& params);
-    [[nodiscard]] Json answer(const std::string& method, const Json& params);
-    [[nodiscard]] Json initialize(const Json& params);
+    void handle(View message);
+    void request(View message);
+    void notification(const std::string& method, View params);
+    [[nodiscard]] Json answer(const std::string& method, View params);
+    [[nodiscard]] Json initialize(View params);
     [[nodiscard]] bool is_cancelled(const Json& id) const;
     void ended_early(const Json& id);
     void log(const std::string& where, const char* what);

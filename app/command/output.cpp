@@ -30,6 +30,10 @@ bool output_is_a_terminal() {
     return isatty(STDOUT_FILENO) == 1;
 }
 
+bool error_is_a_terminal() {
+    return isatty(STDERR_FILENO) == 1;
+}
+
 void print_exact(std::string_view text) {
     if (output_is_a_terminal())
         print_text(text);
@@ -48,6 +52,12 @@ void print_error_text(std::string_view text) {
 
 void print_error_styled(std::string_view text) {
     (void)!std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void redraw_error_line(std::string_view text) {
+    constexpr std::string_view erase = "\r\x1b[K";  // ECMA-48, 8.3.41: to the end of the line
+    print_error_styled(fmt::format("{}{}", erase, text));
+    (void)std::fflush(stderr);
 }
 
 void finish_output() {

@@ -35,6 +35,8 @@ void print_exact(std::string_view text);
 void print_styled(std::string_view text);
 /// Standard output is a terminal, so that what programs read is made for people.
 [[nodiscard]] bool output_is_a_terminal();
+/// Standard error is a terminal, so that somebody may be looking on.
+[[nodiscard]] bool error_is_a_terminal();
 template <typename... Arguments>
 void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     print_text(fmt::format(format, std::forward<Arguments>(arguments)...));
@@ -43,6 +45,8 @@ void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
 void print_error_text(std::string_view text);
 /// The same for text with escape sequences of our own, and for JSON, in which what others wrote is escaped already.
 void print_error_styled(std::string_view text);
+/// Writes the last line of standard error, a terminal, anew: the text without a line end, or nothing.
+void redraw_error_line(std::string_view text);
 template <typename... Arguments>
 void print_error(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     print_error_text(fmt::format(format, std::forward<Arguments>(arguments)...));

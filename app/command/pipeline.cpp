@@ -256,12 +256,16 @@ std::vector<Part> read_parts(const Options& options) {
     });
 }
 
-csp_emit::Emission emit_csp(Project& project, const Options& options, csp_emit::Time time) {
+const csp_emit::Emission& emit_csp(Project& project, const Options& options, csp_emit::Time time) {
+    if (const auto made = project.scripts.find(time); made != project.scripts.end()) return made->second;
     const diagnostics::Budget::Phase phase(options.run->budget(), "writing the CSP semantics");
     csp_emit::Options wanted;
     wanted.core_assertions = options.core;
-    csp_emit::Emission emission =
-        csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources, project.diagnostics);
+    const csp_emit::Emission& emission =
+        project.scripts
+            .emplace(time, csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources,
+                                          project.diagnostics))
+            .first->second;
     if (!project.diagnostics.ok()) return emission;
     if (!emission.captured.empty())
         throw std::logic_error(

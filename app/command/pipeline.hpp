@@ -1,6 +1,7 @@
 // The phases of one run over a model, each made once and on demand (docs/architecture.md has the table).
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -31,6 +32,7 @@ struct Project {
     ir::Instantiation instantiation;
     std::set<std::string> shared_names;  ///< that components of one kind in several of its packages have
     double seconds = 0;                  ///< reading, resolving, lowering
+    std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< those that were asked for (emit_csp)
 };
 
 /// Reads the inputs, lowers them and makes them finite, as one. Stops after the first phase with errors; `diagnostics`
@@ -48,9 +50,10 @@ struct Part {
 /// The same as far as reading and resolving go, whatever the instantiations; errors are in the diagnostics.
 [[nodiscard]] std::vector<Part> read_parts(const Options&);
 
-/// The semantics in one time, type checked; diagnostics are added to the project's. Throws std::logic_error where the
-/// script is wrong and nothing of it is the user's.
-[[nodiscard]] csp_emit::Emission emit_csp(Project&, const Options&, csp_emit::Time);
+/// The semantics in one time, type checked; diagnostics are added to the project's. Made when it is first asked for, by
+/// the options of that time, and kept with the project. Throws std::logic_error where the script is wrong and nothing
+/// of it is the user's.
+[[nodiscard]] const csp_emit::Emission& emit_csp(Project&, const Options&, csp_emit::Time);
 
 /// The components that C++ is made for: the modules, without any the controllers, without any the machines;
 /// or the one of the name asked for (any kind). Empty with a diagnostic if there is none.

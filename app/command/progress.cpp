@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -56,16 +55,13 @@ class Line {
 public:
     void draw(const refine::Progress& progress) {
         drawn_ = true;
-        print_error_styled(fmt::format("\r\x1b[K{}", progress_text(progress, terminal_width() - 1)));
-        std::fflush(stderr);
+        redraw_error_line(progress_text(progress, terminal_width() - 1));
     }
     Line() = default;
     Line(const Line&) = delete;
     Line& operator=(const Line&) = delete;
     ~Line() {
-        if (!drawn_) return;
-        print_error_styled("\r\x1b[K");
-        std::fflush(stderr);
+        if (drawn_) redraw_error_line({});
     }
 
 private:
@@ -111,13 +107,16 @@ std::string progress_json(const refine::Progress& p, const std::string& subject)
     return diagnostics::json_text(json);
 }
 
+bool progress_line_wanted(const Options& options) {
+    return options.progress != ProgressMode::never && !options.quiet && error_is_a_terminal();
+}
+
 std::function<void(const refine::Progress&)> progress_of(const Options& options, const std::string& subject) {
     if (options.progress == ProgressMode::json)
         return [subject](const refine::Progress& progress) {
             print_error_styled(progress_json(progress, subject) + "\n");
         };
-    const bool seen = !options.quiet && isatty(STDERR_FILENO) == 1;
-    if (options.progress == ProgressMode::never || !seen) return {};
+    if (!progress_line_wanted(options)) return {};
     return [line = std::make_shared<Line>()](const refine::Progress& progress) { line->draw(progress); };
 }
 

@@ -9,6 +9,8 @@
 
 namespace robochart::app {
 
+/// Whether somebody may be looking at a line on standard error and wants one.
+[[nodiscard]] bool progress_line_wanted(const Options&);
 /// What a check is to be given as Limits::progress; empty where nobody looks (standard error is no terminal, --quiet)
 /// and no JSON is asked for. The line is wiped when the last copy of the function is gone.
 [[nodiscard]] std::function<void(const refine::Progress&)> progress_of(const Options&, const std::string& subject);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "diagnostics/paint.hpp"
+
 namespace robochart::app {
 namespace {
 
@@ -113,9 +115,7 @@ private:
 
 // ---------------------------------------------------------------- drawing
 
-constexpr std::string_view bold = "\x1b[1m";
-constexpr std::string_view cyan = "\x1b[36m";
-constexpr std::string_view plain = "\x1b[0m";
+using diagnostics::Paint;
 
 class Drawing {
 public:
@@ -135,7 +135,7 @@ private:
             code_line(line);
         } else if (line.starts_with("#")) {
             const std::size_t start = std::min(line.find_first_not_of("# "), line.size());
-            marked(line.substr(start), bold);
+            marked(line.substr(start), Paint::heading);
             out_ += '\n';
         } else {
             words(line);
@@ -154,11 +154,7 @@ private:
         out_.append("    ").append(text).append("\n");
     }
 
-    void marked(std::string_view text, std::string_view mark) {
-        if (color_) out_ += mark;
-        out_ += text;
-        if (color_) out_ += plain;
-    }
+    void marked(std::string_view text, Paint paint) { out_ += diagnostics::painted(text, paint, color_); }
 
     /// A line of text: `code`, [name](address) and *emphasis*.
     void words(std::string_view line) {
@@ -176,13 +172,14 @@ private:
         if (sign == '[') {
             const std::size_t name = line.find("](");
             const std::size_t end = name == std::string_view::npos ? name : line.find(')', name);
-            if (end != std::string_view::npos) return marked(line.substr(1, name - 1), cyan), end + 1;
+            if (end != std::string_view::npos) return marked(line.substr(1, name - 1), Paint::name), end + 1;
         } else if (line.size() > 1 && line[1] != ' ') {
             const std::size_t end = line.find(sign, 1);
             if (end != std::string_view::npos) {
                 // Backquotes stay where there is no colour to take their place.
                 const bool quotes = sign == '`' && !color_;
-                marked(quotes ? line.substr(0, end + 1) : line.substr(1, end - 1), sign == '`' ? cyan : bold);
+                marked(quotes ? line.substr(0, end + 1) : line.substr(1, end - 1),
+                       sign == '`' ? Paint::name : Paint::heading);
                 return end + 1;
             }
         }

@@ -131,7 +131,7 @@ std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emis
 }
 
 void check_time(Project& project, const Options& options, Time time, Report& report) {
-    const csp_emit::Emission emission = emit_csp(project, options, time);
+    const csp_emit::Emission& emission = emit_csp(project, options, time);
     if (!project.diagnostics.ok() || (emission.obligations.empty() && !options.sizes)) return;
     const std::unique_ptr<cspm::Session> session = open(project, emission, time, options, report);
     if (!session) return;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "app/command/limits.hpp"
 #include "app/command/output.hpp"
@@ -186,7 +187,7 @@ bool write_csp(Project& project, const Options& options, Report& report) {
         const bool skipped = (options.times == Times::timed && time == csp_emit::Time::untimed) ||
                              (options.times == Times::untimed && time == csp_emit::Time::timed);
         if (skipped) continue;
-        const csp_emit::Emission emission = emit_csp(project, options, time);
+        const csp_emit::Emission& emission = emit_csp(project, options, time);
         if (!project.diagnostics.ok()) return false;
         if (!write_all("", csp_emit::files(emission, time, project.name), report.csp_files, options, project))
             return false;
@@ -232,6 +233,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
             report.conformance.back().result.reason = not_decided;
         }
     }
+    std::optional<conformance::TimedModel> model;  // made for the first, for all
     for (std::size_t i = 0; i < components.size(); ++i) {
         const ir::ComponentRef& component = components[i];
         const diagnostics::Budget::Phase phase(options.run->budget(),
@@ -246,8 +248,10 @@ void check_conformance(Project& project, const Options& options, Report& report)
         wanted.exported = export_format(options.exported_code);
         ConformanceReport one;
         one.component = project.label + ir::qualified(component);
-        one.result = conformance::conform(project.system, project.instantiation, component, wanted, project.sources,
-                                          project.diagnostics);
+        if (!model)
+            model =
+                conformance::timed_model(project.system, project.instantiation, project.sources, project.diagnostics);
+        one.result = conformance::conform(*model, component, wanted, project.diagnostics);
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const bool exported =
             options.verb == Verb::verify && !one.result.normal_form.empty() && options.times != Times::untimed;
@@ -349,7 +353,7 @@ Exit take_phase(Project& project, const Options& options, std::string& text) {
         return Exit::success;
     }
     const auto time = options.print == "script" ? csp_emit::Time::untimed : csp_emit::Time::timed;
-    const csp_emit::Emission emission = emit_csp(project, options, time);
+    const csp_emit::Emission& emission = emit_csp(project, options, time);
     if (!show_diagnostics(project, options)) return Exit::bad_input;
     text += cspm::print(emission.script);
     return Exit::success;

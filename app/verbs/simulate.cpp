@@ -2,15 +2,14 @@
 #include "app/verbs/simulate.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <mutex>
 
 #include "app/command/output.hpp"
+#include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/monitor.hpp"
@@ -72,7 +71,8 @@ std::string with_progress(const simulation::RunProgress& p) {
                        std::min(p.trials_done + 1, p.trials), p.trials, p.simulated_seconds, p.total_seconds, speed);
 }
 
-std::function<void(const simulation::RunProgress&)> progress_of(const Options& options, const std::string& subject) {
+std::function<void(const simulation::RunProgress&)> progress_reports(const Options& options,
+                                                                     const std::string& subject) {
     if (options.progress == ProgressMode::json)
         return [subject](const simulation::RunProgress& p) {
             using diagnostics::rounded;
@@ -86,12 +86,9 @@ std::function<void(const simulation::RunProgress&)> progress_of(const Options& o
                                                        {"totalSeconds", rounded(p.total_seconds, 1)}}) +
                                "\n");
         };
-    const bool seen = !options.quiet && isatty(STDERR_FILENO) == 1;
-    if (options.progress == ProgressMode::never || !seen) return {};
+    if (!progress_line_wanted(options)) return {};
     return [](const simulation::RunProgress& p) {
-        print_error_styled(fmt::format("\r\x1b[K{}", with_progress(p)));
-        if (p.trials_done == p.trials) print_error_styled("\r\x1b[K");
-        std::fflush(stderr);
+        redraw_error_line(p.trials_done == p.trials ? std::string() : with_progress(p));
     };
 }
 
@@ -213,7 +210,7 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
     if (monitors != nullptr) wanted.trace = monitors->beside(wanted.trace);
     wanted.interrupted = [&budget = options.run->budget()] { return !budget.reached().empty(); };
-    wanted.progress = progress_of(options, simulation->scenario.name.text);
+    wanted.progress = progress_reports(options, simulation->scenario.name.text);
     const simulation::RunResult result =
         simulation::run(simulation->plan, controller->drive(), wanted, project.diagnostics);
     if (!failure.text.empty()) project.diagnostics.report(rules::unwritable, {}, {failure.text});

@@ -7,8 +7,8 @@
 #include <new>
 
 #include "checker/cspm/eval/evaluator.hpp"
-#include "checker/cspm/eval/resolver.hpp"
-#include "checker/cspm/eval/unread_parameters.hpp"
+#include "checker/cspm/resolve/resolver.hpp"
+#include "checker/cspm/resolve/unread_parameters.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/deep_stack.hpp"
 #include "checker/machine/compiler.hpp"

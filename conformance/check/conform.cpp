@@ -16,7 +16,6 @@
 #include "conformance/model/cyclic_model.hpp"
 #include "conformance/model/normal_form.hpp"
 #include "conformance/model/normal_form_system.hpp"
-#include "conformance/model/renamed_model.hpp"
 #include "conformance/model/representatives.hpp"
 #include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
@@ -175,6 +174,32 @@ Result judged(const csp_emit::Emission& script, const ir::System& system, const 
     }
 }
 
+/// What one component is compared with where few values stand for all.
+struct FewValuesModel {
+    ir::Instantiation instantiation;
+    csp_emit::Emission script;
+    Represented represented;
+    std::vector<FewValues> types;
+};
+
+/// Nothing if all values of the component can be explored, or no type is only passed on.
+std::optional<FewValuesModel> few_values_model(const TimedModel& timed, const ir::ComponentRef& component,
+                                               diagnostics::Diagnostics& diagnostics) {
+    const RenamedSystem& model = timed.model;
+    diagnostics::Diagnostics apart;  // the emitter reports the same
+    const auto resolved = cpp_emit::resolve(model.system, model.instantiation, component, apart);
+    if (!resolved) return std::nullopt;
+    Representatives few = representatives(model.system, model.instantiation, *resolved);
+    if (few.types.empty()) return std::nullopt;
+    FewValuesModel result;
+    result.represented = represented_arguments(model.system, few, *resolved);
+    for (const RepresentedType& each : few.types) result.types.push_back({each.name, each.values});
+    result.script =
+        csp_emit::emit(model.system, few.instantiation, csp_emit::Time::timed, {}, *timed.sources, diagnostics);
+    result.instantiation = std::move(few.instantiation);
+    return result;
+}
+
 }  // namespace
 
 Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
@@ -182,31 +207,31 @@ Result judge_code(const csp_emit::Emission& script, const ir::System& system, co
     return judged(script, system, instantiation, component, code, {}, options);
 }
 
-Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,
-               const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+TimedModel timed_model(const ir::System& system, const ir::Instantiation& instantiation,
+                       diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
-    RenamedModel model = renamed_model(system, instantiation, component, diagnostics);
-    Represented represented;
-    std::vector<FewValues> few_values;
-    diagnostics::Diagnostics apart;  // the emitter reports the same
-    if (const auto resolved = cpp_emit::resolve(model.system, model.instantiation, model.component, apart)) {
-        Representatives few = representatives(model.system, model.instantiation, *resolved);
-        represented = represented_arguments(model.system, few, *resolved);
-        for (const RepresentedType& each : few.types) few_values.push_back({each.name, each.values});
-        model.instantiation = std::move(few.instantiation);
-    }
-    const csp_emit::Emission script =
-        csp_emit::emit(model.system, model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
-    const cspm::ExprPtr process = component_process(script.definitions, model.component);
-    if (diagnostics.errors() != errors || !process)
-        return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
+    TimedModel timed{renamed_system(system, instantiation, diagnostics), {}, &sources};
+    timed.script =
+        csp_emit::emit(timed.model.system, timed.model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+    timed.sound = diagnostics.errors() == errors;
+    return timed;
+}
+
+Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
+               diagnostics::Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    const RenamedSystem& model = timed.model;
+    const ir::ComponentRef component = renamed_component(model, named);
+    if (!timed.sound || !component_process(timed.script.definitions, component))
+        return not_generated(fmt::format("{} has no timed CSP semantics here", named.path));
+    const std::optional<FewValuesModel> few = few_values_model(timed, component, diagnostics);
+    const ir::Instantiation& instantiation = few ? few->instantiation : model.instantiation;
 
     cpp_emit::Options generator = options.generator;
     generator.cycle_length = options.cycle_length;
-    const cpp_emit::Emission code =
-        cpp_emit::emit(model.system, model.instantiation, model.component, generator, diagnostics);
+    const cpp_emit::Emission code = cpp_emit::emit(model.system, instantiation, component, generator, diagnostics);
     if (diagnostics.errors() != errors || code.shim.empty())
-        return not_generated(fmt::format("no C++ is generated for {}", component.path));
+        return not_generated(fmt::format("no C++ is generated for {}", named.path));
 
     std::string error;
     diagnostics::Budget own(options.limits);
@@ -221,10 +246,15 @@ Result conform(const ir::System& system, const ir::Instantiation& instantiation,
         return result;
     }
     if (!object) return not_generated(std::move(error));
-    Result result =
-        judged(script, model.system, model.instantiation, model.component, object->interface(), represented, options);
-    result.represented = std::move(few_values);
+    Result result = judged(few ? few->script : timed.script, model.system, instantiation, component,
+                           object->interface(), few ? few->represented : Represented(), options);
+    if (few) result.represented = few->types;
     return result;
+}
+
+Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,
+               const Options& options, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+    return conform(timed_model(system, instantiation, sources, diagnostics), component, options, diagnostics);
 }
 
 }  // namespace robochart::conformance

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "conformance/check/result.hpp"
+#include "conformance/model/renamed_model.hpp"
 #include "cpp_emit/runtime/explore_abi.h"
 #include "csp_emit/base/emission.hpp"
 #include "diagnostics/diagnostic.hpp"
@@ -15,7 +16,22 @@ namespace robochart::conformance {
 [[nodiscard]] Result judge_code(const csp_emit::Emission& script, const ir::System&, const ir::Instantiation&,
                                 const ir::ComponentRef&, const rc_interface& code, const Options&);
 
+/// What the components of a model are compared with: it is the same for all of them.
+struct TimedModel {
+    RenamedSystem model;
+    csp_emit::Emission script;
+    diagnostics::SourceManager* sources = nullptr;  ///< outlives it
+    bool sound = false;                             ///< without errors; else nothing is generated
+};
+
+/// Findings go to the diagnostics.
+[[nodiscard]] TimedModel timed_model(const ir::System&, const ir::Instantiation&, diagnostics::SourceManager&,
+                                     diagnostics::Diagnostics&);
+
 /// Generates, compiles, explores and checks one component.
+[[nodiscard]] Result conform(const TimedModel&, const ir::ComponentRef& component, const Options&,
+                             diagnostics::Diagnostics&);
+/// The same for a model of which no other component is asked.
 [[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                              const Options&, diagnostics::SourceManager&, diagnostics::Diagnostics&);
 

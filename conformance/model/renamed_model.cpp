@@ -23,15 +23,25 @@ ir::ComponentRef renamed(const ir::System& system, ir::ComponentRef ref) {
 
 }  // namespace
 
-RenamedModel renamed_model(const ir::System& system, const ir::Instantiation& instantiation,
-                           const ir::ComponentRef& component, diagnostics::Diagnostics& diagnostics) {
+RenamedSystem renamed_system(const ir::System& system, const ir::Instantiation& instantiation,
+                             diagnostics::Diagnostics& diagnostics) {
     csp_emit::SafeNames safe = csp_emit::safe_names(system, instantiation, diagnostics);
-    RenamedModel model{safe.changed ? std::move(safe.system) : system,
-                       safe.changed ? std::move(safe.instantiation) : instantiation, component};
-    if (safe.changed) model.component = renamed(model.system, component);
+    RenamedSystem model{safe.changed ? std::move(safe.system) : system,
+                        safe.changed ? std::move(safe.instantiation) : instantiation, safe.changed};
     model.system.csp_blocks.clear();
     model.system.properties.clear();
     return model;
+}
+
+ir::ComponentRef renamed_component(const RenamedSystem& model, const ir::ComponentRef& component) {
+    return model.changed ? renamed(model.system, component) : component;
+}
+
+RenamedModel renamed_model(const ir::System& system, const ir::Instantiation& instantiation,
+                           const ir::ComponentRef& component, diagnostics::Diagnostics& diagnostics) {
+    RenamedSystem model = renamed_system(system, instantiation, diagnostics);
+    ir::ComponentRef inside = renamed_component(model, component);
+    return {std::move(model.system), std::move(model.instantiation), std::move(inside)};
 }
 
 }  // namespace robochart::conformance

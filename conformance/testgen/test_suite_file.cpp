@@ -1,6 +1,9 @@
 // A test suite as a log of runs, and as GoogleTest; see test_suite.hpp.
 #include <fmt/format.h>
 
+#include <stdexcept>
+#include <string_view>
+
 #include "conformance/testgen/test_suite.hpp"
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/files/trace_names.hpp"
@@ -137,20 +140,7 @@ std::string suite_path() {
     return here.substr(0, here.rfind('/') + 1) + "@NAME@.trace";
 }
 
-/// Numbers are compared by value: 0.50 is 0.5.
-bool same_word(const std::string& a, const std::string& b) {
-    if (a == b) return true;
-    std::istringstream x(a), y(b);
-    for (std::string p, q; std::getline(x, p, '!') && std::getline(y, q, '!');) {
-        char *end_p = nullptr, *end_q = nullptr;
-        const double n = std::strtod(p.c_str(), &end_p);
-        const double m = std::strtod(q.c_str(), &end_q);
-        const bool numbers = !p.empty() && !q.empty() && *end_p == '\0' && *end_q == '\0';
-        if (numbers ? n < m - 1e-9 || n > m + 1e-9 : p != q) return false;
-        if (x.eof() != y.eof()) return false;
-    }
-    return x.eof() && y.eof();
-}
+@SAME_WORD@
 
 bool same(const std::vector<std::string>& a, const std::vector<std::string>& b) {
     if (a.size() != b.size()) return false;
@@ -240,10 +230,22 @@ TEST(@NAME@, DoesWhatItsModelAllows) {
 }  // namespace
 )";
 
-std::string named(std::string text, const std::string& name) {
-    for (std::size_t at = text.find("@NAME@"); at != std::string::npos; at = text.find("@NAME@", at))
-        text.replace(at, 6, name);
+std::string replaced(std::string text, std::string_view mark, std::string_view with) {
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + with.size()))
+        text.replace(at, mark.size(), with);
     return text;
+}
+
+std::string named(const std::string& text, const std::string& name) {
+    return replaced(text, "@NAME@", name);
+}
+
+/// How words are compared: the function of the header that adaptive tests ship, as the test of a suite is one file.
+std::string same_word() {
+    const std::string header = cpp_emit::adaptive_header();
+    const std::size_t begin = header.find("/// Numbers are compared by value");
+    if (begin == std::string::npos) throw std::logic_error("adaptive.hpp no longer says how words are compared");
+    return replaced(header.substr(begin, header.find("\n\n", begin) - begin), "inline bool", "bool");
 }
 
 }  // namespace
@@ -293,7 +295,8 @@ std::vector<cpp_emit::OutputFile> adaptive_sources(const std::string& name) {
 }
 
 std::vector<cpp_emit::OutputFile> suite_sources(const std::string& name) {
-    return {{name + "_suite_test.cpp", named(test_source, name)}, {"implementation.hpp", implementation_header}};
+    return {{name + "_suite_test.cpp", named(replaced(test_source, "@SAME_WORD@", same_word()), name)},
+            {"implementation.hpp", implementation_header}};
 }
 
 }  // namespace robochart::conformance

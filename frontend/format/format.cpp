@@ -2,18 +2,16 @@
 #include "frontend/format/format.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
-#include "frontend/format/format_layout.hpp"
+#include "frontend/format/format_assertions.hpp"
+#include "frontend/format/format_model.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 
 namespace robochart::frontend {
 
 namespace {
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// A text in words.
 struct Words {
@@ -121,77 +119,12 @@ std::optional<std::string> format(const diagnostics::SourceManager& sources, dia
     if (!verbatim) return std::nullopt;
     const std::string_view text = sources.text(source);
     const TokenStream stream = words_of(sources, source, is_assertions);
-    std::string result = Layout(text, stream, is_assertions, std::move(*verbatim)).run(line_end(text));
+    std::string result = is_assertions ? AssertionLayout(text, stream, std::move(*verbatim)).run(line_end(text))
+                                       : ModelLayout(text, stream).run(line_end(text));
     if (text.starts_with(byte_order_mark)) result.insert(0, byte_order_mark);
     if (!same({text, stream}, result, is_assertions))
         throw std::logic_error("formatting " + sources.path(source) + " would change its words");
     return result;
-}
-
-// ---------------------------------------------------------------- words
-
-Layout::Layout(std::string_view text, const TokenStream& stream, bool is_assertions, std::vector<std::size_t> verbatim)
-    : text_(text), stream_(stream), is_assertions_(is_assertions), verbatim_(std::move(verbatim)) {
-    if (text.starts_with(byte_order_mark)) previous_end_ = byte_order_mark.size();
-}
-
-Token Layout::peek(std::size_t ahead) const {
-    return stream_.tokens[std::min(at_ + ahead, stream_.tokens.size() - 1)];
-}
-
-bool Layout::at_word(std::string_view word, std::size_t ahead) const {
-    const Token& token = peek(ahead);
-    const bool word_like = token.kind == TokenKind::identifier || token.kind == TokenKind::keyword;
-    return word_like && !token.escaped && token.text == word;
-}
-
-bool Layout::at_closing() const {
-    constexpr std::array<std::string_view, 6> closing = {")", "]", "}", "|)", "|]", ">"};
-    return at_end() || std::any_of(closing.begin(), closing.end(), [&](std::string_view word) { return at(word); });
-}
-
-std::string_view Layout::source(diagnostics::Span span) const {
-    return text_.substr(span.begin, span.end - span.begin);
-}
-
-/// The word here as it is written, without a gap.
-Doc Layout::advance() {
-    const Token& token = peek();
-    const Doc result = doc_.text(source(token.span));
-    previous_end_ = token.span.end;
-    if (!at_end()) ++at_;
-    return result;
-}
-
-Doc Layout::token(Gap gap) {
-    const Doc before = this->gap(gap);
-    return doc_.cat(before, advance());
-}
-
-/// Words with blanks between.
-Doc Layout::words(Gap gap, std::size_t count) {
-    Doc result = token(gap);
-    while (--count > 0) result = doc_.cat(result, token(Gap::blank));
-    return result;
-}
-
-/// `A::B::C`
-Doc Layout::names(Gap gap) {
-    Doc result = token(gap);
-    while (at("::") && !peek(1).is("*")) result = cat({result, token(Gap::none), token(Gap::none)});
-    return result;
-}
-
-std::string Layout::run(std::string_view line_end) {
-    Printer printer(doc_, line_end);
-    Gap gap = Gap::start;
-    while (!at_end()) {
-        printer.print(is_assertions_ ? assertion_member(gap) : member(gap));
-        doc_.clear();
-        gap = Gap::member;
-    }
-    printer.print(cat({closing_comments(), at_ > 0 || comment_ > 0 ? doc_.hard() : 0}));
-    return printer.take();
 }
 
 }  // namespace robochart::frontend

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "frontend/format/format_layout.hpp"
+#include "frontend/format/format_assertions.hpp"
 
 namespace robochart::frontend {
 
@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 9> property_words = {"instantiate", "cons
 
 }  // namespace
 
-Doc Layout::assertion_member(Gap gap) {
+Doc AssertionLayout::member(Gap gap) {
     if (at("import")) return import(gap);
     if (at("package")) return phrase(gap);
     const std::size_t timed = at_word("timed") || at_word("untimed") ? 1 : 0;
@@ -25,17 +25,17 @@ Doc Layout::assertion_member(Gap gap) {
 }
 
 /// A PRISM part: up to the word that the parser found to be its last.
-Doc Layout::verbatim(Gap gap) {
+Doc AssertionLayout::verbatim(Gap gap) {
     const Doc before = this->gap(gap);
     const std::size_t begin = peek().span.begin;
     const std::size_t end = begin + verbatim_[verbatim_at_++];
     while (!at_end() && peek().span.begin < end) static_cast<void>(advance());
-    while (comment_ < stream_.comments.size() && stream_.comments[comment_].begin < end) ++comment_;
-    return doc_.cat(before, doc_.text(text_.substr(begin, end - begin)));
+    skip_comments(end);
+    return doc_.cat(before, doc_.text(text().substr(begin, end - begin)));
 }
 
 /// `timed csp NAME associated to X, Y csp-begin … csp-end`
-Doc Layout::csp_block(Gap gap) {
+Doc AssertionLayout::csp_block(Gap gap) {
     const std::size_t head = at_word("csp") ? 2 : 3;
     Doc result = words(gap, head);
     if (at_word("associated")) {
@@ -46,7 +46,7 @@ Doc Layout::csp_block(Gap gap) {
 }
 
 /// `timed assertion NAME : … in the … model with … .`
-Doc Layout::assertion(Gap gap) {
+Doc AssertionLayout::assertion(Gap gap) {
     const Doc before = this->gap(gap);
     const std::size_t head = at_word("assertion") ? 3 : 4;
     Doc result = words(Gap::done, head);
@@ -63,13 +63,13 @@ Doc Layout::assertion(Gap gap) {
 }
 
 /// A word, or two joined by `-`.
-Doc Layout::hyphenated() {
+Doc AssertionLayout::hyphenated() {
     const Doc word = token(Gap::blank);
     return at("-") ? cat({word, token(Gap::none), token(Gap::none)}) : word;
 }
 
 /// `X is …`, `X does not …`, `X terminates`, `X refines Y`, `X equals Y`, `clock C is initialised`
-Doc Layout::assertion_body() {
+Doc AssertionLayout::assertion_body() {
     const Doc subject = at("clock") ? phrase(Gap::blank) : names(Gap::blank);
     if (at_word("refines") || at_word("equals")) return cat({subject, phrase(Gap::blank)});
     const bool described = at("is") || at_word("does");
@@ -79,7 +79,7 @@ Doc Layout::assertion_body() {
 }
 
 /// `deadlock-free`, `reachable in X`, `equal to Y`, `refine Y`, `terminate`
-Doc Layout::property() {
+Doc AssertionLayout::property() {
     const bool refine = at_word("refine");
     const bool related = at_word("reachable") || at_word("equal");
     const Doc word = hyphenated();
@@ -88,7 +88,7 @@ Doc Layout::property() {
 }
 
 /// `with P, P and P`
-Doc Layout::parameters() {
+Doc AssertionLayout::parameters() {
     Doc result = cat({token(Gap::line), parameter(Gap::blank)});
     while (at(",") || at_word("and")) {
         if (at(",")) result = doc_.cat(result, token(Gap::none));
@@ -103,7 +103,7 @@ Doc Layout::parameters() {
 }
 
 /// `constant v of X set to e`
-Doc Layout::parameter(Gap gap) {
+Doc AssertionLayout::parameter(Gap gap) {
     Doc result = cat({phrase(gap), phrase(Gap::blank)});
     const std::size_t count = at_word("assigned") ? 1 : 2;
     result = doc_.cat(result, words(Gap::blank, count));

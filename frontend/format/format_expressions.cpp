@@ -1,62 +1,22 @@
 // Expressions. One that does not fit breaks before the operators that bind weakest, then inside its operands.
-#include <algorithm>
-#include <array>
 
-#include "frontend/format/format_layout.hpp"
+#include "frontend/format/format_expressions.hpp"
+#include "frontend/syntax/operators.hpp"
 
 namespace robochart::frontend {
 
-namespace {
-
-struct Operator {
-    std::string_view word;
-    int level;
-};
-
-// How tightly operators bind, as in parser_expressions.cpp.
-constexpr int compare_level = 5;
-constexpr int let_level = 6;
-constexpr int cast_level = 7;
-constexpr int plus_level = 8;
-constexpr int concat_level = 10;
-constexpr std::array<Operator, 20> operators = {{{"iff", 0},
-                                                 {"=>", 1},
-                                                 {"\\/", 2},
-                                                 {"/\\", 3},
-                                                 {"==", compare_level},
-                                                 {"!=", compare_level},
-                                                 {">", compare_level},
-                                                 {">=", compare_level},
-                                                 {"<", compare_level},
-                                                 {"<=", compare_level},
-                                                 {"in", compare_level},
-                                                 {"as", cast_level},
-                                                 {"is", cast_level},
-                                                 {"+", plus_level},
-                                                 {"-", plus_level},
-                                                 {"*", 9},
-                                                 {"/", 9},
-                                                 {"%", 9},
-                                                 {"cat", concat_level},
-                                                 {"^", concat_level}}};
-
-}  // namespace
-
-Doc Layout::expression(Gap gap) {
+Doc ExpressionLayout::expression(Gap gap) {
     return operand(gap, 0);
 }
 
-/// Does the escaped name here follow an operand on its line? Then its `^` is the operator.
-int Layout::operator_level() const {
-    const Token& token = peek();
-    if (token.escaped) return token.first_on_line ? -1 : concat_level;
-    const auto* found =
-        std::find_if(operators.begin(), operators.end(), [&](const Operator& o) { return token.is(o.word); });
-    return found == operators.end() ? -1 : found->level;
+/// Of `as` and `is` too, which have a type on their right; -1 where no operator follows.
+int ExpressionLayout::operator_level() const {
+    if (at("as") || at("is")) return cast_level;
+    const BinaryOperator* found = binary_operator(peek());
+    return found == nullptr ? -1 : found->level;
 }
 
-/// Operators that bind at least as tightly as `level`, with their operands.
-Doc Layout::operand(Gap gap, int level) {
+Doc ExpressionLayout::operand(Gap gap, int level) {
     const Doc before = this->gap(gap);
     Doc result = prefix(level);
     for (int next = operator_level(); next >= level; next = operator_level()) result = chain(result, next);
@@ -64,32 +24,32 @@ Doc Layout::operand(Gap gap, int level) {
 }
 
 /// `a + b - c`: all operators of one level make one group.
-Doc Layout::chain(Doc left, int level) {
+Doc ExpressionLayout::chain(Doc left, int level) {
     Doc rest = 0;
     while (operator_level() == level) rest = doc_.cat(rest, infix(level));
     return doc_.group(doc_.cat(left, doc_.nest(rest)));
 }
 
-Doc Layout::infix(int level) {
+Doc ExpressionLayout::infix(int level) {
     if (peek().escaped) return operand(Gap::blank, level + 1);
     const bool typed = at("as") || at("is");
     const Doc op = token(Gap::line);
     return doc_.cat(op, typed ? type(Gap::blank) : operand(Gap::blank, level + 1));
 }
 
-Doc Layout::prefix(int level) {
+Doc ExpressionLayout::prefix(int level) {
     if (at("not")) {
         const Doc word = token(Gap::done);
         return doc_.cat(word, operand(Gap::blank, compare_level));
     }
-    if (at("if")) return conditional(Gap::done, &Layout::expression);
+    if (at("if")) return conditional(Gap::done, &ExpressionLayout::expression);
     if (at("forall") || at("exists") || at("exists1") || at("lambda")) return binder(0);
     if (at("the") || at("let")) return binder(let_level);
     return level == value_level ? postfix() : negation();
 }
 
 /// `forall v : T | p @ e`, `let x == e @ e`
-Doc Layout::binder(int level) {
+Doc ExpressionLayout::binder(int level) {
     Doc head = token(Gap::done);
     head = doc_.cat(head, bindings(Gap::blank));
     if (!at("@")) return head;
@@ -98,67 +58,67 @@ Doc Layout::binder(int level) {
 }
 
 /// `v : T, w : T | p`, `x == e, y == e`
-Doc Layout::bindings(Gap gap) {
+Doc ExpressionLayout::bindings(Gap gap) {
     Doc result = binding(gap);
     while (at(",")) result = cat({result, token(Gap::none), binding(Gap::blank)});
     return at("|") ? cat({result, token(Gap::blank), expression(Gap::blank)}) : result;
 }
 
-Doc Layout::binding(Gap gap) {
+Doc ExpressionLayout::binding(Gap gap) {
     const Doc result = typed(gap);
     return at("==") ? cat({result, token(Gap::blank), expression(Gap::blank)}) : result;
 }
 
-Doc Layout::negation() {
+Doc ExpressionLayout::negation() {
     Doc result = 0;
     for (; at("-"); result = doc_.cat(result, gap(Gap::none))) result = doc_.cat(result, advance());
     return doc_.cat(result, postfix());
 }
 
 /// In assertion files a point ends the assertion unless a field follows at once.
-bool Layout::at_step() const {
+bool ExpressionLayout::at_step() const {
     if (at("(")) return !peek().first_on_line;
     return at("[") || (at(".") && (!is_assertions_ || peek(1).span.begin == peek().span.end));
 }
 
-Doc Layout::postfix() {
+Doc ExpressionLayout::postfix() {
     Doc result = atom();
     while (at_step()) {
         if (at("."))
             result = cat({result, token(Gap::none), token(Gap::none)});
         else
-            result = doc_.cat(result, list(Gap::none, &Layout::expression));
+            result = doc_.cat(result, list(Gap::none, &ExpressionLayout::expression));
     }
     return result;
 }
 
-Doc Layout::atom() {
-    if (at("[|") || at("(|") || at("(") || at("[")) return list(Gap::done, &Layout::expression);
+Doc ExpressionLayout::atom() {
+    if (at("[|") || at("(|") || at("(") || at("[")) return list(Gap::done, &ExpressionLayout::expression);
     if (at("<{")) return sequence_with_set();
-    if (at("<")) return list(Gap::done, &Layout::sequence_element);
-    if (at("{")) return list(Gap::done, &Layout::set_element);
+    if (at("<")) return list(Gap::done, &ExpressionLayout::sequence_element);
+    if (at("{")) return list(Gap::done, &ExpressionLayout::set_element);
     const bool function = at("since") || at("sinceEntry") || at("inverse") || at("transpose");
-    if (!at_name()) return cat({token(Gap::done), function ? list(Gap::none, &Layout::expression) : 0});
+    if (!at_name()) return cat({token(Gap::done), function ? list(Gap::none, &ExpressionLayout::expression) : 0});
     const Doc name = names(Gap::done);
-    return at("(|") ? doc_.cat(name, list(Gap::none, &Layout::field)) : name;
+    return at("(|") ? doc_.cat(name, list(Gap::none, &ExpressionLayout::field)) : name;
 }
 
 /// Elements of `< … >` stop at `+`, so that `>` closes.
-Doc Layout::sequence_element(Gap gap) {
+Doc ExpressionLayout::sequence_element(Gap gap) {
     return operand(gap, plus_level);
 }
 
 /// `<{a}, …>`: the brackets of a sequence that begins with a set make one word.
-Doc Layout::sequence_with_set() {
+Doc ExpressionLayout::sequence_with_set() {
     const Doc open = advance();
-    Doc first = doc_.group(doc_.cat(open, elements(Gap::soft, &Layout::set_element)));
+    Doc first = doc_.group(doc_.cat(open, elements(Gap::soft, &ExpressionLayout::set_element)));
     while (operator_level() >= plus_level) first = chain(first, operator_level());
     const Doc comma = at(",") ? token(Gap::none) : 0;
-    return doc_.group(cat({first, comma, elements(Gap::line, &Layout::sequence_element)}));
+    return doc_.group(cat({first, comma, elements(Gap::line, &ExpressionLayout::sequence_element)}));
 }
 
 /// An element of a set, or the whole of `{a to b}`, `{v : T | p @ e}`.
-Doc Layout::set_element(Gap gap) {
+Doc ExpressionLayout::set_element(Gap gap) {
     if (!at_name() || !peek(1).is(":")) {
         const Doc element = expression(gap);
         return at("to") ? cat({element, token(Gap::blank), expression(Gap::blank)}) : element;
@@ -169,9 +129,66 @@ Doc Layout::set_element(Gap gap) {
 }
 
 /// `f = e` of a record.
-Doc Layout::field(Gap gap) {
+Doc ExpressionLayout::field(Gap gap) {
     const Doc head = words(gap, 2);
     return doc_.cat(head, expression(Gap::blank));
+}
+
+// ---------------------------------------------------------------- lists, types
+
+Doc ExpressionLayout::conditional(Gap gap, Part branch) {
+    const Doc before = this->gap(gap);
+    Doc result = cat({token(Gap::done), expression(Gap::blank)});
+    while (at("then") || at("else")) {
+        const Gap lead = at("then") ? Gap::blank : Gap::line;
+        const Doc word = token(lead);
+        result = cat({result, word, doc_.nest((this->*branch)(Gap::line))});
+    }
+    return group(before, doc_.cat(result, token(Gap::line)));
+}
+
+Doc ExpressionLayout::list(Gap gap, Part element) {
+    const Doc before = this->gap(gap);
+    const Doc open = advance();
+    return group(before, doc_.cat(open, elements(Gap::soft, element)));
+}
+
+/// The elements of a list and the closing bracket (the group is the caller's).
+Doc ExpressionLayout::elements(Gap first, Part element) {
+    Doc inner = 0;
+    for (Gap gap = first; !at_closing(); gap = Gap::line) {
+        inner = doc_.cat(inner, (this->*element)(gap));
+        if (at(",") || at(";")) inner = doc_.cat(inner, token(Gap::none));
+    }
+    inner = doc_.cat(inner, closing_comments());
+    const Doc close = inner == 0 ? 0 : may_touch() ? doc_.soft() : doc_.line();
+    return cat({doc_.nest(inner), close, advance()});
+}
+
+Doc ExpressionLayout::typed(Gap gap) {
+    const Doc name = token(gap);
+    return at(":") ? cat({name, token(Gap::blank), type(Gap::blank)}) : name;
+}
+
+/// Operators between types have a blank on either side.
+Doc ExpressionLayout::type(Gap gap) {
+    const Doc before = this->gap(gap);
+    Doc result = atomic_type(Gap::done);
+    while (at("<->") || at("->") || at("*")) result = cat({result, token(Gap::blank), atomic_type(Gap::blank)});
+    return doc_.cat(before, result);
+}
+
+Doc ExpressionLayout::atomic_type(Gap gap) {
+    if (at("(") || at("Set(") || at("Seq(")) return list(gap, &ExpressionLayout::type);
+    if (at("?")) return cat({token(gap), token(Gap::none)});
+    if (!at("vector") && !at("matrix")) return names(gap);
+    const Doc word = token(gap);
+    return doc_.cat(word, list(Gap::none, &ExpressionLayout::type_or_size));
+}
+
+/// An argument of `vector` and `matrix`: a type first, then sizes.
+Doc ExpressionLayout::type_or_size(Gap gap) {
+    return gap == Gap::soft ? type(gap) : expression(gap);
 }
 
 }  // namespace robochart::frontend

@@ -1,36 +1,36 @@
 // States, actions, transitions. A body that is short stands on the line of its head; others have one part a line.
-#include "frontend/format/format_layout.hpp"
+#include "frontend/format/format_model.hpp"
 
 namespace robochart::frontend {
 
 /// `state S { entry e }`; a state with several parts has one a line.
-Doc Layout::state(Gap gap) {
+Doc ModelLayout::state(Gap gap) {
     const Doc before = this->gap(gap);
     const Doc head = words(Gap::done, 2);
     if (!at("{")) return doc_.cat(before, head);
-    const Doc body = braces(&Layout::member, Gap::open, Gap::member);
+    const Doc body = braces(&ModelLayout::member, Gap::open, Gap::member);
     return doc_.cat(before, doc_.group(doc_.cat(head, body), body_limit));
 }
 
-Doc Layout::action(Gap gap) {
+Doc ModelLayout::action(Gap gap) {
     const Doc word = token(gap);
     return doc_.cat(word, action_body());
 }
 
 /// A statement on the line of its word, or indented below it.
-Doc Layout::action_body() {
+Doc ModelLayout::action_body() {
     return doc_.group(doc_.nest(sequence(Gap::line)));
 }
 
-Doc Layout::transition(Gap gap) {
+Doc ModelLayout::transition(Gap gap) {
     const Doc before = this->gap(gap);
     const Doc head = words(Gap::done, 2);
-    const Doc body = braces(&Layout::clauses, Gap::open, Gap::line);
+    const Doc body = braces(&ModelLayout::clauses, Gap::open, Gap::line);
     return doc_.cat(before, doc_.group(doc_.cat(head, body), body_limit));
 }
 
 /// All of a transition: `from A to B`, then a clause a line; resets and deadline stay with what they follow.
-Doc Layout::clauses(Gap gap) {
+Doc ModelLayout::clauses(Gap gap) {
     Doc result = phrase(gap);
     if (at("to")) result = doc_.cat(result, phrase(Gap::blank));
     bool awaits = false;
@@ -42,7 +42,7 @@ Doc Layout::clauses(Gap gap) {
     return result;
 }
 
-Doc Layout::clause(Gap gap, bool trigger_before) {
+Doc ModelLayout::clause(Gap gap, bool trigger_before) {
     const Gap near = trigger_before ? Gap::blank : gap;
     if (at("#")) return cat({token(near), token(Gap::none)});
     if (at("<{")) return deadline(near);
@@ -55,7 +55,7 @@ Doc Layout::clause(Gap gap, bool trigger_before) {
 }
 
 /// `<{ e }`
-Doc Layout::deadline(Gap gap) {
+Doc ModelLayout::deadline(Gap gap) {
     const Doc open = token(gap);
     const Doc limit = expression(Gap::blank);
     return cat({open, limit, token(Gap::blank)});

@@ -1,54 +1,42 @@
 // Statements and communications.
-#include "frontend/format/format_layout.hpp"
+#include "frontend/format/format_model.hpp"
 
 namespace robochart::frontend {
 
-Doc Layout::statement(Gap gap) {
+Doc ModelLayout::statement(Gap gap) {
     const Doc before = this->gap(gap);
     return group(before, sequence(Gap::done));
 }
 
 /// `S; S`: on one line, or one statement a line (the group is the caller's).
-Doc Layout::sequence(Gap gap) {
+Doc ModelLayout::sequence(Gap gap) {
     Doc result = timed_statement(gap);
     while (at(";")) result = cat({result, token(Gap::none), timed_statement(Gap::line)});
     return result;
 }
 
-Doc Layout::timed_statement(Gap gap) {
+Doc ModelLayout::timed_statement(Gap gap) {
     const Doc inner = basic_statement(gap);
     return at("<{") ? doc_.cat(inner, deadline(Gap::blank)) : inner;
 }
 
-Doc Layout::basic_statement(Gap gap) {
-    if (at("if")) return conditional(gap, &Layout::statement);
-    if (at("(")) return list(gap, &Layout::statement);
+Doc ModelLayout::basic_statement(Gap gap) {
+    if (at("if")) return conditional(gap, &ModelLayout::statement);
+    if (at("(")) return list(gap, &ModelLayout::statement);
     if (at("skip")) return token(gap);
     if (at("#")) return cat({token(gap), token(Gap::none)});
-    if (at("wait")) return cat({token(gap), list(Gap::none, &Layout::expression)});
+    if (at("wait")) return cat({token(gap), list(Gap::none, &ModelLayout::expression)});
     if (at("send")) return cat({token(gap), communication(Gap::blank)});
     return communication(gap);
 }
 
-/// `if c then a else b end`, of statements and of expressions.
-Doc Layout::conditional(Gap gap, Part branch) {
-    const Doc before = this->gap(gap);
-    Doc result = cat({token(Gap::done), expression(Gap::blank)});
-    while (at("then") || at("else")) {
-        const Gap lead = at("then") ? Gap::blank : Gap::line;
-        const Doc word = token(lead);
-        result = cat({result, word, doc_.nest((this->*branch)(Gap::line))});
-    }
-    return group(before, doc_.cat(result, token(Gap::line)));
-}
-
 /// A name with all that may follow it in a statement or trigger: `e?x`, `e!v`, `e.v`, `e[| p |]?x`, `op(a)`, `v[i] =
 /// e`.
-Doc Layout::communication(Gap gap) {
+Doc ModelLayout::communication(Gap gap) {
     Doc result = names(gap);
     for (;;) {
         if (at("(") || at("["))
-            result = doc_.cat(result, list(Gap::none, &Layout::expression));
+            result = doc_.cat(result, list(Gap::none, &ModelLayout::expression));
         else if (at("[|"))
             result = doc_.cat(result, predicate());
         else if (at("!") || at("."))
@@ -62,7 +50,7 @@ Doc Layout::communication(Gap gap) {
 }
 
 /// `[| x = from | p |]`
-Doc Layout::predicate() {
+Doc ModelLayout::predicate() {
     Doc result = token(Gap::none);
     Gap gap = Gap::none;
     if (at_name() && peek(1).is("=")) {

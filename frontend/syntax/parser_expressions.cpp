@@ -2,53 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
+#include "frontend/syntax/operators.hpp"
 #include "frontend/syntax/parser.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 
 namespace robochart::frontend {
 
 namespace {
-
-struct Operator {
-    std::string_view word;
-    BinaryOp op;
-    int level;
-};
-
-// Levels of the operators that stand alone between those of the table.
-constexpr int not_level = 4;
-constexpr int compare_level = 5;
-constexpr int the_level = 6;
-constexpr int let_level = 7;
-constexpr int if_level = 8;
-constexpr int cast_level = 9;
-constexpr int plus_level = 10;
-constexpr int times_level = 11;
-constexpr int concat_level = 12;
-
-// The last two are slips of those who write C: reported, and read as meant.
-constexpr std::array<Operator, 20> operators = {{{"iff", BinaryOp::iff, 0},
-                                                 {"=>", BinaryOp::implies, 1},
-                                                 {"\\/", BinaryOp::disjunction, 2},
-                                                 {"/\\", BinaryOp::conjunction, 3},
-                                                 {"==", BinaryOp::equal, compare_level},
-                                                 {"!=", BinaryOp::not_equal, compare_level},
-                                                 {">", BinaryOp::greater, compare_level},
-                                                 {">=", BinaryOp::greater_equal, compare_level},
-                                                 {"<", BinaryOp::less, compare_level},
-                                                 {"<=", BinaryOp::less_equal, compare_level},
-                                                 {"in", BinaryOp::in, compare_level},
-                                                 {"+", BinaryOp::plus, plus_level},
-                                                 {"-", BinaryOp::minus, plus_level},
-                                                 {"*", BinaryOp::times, times_level},
-                                                 {"/", BinaryOp::divide, times_level},
-                                                 {"%", BinaryOp::modulus, times_level},
-                                                 {"cat", BinaryOp::concat, concat_level},
-                                                 {"^", BinaryOp::concat, concat_level},
-                                                 {"||", BinaryOp::disjunction, 2},
-                                                 {"&&", BinaryOp::conjunction, 3}}};
 
 /// How tightly the form binds that a tree stands for; an operator that binds tighter cannot follow it.
 int own_level(const Expr& expr) {
@@ -85,12 +46,8 @@ ExprPtr Parser::finish(ExprPtr expr, Span begin) {
 }
 
 std::optional<std::pair<BinaryOp, int>> Parser::operator_here() const {
-    const Token token = peek();
-    // `a ^b`: the scanner takes `^b` for an escaped name, which cannot follow an operand.
-    if (token.escaped && !token.first_on_line) return std::pair(BinaryOp::concat, concat_level);
-    const auto* found =
-        std::find_if(operators.begin(), operators.end(), [&](const Operator& o) { return token.is(o.word); });
-    if (found == operators.end()) return std::nullopt;
+    const BinaryOperator* found = binary_operator(peek());
+    if (found == nullptr) return std::nullopt;
     return std::pair(found->op, found->level);
 }
 

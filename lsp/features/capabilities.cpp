@@ -10,9 +10,8 @@ namespace robochart::lsp {
 
 namespace {
 
-bool lists(const Json& items, std::string_view word) {
-    return std::any_of(items.items().begin(), items.items().end(),
-                       [&](const Json& item) { return item.text() == word; });
+bool lists(View items, std::string_view word) {
+    return std::ranges::any_of(items.items(), [&](View item) { return item.text() == word; });
 }
 
 std::string_view name_of(Encoding encoding) {
@@ -21,9 +20,9 @@ std::string_view name_of(Encoding encoding) {
 
 }  // namespace
 
-Client client_of(const Json& capabilities) {
-    const Json& document = capabilities["textDocument"];
-    const Json& offered = capabilities["general"]["positionEncodings"];
+Client client_of(View capabilities) {
+    const View document = capabilities["textDocument"];
+    const View offered = capabilities["general"]["positionEncodings"];
     Client client;
     // Our own texts are UTF-8, so that is the cheapest to agree upon.
     if (lists(offered, "utf-8"))
@@ -38,9 +37,9 @@ Client client_of(const Json& capabilities) {
     return client;
 }
 
-std::vector<std::string> folders_of(const Json& params) {
+std::vector<std::string> folders_of(View params) {
     std::vector<std::string> result;
-    for (const Json& folder : params["workspaceFolders"].items())
+    for (const View folder : params["workspaceFolders"].items())
         if (folder["uri"].is_text()) result.push_back(path_of_uri(folder["uri"].text()));
     if (!result.empty()) return result;
     if (params["rootUri"].is_text()) return {path_of_uri(params["rootUri"].text())};

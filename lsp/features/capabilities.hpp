@@ -9,9 +9,9 @@
 namespace robochart::lsp {
 
 /// What the editor's capabilities mean for us.
-[[nodiscard]] Client client_of(const Json& capabilities);
+[[nodiscard]] Client client_of(View capabilities);
 /// The folders that the editor has open, as paths.
-[[nodiscard]] std::vector<std::string> folders_of(const Json& params);
+[[nodiscard]] std::vector<std::string> folders_of(View params);
 /// The result of `initialize`.
 [[nodiscard]] Json server_capabilities(const Client&);
 

@@ -22,14 +22,14 @@ std::string title_of(const FixIt& fix, std::string_view replaced) {
 }
 
 /// The editor's own diagnostic that the fix is for, so that it can show them together.
-Json matching(const Json& context, const Diagnostic& finding, const Json& place) {
-    for (const Json& shown : context["diagnostics"].items())
-        if (shown["code"].text() == finding.rule->code && shown["range"] == place) return Json::array({shown});
+Json matching(View context, const Diagnostic& finding, const Json& place) {
+    for (const View shown : context["diagnostics"].items())
+        if (shown["code"].text() == finding.rule->code && shown["range"].json() == place)
+            return Json::array({shown.json()});
     return {};
 }
 
-Json action(const Session& session, const Target& target, const Diagnostic& finding, const FixIt& fix,
-            const Json& context) {
+Json action(const Session& session, const Target& target, const Diagnostic& finding, const FixIt& fix, View context) {
     const SourceManager& sources = target.project.sources();
     const Encoding encoding = session.client.encoding;
     const std::string_view replaced =
@@ -37,30 +37,30 @@ Json action(const Session& session, const Target& target, const Diagnostic& find
     const Json edit = Json::object({{"range", range(sources, fix.span, encoding)}, {"newText", fix.replacement}});
     const Document* edited = target.project.find(fix.span.source);
     Json changes;
-    changes.set(edited != nullptr ? edited->uri : target.document.uri, Json::array({edit}));
+    changes[edited != nullptr ? edited->uri : target.document.uri] = Json::array({edit});
     Json result = Json::object({{"title", title_of(fix, replaced)},
                                 {"kind", "quickfix"},
                                 {"isPreferred", &fix == &finding.fixes.front() && diagnostics::is_certain(fix)},
                                 {"edit", Json::object({{"changes", std::move(changes)}})}});
     Json shown = matching(context, finding, range(sources, finding.span, encoding));
-    if (!shown.is_null()) result.set("diagnostics", std::move(shown));
+    if (!shown.is_null()) result["diagnostics"] = std::move(shown);
     return result;
 }
 
 }  // namespace
 
-Json code_actions(Session& session, const Json& params) {
+Json code_actions(Session& session, View params) {
     const Target target = target_of(session, params);
     const Span asked =
         span_of(target.project.sources(), target.document.source, params["range"], session.client.encoding);
-    const Json& only = params["context"]["only"];
+    const View only = params["context"]["only"];
     Json list = Json::array();
-    for (const Json& kind : only.items())
+    for (const View kind : only.items())
         if (kind.text() != "quickfix" && kind.text() != "" && only.items().size() == 1) return list;
     for (const Diagnostic& finding : findings_about(target)) {
         if (!overlaps(finding.span, asked)) continue;
         for (const FixIt& fix : finding.fixes)
-            if (fix.span.known()) list.push(action(session, target, finding, fix, params["context"]));
+            if (fix.span.known()) list.push_back(action(session, target, finding, fix, params["context"]));
     }
     return list;
 }

@@ -75,9 +75,9 @@ private:
                                   {"kind", kind},
                                   {"sortText", fmt::format("{}{}", static_cast<int>(rank), label)},
                                   {"textEdit", Json::object({{"range", edit_range_}, {"newText", text}})}});
-        if (!about.empty()) item.set("detail", about);
-        if (snippet) item.set("insertTextFormat", 2);
-        items_.push(std::move(item));
+        if (!about.empty()) item["detail"] = about;
+        if (snippet) item["insertTextFormat"] = 2;
+        items_.push_back(std::move(item));
     }
     void add(const Declaration& declaration, Rank rank) {
         if (declaration.name.empty()) return;
@@ -331,7 +331,7 @@ private:
 
 }  // namespace
 
-Json completion(Session& session, const Json& params) {
+Json completion(Session& session, View params) {
     const Target target = target_of(session, params);
     return Completer(session, target).run();
 }

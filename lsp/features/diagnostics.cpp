@@ -41,7 +41,7 @@ Json related(const Session& session, Project& project, const Diagnostic& finding
     Json list = Json::array();
     for (const diagnostics::Note& note : finding.notes) {
         Json place = location(session, project, note.span);
-        if (!place.is_null()) list.push(Json::object({{"location", std::move(place)}, {"message", note.message}}));
+        if (!place.is_null()) list.push_back(Json::object({{"location", std::move(place)}, {"message", note.message}}));
     }
     return list;
 }
@@ -53,8 +53,8 @@ Json diagnostic(const Session& session, Project& project, const Diagnostic& find
                                 {"source", "robochart"},
                                 {"message", message_of(finding)}});
     Json notes = related(session, project, finding);
-    if (!notes.items().empty()) result.set("relatedInformation", std::move(notes));
-    if (is_unneeded(finding.rule->code)) result.set("tags", Json::array({unnecessary_tag}));
+    if (!notes.empty()) result["relatedInformation"] = std::move(notes);
+    if (is_unneeded(finding.rule->code)) result["tags"] = Json::array({unnecessary_tag});
     return result;
 }
 
@@ -63,7 +63,7 @@ std::map<SourceId, Json> by_source(const Session& session, Project& project) {
     std::map<SourceId, Json> result;
     const auto add = [&](const diagnostics::Diagnostics& findings) {
         for (const Diagnostic& finding : findings.sorted())
-            if (finding.span.known()) result[finding.span.source].push(diagnostic(session, project, finding));
+            if (finding.span.known()) result[finding.span.source].push_back(diagnostic(session, project, finding));
     };
     for (const auto& [path, document] : project.documents()) add(document->findings);
     add(project.findings());
@@ -72,7 +72,7 @@ std::map<SourceId, Json> by_source(const Session& session, Project& project) {
 
 void send(Session& session, const std::string& uri, std::optional<std::int64_t> version, Json list) {
     Json params = Json::object({{"uri", uri}, {"diagnostics", std::move(list)}});
-    if (version) params.set("version", *version);
+    if (version) params["version"] = *version;
     session.send(Json::object(
         {{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}}));
 }
@@ -85,7 +85,7 @@ void publish(Session& session) {
         std::map<SourceId, Json> found = by_source(session, *project);
         for (const auto& [path, document] : project->documents()) {
             Json list = found.contains(document->source) ? std::move(found[document->source]) : Json::array();
-            std::string text = list.items().empty() ? std::string() : list.write();
+            std::string text = list.empty() ? std::string() : json_text(list);
             if (text == document->published) continue;
             document->published = std::move(text);
             send(session, document->uri, document->version, std::move(list));

@@ -6,7 +6,7 @@
 namespace robochart::lsp {
 
 /// Files that are not open may change too: asks the editor to tell.
-void did_initialize(Session& session, const Json&) {
+void did_initialize(Session& session, View) {
     if (!session.client.watches_files) return;
     const Json watchers = Json::array({Json::object({{"globPattern", "**/*.{rct,assertions}"}})});
     const Json registration = Json::object({{"id", "files"},
@@ -18,17 +18,17 @@ void did_initialize(Session& session, const Json&) {
                                {"params", Json::object({{"registrations", Json::array({registration})}})}}));
 }
 
-void did_open(Session& session, const Json& params) {
-    const Json& document = params["textDocument"];
+void did_open(Session& session, View params) {
+    const View document = params["textDocument"];
     if (!document["uri"].is_text()) return;
     const auto place = session.workspace.open(document["uri"].text(), document["text"].text());
     if (document["version"].is_number()) place.document->version = document["version"].number();
 }
 
-void did_change(Session& session, const Json& params) {
+void did_change(Session& session, View params) {
     const Target target = target_of(session, params);
     const SourceManager& sources = target.project.sources();
-    for (const Json& change : params["contentChanges"].items()) {
+    for (const View change : params["contentChanges"].items()) {
         if (!change["text"].is_text()) continue;
         std::string text = change["text"].text();
         if (change.has("range")) {
@@ -37,25 +37,25 @@ void did_change(Session& session, const Json& params) {
         }
         target.project.change(target.document, std::move(text));
     }
-    const Json& version = params["textDocument"]["version"];
+    const View version = params["textDocument"]["version"];
     if (version.is_number()) target.document.version = version.number();
 }
 
-void did_close(Session& session, const Json& params) {
+void did_close(Session& session, View params) {
     session.workspace.close(params["textDocument"]["uri"].text());
 }
 
 /// The open text is what counts; saving changes nothing.
-void did_save(Session&, const Json&) {}
+void did_save(Session&, View) {}
 
-void did_change_watched_files(Session& session, const Json& params) {
-    for (const Json& change : params["changes"].items()) session.workspace.refresh(change["uri"].text());
+void did_change_watched_files(Session& session, View params) {
+    for (const View change : params["changes"].items()) session.workspace.refresh(change["uri"].text());
 }
 
-void did_change_folders(Session& session, const Json& params) {
-    for (const Json& folder : params["event"]["removed"].items())
+void did_change_folders(Session& session, View params) {
+    for (const View folder : params["event"]["removed"].items())
         session.workspace.remove_folder(path_of_uri(folder["uri"].text()));
-    for (const Json& folder : params["event"]["added"].items())
+    for (const View folder : params["event"]["added"].items())
         session.workspace.add_folder(path_of_uri(folder["uri"].text()));
 }
 

@@ -5,13 +5,13 @@
 
 namespace robochart::lsp {
 
-void did_initialize(Session&, const Json& params);
-void did_open(Session&, const Json& params);
+void did_initialize(Session&, View params);
+void did_open(Session&, View params);
 /// Changes with a range are applied one after the other, each to the result of the one before.
-void did_change(Session&, const Json& params);
-void did_close(Session&, const Json& params);
-void did_save(Session&, const Json& params);
-void did_change_watched_files(Session&, const Json& params);
-void did_change_folders(Session&, const Json& params);
+void did_change(Session&, View params);
+void did_close(Session&, View params);
+void did_save(Session&, View params);
+void did_change_watched_files(Session&, View params);
+void did_change_folders(Session&, View params);
 
 }  // namespace robochart::lsp

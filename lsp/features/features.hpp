@@ -11,38 +11,38 @@ namespace robochart::lsp {
 void publish(Session&);
 
 // code_actions.cpp
-[[nodiscard]] Json code_actions(Session&, const Json& params);
+[[nodiscard]] Json code_actions(Session&, View params);
 
 // navigation.cpp
-[[nodiscard]] Json definition(Session&, const Json& params);
-[[nodiscard]] Json references(Session&, const Json& params);
-[[nodiscard]] Json highlights(Session&, const Json& params);
+[[nodiscard]] Json definition(Session&, View params);
+[[nodiscard]] Json references(Session&, View params);
+[[nodiscard]] Json highlights(Session&, View params);
 
 // rename.cpp
-[[nodiscard]] Json prepare_rename(Session&, const Json& params);
-[[nodiscard]] Json rename(Session&, const Json& params);
+[[nodiscard]] Json prepare_rename(Session&, View params);
+[[nodiscard]] Json rename(Session&, View params);
 
 // hover.cpp
-[[nodiscard]] Json hover(Session&, const Json& params);
+[[nodiscard]] Json hover(Session&, View params);
 
 // symbols.cpp
-[[nodiscard]] Json document_symbols(Session&, const Json& params);
-[[nodiscard]] Json workspace_symbols(Session&, const Json& params);
+[[nodiscard]] Json document_symbols(Session&, View params);
+[[nodiscard]] Json workspace_symbols(Session&, View params);
 
 // completion.cpp
-[[nodiscard]] Json completion(Session&, const Json& params);
+[[nodiscard]] Json completion(Session&, View params);
 
 // signature_help.cpp
-[[nodiscard]] Json signature_help(Session&, const Json& params);
+[[nodiscard]] Json signature_help(Session&, View params);
 
 // formatting.cpp
-[[nodiscard]] Json formatting(Session&, const Json& params);
+[[nodiscard]] Json formatting(Session&, View params);
 
 // folding.cpp
-[[nodiscard]] Json folding_ranges(Session&, const Json& params);
+[[nodiscard]] Json folding_ranges(Session&, View params);
 
 // semantic_tokens.cpp
-[[nodiscard]] Json semantic_tokens(Session&, const Json& params);
+[[nodiscard]] Json semantic_tokens(Session&, View params);
 /// The names of token types and modifiers, in the order of their numbers.
 [[nodiscard]] Json semantic_legend();
 

@@ -18,8 +18,8 @@ public:
         const std::uint32_t last = line(end) - (keep_last ? 1 : 0);
         if (last <= first) return;
         Json fold = Json::object({{"startLine", first - 1}, {"endLine", last - 1}});
-        if (*kind != '\0') fold.set("kind", kind);
-        result_.push(std::move(fold));
+        if (*kind != '\0') fold["kind"] = kind;
+        result_.push_back(std::move(fold));
     }
     void braces(const frontend::TokenStream& stream) {
         std::vector<std::uint32_t> open;
@@ -56,7 +56,7 @@ private:
 
 }  // namespace
 
-Json folding_ranges(Session& session, const Json& params) {
+Json folding_ranges(Session& session, View params) {
     const Target target = target_of(session, params);
     const SourceManager& sources = target.project.sources();
     diagnostics::Diagnostics ignored;

@@ -32,7 +32,7 @@ Difference difference(SourceId source, std::string_view before, std::string_view
 }  // namespace
 
 /// A text with syntax errors is left as it is; its diagnostics say why.
-Json formatting(Session& session, const Json& params) {
+Json formatting(Session& session, View params) {
     const Target target = target_of(session, params);
     const SourceManager& sources = target.project.sources();
     const SourceId source = target.document.source;

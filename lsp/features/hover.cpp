@@ -71,7 +71,7 @@ std::string explanations(const Target& target, bool markdown) {
 
 }  // namespace
 
-Json hover(Session& session, const Json& params) {
+Json hover(Session& session, View params) {
     const Target target = target_of(session, params);
     const bool markdown = session.client.markdown;
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
@@ -82,7 +82,7 @@ Json hover(Session& session, const Json& params) {
     if (text.empty()) return {};
     Json result = Json::object(
         {{"contents", Json::object({{"kind", markdown ? "markdown" : "plaintext"}, {"value", std::move(text)}})}});
-    if (name != nullptr) result.set("range", range(target.project.sources(), name->span, session.client.encoding));
+    if (name != nullptr) result["range"] = range(target.project.sources(), name->span, session.client.encoding);
     return result;
 }
 

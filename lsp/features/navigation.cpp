@@ -16,7 +16,7 @@ Json locations(const Session& session, Project& project, const std::vector<const
     Json result = Json::array();
     for (const Occurrence* each : list) {
         Json place = location(session, project, each->span);
-        if (!place.is_null()) result.push(std::move(place));
+        if (!place.is_null()) result.push_back(std::move(place));
     }
     return result;
 }
@@ -25,7 +25,7 @@ Json locations(const Session& session, Project& project, const std::vector<const
 
 /// What a library of the language declares lies in its installed file. Of a call, the operation's definitions count
 /// beside the signature that was called.
-Json definition(Session& session, const Json& params) {
+Json definition(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr) return {};
@@ -40,11 +40,11 @@ Json definition(Session& session, const Json& params) {
     Json result = locations(session, target.project, found);
     if (!found.empty() || name->target == nullptr) return result;
     Json library = location(session, target.project, name->target->name_span);
-    if (!library.is_null()) result.push(std::move(library));
+    if (!library.is_null()) result.push_back(std::move(library));
     return result;
 }
 
-Json references(Session& session, const Json& params) {
+Json references(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr) return Json::array();
@@ -54,7 +54,7 @@ Json references(Session& session, const Json& params) {
     return locations(session, target.project, found);
 }
 
-Json highlights(Session& session, const Json& params) {
+Json highlights(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     Json result = Json::array();
@@ -67,7 +67,7 @@ Json highlights(Session& session, const Json& params) {
         const int kind = each->access == Access::write  ? write_kind
                          : each->access == Access::read ? read_kind
                                                         : text_kind;
-        result.push(Json::object(
+        result.push_back(Json::object(
             {{"range", range(target.project.sources(), each->span, session.client.encoding)}, {"kind", kind}}));
     }
     return result;

@@ -145,13 +145,13 @@ Json workspace_edit(const Session& session, Project& project, const std::vector<
         Json list = Json::array();
         for (const Edit& edit : edits)
             if (edit.span.source == document->source)
-                list.push(Json::object(
+                list.push_back(Json::object(
                     {{"range", range(project.sources(), edit.span, session.client.encoding)}, {"newText", edit.text}}));
-        if (list.items().empty()) continue;
+        if (list.empty()) continue;
         const Json version = document->version ? Json(*document->version) : Json();
-        documents.push(Json::object(
+        documents.push_back(Json::object(
             {{"textDocument", Json::object({{"uri", document->uri}, {"version", version}})}, {"edits", list}}));
-        changes.set(document->uri, std::move(list));
+        changes[document->uri] = std::move(list);
     }
     if (session.client.versioned_edits) return Json::object({{"documentChanges", std::move(documents)}});
     return Json::object({{"changes", std::move(changes)}});
@@ -174,14 +174,14 @@ void warn_of_csp_text(const Session& session, Project& project, std::string_view
 
 }  // namespace
 
-Json prepare_rename(Session& session, const Json& params) {
+Json prepare_rename(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence& name = renamable(target);
     return Json::object({{"range", range(target.project.sources(), name.span, session.client.encoding)},
                          {"placeholder", text_of(target.project, name.span)}});
 }
 
-Json rename(Session& session, const Json& params) {
+Json rename(Session& session, View params) {
     const Target target = target_of(session, params);
     const Occurrence& name = renamable(target);
     const std::string wish = checked(params["newName"].text());

@@ -112,14 +112,14 @@ int modifiers_of(const Occurrence& name) {
 
 Json semantic_legend() {
     Json names = Json::array();
-    for (const char* each : types) names.push(each);
+    for (const char* each : types) names.push_back(each);
     Json extras = Json::array();
-    for (const char* each : modifiers) extras.push(each);
+    for (const char* each : modifiers) extras.push_back(each);
     return Json::object({{"tokenTypes", std::move(names)}, {"tokenModifiers", std::move(extras)}});
 }
 
 /// Five numbers a name: lines and columns since the one before, length, type, modifiers.
-Json semantic_tokens(Session& session, const Json& params) {
+Json semantic_tokens(Session& session, View params) {
     const Target target = target_of(session, params);
     const SourceManager& sources = target.project.sources();
     Json data = Json::array();
@@ -127,14 +127,15 @@ Json semantic_tokens(Session& session, const Json& params) {
     std::int64_t last_column = 0;
     for (const Occurrence& name : target.project.occurrences()) {
         if (name.span.source != target.document.source || name.kind == NameKind::unknown) continue;
-        const Json place = range(sources, name.span, session.client.encoding);
+        const Json whole = range(sources, name.span, session.client.encoding);
+        const View place = whole;
         const std::int64_t line = place["start"]["line"].number();
         const std::int64_t column = place["start"]["character"].number();
         for (const std::int64_t number :
              {line - last_line, line == last_line ? column - last_column : column,
               place["end"]["character"].number() - column, static_cast<std::int64_t>(type_of(name)),
               static_cast<std::int64_t>(modifiers_of(name))})
-            data.push(number);
+            data.push_back(number);
         last_line = line;
         last_column = column;
     }

@@ -60,7 +60,7 @@ const Declaration* callee(Project& project, const Document& document, std::uint3
 
 }  // namespace
 
-Json signature_help(Session& session, const Json& params) {
+Json signature_help(Session& session, View params) {
     const Target target = target_of(session, params);
     const Call call = call_at(target.project.sources(), target.document, target.offset);
     if (call.name.empty()) return {};
@@ -70,7 +70,7 @@ Json signature_help(Session& session, const Json& params) {
     for (const VariablePtr& each : *parameters_of(*found)) {
         std::string label = each->name;
         if (each->type_expr) label += " : " + to_text(*each->type_expr);
-        parameters.push(Json::object({{"label", std::move(label)}}));
+        parameters.push_back(Json::object({{"label", std::move(label)}}));
     }
     return Json::object(
         {{"signatures",

@@ -55,8 +55,8 @@ Json symbol(const SourceManager& sources, const Declaration& declaration, Encodi
                                 {"range", range(sources, extent(declaration), encoding)},
                                 {"selectionRange", range(sources, declaration.name_span, encoding)}});
     Json children = Json::array();
-    for (const Declaration* each : inner(declaration)) children.push(symbol(sources, *each, encoding));
-    if (!children.items().empty()) result.set("children", std::move(children));
+    for (const Declaration* each : inner(declaration)) children.push_back(symbol(sources, *each, encoding));
+    if (!children.empty()) result["children"] = std::move(children);
     return result;
 }
 
@@ -96,7 +96,7 @@ Json information(const Session& session, Project& project, const Declaration& de
 
 }  // namespace
 
-Json document_symbols(Session& session, const Json& params) {
+Json document_symbols(Session& session, View params) {
     const Target target = target_of(session, params);
     const File& file = target.project.tree(target.document);
     const SourceManager& sources = target.project.sources();
@@ -105,24 +105,24 @@ Json document_symbols(Session& session, const Json& params) {
     for (const auto& declaration : file.declarations) {
         if (declaration->name.empty()) continue;
         if (session.client.hierarchical_symbols) {
-            result.push(symbol(sources, *declaration, encoding));
+            result.push_back(symbol(sources, *declaration, encoding));
         } else {
             all(*declaration,
-                [&](const Declaration& each) { result.push(information(session, target.project, each)); });
+                [&](const Declaration& each) { result.push_back(information(session, target.project, each)); });
         }
     }
     constexpr int boolean_kind = 17;
     constexpr int function_kind = 12;
     for (const Assertion& each : file.assertions)
         if (!each.name.empty())
-            result.push(claim(sources, each.name, boolean_kind, each.span, each.name_span, encoding));
+            result.push_back(claim(sources, each.name, boolean_kind, each.span, each.name_span, encoding));
     for (const CspBlock& each : file.csp_blocks)
         if (!each.name.empty())
-            result.push(claim(sources, each.name, function_kind, each.span, each.name_span, encoding));
+            result.push_back(claim(sources, each.name, function_kind, each.span, each.name_span, encoding));
     return result;
 }
 
-Json workspace_symbols(Session& session, const Json& params) {
+Json workspace_symbols(Session& session, View params) {
     constexpr std::size_t limit = 500;
     const std::string& query = params["query"].text();
     Json result = Json::array();
@@ -130,9 +130,9 @@ Json workspace_symbols(Session& session, const Json& params) {
         for (const auto& file : project->model().files)
             for (const auto& declaration : file->declarations)
                 all(*declaration, [&](const Declaration& each) {
-                    if (file->is_library || result.items().size() >= limit || !matches(each.name, query)) return;
+                    if (file->is_library || result.size() >= limit || !matches(each.name, query)) return;
                     Json found = information(session, *project, each);
-                    if (!found.is_null()) result.push(std::move(found));
+                    if (!found.is_null()) result.push_back(std::move(found));
                 });
     return result;
 }

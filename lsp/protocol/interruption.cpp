@@ -19,10 +19,10 @@ bool changes_texts(const std::string& method) {
 
 }  // namespace
 
-void Interruption::arrived(const Json& message) {
+void Interruption::arrived(View message) {
     const std::lock_guard lock(mutex_);
     const std::string& method = message["method"].text();
-    if (method == "$/cancelRequest") cancelled_.push_back(message["params"]["id"]);
+    if (method == "$/cancelRequest") cancelled_.push_back(message["params"]["id"].json());
     if (changes_texts(method)) ++changes_;
     if (method == "exit" || method == "shutdown") leave();
 }
@@ -36,11 +36,11 @@ void Interruption::leave() {
     if (!leaving_) leaving_ = std::chrono::steady_clock::now() + grace;
 }
 
-void Interruption::handled(const Json& message) {
+void Interruption::handled(View message) {
     const std::lock_guard lock(mutex_);
     const std::string& method = message["method"].text();
     if (method == "$/cancelRequest") {
-        const auto found = std::find(cancelled_.begin(), cancelled_.end(), message["params"]["id"]);
+        const auto found = std::find(cancelled_.begin(), cancelled_.end(), message["params"]["id"].json());
         if (found != cancelled_.end()) cancelled_.erase(found);
     }
     if (changes_texts(method)) ++handled_;

@@ -20,7 +20,7 @@ public:
 
     // By the thread that reads:
     /// A message has come. It may not be handled yet when work is asked whether it should end.
-    void arrived(const Json& message);
+    void arrived(View message);
     /// Nothing more will come.
     void input_ended();
 
@@ -37,7 +37,7 @@ public:
         Interruption& interruption_;
     };
     /// A message is about to be handled.
-    void handled(const Json& message);
+    void handled(View message);
     /// Why the work that is going on should end.
     [[nodiscard]] Reason reason() const;
     /// Is a request of this id not to be begun?

@@ -1,20 +1,20 @@
-// Reading through nlohmann's event interface, which neither recurses nor builds a second tree.
+// Reading through nlohmann's event interface: its own reader has no bound of depth, and looks for a member of the same
+// key before it adds one, which takes quadratic time.
 #include "lsp/protocol/json.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-
-#include "diagnostics/json.hpp"
+#include <utility>
 
 namespace robochart::lsp {
 
 namespace {
 
-const Json null_value;
-
 constexpr std::size_t max_depth = 200;
+
+const Json null_value;
+const std::string no_text;
 
 /// Receives the events of the reader and builds the value.
 class Builder {
@@ -31,16 +31,16 @@ public:
     }
     bool number_float(double value, const std::string&) { return put(value); }
     bool string(std::string& value) { return put(std::move(value)); }
-    bool binary(nlohmann::json::binary_t&) { return false; }
-    bool start_object(std::size_t) { return open(Json(Json::Object())); }
-    bool start_array(std::size_t) { return open(Json(Json::Array())); }
+    bool binary(Json::binary_t&) { return false; }
+    bool start_object(std::size_t) { return open(Json::object()); }
+    bool start_array(std::size_t) { return open(Json::array()); }
     bool key(std::string& value) {
         keys_.back() = std::move(value);
         return true;
     }
     bool end_object() { return close(); }
     bool end_array() { return close(); }
-    bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& what) {
+    bool parse_error(std::size_t, const std::string&, const Json::exception& what) {
         error_ = what.what();
         return false;
     }
@@ -50,9 +50,10 @@ private:
         if (open_.empty()) {
             root_ = std::move(value);
         } else if (open_.back().is_array()) {
-            open_.back().push(std::move(value));
+            open_.back().push_back(std::move(value));
         } else {
-            open_.back().set(std::move(keys_.back()), std::move(value));
+            Json::object_t::Container& members = open_.back().get_ref<Json::object_t&>();
+            members.emplace_back(std::move(keys_.back()), std::move(value));
         }
         return true;
     }
@@ -78,104 +79,42 @@ private:
     std::vector<std::string> keys_;
 };
 
-struct Writer {
-    std::string& out;
-
-    void operator()(std::nullptr_t) const { out += "null"; }
-    void operator()(bool value) const { out += value ? "true" : "false"; }
-    void operator()(std::int64_t value) const { fmt::format_to(std::back_inserter(out), "{}", value); }
-    void operator()(double value) const { fmt::format_to(std::back_inserter(out), "{}", value); }
-    void operator()(const std::string& value) const { out += diagnostics::json_string(value); }
-    void operator()(const Json::Array& items) const {
-        out += '[';
-        for (const Json& item : items) {
-            if (&item != &items.front()) out += ',';
-            out += item.write();
-        }
-        out += ']';
-    }
-    void operator()(const Json::Object& members) const {
-        out += '{';
-        for (const Json::Member& member : members) {
-            if (&member != &members.front()) out += ',';
-            out += diagnostics::json_string(member.first) + ':' + member.second.write();
-        }
-        out += '}';
-    }
-};
-
 }  // namespace
 
-// Here rather than in the header: the compiler need not write them out wherever a value is handed on.
-Json::Json() = default;
-Json::~Json() = default;
-Json::Json(const Json&) = default;
-Json::Json(Json&&) noexcept = default;
-Json& Json::operator=(const Json&) = default;
-Json& Json::operator=(Json&&) noexcept = default;
-
-const Json& Json::operator[](std::string_view key) const {
-    for (const Member& member : members())
-        if (member.first == key) return member.second;
-    return null_value;
+View View::operator[](std::string_view key) const {
+    if (!json_->is_object()) return null_value;
+    const auto member = json_->find(key);
+    return member == json_->end() ? null_value : *member;
 }
 
-const Json& Json::operator[](std::size_t index) const {
-    return index < items().size() ? items()[index] : null_value;
+View View::operator[](std::size_t index) const {
+    return json_->is_array() && index < json_->size() ? (*json_)[index] : null_value;
 }
 
-const std::string& Json::text() const {
-    static const std::string none;
-    const auto* value = std::get_if<std::string>(&value_);
-    return value != nullptr ? *value : none;
+const std::string& View::text() const {
+    return json_->is_string() ? json_->get_ref<const std::string&>() : no_text;
 }
 
-std::int64_t Json::number(std::int64_t otherwise) const {
-    const auto* value = std::get_if<std::int64_t>(&value_);
-    return value != nullptr ? *value : otherwise;
+std::int64_t View::number(std::int64_t otherwise) const {
+    return is_number() ? json_->get<std::int64_t>() : otherwise;
 }
 
-bool Json::truth(bool otherwise) const {
-    const auto* value = std::get_if<bool>(&value_);
-    return value != nullptr ? *value : otherwise;
+bool View::truth(bool otherwise) const {
+    return json_->is_boolean() ? json_->get<bool>() : otherwise;
 }
 
-const Json::Array& Json::items() const {
-    static const Array none;
-    const auto* value = std::get_if<Array>(&value_);
-    return value != nullptr ? *value : none;
+std::vector<View> View::items() const {
+    return json_->is_array() ? std::vector<View>(json_->begin(), json_->end()) : std::vector<View>{};
 }
 
-const Json::Object& Json::members() const {
-    static const Object none;
-    const auto* value = std::get_if<Object>(&value_);
-    return value != nullptr ? *value : none;
-}
-
-bool Json::has(std::string_view key) const {
-    return std::any_of(members().begin(), members().end(), [&](const Member& m) { return m.first == key; });
-}
-
-void Json::push(Json item) {
-    if (!is_array()) value_ = Array();
-    std::get<Array>(value_).push_back(std::move(item));
-}
-
-void Json::set(std::string key, Json value) {
-    if (!is_object()) value_ = Object();
-    std::get<Object>(value_).emplace_back(std::move(key), std::move(value));
-}
-
-std::string Json::write() const {
-    std::string out;
-    std::visit(Writer{out}, value_);
-    return out;
+bool View::has(std::string_view key) const {
+    return json_->is_object() && json_->contains(key);
 }
 
 Json read_json(std::string_view text, std::string& error) {
     error.clear();
     Builder builder(error);
-    const bool read = nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+    const bool read = Json::sax_parse(text.begin(), text.end(), &builder);
     if (!read && error.empty()) error = "not JSON";
     return read ? builder.take() : Json();
 }

@@ -1,73 +1,49 @@
-// JSON values of the protocol: read with bounds, built by handlers, written.
+// JSON of the protocol: messages are built as diagnostics::Json; what was received is read within bounds, and asked
+// without care for its shape, as an editor may send anything.
 #pragma once
 
-#include <concepts>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <variant>
 #include <vector>
+
+#include "diagnostics/json.hpp"
 
 namespace robochart::lsp {
 
-/// A JSON value (RFC 8259). Members of objects keep their order.
-class Json {
+using diagnostics::Json;
+using diagnostics::json_text;
+
+/// A value that was received; the value outlives the view. Each question is answered with what the value is, or with
+/// the neutral one of its kind (null, "", 0, false, nothing) if it is something else.
+class View {
 public:
-    using Array = std::vector<Json>;
-    using Member = std::pair<std::string, Json>;
-    using Object = std::vector<Member>;
+    View(const Json& json) : json_(&json) {}
 
-    Json();
-    ~Json();
-    Json(const Json&);
-    Json(Json&&) noexcept;
-    Json& operator=(const Json&);
-    Json& operator=(Json&&) noexcept;
-    Json(std::nullptr_t) : Json() {}
-    Json(bool value) : value_(value) {}
-    template <std::integral Number>
-    requires(!std::same_as<Number, bool>) Json(Number value) : value_(static_cast<std::int64_t>(value)) {}
-    Json(double value) : value_(value) {}
-    Json(std::string value) : value_(std::move(value)) {}
-    Json(std::string_view value) : value_(std::string(value)) {}
-    Json(const char* value) : value_(std::string(value)) {}
-    Json(Array value) : value_(std::move(value)) {}
-    Json(Object value) : value_(std::move(value)) {}
-    /// An object of these members.
-    static Json object(std::initializer_list<Member> members) { return Json(Object(members)); }
-    static Json array(std::initializer_list<Json> items = {}) { return Json(Array(items)); }
-
-    /// Each is a value of its kind, or the neutral one (null, "", 0, false, nothing) of anything else.
-    [[nodiscard]] const Json& operator[](std::string_view key) const;
-    [[nodiscard]] const Json& operator[](std::size_t index) const;
+    [[nodiscard]] View operator[](std::string_view key) const;
+    [[nodiscard]] View operator[](std::size_t index) const;
     [[nodiscard]] const std::string& text() const;
     [[nodiscard]] std::int64_t number(std::int64_t otherwise = 0) const;
     [[nodiscard]] bool truth(bool otherwise = false) const;
-    [[nodiscard]] const Array& items() const;
-    [[nodiscard]] const Object& members() const;
+    [[nodiscard]] std::vector<View> items() const;
+    [[nodiscard]] const Json& json() const { return *json_; }
 
-    [[nodiscard]] bool is_null() const { return std::holds_alternative<std::nullptr_t>(value_); }
-    [[nodiscard]] bool is_text() const { return std::holds_alternative<std::string>(value_); }
-    [[nodiscard]] bool is_number() const { return std::holds_alternative<std::int64_t>(value_); }
-    [[nodiscard]] bool is_array() const { return std::holds_alternative<Array>(value_); }
-    [[nodiscard]] bool is_object() const { return std::holds_alternative<Object>(value_); }
+    [[nodiscard]] bool is_null() const { return json_->is_null(); }
+    [[nodiscard]] bool is_text() const { return json_->is_string(); }
+    /// An integer of 64 bits with sign; no other number is one.
+    [[nodiscard]] bool is_number() const { return json_->is_number_integer(); }
+    [[nodiscard]] bool is_array() const { return json_->is_array(); }
+    [[nodiscard]] bool is_object() const { return json_->is_object(); }
     [[nodiscard]] bool has(std::string_view key) const;
 
-    /// Appends to an array, sets a member of an object; a null becomes one.
-    void push(Json item);
-    void set(std::string key, Json value);
-
-    /// On one line.
-    [[nodiscard]] std::string write() const;
-
-    friend bool operator==(const Json&, const Json&) = default;
-
 private:
-    std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, Array, Object> value_ = nullptr;
+    const Json* json_;
 };
 
-/// Reads a text. On failure returns null and sets `error` to the cause; depth is bounded.
+/// Reads a text (RFC 8259). On failure returns null and sets `error` to the cause; depth is bounded, time and memory
+/// are linear in the text. Integers beyond 64 bits with sign are read as floating-point numbers; of members with one
+/// key all are kept, and the first is found.
 [[nodiscard]] Json read_json(std::string_view text, std::string& error);
 
 }  // namespace robochart::lsp

@@ -59,7 +59,7 @@ Json range(const SourceManager& sources, Span span, Encoding encoding) {
                          {"end", position(sources, span.source, span.end, encoding)}});
 }
 
-std::uint32_t offset_of(const SourceManager& sources, SourceId id, const Json& position, Encoding encoding) {
+std::uint32_t offset_of(const SourceManager& sources, SourceId id, View position, Encoding encoding) {
     const std::string_view text = sources.text(id);
     const std::int64_t line = position["line"].number();
     if (line < 0) return 0;
@@ -70,7 +70,7 @@ std::uint32_t offset_of(const SourceManager& sources, SourceId id, const Json& p
     return static_cast<std::uint32_t>(begin + bytes_before(content, position["character"].number(), encoding));
 }
 
-Span span_of(const SourceManager& sources, SourceId id, const Json& range, Encoding encoding) {
+Span span_of(const SourceManager& sources, SourceId id, View range, Encoding encoding) {
     const std::uint32_t a = offset_of(sources, id, range["start"], encoding);
     const std::uint32_t b = offset_of(sources, id, range["end"], encoding);
     return {id, std::min(a, b), std::max(a, b)};

@@ -18,8 +18,8 @@ enum class Encoding { utf8, utf16, utf32 };
 /// `{start, end}` of a span.
 [[nodiscard]] Json range(const SourceManager&, Span, Encoding);
 /// The byte offset of `{line, character}`. A place behind a line's or the text's end is that end.
-[[nodiscard]] std::uint32_t offset_of(const SourceManager&, SourceId, const Json& position, Encoding);
+[[nodiscard]] std::uint32_t offset_of(const SourceManager&, SourceId, View position, Encoding);
 /// The span of `{start, end}`; its ends may come in either order.
-[[nodiscard]] Span span_of(const SourceManager&, SourceId, const Json& range, Encoding);
+[[nodiscard]] Span span_of(const SourceManager&, SourceId, View range, Encoding);
 
 }  // namespace robochart::lsp

@@ -7,12 +7,12 @@
 
 namespace robochart::lsp {
 
-Target target_of(Session& session, const Json& params) {
-    const Json& uri = params["textDocument"]["uri"];
+Target target_of(Session& session, View params) {
+    const View uri = params["textDocument"]["uri"];
     if (!uri.is_text()) throw Refusal(ErrorCode::invalid_params, "textDocument.uri is missing");
     const Workspace::Place place = session.workspace.find(uri.text());
     if (!place) throw Refusal(ErrorCode::invalid_params, fmt::format("no such document: {}", uri.text()));
-    const Json& at = params["position"];
+    const View at = params["position"];
     const std::uint32_t offset =
         at.is_null() ? 0 : offset_of(place.project->sources(), place.document->source, at, session.client.encoding);
     return {*place.project, *place.document, offset};

@@ -60,7 +60,7 @@ struct Target {
 
 /// The document of `params.textDocument`, and the offset of `params.position` where there is one. Refuses documents
 /// that are not known.
-[[nodiscard]] Target target_of(Session&, const Json& params);
+[[nodiscard]] Target target_of(Session&, View params);
 /// Findings about the target's document, by place; those of reading first.
 [[nodiscard]] std::vector<diagnostics::Diagnostic> findings_about(const Target&);
 /// `{uri, range}` of a span of the project; null if it lies in no file.

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "diagnostics/json.hpp"
 
 namespace robochart::simulation {
 
-using diagnostics::json_string;
+using diagnostics::Json;
 
 namespace {
 
@@ -24,8 +27,10 @@ Dimension dimension_of(const Scenario& scenario, const Band& band) {
     }
 }
 
-std::string number(double value) {
-    return std::isfinite(value) ? fmt::format("{:.6g}", value) : "null";
+/// Six significant digits; null where there is no number.
+Json number(double value) {
+    if (!std::isfinite(value)) return nullptr;
+    return Json::parse(fmt::format("{:.6g}", value));
 }
 
 double simulated(const Scenario& scenario, const RunResult& result) {
@@ -35,33 +40,37 @@ double simulated(const Scenario& scenario, const RunResult& result) {
     return seconds;
 }
 
-std::string bands_json(const Scenario& scenario, const RunResult& result) {
-    std::string out;
-    for (std::size_t i = 0; i < result.bands.size(); ++i) {
-        const Band& band = scenario.bands[i];
-        std::string values;
-        for (const TrialResult& trial : result.trials)
-            values += (values.empty() ? "" : ",") + number(trial.statistics.at(i));
-        out += fmt::format(
-            "{}{{\"band\":{},\"holds\":{},\"each\":{},\"low\":{},\"high\":{},\"value\":{},\"trialsOutside\":{},"
-            "\"trials\":[{}]}}",
-            out.empty() ? "" : ",", json_string(band.text), result.bands[i].holds, band.each, number(band.low),
-            number(band.high), number(result.bands[i].value), result.bands[i].trials_outside, values);
-    }
-    return out;
+Json band_json(const Band& band, const BandResult& found, std::size_t index, const RunResult& result) {
+    Json trials = Json::array();
+    for (const TrialResult& trial : result.trials) trials.push_back(number(trial.statistics.at(index)));
+    return Json{{"band", band.text},
+                {"holds", found.holds},
+                {"each", band.each},
+                {"low", number(band.low)},
+                {"high", number(band.high)},
+                {"value", number(found.value)},
+                {"trialsOutside", found.trials_outside},
+                {"trials", std::move(trials)}};
 }
 
-std::string trials_json(const RunResult& result) {
-    std::string out;
+Json bands_json(const Scenario& scenario, const RunResult& result) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < result.bands.size(); ++i)
+        list.push_back(band_json(scenario.bands[i], result.bands[i], i, result));
+    return list;
+}
+
+Json trials_json(const RunResult& result) {
+    Json list = Json::array();
     for (const TrialResult& trial : result.trials) {
-        out += fmt::format("{}{{\"steps\":{},\"complete\":{}", out.empty() ? "" : ",", trial.steps, trial.complete);
-        if (trial.stop)
-            out +=
-                fmt::format(",\"stop\":{{\"robot\":{},\"time\":{},\"cause\":{},\"place\":{}}}", trial.stop->robot,
-                            number(trial.stop->time), json_string(trial.stop->cause), json_string(trial.stop->place));
-        out += "}";
+        Json& json = list.emplace_back(Json{{"steps", trial.steps}, {"complete", trial.complete}});
+        if (!trial.stop) continue;
+        json["stop"] = Json{{"robot", trial.stop->robot},
+                            {"time", number(trial.stop->time)},
+                            {"cause", trial.stop->cause},
+                            {"place", trial.stop->place}};
     }
-    return out;
+    return list;
 }
 
 }  // namespace
@@ -107,16 +116,21 @@ std::string run_text(const Scenario& scenario, const RunResult& result) {
 
 std::string result_json(const Scenario& scenario, const RunResult& result, const std::vector<std::string>& files,
                         int exit) {
-    std::string written;
-    for (const std::string& file : files) written += (written.empty() ? "" : ",") + json_string(file);
-    return fmt::format(
-        "{{\"schema\":\"robochart-verify/simulation/1\",\"scenario\":{},\"component\":{},\"robots\":{},\"trials\":[{}],"
-        "\"duration\":{},\"seed\":{},\"interrupted\":{},\"simulatedSeconds\":{},\"seconds\":{},\"cpuSeconds\":{},"
-        "\"bands\":[{}],"
-        "\"files\":[{}],\"exit\":{}}}\n",
-        json_string(scenario.name.text), json_string(scenario.component.text), scenario.robots, trials_json(result),
-        number(scenario.duration), scenario.seed, result.interrupted, number(simulated(scenario, result)),
-        number(result.seconds), number(result.cpu_seconds), bands_json(scenario, result), written, exit);
+    const Json json{{"schema", "robochart-verify/simulation/1"},
+                    {"scenario", scenario.name.text},
+                    {"component", scenario.component.text},
+                    {"robots", scenario.robots},
+                    {"trials", trials_json(result)},
+                    {"duration", number(scenario.duration)},
+                    {"seed", scenario.seed},
+                    {"interrupted", result.interrupted},
+                    {"simulatedSeconds", number(simulated(scenario, result))},
+                    {"seconds", number(result.seconds)},
+                    {"cpuSeconds", number(result.cpu_seconds)},
+                    {"bands", bands_json(scenario, result)},
+                    {"files", files},
+                    {"exit", exit}};
+    return diagnostics::json_text(json) + "\n";
 }
 
 }  // namespace robochart::simulation

@@ -2,21 +2,12 @@
 
 #include <bit>
 
+#include "diagnostics/splitmix64.hpp"
+
 namespace robochart::simulation {
 
-namespace {
-
-std::uint64_t split_mix(std::uint64_t& state) {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15U);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
-}
-
-}  // namespace
-
 Random::Random(std::uint64_t seed) : state_{} {
-    for (std::uint64_t& word : state_) word = split_mix(seed);
+    for (std::uint64_t& word : state_) word = diagnostics::splitmix64(seed);
 }
 
 std::uint64_t Random::next() {

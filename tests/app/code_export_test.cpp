@@ -8,20 +8,18 @@
 #include <fstream>
 
 #include "command.hpp"
+#include "tests/contents.hpp"
 
 namespace robochart::app {
 namespace {
+
+using tests::contents;
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using testing::repository;
 using testing::run;
 using ::testing::StartsWith;
-
-std::string contents(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::string temporary(const std::string& name) {
     return (fs::temp_directory_path() / ("export_" + std::to_string(::getpid()) + "_" + name)).string();

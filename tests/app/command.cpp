@@ -1,4 +1,5 @@
 #include "tests/app/command.hpp"
+#include "tests/contents.hpp"
 #include "tests/source_folder.hpp"
 
 #include <fcntl.h>
@@ -11,22 +12,16 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <sstream>
 
 namespace robochart::app::testing {
 namespace fs = std::filesystem;
 namespace {
 
+using tests::contents;
+
 std::string fresh_folder() {
     std::string pattern = (fs::temp_directory_path() / "robochart-test-XXXXXX").string();
     return mkdtemp(pattern.data()) == nullptr ? std::string() : pattern;
-}
-
-std::string contents(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
 }
 
 /// AddressSanitizer's word of warning on the evaluator's own stack is not the program's.

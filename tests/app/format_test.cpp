@@ -10,22 +10,18 @@
 
 #include "app/report/diff.hpp"
 #include "tests/app/command.hpp"
+#include "tests/contents.hpp"
 
 namespace robochart::app::testing {
 namespace {
+
+using tests::contents;
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
-
-std::string contents(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 const char* const untidy = "stm  S{initial i // first\n  state a{ }transition t{from i to a}}";
 const char* const tidy = "stm S {\n\tinitial i // first\n\tstate a {}\n\ttransition t { from i to a }\n}\n";

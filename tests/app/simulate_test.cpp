@@ -5,24 +5,20 @@
 
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "command.hpp"
+#include "tests/contents.hpp"
 
 namespace robochart::app {
 namespace {
+
+using tests::contents;
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using testing::repository;
 using testing::run;
-
-std::string contents(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The aggregation scenario with something replaced, in a folder that is gone with the object. The model stays where it
 /// is.

@@ -8,9 +8,12 @@
 #include <fstream>
 
 #include "command.hpp"
+#include "tests/contents.hpp"
 
 namespace robochart::app {
 namespace {
+
+using tests::contents;
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
@@ -18,11 +21,6 @@ using ::testing::Not;
 using testing::repository;
 using testing::run;
 using testing::TemporaryFile;
-
-std::string contents(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A console program of a model, built in a folder of its own.
 class Console {

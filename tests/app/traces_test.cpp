@@ -9,20 +9,18 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "tests/contents.hpp"
 
 namespace robochart::app {
 namespace {
+
+using tests::contents;
 
 namespace fs = std::filesystem;
 using testing::Folder;
 using ::testing::HasSubstr;
 using testing::repository;
 using testing::run;
-
-std::string contents(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A case study with one thing replaced, next to its scenario.
 void change(const Folder& folder, const std::string& study, const std::string& what, const std::string& with) {

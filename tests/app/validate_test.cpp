@@ -1,14 +1,15 @@
 // The verb `validate` as a user runs it: outcomes, formats, fixes.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "tests/contents.hpp"
 
 namespace robochart::app {
 namespace {
+
+using tests::contents;
 
 using testing::run;
 using testing::TemporaryFile;
@@ -20,11 +21,6 @@ constexpr const char* bad =
     "stm S {\n  var counter : nat, b : bool\n  initial i\n  state s { entry countr = 1; }\n  transition t { from i to "
     "s }\n"
     "  transition u { from s to s condition counter = 1 && true }\n}\n";
-
-std::string contents(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 TEST(Validate, SaysNothingIsWrong) {
     const TemporaryFile file("m.rct", good);

@@ -13,8 +13,12 @@
 #include <iterator>
 #include <thread>
 
+#include "tests/contents.hpp"
+
 namespace robochart::diagnostics {
 namespace {
+
+using tests::contents;
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
@@ -25,10 +29,6 @@ protected:
     void SetUp() override { ASSERT_NE(mkdtemp(folder_.data()), nullptr); }
     void TearDown() override { fs::remove_all(folder_); }
     [[nodiscard]] std::string in(const std::string& name) const { return folder_ + "/" + name; }
-    static std::string text_of(const std::string& path) {
-        std::ifstream file(path, std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
     void put(const std::string& name, const std::string& text) const { std::ofstream(in(name)) << text; }
     /// Names in a folder, hidden ones too.
     static std::size_t count(const std::string& path) {
@@ -40,9 +40,9 @@ protected:
 
 TEST_F(Files, AreWrittenWithTheFoldersAboveThem) {
     EXPECT_EQ(write_below(in("out"), "a/b/c.txt", "text"), "");
-    EXPECT_EQ(text_of(in("out/a/b/c.txt")), "text");
+    EXPECT_EQ(contents(in("out/a/b/c.txt")), "text");
     EXPECT_EQ(write_below(in("out"), "a/b/c.txt", "other"), "");
-    EXPECT_EQ(text_of(in("out/a/b/c.txt")), "other");
+    EXPECT_EQ(contents(in("out/a/b/c.txt")), "other");
     EXPECT_EQ(count(in("out/a/b")), 1U);
 }
 
@@ -62,13 +62,13 @@ TEST_F(Files, DoNotFollowLinksBelowTheirFolder) {
     // A link in the place of a file is replaced; what it leads to is as it was.
     fs::create_symlink(in("precious"), in("out/file"));
     EXPECT_EQ(write_below(in("out"), "file", "text"), "");
-    EXPECT_EQ(text_of(in("precious")), "mine");
-    EXPECT_EQ(text_of(in("out/file")), "text");
+    EXPECT_EQ(contents(in("precious")), "mine");
+    EXPECT_EQ(contents(in("out/file")), "text");
     EXPECT_FALSE(fs::is_symlink(in("out/file")));
     // The folder that was asked for may be a link: that is for the user to say.
     fs::create_symlink(in("elsewhere"), in("named"));
     EXPECT_EQ(write_below(in("named"), "x", "text"), "");
-    EXPECT_EQ(text_of(in("elsewhere/x")), "text");
+    EXPECT_EQ(contents(in("elsewhere/x")), "text");
 }
 
 TEST_F(Files, ThatCannotBePutInTheirPlaceLeaveNothing) {
@@ -93,7 +93,7 @@ TEST_F(Files, ThatDoNotFitLeaveTheOldOne) {
     signal(SIGXFSZ, handler);
     EXPECT_THAT(below, HasSubstr("File too large"));
     EXPECT_THAT(replaced, HasSubstr("File too large"));
-    EXPECT_EQ(text_of(in("old")), "old text");
+    EXPECT_EQ(contents(in("old")), "old text");
     EXPECT_EQ(count(folder_), 1U);
 }
 
@@ -103,7 +103,7 @@ TEST_F(Files, ReplacedInPlaceKeepTheirModeAndTheLinkToThem) {
     fs::create_symlink("source", in("link"));
     EXPECT_EQ(replace_file(in("link"), "new"), "");
     EXPECT_TRUE(fs::is_symlink(in("link")));
-    EXPECT_EQ(text_of(in("source")), "new");
+    EXPECT_EQ(contents(in("source")), "new");
     struct stat status {};
     ASSERT_EQ(stat(in("source").c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 07777U, 0640U);
@@ -117,7 +117,7 @@ TEST_F(Files, ReplacedAreRegularOnes) {
     fs::create_symlink("nowhere", in("dangling"));
     EXPECT_THAT(replace_file(in("dangling"), "text"), HasSubstr("cannot write"));
     EXPECT_EQ(replace_file(in("fresh/new"), "text"), "");
-    EXPECT_EQ(text_of(in("fresh/new")), "text");
+    EXPECT_EQ(contents(in("fresh/new")), "text");
 }
 
 TEST_F(Files, WrittenAtTheSameTimeAreEachWhole) {
@@ -130,7 +130,7 @@ TEST_F(Files, WrittenAtTheSameTimeAreEachWhole) {
     std::thread second([&] { write(b); });
     first.join();
     second.join();
-    const std::string left = text_of(in("out/sub/same"));
+    const std::string left = contents(in("out/sub/same"));
     EXPECT_TRUE(left == a || left == b);
     EXPECT_EQ(count(in("out/sub")), 1U);
 }
@@ -146,7 +146,7 @@ TEST_F(Files, ThatGrowStandInTheirPlaceWhenTheyAreFinished) {
     EXPECT_FALSE(fs::exists(in("out/sub/file")));
     EXPECT_EQ(file.append("two"), "");
     EXPECT_EQ(file.finish(), "");
-    EXPECT_EQ(text_of(in("out/sub/file")), "one two");
+    EXPECT_EQ(contents(in("out/sub/file")), "one two");
     EXPECT_EQ(count(in("out/sub")), 1U);
 }
 

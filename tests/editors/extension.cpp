@@ -2,7 +2,6 @@
 #include "extension.hpp"
 #include "tests/source_folder.hpp"
 
-#include <fstream>
 #include <iterator>
 #include <regex>
 
@@ -14,13 +13,8 @@ std::filesystem::path extension_folder() {
     return tests::source_folder() / "editors/vscode";
 }
 
-std::string slurp(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 json load_json(const std::string& name) {
-    return json::parse(slurp(extension_folder() / name));
+    return json::parse(contents(extension_folder() / name));
 }
 
 namespace {

@@ -7,12 +7,13 @@
 #include <set>
 #include <string>
 
+#include "tests/contents.hpp"
+
 namespace robochart::editors {
 
 /// The folder of the extension.
 [[nodiscard]] std::filesystem::path extension_folder();
-/// The bytes of a file of the repository.
-[[nodiscard]] std::string slurp(const std::filesystem::path& path);
+using tests::contents;
 /// A JSON file of the extension.
 [[nodiscard]] nlohmann::json load_json(const std::string& name);
 

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 
@@ -14,9 +12,12 @@
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"
+#include "tests/contents.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::frontend::testing {
+
+using tests::contents;
 
 /// A text read, with all that belongs to it.
 struct Reading {
@@ -53,12 +54,6 @@ inline std::unique_ptr<Reading> resolved(std::string text, bool is_assertions = 
     add_toolkits(reading->sources, reading->model, reading->findings);
     resolve(reading->model, reading->findings);
     return reading;
-}
-
-/// A file's bytes.
-inline std::string slurp(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 using robochart::tests::shared_folder;

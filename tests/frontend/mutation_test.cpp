@@ -58,7 +58,7 @@ TEST(Mutations, GiveOneMessageOrTwo) {
     Count replaced;
     std::size_t turn = 0;
     for (const fs::path& path : models()) {
-        const std::string text = testing::slurp(path);
+        const std::string text = testing::contents(path);
         const std::size_t before = errors_of(text);
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics ignored;

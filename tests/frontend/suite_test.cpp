@@ -93,7 +93,7 @@ TEST(Suite, SurvivesTruncationAnywhere) {
     for (const auto& entry : fs::recursive_directory_iterator(shared / "suite/robotool/accept")) {
         const bool is_assertions = entry.path().extension() == ".assertions";
         if (!is_assertions && entry.path().extension() != ".rct") continue;
-        const std::string text = testing::slurp(entry.path());
+        const std::string text = testing::contents(entry.path());
         for (std::size_t length = 0; length < text.size(); length += 97, ++cuts) {
             const auto reading = testing::resolved(text.substr(0, length), is_assertions);
             EXPECT_LE(reading->findings.errors(), 200U) << entry.path() << " cut at " << length;
@@ -109,7 +109,7 @@ TEST(Suite, SurvivesHoles) {
     for (const auto& entry : fs::recursive_directory_iterator(shared / "suite/robotool/accept")) {
         const bool is_assertions = entry.path().extension() == ".assertions";
         if (!is_assertions && entry.path().extension() != ".rct") continue;
-        const std::string text = testing::slurp(entry.path());
+        const std::string text = testing::contents(entry.path());
         for (std::size_t hole = 0; hole < text.size(); hole += 131)
             static_cast<void>(testing::resolved(std::string(text).erase(hole, 17), is_assertions));
     }

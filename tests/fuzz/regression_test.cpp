@@ -4,23 +4,20 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
+#include "tests/contents.hpp"
 #include "tests/fuzz/targets/targets.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::fuzz {
 namespace {
 
+using tests::contents;
+
 namespace fs = std::filesystem;
 
 const fs::path root = tests::source_folder();
-
-std::string slurp(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::vector<fs::path> files_of(const fs::path& folder) {
     std::vector<fs::path> result;
@@ -35,13 +32,13 @@ class Regressions : public ::testing::TestWithParam<Target> {};
 TEST_P(Regressions, KeepEveryPromise) {
     const auto files = files_of(root / "tests/fuzz/regressions" / GetParam().name);
     ASSERT_FALSE(files.empty());
-    for (const fs::path& file : files) EXPECT_EQ(GetParam().run(slurp(file)), "") << file;
+    for (const fs::path& file : files) EXPECT_EQ(GetParam().run(contents(file)), "") << file;
 }
 
 /// Every prefix of a text is the text while it is being typed.
 TEST_P(Regressions, KeepEveryPromiseWhileTyped) {
     for (const fs::path& file : files_of(root / "tests/fuzz/regressions" / GetParam().name)) {
-        const std::string text = slurp(file).substr(0, 2000);
+        const std::string text = contents(file).substr(0, 2000);
         for (std::size_t length = 0; length < text.size(); length += 7)
             ASSERT_EQ(GetParam().run(text.substr(0, length)), "") << file << " until byte " << length;
     }
@@ -61,10 +58,10 @@ TEST(Regressions, EveryFolderHasItsTarget) {
 TEST(Targets, TheCorpusKeepsEveryPromise) {
     for (const fs::path& file : files_of(root / "corpus")) {
         if (file.extension() == ".rct") {
-            EXPECT_EQ(run_model(slurp(file)), "") << file;
+            EXPECT_EQ(run_model(contents(file)), "") << file;
         }
         if (file.extension() == ".assertions") {
-            EXPECT_EQ(run_assertions(slurp(file)), "") << file;
+            EXPECT_EQ(run_assertions(contents(file)), "") << file;
         }
     }
 }

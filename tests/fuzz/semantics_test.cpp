@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "tests/contents.hpp"
 #include "tests/fuzz/targets/targets.hpp"
 #include "tests/random_models/changes/near.hpp"
 #include "tests/random_models/models/well_formed.hpp"
@@ -16,6 +15,8 @@
 
 namespace robochart::fuzz {
 namespace {
+
+using tests::contents;
 
 namespace fs = std::filesystem;
 
@@ -30,11 +31,6 @@ std::string bytes_of(const Project& project) {
     return bytes;
 }
 
-std::string slurp(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// The folders of models below these, each a project.
 std::vector<Project> kept_projects() {
     std::vector<Project> projects;
@@ -47,7 +43,7 @@ std::vector<Project> kept_projects() {
             Project project;
             for (const auto& entry : fs::directory_iterator(model))
                 if (entry.path().extension() == ".rct" || entry.path().extension() == ".assertions")
-                    project.push_back({entry.path().filename(), slurp(entry.path())});
+                    project.push_back({entry.path().filename(), contents(entry.path())});
             std::sort(project.begin(), project.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
             if (!project.empty()) projects.push_back(std::move(project));
         }

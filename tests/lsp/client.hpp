@@ -9,6 +9,7 @@
 
 #include "lsp/protocol/uri.hpp"
 #include "lsp/server.hpp"
+#include "tests/lsp/answer.hpp"
 
 namespace robochart::lsp::testing {
 
@@ -38,24 +39,25 @@ public:
     }
 
     /// The whole response.
-    Json ask(const std::string& method, Json params) {
+    Answer ask(const std::string& method, Json params) {
         const std::int64_t id = ++last_id_;
-        server_.receive(
-            Json::object({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", std::move(params)}}).write());
+        server_.receive(json_text(
+            Json::object({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", std::move(params)}})));
         work();
-        for (const Json& message : messages)
-            if (message["id"] == Json(id) && !message.has("method")) return message;
+        for (const Answer& message : messages)
+            if (message["id"] == Answer(id) && !message.has("method")) return message;
         ADD_FAILURE() << method << " was not answered";
         return {};
     }
     /// Its result; an error response is a failure of the test.
-    Json request(const std::string& method, Json params) {
-        const Json response = ask(method, std::move(params));
+    Answer request(const std::string& method, Json params) {
+        const Answer response = ask(method, std::move(params));
         EXPECT_FALSE(response.has("error")) << response.write();
         return response["result"];
     }
     void notify(const std::string& method, Json params) {
-        server_.receive(Json::object({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}).write());
+        server_.receive(
+            json_text(Json::object({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}})));
         work();
     }
     void raw(const std::string& text) {
@@ -113,13 +115,13 @@ public:
         return Json::object({{"line", line}, {"character", offset - begin}});
     }
     /// "mark" of each location's place, in order, joined by blanks; "?" where none is marked.
-    [[nodiscard]] std::string marks(const Json& locations) const {
+    [[nodiscard]] std::string marks(const Answer& locations) const {
         std::string out;
-        const Json list = locations.is_array() ? locations : Json::array({locations});
-        for (const Json& each : list.items()) out += (out.empty() ? "" : " ") + mark_at(each);
+        const Answer list = locations.is_array() ? locations : Json::array({locations.json()});
+        for (const Answer& each : list.items()) out += (out.empty() ? "" : " ") + mark_at(each);
         return out;
     }
-    [[nodiscard]] std::string mark_at(const Json& location) const {
+    [[nodiscard]] std::string mark_at(const Answer& location) const {
         const std::string& uri = location["uri"].text();
         if (!texts_.contains(uri)) return "?" + uri;
         const std::string before = text_before(uri, location["range"]["start"]);
@@ -127,19 +129,19 @@ public:
         const std::size_t begin = before.rfind("/*^");
         return begin == std::string::npos ? "?" : before.substr(begin + 3, before.size() - begin - 5);
     }
-    [[nodiscard]] std::string text_before(const std::string& uri, const Json& position) const {
+    [[nodiscard]] std::string text_before(const std::string& uri, const Answer& position) const {
         const std::string& text = texts_.at(uri);
         std::size_t begin = 0;
         for (std::int64_t line = 0; line < position["line"].number(); ++line) begin = text.find('\n', begin) + 1;
         return text.substr(0, begin + static_cast<std::size_t>(position["character"].number()));
     }
     /// The text of a document after a workspace edit.
-    [[nodiscard]] std::string edited(const Json& edit, const std::string& uri = "file:///p/a.rct") const {
+    [[nodiscard]] std::string edited(const Answer& edit, const std::string& uri = "file:///p/a.rct") const {
         return applied(edit["changes"][uri], uri);
     }
-    [[nodiscard]] std::string applied(const Json& edits, const std::string& uri = "file:///p/a.rct") const {
+    [[nodiscard]] std::string applied(const Answer& edits, const std::string& uri = "file:///p/a.rct") const {
         std::map<std::size_t, std::pair<std::size_t, std::string>> pieces;
-        for (const Json& each : edits.items())
+        for (const Answer& each : edits.items())
             pieces[text_before(uri, each["range"]["start"]).size()] = {text_before(uri, each["range"]["end"]).size(),
                                                                        each["newText"].text()};
         std::string text = texts_.at(uri);
@@ -149,9 +151,9 @@ public:
     }
 
     /// The diagnostics last published for a document; null if there never were any.
-    [[nodiscard]] Json diagnostics(const std::string& uri = "file:///p/a.rct") const {
-        Json last;
-        for (const Json& message : messages)
+    [[nodiscard]] Answer diagnostics(const std::string& uri = "file:///p/a.rct") const {
+        Answer last;
+        for (const Answer& message : messages)
             if (message["method"].text() == "textDocument/publishDiagnostics" && message["params"]["uri"].text() == uri)
                 last = message["params"]["diagnostics"];
         return last;
@@ -168,8 +170,8 @@ public:
     }
     [[nodiscard]] std::string codes_up_to(std::int64_t severity, const std::string& uri) const {
         std::string out;
-        const Json list = diagnostics(uri);
-        for (const Json& each : list.items()) {
+        const Answer list = diagnostics(uri);
+        for (const Answer& each : list.items()) {
             if (each["severity"].number() > severity) continue;
             out += (out.empty() ? "" : " ") + each["code"].text() + "@" +
                    std::to_string(each["range"]["start"]["line"].number() + 1);
@@ -178,9 +180,9 @@ public:
     }
 
     [[nodiscard]] Server& server() { return server_; }
-    [[nodiscard]] const Json& initialized() const { return initialized_; }
+    [[nodiscard]] const Answer& initialized() const { return initialized_; }
 
-    std::vector<Json> messages;  ///< everything the server sent
+    std::vector<Answer> messages;  ///< everything the server sent
 
 private:
     void sent(const std::string& text) {
@@ -192,7 +194,7 @@ private:
 
     Server server_;
     std::map<std::string, std::string> texts_;
-    Json initialized_;
+    Answer initialized_;
     std::int64_t last_id_ = 0;
     std::int64_t version_ = 1;
 };

@@ -1,11 +1,12 @@
 // See source_tree.hpp.
 #include "tests/sanity/source_tree.hpp"
-#include "tests/source_folder.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <functional>
+#include <numeric>
 #include <sstream>
+
+#include "checker/lts/strong_components.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::sanity {
 
@@ -14,13 +15,6 @@ namespace fs = std::filesystem;
 const fs::path& root() {
     static const fs::path path = tests::source_folder();
     return path;
-}
-
-std::string contents(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
 }
 
 std::vector<fs::path> files(const fs::path& folder, const std::set<std::string>& extensions) {
@@ -120,32 +114,31 @@ bool may_include(const FolderRow& row, const std::string& folder) {
 }
 
 std::vector<std::vector<std::string>> cycles(const std::map<std::string, std::set<std::string>>& edges) {
-    // Tarjan, Depth-first search and linear graph algorithms (1972).
-    std::map<std::string, std::size_t> number, low;
-    std::vector<std::string> open;
-    std::vector<std::vector<std::string>> result;
-    const std::function<void(const std::string&)> visit = [&](const std::string& node) {
-        number[node] = low[node] = number.size();
-        open.push_back(node);
-        const auto found = edges.find(node);
-        if (found != edges.end())
-            for (const std::string& next : found->second) {
-                if (!number.contains(next)) {
-                    visit(next);
-                    low[node] = std::min(low[node], low[next]);
-                } else if (std::find(open.begin(), open.end(), next) != open.end()) {
-                    low[node] = std::min(low[node], number[next]);
-                }
-            }
-        if (low[node] != number[node]) return;
-        const auto from = std::find(open.begin(), open.end(), node);
-        std::vector<std::string> group(from, open.end());
-        open.erase(from, open.end());
-        std::sort(group.begin(), group.end());
-        if (group.size() > 1) result.push_back(std::move(group));
+    std::vector<std::string> names;
+    std::map<std::string, lts::StateIndex> number;
+    const auto take = [&](const std::string& name) {
+        const auto [place, fresh] = number.emplace(name, static_cast<lts::StateIndex>(names.size()));
+        if (fresh) names.push_back(name);
+        return place->second;
     };
-    for (const auto& [node, next] : edges)
-        if (!number.contains(node)) visit(node);
+    for (const auto& [node, targets] : edges) {
+        take(node);
+        for (const std::string& target : targets) take(target);
+    }
+    const lts::GraphView graph{names.size(), [&](lts::StateIndex node, std::vector<lts::StateIndex>& targets) {
+                                   const auto found = edges.find(names[node]);
+                                   if (found == edges.end()) return;
+                                   for (const std::string& target : found->second) targets.push_back(number.at(target));
+                               }};
+    std::vector<lts::StateIndex> roots(names.size());
+    std::iota(roots.begin(), roots.end(), lts::StateIndex{0});
+    std::vector<std::vector<std::string>> result;
+    lts::strong_components(graph, roots, [&](std::span<const lts::StateIndex> members, bool) {
+        if (members.size() < 2) return;
+        std::vector<std::string>& group = result.emplace_back();
+        for (const lts::StateIndex member : members) group.push_back(names[member]);
+        std::sort(group.begin(), group.end());
+    });
     return result;
 }
 

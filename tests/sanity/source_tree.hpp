@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/contents.hpp"
+
 namespace robochart::sanity {
 
 /// The folder of the project.
 [[nodiscard]] const std::filesystem::path& root();
-[[nodiscard]] std::string contents(const std::filesystem::path&);
+using tests::contents;
 /// Files below a folder with one of these extensions, sorted; build trees are left out.
 [[nodiscard]] std::vector<std::filesystem::path> files(const std::filesystem::path& folder,
                                                        const std::set<std::string>& extensions);

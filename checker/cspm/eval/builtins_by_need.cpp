@@ -2,56 +2,58 @@
 // chapter CSPM, Built-In Definitions).
 #include <algorithm>
 
+#include "checker/cspm/eval/by_need.hpp"
 #include "checker/cspm/eval/evaluator.hpp"
 #include "checker/cspm/types/builtins.hpp"
 
 namespace robochart::cspm {
 
-Values Evaluator::sequence(Value value, Span span) {
-    return share(written_out(value, span))->items;
+Values ByNeed::sequence(Value value, Span span) {
+    return values_.share(written_out(value, span))->items;
 }
 
-const Values& Evaluator::map_items(Value value, Span span) {
+const Values& ByNeed::map_items(Value value, Span span) {
     if (value->kind != Kind::map) work_.fail("expected a map, found " + text_(value), span);
     return value->items;
 }
 
-Value Evaluator::call_builtin(Value builtin, Values arguments, Span span) {
+Value ByNeed::call(Value builtin, Values arguments, Span span) {
     const auto which = static_cast<Builtin>(builtin->number);
     if (!takes_by_need(which)) {
-        for (Value& argument : arguments) argument = share(force(argument));
+        for (Value& argument : arguments) argument = values_.share(values_.force(argument));
         return builtins_.call(builtin, std::move(arguments), span);
     }
     builtins_.check_arity(which, arguments.size(), span);
     return which <= Builtin::elem ? sequence_builtin(which, arguments, span) : map_builtin(which, arguments, span);
 }
 
-Value Evaluator::sequence_builtin(Builtin which, const Values& arguments, Span span) {
+Value ByNeed::sequence_builtin(Builtin which, const Values& arguments, Span span) {
     if (which == Builtin::elem)
-        return store_.boolean(element_by_need(forced(arguments[0]), forced(arguments[1]), span));
-    const Value first = forced(arguments[0]);
+        return store_.boolean(contains(values_.forced(arguments[0]), values_.forced(arguments[1]), span));
+    const Value first = values_.forced(arguments[0]);
     switch (which) {
         case Builtin::length:
             return store_.integer(static_cast<std::int64_t>(written_out(first, span)->items.size()));
         case Builtin::null:
             return store_.boolean(first->kind == Kind::sequence ? first->items.empty() : !next(first, span));
         case Builtin::head: {
-            if (first->kind == Kind::sequence && !first->items.empty()) return forced(first->items[0]);
+            if (first->kind == Kind::sequence && !first->items.empty()) return values_.forced(first->items[0]);
             const std::optional<Cut> cut = next(first, span);
             if (!cut) work_.fail("head of an empty sequence", span);
-            return forced(cut->head);
+            return values_.forced(cut->head);
         }
         case Builtin::tail: {
             const std::optional<Cut> cut = next(first, span);
             if (!cut) work_.fail("tail of an empty sequence", span);
-            return forced(cut->tail);
+            return values_.forced(cut->tail);
         }
         default: {  // concat
             const Value parts = written_out(first, span);
             Values items;
             for (std::size_t i = 0; i < parts->items.size(); ++i) {
                 Value part = parts->items[i];
-                if (part->kind == Kind::thunk && static_cast<const Thunk&>(*part).result != nullptr) part = force(part);
+                if (part->kind == Kind::thunk && static_cast<const Thunk&>(*part).result != nullptr)
+                    part = values_.force(part);
                 if (part->kind != Kind::sequence) {
                     // It waits or has no end: so does what comes after.
                     Value rest = store_.sequence({});
@@ -68,7 +70,7 @@ Value Evaluator::sequence_builtin(Builtin which, const Values& arguments, Span s
 }
 
 // part ^ rest, where the part may wait.
-Value Evaluator::part_before(Value part, Value rest) {
+Value ByNeed::part_before(Value part, Value rest) {
     if (part->kind == Kind::sequence && rest->kind == Kind::sequence) return append(part, rest);
     if (rest->kind == Kind::sequence && rest->items.empty()) return part;
     return store_.compound(Kind::stream, -1, {part, rest});
@@ -94,19 +96,19 @@ void put(Values& items, Value key, Value value) {
 }  // namespace
 
 // Keys have values, what they stand for may wait.
-Value Evaluator::map_builtin(Builtin which, const Values& arguments, Span span) {
+Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
     const auto put_all = [&](Values items, const Values& pairs) {
         for (const Value each : pairs) {
             work_.count(span);
-            const Value pair = forced(each);
+            const Value pair = values_.forced(each);
             if (pair->kind != Kind::tuple || pair->items.size() != 2)
                 work_.fail("expected pairs, found " + text_(pair), span);
-            put(items, share(pair->items[0]), pair->items[1]);
+            put(items, values_.share(pair->items[0]), pair->items[1]);
         }
         return store_.compound(Kind::map, 0, std::move(items));
     };
     if (which == Builtin::map_from_list) return put_all({}, written_out(arguments[0], span)->items);
-    Values items = map_items(forced(arguments[0]), span);
+    Values items = map_items(values_.forced(arguments[0]), span);
     if (which == Builtin::map_update_multiple) {
         // Of pairs with one key the first counts, where mapFromList takes the last (libcspm, Evaluator).
         Values pairs = written_out(arguments[1], span)->items;
@@ -119,13 +121,13 @@ Value Evaluator::map_builtin(Builtin which, const Values& arguments, Span span) 
             pairs.push_back(store_.compound(Kind::tuple, 0, {items[i], items[i + 1]}));
         return store_.compound(Kind::sequence, 0, std::move(pairs));
     }
-    const Value key = share(arguments[1]);
+    const Value key = values_.share(arguments[1]);
     const std::size_t at = key_place(items, key);
     const bool found = at < items.size() && items[at] == key;
     switch (which) {
         case Builtin::map_lookup:
             if (!found) work_.fail("the key " + text_(key) + " is not in the map", span);
-            return forced(items[at + 1]);
+            return values_.forced(items[at + 1]);
         case Builtin::map_member:
             return store_.boolean(found);
         case Builtin::map_update:

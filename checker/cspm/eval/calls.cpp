@@ -6,7 +6,7 @@
 namespace robochart::cspm {
 
 Value Evaluator::call(Value function, Values arguments, Span span) {
-    if (function->kind == Kind::builtin) return call_builtin(function, std::move(arguments), span);
+    if (function->kind == Kind::builtin) return by_need_.call(function, std::move(arguments), span);
     if (function->kind != Kind::function) work_.fail("expected a function, found " + text_(function), span);
     const Function& definition = *function->function;
     const std::size_t environment = definition.environment;
@@ -260,12 +260,12 @@ bool Evaluator::match_stream(const std::vector<const MatchCode*>& parts, Value v
     for (const MatchCode* part : parts) {
         if (part->kind != PatternKind::sequence) return match(*part, value, frame);
         for (const MatchCode& each : part->args) {
-            std::optional<Cut> cut = next(value, {});
+            std::optional<ByNeed::Cut> cut = by_need_.next(value, {});
             if (!cut || !match(each, cut->head, frame)) return false;
             value = cut->tail;
         }
     }
-    return !next(value, {});
+    return !by_need_.next(value, {});
 }
 
 bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& frame) {
@@ -284,7 +284,7 @@ bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& fra
     if (is_stream(value)) {
         if (open == 0 || parts.back()->kind != PatternKind::sequence) return match_stream(parts, value, frame);
         if (is_infinite(value)) work_.fail("an infinite sequence has no end to match", {});
-        value = written_out(value, {});
+        value = by_need_.written_out(value, {});
     }
     const std::size_t size = value->items.size();
     if (open == 0 ? size != fixed : size < fixed) return false;

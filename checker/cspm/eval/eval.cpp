@@ -150,7 +150,7 @@ Value Evaluator::share(Value value) {
     if (value->shared) return value;
     if (value->kind == Kind::thunk) return share(force(value));
     work_.count({});
-    if (value->kind == Kind::stream) return share_stream(value);
+    if (value->kind == Kind::stream) return by_need_.share_stream(value);
     Values items;
     items.reserve(value->items.size());
     for (const Value item : value->items) items.push_back(share(item));
@@ -229,7 +229,7 @@ Value Evaluator::eval_operator(const Code& code, Frame& frame) {
         case ExprKind::concat:
             return eval_concat(code, frame);
         case ExprKind::length: {
-            const Value items = written_out(eval(*code.args[0], frame), code.span);
+            const Value items = by_need_.written_out(eval(*code.args[0], frame), code.span);
             return store_.integer(static_cast<std::int64_t>(items->items.size()));
         }
         default:
@@ -244,7 +244,7 @@ Value Evaluator::eval_concat(const Code& code, Frame& frame) {
         work_.fail("expected a sequence, found " + text_(left), code.span);
     if (is_infinite(left)) return left;
     if (left->kind == Kind::sequence && left->items.empty()) return eval(*code.args[1], frame);
-    return append(left, promise(*code.args[1], frame));
+    return by_need_.append(left, promise(*code.args[1], frame));
 }
 
 namespace {
@@ -293,19 +293,19 @@ Value Evaluator::eval_arithmetic(const Code& code, Frame& frame) {
 Value Evaluator::eval_comparison(const Code& code, Frame& frame) {
     Value a = eval(*code.args[0], frame);
     Value b = eval(*code.args[1], frame);
-    if (code.kind == ExprKind::equal) return store_.boolean(equal_by_need(a, b, code.span));
-    if (code.kind == ExprKind::not_equal) return store_.boolean(!equal_by_need(a, b, code.span));
+    if (code.kind == ExprKind::equal) return store_.boolean(by_need_.equal(a, b, code.span));
+    if (code.kind == ExprKind::not_equal) return store_.boolean(!by_need_.equal(a, b, code.span));
     a = share(a);
     b = share(b);
     switch (code.kind) {
         case ExprKind::less_equal:
-            return store_.boolean(less_equal(a, b, code.span));
+            return store_.boolean(by_need_.less_equal(a, b, code.span));
         case ExprKind::greater_equal:
-            return store_.boolean(less_equal(b, a, code.span));
+            return store_.boolean(by_need_.less_equal(b, a, code.span));
         case ExprKind::less:
-            return store_.boolean(!domains_.same(a, b, code.span) && less_equal(a, b, code.span));
+            return store_.boolean(!domains_.same(a, b, code.span) && by_need_.less_equal(a, b, code.span));
         case ExprKind::greater:
-            return store_.boolean(!domains_.same(a, b, code.span) && less_equal(b, a, code.span));
+            return store_.boolean(!domains_.same(a, b, code.span) && by_need_.less_equal(b, a, code.span));
         default:
             work_.not_supported("this expression", code.span);
     }
@@ -314,11 +314,11 @@ Value Evaluator::eval_comparison(const Code& code, Frame& frame) {
 // ---------------------------------------------------------------- collections
 
 Value Evaluator::eval_map(const Code& code, Frame& frame) {
-    Values result = map_items(builtins_.value(Builtin::empty_map, nullptr), code.span);
+    Values result = by_need_.map_items(builtins_.value(Builtin::empty_map, nullptr), code.span);
     Value map = store_.make(Kind::map, 0, std::move(result));
     for (std::size_t i = 0; i + 1 < code.args.size(); i += 2) {
         Values arguments{map, share(eval(*code.args[i], frame)), promise(*code.args[i + 1], frame)};
-        map = map_builtin(Builtin::map_update, arguments, code.span);
+        map = by_need_.map_builtin(Builtin::map_update, arguments, code.span);
     }
     return map;
 }
@@ -358,7 +358,7 @@ void Evaluator::generate(const Code& code, const std::vector<ClauseCode>& clause
     if (is_infinite(source))
         work_.not_supported("a generator over an infinite sequence, other than the first of a sequence comprehension,",
                             clause.value->span);
-    if (is_stream(source)) source = written_out(source, clause.value->span);
+    if (is_stream(source)) source = by_need_.written_out(source, clause.value->span);
     if (source->kind != Kind::sequence) source = domains_.explicit_set(share(source), clause.value->span);
     const Values items = source->items;
     for (Value item : items) {
@@ -381,7 +381,7 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
             else
                 united = domains_.set_union(united, range, code.span);
         } else if (ranges) {
-            const Values more = sequence(eval_range(code, inside), code.span);
+            const Values more = by_need_.sequence(eval_range(code, inside), code.span);
             items.insert(items.end(), more.begin(), more.end());
         } else {
             for (const Code* arg : code.args) items.push_back(share(eval(*arg, inside)));
@@ -401,7 +401,7 @@ Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
     if (first == code.clauses.size()) return store_.compound(Kind::sequence, 0, promise_all(code, frame));
     const ClauseCode& clause = code.clauses[first];
     Value source = eval(*clause.value, frame);
-    if (is_stream(source)) return stream(store_.sequence({}), source, {&code, first}, frame);
+    if (is_stream(source)) return by_need_.stream(store_.sequence({}), source, {&code, first}, frame);
     if (source->kind != Kind::sequence) source = domains_.explicit_set(share(source), clause.value->span);
     const Values all = source->items;
     Values items;
@@ -418,8 +418,8 @@ Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
             if (work_.used_up()) throw;
             items.resize(before);
             const auto rest = all.begin() + static_cast<std::ptrdiff_t>(i);
-            return stream(store_.compound(Kind::sequence, 0, std::move(items)),
-                          store_.compound(Kind::sequence, 0, {rest, all.end()}), {&code, first}, frame);
+            return by_need_.stream(store_.compound(Kind::sequence, 0, std::move(items)),
+                                   store_.compound(Kind::sequence, 0, {rest, all.end()}), {&code, first}, frame);
         }
         if (items.size() > max_elements) work_.fail("more than 5000000 elements", code.span);
     }
@@ -435,7 +435,7 @@ Value Evaluator::comprehension_from(const Code& code, std::size_t clause, Frame&
     Value source = eval(*next.value, frame);
     if (source->kind != Kind::sequence && !is_stream(source))
         source = store_.sequence(domains_.elements(share(source), next.value->span));
-    return stream(store_.sequence({}), source, {&code, clause}, frame);
+    return by_need_.stream(store_.sequence({}), source, {&code, clause}, frame);
 }
 
 Value Evaluator::eval_productions(const Code& code, Frame& frame) {

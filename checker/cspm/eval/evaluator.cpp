@@ -10,7 +10,6 @@ namespace robochart::cspm {
 Evaluator::Evaluator(Program& program, ValueStore& store, process::EventTable& events, process::TermStore& terms)
     : program_(program),
       store_(store),
-      events_(events),
       terms_(terms),
       text_(program),
       work_(program, store),
@@ -22,6 +21,7 @@ Evaluator::Evaluator(Program& program, ValueStore& store, process::EventTable& e
                }),
       processes_(store, events, terms, domains_, work_, program),
       builtins_(program, store, events, terms, work_, domains_, processes_),
+      by_need_(*this, {program, store, work_, domains_, builtins_}),
       process_evaluator_(std::make_unique<ProcessEvaluator>(
           *this, ProcessEvaluator::Tables{program, store, terms, work_, domains_, processes_, shape_})) {}
 
@@ -66,7 +66,7 @@ std::vector<process::Event> Evaluator::trace(const Code& code, const Unit& unit)
     on_deep_stack([&] {
         const Work::Question question(work_);
         Frame frame(static_cast<std::size_t>(unit.size), nullptr);
-        for (const Value each : sequence(share(eval(code, frame)), code.span))
+        for (const Value each : by_need_.sequence(share(eval(code, frame)), code.span))
             result.push_back(domains_.event(each, code.span));
     });
     return result;

@@ -5,8 +5,9 @@
 // Who owns what, each knowing those before it only: ValueStore the values, Work the call stack and the steps,
 // ProcessShape what is plainly a process, Domains the elements of sets, the fields of dotted values and the events,
 // ProcessTerms the terms of calls and prefixes; BuiltinFunctions computes with evaluated arguments. Evaluator has what
-// needs evaluation: expressions, calls, patterns, streams, built-ins that evaluate by need. ProcessEvaluator evaluates
-// processes; the two call each other, since a value may be a process and a process contains values.
+// needs evaluation: expressions, calls, patterns. ByNeed takes sequences and maps apart as far as is asked;
+// ProcessEvaluator evaluates processes. Both and Evaluator call each other, since parts of a sequence wait, a value may
+// be a process, and a process contains values.
 #pragma once
 
 #include <functional>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "checker/cspm/eval/builtin_functions.hpp"
+#include "checker/cspm/eval/by_need.hpp"
 #include "checker/cspm/eval/code.hpp"
 #include "checker/cspm/eval/domains.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
@@ -61,6 +63,11 @@ public:
     Value eval(const Code& code, Frame& frame);
     Value eval_name(const Code& code, Frame& frame);
     Value eval_apply(const Code& code, Frame& frame);
+    /// The value once it is evaluated, which replaces one that waits.
+    Value force(Value& value);
+    Value forced(Value value) { return force(value); }
+    /// The sequence that the clauses of a comprehension from one on make.
+    Value comprehension_from(const Code& code, std::size_t clause, Frame& frame);
     /// The value with nothing in it that waits.
     Value share(Value value);
     bool truth(const Code& code, Frame& frame);
@@ -88,8 +95,6 @@ private:
     Value eval_concat(const Code& code, Frame& frame);
     Value eval_let(const Code& code, Frame& frame);
     Value eval_lambda(const Code& code, Frame& frame);
-    Value force(Value& value);
-    Value forced(Value value) { return force(value); }
     Value delay(const Code& code, Frame& frame);
     Value promise(const Code& code, Frame& frame);
     Values eval_all(const Code& code, Frame& frame);
@@ -112,39 +117,8 @@ private:
     bool match_sequence(const MatchCode& pattern, Value value, Frame& frame);
     bool match_dot(const MatchCode& pattern, Value value, Frame& frame);
 
-    // streams.cpp
-    struct Cut {
-        Value head;
-        Value tail;
-    };
-    /// Generators of a comprehension from one on.
-    struct Comprehension {
-        const Code* code;
-        std::size_t clause;
-    };
-    Value append(Value first, Value rest);
-    Value stream(Value first, Value source, Comprehension of, const Frame& frame);
-    Value comprehension_from(const Code& code, std::size_t clause, Frame& frame);
-    /// The first element of a sequence and the sequence of the others; none if it has none.
-    std::optional<Cut> next(Value sequence, Span span);
-    /// The sequence with all its elements in `items`.
-    Value written_out(Value sequence, Span span);
-    Value share_stream(Value value);
-    bool equal_by_need(Value a, Value b, Span span);
-    bool less_equal(Value a, Value b, Span span);
-    bool element_by_need(Value element, Value sequence, Span span);
-
-    // builtins_by_need.cpp
-    Value call_builtin(Value builtin, Values arguments, Span span);
-    Value sequence_builtin(Builtin which, const Values& arguments, Span span);
-    Value part_before(Value part, Value rest);
-    Value map_builtin(Builtin which, const Values& arguments, Span span);
-    Values sequence(Value value, Span span);
-    const Values& map_items(Value value, Span span);
-
     Program& program_;
     ValueStore& store_;
-    process::EventTable& events_;
     process::TermStore& terms_;
     ValueText text_;
     Work work_;
@@ -152,10 +126,9 @@ private:
     Domains domains_;
     ProcessTerms processes_;
     BuiltinFunctions builtins_;
+    ByNeed by_need_;
     std::unique_ptr<ProcessEvaluator> process_evaluator_;
 
-    std::vector<Comprehension> streams_;  // those that sequences come from which are not written out
-    Value chars_ = nullptr;
     CallObserver observer_;
 };
 

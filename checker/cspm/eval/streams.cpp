@@ -5,6 +5,7 @@
 // it is; else its elements are those of a generator, and the variables around come after it. `number` tells which.
 #include <algorithm>
 
+#include "checker/cspm/eval/by_need.hpp"
 #include "checker/cspm/eval/evaluator.hpp"
 
 namespace robochart::cspm {
@@ -16,8 +17,8 @@ constexpr std::int64_t joined = -1;
 
 }  // namespace
 
-Value Evaluator::append(Value first, Value rest) {
-    if (first->kind == Kind::sequence && first->items.empty()) return force(rest);
+Value ByNeed::append(Value first, Value rest) {
+    if (first->kind == Kind::sequence && first->items.empty()) return values_.force(rest);
     if (rest->kind == Kind::thunk && static_cast<const Thunk&>(*rest).result != nullptr)
         rest = static_cast<const Thunk&>(*rest).result;
     if (first->kind == Kind::sequence && rest->kind == Kind::sequence) {
@@ -29,7 +30,7 @@ Value Evaluator::append(Value first, Value rest) {
     return store_.compound(Kind::stream, joined, {first, rest});
 }
 
-Value Evaluator::stream(Value first, Value source, Comprehension of, const Frame& frame) {
+Value ByNeed::stream(Value first, Value source, Comprehension of, const Values& frame) {
     Values items{first, source};
     for (const Value value : frame) items.push_back(value == nullptr ? store_.tuple({}) : value);
     const auto same = [&](const Comprehension& each) { return each.code == of.code && each.clause == of.clause; };
@@ -39,10 +40,10 @@ Value Evaluator::stream(Value first, Value source, Comprehension of, const Frame
     return store_.compound(Kind::stream, number, std::move(items));
 }
 
-std::optional<Evaluator::Cut> Evaluator::next(Value sequence, Span span) {
+std::optional<ByNeed::Cut> ByNeed::next(Value sequence, Span span) {
     for (std::size_t tried = 0;; ++tried) {
         work_.count(span);
-        sequence = force(sequence);
+        sequence = values_.force(sequence);
         if (sequence->kind == Kind::sequence) {
             if (sequence->items.empty()) return std::nullopt;
             Values rest(sequence->items.begin() + 1, sequence->items.end());
@@ -71,23 +72,23 @@ std::optional<Evaluator::Cut> Evaluator::next(Value sequence, Span span) {
         const Comprehension of = streams_.at(static_cast<std::size_t>(sequence->number));
         const std::optional<Cut> drawn = next(items[1], span);
         if (!drawn) return std::nullopt;
-        Frame frame(items.begin() + 2, items.end());
+        Values frame(items.begin() + 2, items.end());
         Values rest = items;
         rest[1] = drawn->tail;
         Value item = drawn->head;
-        if (match(of.code->clauses[of.clause].pattern, item, frame))
-            rest[0] = comprehension_from(*of.code, of.clause + 1, frame);
+        if (values_.match(of.code->clauses[of.clause].pattern, item, frame))
+            rest[0] = values_.comprehension_from(*of.code, of.clause + 1, frame);
         sequence = store_.compound(Kind::stream, sequence->number, std::move(rest));
     }
 }
 
-Value Evaluator::written_out(Value sequence, Span span) {
-    sequence = force(sequence);
+Value ByNeed::written_out(Value sequence, Span span) {
+    sequence = values_.force(sequence);
     if (sequence->kind == Kind::sequence) return sequence;
     if (!is_stream(sequence)) work_.fail("expected a sequence, found " + text_(sequence), span);
     Values items;
     for (;;) {
-        sequence = force(sequence);
+        sequence = values_.force(sequence);
         if (is_infinite(sequence)) work_.fail("the sequence " + text_(sequence) + " is infinite", span);
         if (sequence->kind == Kind::sequence) {
             items.insert(items.end(), sequence->items.begin(), sequence->items.end());
@@ -110,53 +111,53 @@ Value Evaluator::written_out(Value sequence, Span span) {
 }
 
 /// The sequence it is, if it has an end; else the stream with nothing that waits but its elements.
-Value Evaluator::share_stream(Value value) {
+Value ByNeed::share_stream(Value value) {
     if (!is_infinite(value)) {
         Values items = value->items;
-        items[1] = forced(items[1]);
+        items[1] = values_.forced(items[1]);
         value = store_.compound(Kind::stream, value->number, std::move(items));
     }
-    if (!is_infinite(value)) return share(written_out(value, {}));
+    if (!is_infinite(value)) return values_.share(written_out(value, {}));
     Values items;
-    for (const Value item : value->items) items.push_back(share(item));
+    for (const Value item : value->items) items.push_back(values_.share(item));
     return store_.make(Kind::stream, value->number, std::move(items));
 }
 
-bool Evaluator::element_by_need(Value element, Value sequence, Span span) {
+bool ByNeed::contains(Value element, Value sequence, Span span) {
     for (std::size_t tried = 0; tried < most_skipped || !is_infinite(sequence); ++tried) {
         const std::optional<Cut> cut = next(sequence, span);
         if (!cut) return false;
-        if (equal_by_need(forced(cut->head), element, span)) return true;
-        sequence = forced(cut->tail);
+        if (equal(values_.forced(cut->head), element, span)) return true;
+        sequence = values_.forced(cut->tail);
     }
     work_.fail("not among the first 200000 elements of an infinite sequence", span);
 }
 
 /// Equality of tuples and sequences part by part, up to the first difference.
-bool Evaluator::equal_by_need(Value a, Value b, Span span) {
+bool ByNeed::equal(Value a, Value b, Span span) {
     if (a == b) return true;
     work_.count(span);
     const bool sequences = (a->kind == Kind::sequence || is_stream(a)) && (b->kind == Kind::sequence || is_stream(b));
     if (a->shared && b->shared && !(sequences && (is_stream(a) || is_stream(b)))) return domains_.same(a, b, span);
     if (a->kind == Kind::tuple && b->kind == Kind::tuple) {
         for (std::size_t i = 0; i < a->items.size() && i < b->items.size(); ++i)
-            if (!equal_by_need(forced(a->items[i]), forced(b->items[i]), span)) return false;
+            if (!equal(values_.forced(a->items[i]), values_.forced(b->items[i]), span)) return false;
         return a->items.size() == b->items.size();
     }
-    if (!sequences) return domains_.same(share(a), share(b), span);
+    if (!sequences) return domains_.same(values_.share(a), values_.share(b), span);
     for (std::size_t compared = 0; compared < most_skipped || !is_infinite(a) || !is_infinite(b); ++compared) {
         const std::optional<Cut> left = next(a, span);
         const std::optional<Cut> right = next(b, span);
         if (!left || !right) return !left && !right;
-        if (!equal_by_need(forced(left->head), forced(right->head), span)) return false;
-        a = forced(left->tail);
-        b = forced(right->tail);
+        if (!equal(values_.forced(left->head), values_.forced(right->head), span)) return false;
+        a = values_.forced(left->tail);
+        b = values_.forced(right->tail);
     }
     work_.fail("two infinite sequences agree in their first 200000 elements", span);
 }
 
 // The orders of FDR: numbers and characters; prefix of sequences; subset; maps and tuples by parts.
-bool Evaluator::less_equal(Value a, Value b, Span span) {
+bool ByNeed::less_equal(Value a, Value b, Span span) {
     if (is_set(a) && is_set(b)) return domains_.subset(a, b, span);
     if (is_stream(a) || is_stream(b)) work_.fail("an infinite sequence has no place in the order", span);
     if (a->kind != b->kind) work_.fail("cannot compare " + text_(a) + " with " + text_(b), span);

@@ -4,15 +4,13 @@
 
 #include <string_view>
 
+#include "diagnostics/splitmix64.hpp"
+
 namespace robochart::cspm {
 namespace {
 
-/// The finalising steps of splitmix64 (Steele, Lea, Flood 2014) over a running sum.
 std::uint64_t mixed(std::uint64_t sum, std::uint64_t word) {
-    std::uint64_t z = sum + 0x9e3779b97f4a7c15U + word;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
+    return diagnostics::splitmix64_mixed(sum + diagnostics::splitmix64_step + word);
 }
 
 }  // namespace

@@ -2,19 +2,24 @@
 // The scripts' top and modules generalise every name, a let only those with an annotation (as FDR does).
 #pragma once
 
-#include <string_view>
 #include <vector>
 
+#include "checker/cspm/types/expression_types.hpp"
 #include "checker/cspm/types/terms.hpp"
-#include "checker/cspm/types/unify.hpp"
 #include "diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm::types {
 
+/// Types of declarations: owns what their expressions are typed with.
 class Inference {
 public:
+    /// All outlive it.
     Inference(const ResolvedScript& script, TypeStore& store, diagnostics::Diagnostics& diagnostics)
-        : script_(script), store_(store), unifier_(store, here_), diagnostics_(diagnostics) {}
+        : script_(script),
+          store_(store),
+          diagnostics_(diagnostics),
+          terms_(store, diagnostics, [this](DeclarationList& list) { check_list(list, ListKind::let); }),
+          unifier_(terms_.unifier()) {}
 
     /// Fills in the schemes of all symbols; findings go to the diagnostics.
     void run();
@@ -23,7 +28,6 @@ private:
     using Group = std::vector<Declaration*>;
     enum class ListKind { top, module, let };
 
-    // declarations
     void check_list(DeclarationList& list, ListKind kind);
     void check_group(Group group, ListKind kind);
     void attempt(const Group& group, ListKind kind);
@@ -53,45 +57,11 @@ private:
     TypeId annotated(const Annotation& annotation);
     TypeId annotated_type(const TypeTerm& term);
 
-    // expressions
-    TypeId infer(const Term& term);
-    TypeId infer_value(const Term& term);
-    TypeId infer_collection(const Term& term);
-    TypeId infer_process(const Term& term);
-    TypeId infer_replicated(const Term& term);
-    TypeId name(const Term& term);
-    TypeId tuple(const Term& term);
-    TypeId map(const Term& term);
-    TypeId application(const Term& term);
-    TypeId lambda(const Term& term);
-    TypeId let(const Term& term);
-    TypeId conditional(const Term& term);
-    TypeId comparison(const Term& term);
-    TypeId dotted(const Term& term);
-    TypeId prefix(const Term& term);
-    TypeId field(const FieldTerm& field);
-    TypeId elements(const Term& term, Constraints constraints);
-    void range(const Term& term);
-    void links(const Term& term);
-    void clauses(const std::vector<ClauseTerm>& clauses, TypeKind collection);
-    void bind_locals(const std::vector<Symbol*>& symbols);
-    TypeId pattern(const PatternTerm& pattern);
-    void expect_pattern(const PatternTerm& term, TypeId type);
-
-    TypeId expect(const Term& term, TypeId type, std::string_view because = {});
-    void expect_processes(const Term& term, std::size_t count);
-    void expect_events(const Term& term, std::size_t index);
-    void expect_atom(const Term& term, TypeKind kind, std::string_view because);
-    TypeId expect_extendable(const Term& term, TypeId type, std::string_view because);
-    TypeId unify(diagnostics::Span span, TypeId expected, TypeId actual, std::string_view because = {});
-    void constrain(diagnostics::Span span, Constraint constraint, TypeId type, std::string_view because);
-    [[nodiscard]] TypeId atom(TypeKind kind) const { return store_.atom(kind); }
-
     const ResolvedScript& script_;
     TypeStore& store_;
-    diagnostics::Span here_;
-    Unifier unifier_;
     diagnostics::Diagnostics& diagnostics_;
+    ExpressionTypes terms_;
+    Unifier& unifier_;  // that of terms_
     unsigned attempts_ = 0;
 };
 

@@ -26,7 +26,7 @@ void Inference::check_list(DeclarationList& list, ListKind kind) {
             fail_group(group, std::move(fault));
         } catch (const TypeOverflow& overflow) {
             const std::string how = overflow.deep ? "nested too deeply" : "too large";
-            fail_group(group, {&rules::type_overflow, {how}, {}, here_});
+            fail_group(group, {&rules::type_overflow, {how}, {}, terms_.here()});
         }
         while (store_.level() > level) store_.leave();
     }
@@ -112,7 +112,7 @@ void Inference::attempt(const Group& group, ListKind kind) {
     }
     for (Declaration* declaration : group) {
         store_.renew_steps();
-        here_ = declaration->span;
+        terms_.at(declaration->span);
         check(*declaration);
     }
     store_.leave();
@@ -188,7 +188,7 @@ TypeId Inference::annotated_type(const TypeTerm& term) {
     if (term.kind == TypeKind::datatype) return store_.datatype(term.datatype->datatype);
     std::vector<TypeId> args;
     for (const TypeTerm& each : term.args) args.push_back(annotated_type(each));
-    if (args.empty() && term.kind != TypeKind::tuple) return atom(term.kind);
+    if (args.empty() && term.kind != TypeKind::tuple) return store_.atom(term.kind);
     if (term.kind == TypeKind::extendable) std::swap(args[0], args[1]);
     return store_.make(term.kind, args);
 }
@@ -201,13 +201,13 @@ void Inference::check_function(const Declaration& declaration) {
     if (declaration.annotation != nullptr) signature = annotated(*declaration.annotation);
     std::vector<TypeId> types;
     for (const EquationTerm& each : declaration.equations) {
-        here_ = each.span;
-        bind_locals(each.binds);
+        terms_.at(each.span);
+        terms_.bind_locals(each.binds);
         types.push_back(signature == no_type ? equation(each) : annotated_equation(each, signature));
     }
     TypeId type = own;
     for (std::size_t i = 0; i < types.size(); ++i) {
-        type = unify(declaration.equations[i].span, type, types[i], "the equations of a function have one type");
+        type = terms_.unify(declaration.equations[i].span, type, types[i], "the equations of a function have one type");
     }
 }
 
@@ -232,14 +232,14 @@ TypeId Inference::equation(const EquationTerm& equation) {
         for (const auto& group : equation.groups) {
             std::vector<TypeId>& types = groups.emplace_back();
             for (const PatternTerm& each : group) {
-                here_ = each.syntax->span;
-                types.push_back(unifier_.evaluate_dots(pattern(each)));
+                terms_.at(each.syntax->span);
+                types.push_back(unifier_.evaluate_dots(terms_.pattern(each)));
             }
         }
     };
     patterns();
-    const TypeId body = infer(*equation.body);
-    here_ = equation.body->syntax->span;
+    const TypeId body = terms_.infer(*equation.body);
+    terms_.at(equation.body->syntax->span);
     const TypeId result = unifier_.evaluate_dots(body);
     patterns();
     return function_type(store_, groups, result);
@@ -252,21 +252,22 @@ TypeId Inference::annotated_equation(const EquationTerm& equation, TypeId signat
         for (std::size_t i = 0; i < group.size(); ++i) types.push_back(store_.fresh());
     }
     const TypeId result = store_.fresh();
-    (void)unify(equation.span, signature, function_type(store_, wanted, result), "the annotation has another form");
+    (void)terms_.unify(equation.span, signature, function_type(store_, wanted, result),
+                       "the annotation has another form");
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         for (std::size_t k = 0; k < wanted[i].size(); ++k) {
             const PatternTerm& each = equation.groups[i][k];
-            here_ = each.syntax->span;
+            terms_.at(each.syntax->span);
             const TypeId annotated = unifier_.evaluate_dots(wanted[i][k]);
-            const TypeId type = unifier_.evaluate_dots(pattern(each));
+            const TypeId type = unifier_.evaluate_dots(terms_.pattern(each));
             (void)unifier_.evaluate_dots(unifier_.unify_one_way(type, annotated));
         }
     }
-    const TypeId body = expect(*equation.body, result, "the annotation says so");
+    const TypeId body = terms_.expect(*equation.body, result, "the annotation says so");
     std::vector<std::vector<TypeId>> groups;
     for (const auto& group : equation.groups) {
         std::vector<TypeId>& types = groups.emplace_back();
-        for (const PatternTerm& each : group) types.push_back(unifier_.evaluate_dots(pattern(each)));
+        for (const PatternTerm& each : group) types.push_back(unifier_.evaluate_dots(terms_.pattern(each)));
     }
     return function_type(store_, groups, unifier_.evaluate_dots(body));
 }
@@ -276,13 +277,13 @@ void Inference::check_value(const Declaration& declaration) {
     TypeId right = no_type;
     if (declaration.annotation != nullptr) {
         const TypeId type = annotated(*declaration.annotation);
-        left = unify(declaration.span, type, pattern(declaration.pattern));
-        right = expect(*declaration.body, type, "the annotation says so");
+        left = terms_.unify(declaration.span, type, terms_.pattern(declaration.pattern));
+        right = terms_.expect(*declaration.body, type, "the annotation says so");
     } else {
-        left = pattern(declaration.pattern);
-        right = infer(*declaration.body);
+        left = terms_.pattern(declaration.pattern);
+        right = terms_.infer(*declaration.body);
     }
-    here_ = declaration.pattern.syntax->span;
+    terms_.at(declaration.pattern.syntax->span);
     left = unifier_.evaluate_dots(left);
     right = unifier_.evaluate_dots(right);
     // As for the arguments of a function: c.x splits no event unless c is a channel.
@@ -294,14 +295,14 @@ void Inference::check_nametype(const Declaration& declaration) {
     TypeId type = no_type;
     if (declaration.annotation != nullptr) {
         type = annotated(*declaration.annotation);
-        type = expect(*declaration.body, type, "the annotation says so");
+        type = terms_.expect(*declaration.body, type, "the annotation says so");
     } else {
-        type = infer(*declaration.body);
+        type = terms_.infer(*declaration.body);
     }
-    here_ = declaration.body->syntax->span;
+    terms_.at(declaration.body->syntax->span);
     const TypeId values = element(type);
-    constrain(declaration.body->syntax->span, can_input, values, "a nametype holds whole values");
-    (void)unify(declaration.span, declaration.binds.at(0)->scheme.type, store_.set_of(values));
+    terms_.constrain(declaration.body->syntax->span, can_input, values, "a nametype holds whole values");
+    (void)terms_.unify(declaration.span, declaration.binds.at(0)->scheme.type, store_.set_of(values));
 }
 
 // ---------------------------------------------------------------- channels and datatypes
@@ -317,30 +318,31 @@ TypeId Inference::element(TypeId type) {
         return store_.make(kind, types);
     }
     const TypeId result = store_.fresh();
-    (void)unify(here_, type, store_.set_of(result), "fields are given by sets");
+    (void)terms_.unify(terms_.here(), type, store_.set_of(result), "fields are given by sets");
     return result;
 }
 
 TypeId Inference::fields(const Term& fields, Constraints constraints) {
-    const TypeId written = infer(fields);
-    here_ = fields.syntax->span;
+    const TypeId written = terms_.infer(fields);
+    terms_.at(fields.syntax->span);
     const TypeId values = element(unifier_.evaluate_dots(written));
     for (const Constraint each : {can_equal, can_input}) {
         if ((constraints & each) == 0) continue;
-        constrain(fields.syntax->span, each, values,
-                  each == can_equal ? "what channels carry is compared" : "a field holds whole values");
+        terms_.constrain(fields.syntax->span, each, values,
+                         each == can_equal ? "what channels carry is compared" : "a field holds whole values");
     }
     return values;
 }
 
 void Inference::check_channel(const Declaration& declaration) {
-    TypeId type = atom(TypeKind::event);
+    TypeId type = store_.atom(TypeKind::event);
     if (declaration.body != nullptr) {
         type = store_.dotable(store_.dot_parts(channel_fields(declaration)), 0, type);
     } else if (declaration.annotation != nullptr) {
-        (void)unify(declaration.span, annotated(*declaration.annotation), type, "the annotation has another type");
+        (void)terms_.unify(declaration.span, annotated(*declaration.annotation), type,
+                           "the annotation has another type");
     }
-    for (const Symbol* each : declaration.binds) (void)unify(declaration.span, each->scheme.type, type);
+    for (const Symbol* each : declaration.binds) (void)terms_.unify(declaration.span, each->scheme.type, type);
 }
 
 // An annotation `A => B => Event` says that the fields are a set of A and a set of B.
@@ -350,30 +352,30 @@ TypeId Inference::channel_fields(const Declaration& declaration) {
     std::vector<TypeId> given;
     const TypeId written = annotated(*declaration.annotation);
     const TypeId end = store_.split(written, given);
-    (void)unify(declaration.span, atom(TypeKind::event), end, "a channel's annotation ends in Event");
-    (void)unify(declaration.span, store_.dotable(store_.fresh(), atom(TypeKind::event)), written,
-                "the channel has fields");
+    (void)terms_.unify(declaration.span, store_.atom(TypeKind::event), end, "a channel's annotation ends in Event");
+    (void)terms_.unify(declaration.span, store_.dotable(store_.fresh(), store_.atom(TypeKind::event)), written,
+                       "the channel has fields");
     std::vector<TypeId> sets;
     for (const TypeId each : given) sets.push_back(store_.set_of(each));
-    const TypeId type = expect(*declaration.body, store_.dot(sets), "the annotation says so");
-    here_ = declaration.body->syntax->span;
+    const TypeId type = terms_.expect(*declaration.body, store_.dot(sets), "the annotation says so");
+    terms_.at(declaration.body->syntax->span);
     const TypeId values = element(unifier_.evaluate_dots(type));
-    constrain(here_, can_equal, values, "what channels carry is compared");
-    constrain(here_, can_input, values, "a field holds whole values");
+    terms_.constrain(terms_.here(), can_equal, values, "what channels carry is compared");
+    terms_.constrain(terms_.here(), can_input, values, "a field holds whole values");
     return values;
 }
 
 void Inference::check_datatype(const Declaration& declaration) {
     const auto symbol = std::ranges::find(declaration.binds, SymbolKind::datatype, &Symbol::kind);
     const TypeId type = store_.datatype((*symbol)->datatype);
-    (void)unify(declaration.span, (*symbol)->scheme.type, store_.set_of(type));
+    (void)terms_.unify(declaration.span, (*symbol)->scheme.type, store_.set_of(type));
     std::vector<std::pair<TypeId, diagnostics::Span>> all;
     for (const ConstructorTerm& each : declaration.constructors) {
         TypeId signature = no_type;
         if (each.annotation != nullptr) {
             signature = annotated(*each.annotation);
-            (void)unify(each.span, signature, store_.extendable(type, store_.fresh()),
-                        "a constructor's annotation ends in its datatype");
+            (void)terms_.unify(each.span, signature, store_.extendable(type, store_.fresh()),
+                               "a constructor's annotation ends in its datatype");
         }
         std::vector<TypeId> parts;
         if (each.fields != nullptr) {
@@ -382,11 +384,11 @@ void Inference::check_datatype(const Declaration& declaration) {
             for (const TypeId part : parts) all.emplace_back(part, each.fields->syntax->span);
         }
         const TypeId own = store_.dotable(parts, 0, type);
-        if (signature != no_type) (void)unify(each.span, signature, own, "the annotation says so");
-        (void)unify(each.span, own, each.symbol->scheme.type);
+        if (signature != no_type) (void)terms_.unify(each.span, signature, own, "the annotation says so");
+        (void)terms_.unify(each.span, own, each.symbol->scheme.type);
     }
     if (!store_.comparable((*symbol)->datatype)) return;
-    for (const auto& [part, span] : all) constrain(span, can_equal, part, "values of the datatype are compared");
+    for (const auto& [part, span] : all) terms_.constrain(span, can_equal, part, "values of the datatype are compared");
 }
 
 void Inference::check_subtype(const Declaration& declaration) {
@@ -402,48 +404,50 @@ void Inference::check_subtype(const Declaration& declaration) {
             throw TypeFault{
                 &rules::subtype_fields, {each.symbol->name, count(has.size()), count(parts.size())}, {}, each.span};
         }
-        (void)unify(each.span, store_.extendable(parent, store_.fresh()), datatype,
-                    "all constructors of a subtype belong to one datatype");
-        for (std::size_t i = 0; i < parts.size(); ++i) (void)unify(each.fields->syntax->span, has[i], parts[i]);
+        (void)terms_.unify(each.span, store_.extendable(parent, store_.fresh()), datatype,
+                           "all constructors of a subtype belong to one datatype");
+        for (std::size_t i = 0; i < parts.size(); ++i) (void)terms_.unify(each.fields->syntax->span, has[i], parts[i]);
     }
-    (void)unify(declaration.span, declaration.binds.at(0)->scheme.type, store_.set_of(parent));
+    (void)terms_.unify(declaration.span, declaration.binds.at(0)->scheme.type, store_.set_of(parent));
 }
 
 // ---------------------------------------------------------------- timed sections, assertions, print
 
 void Inference::check_timed(const Declaration& declaration) {
-    const TypeId event = atom(TypeKind::event);
+    const TypeId event = store_.atom(TypeKind::event);
     if (declaration.tock != nullptr && !declaration.tock->failed) {
         const TypeId tock = unifier_.instantiate(declaration.tock->scheme);
-        (void)unify(declaration.span, event, tock, "`tock` is an event without fields in a timed section");
+        (void)terms_.unify(declaration.span, event, tock, "`tock` is an event without fields in a timed section");
     }
     if (declaration.body == nullptr) return;
-    const TypeId duration = store_.make(TypeKind::function, {event, atom(TypeKind::integer)});
-    (void)expect(*declaration.body, duration, "the function of a timed section gives each event's duration");
+    const TypeId duration = store_.make(TypeKind::function, {event, store_.atom(TypeKind::integer)});
+    (void)terms_.expect(*declaration.body, duration, "the function of a timed section gives each event's duration");
 }
 
 void Inference::check_assertion(const Declaration& declaration) {
-    expect_atom(*declaration.specification, TypeKind::process, "an assertion is about processes");
+    terms_.expect_atom(*declaration.specification, TypeKind::process, "an assertion is about processes");
     const Term* other = declaration.implementation;
     if (other != nullptr && declaration.assertion->kind == AssertionKind::has_trace) {
         if (other->syntax->kind == ExprKind::sequence) {
             for (const Term* each : other->args)
-                (void)expect(*each, atom(TypeKind::event), "a trace is made of events");
+                (void)terms_.expect(*each, store_.atom(TypeKind::event), "a trace is made of events");
         } else {
-            (void)expect(*other, store_.sequence_of(atom(TypeKind::event)), "a trace is a sequence of events");
+            (void)terms_.expect(*other, store_.sequence_of(store_.atom(TypeKind::event)),
+                                "a trace is a sequence of events");
         }
     } else if (other != nullptr) {
-        expect_atom(*other, TypeKind::process, "an assertion is about processes");
+        terms_.expect_atom(*other, TypeKind::process, "an assertion is about processes");
     }
     if (declaration.tau_priority != nullptr) {
-        (void)expect(*declaration.tau_priority, store_.set_of(atom(TypeKind::event)), "tau has priority over events");
+        (void)terms_.expect(*declaration.tau_priority, store_.set_of(store_.atom(TypeKind::event)),
+                            "tau has priority over events");
     }
 }
 
 void Inference::check_print(const Declaration& declaration) {
     if (declaration.body == nullptr) return;
     try {
-        (void)infer(*declaration.body);
+        (void)terms_.infer(*declaration.body);
     } catch (const TypeFault& fault) {
         diagnostics::Diagnostic finding;
         finding.rule = fault.rule;

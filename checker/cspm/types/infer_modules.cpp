@@ -10,19 +10,19 @@ namespace robochart::cspm::types {
 
 // The module's type is the tuple of its parameters. What inside is left open by the parameters stays open.
 void Inference::check_module(const Declaration& declaration) {
-    bind_locals(declaration.parameters);
+    terms_.bind_locals(declaration.parameters);
     if (declaration.inside != nullptr) check_list(*declaration.inside, ListKind::module);
     std::vector<TypeId> types;
     for (const Symbol* each : declaration.parameters) types.push_back(unifier_.evaluate_dots(each->scheme.type));
     const TypeId type = store_.make(TypeKind::tuple, types);
-    (void)unify(declaration.span, declaration.module->symbol->scheme.type, type);
+    (void)terms_.unify(declaration.span, declaration.module->symbol->scheme.type, type);
 }
 
 void Inference::check_instance(const Declaration& declaration) {
     const Module* original = declaration.module->original;
     if (original == nullptr || original->symbol->failed) {
         for (Symbol* each : declaration.binds) each->failed = true;
-        for (const Term* each : declaration.arguments) (void)infer(*each);
+        for (const Term* each : declaration.arguments) (void)terms_.infer(*each);
         return;
     }
     const Scheme& scheme = original->symbol->scheme;
@@ -41,9 +41,9 @@ void Inference::check_instance(const Declaration& declaration) {
                         declaration.span};
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        (void)expect(*declaration.arguments[i], wanted[i], "the module uses its parameter so");
+        (void)terms_.expect(*declaration.arguments[i], wanted[i], "the module uses its parameter so");
     }
-    (void)unify(declaration.span, declaration.module->symbol->scheme.type, type);
+    (void)terms_.unify(declaration.span, declaration.module->symbol->scheme.type, type);
     copy_types(declaration, parameters);
     find_comparable(declaration);
 }
@@ -69,7 +69,7 @@ void Inference::copy_types(const Declaration& instance, std::vector<std::pair<Ty
             continue;
         }
         const TypeId type = unifier_.copy(each.original->scheme.type, variables, datatypes);
-        (void)unify(instance.span, each.copy->scheme.type, type);
+        (void)terms_.unify(instance.span, each.copy->scheme.type, type);
     }
 }
 

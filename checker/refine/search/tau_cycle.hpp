@@ -1,19 +1,14 @@
 // Cycles in a graph whose edges are made as they are asked for: linear, whatever the graph's shape.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
-#include "checker/lts/state_store.hpp"
+#include "checker/lts/strong_components.hpp"
 
 namespace robochart::refine {
 
-/// Vertices 0 .. size-1; `successors` adds those of a vertex to a list, the same every time.
-struct GraphView {
-    std::size_t size;
-    std::function<void(lts::StateIndex vertex, std::vector<lts::StateIndex>& targets)> successors;
-};
+using lts::GraphView;
 
 /// The vertices to which an edge leads that does not lead forward, from a lower number to a higher: every cycle has
 /// one.

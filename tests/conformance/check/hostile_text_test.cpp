@@ -7,6 +7,7 @@
 
 #include "conformance/check/conform.hpp"
 #include "tests/conformance/bench.hpp"
+#include "tests/conformance/check/expect_conforming.hpp"
 
 namespace robochart::conformance {
 namespace {
@@ -40,10 +41,7 @@ std::string machine(const std::string& text) {
 
 Outcome outcome_of(const test::TemporaryFolder& folder) {
     test::Model model(folder.path());
-    diagnostics::Diagnostics found;
-    const Result result = conform(model.system, model.instantiation, model.machine("S"), {}, model.sources, found);
-    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason.substr(0, 2000);
-    return result.outcome;
+    return test::expect_conforming(model, model.machine("S")).outcome;
 }
 
 /// A let whose value speaks of another variable of the name it binds.

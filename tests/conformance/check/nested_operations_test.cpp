@@ -4,22 +4,16 @@
 
 #include "conformance/check/conform.hpp"
 #include "tests/conformance/bench.hpp"
+#include "tests/conformance/check/expect_conforming.hpp"
 
 namespace robochart::conformance {
 namespace {
 
-Result checked(const std::string& text) {
+void expect_conforming(const std::string& text) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path());
-    EXPECT_FALSE(model.system.controllers.empty());
-    diagnostics::Diagnostics found;
-    return conform(model.system, model.instantiation, model.controller(), {}, model.sources, found);
-}
-
-void expect_conforming(const std::string& text) {
-    const Result result = checked(text);
-    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason.substr(0, 2000);
-    EXPECT_GT(result.code_cycles, 1U);
+    ASSERT_FALSE(model.system.controllers.empty());
+    EXPECT_GT(test::expect_conforming(model, model.controller()).code_cycles, 1U);
 }
 
 const std::string interfaces =

@@ -6,6 +6,7 @@
 
 #include "conformance/check/conform.hpp"
 #include "tests/conformance/bench.hpp"
+#include "tests/conformance/check/expect_conforming.hpp"
 
 namespace robochart::conformance {
 namespace {
@@ -162,9 +163,7 @@ TEST(PreconditionsOfFunctionsAsValues, SayWhichPairsThereAre) {
     const test::TemporaryFolder folder(
         model_of(with("2 transition t1 { from A to B trigger go condition (|x, x|) in some }", "")));
     test::Model model(folder.path());
-    diagnostics::Diagnostics found;
-    const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
-    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    (void)test::expect_conforming(model, model.module());
 }
 
 // The value that a trigger brings is what the guard asks with, and a predicate of an input statement names it.
@@ -206,9 +205,7 @@ TEST(PreconditionsOfFunctions, HoldUpADuringActionUntilItsStateIsLeft) {
         "stm S { requires Acts event go initial i state A { during act(f()) } state B { }\n"
         "transition t0 { from i to A } transition t1 { from A to B trigger go } }\n");
     test::Model model(folder.path());
-    diagnostics::Diagnostics found;
-    const Result result = conform(model.system, model.instantiation, model.machine("S"), {}, model.sources, found);
-    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    const Result result = test::expect_conforming(model, model.machine("S"));
     EXPECT_TRUE(result.deadlines && result.deadlines->holds) << "time passes while the call waits";
 }
 

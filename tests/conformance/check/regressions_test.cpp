@@ -3,6 +3,7 @@
 
 #include "conformance/check/conform.hpp"
 #include "tests/conformance/bench.hpp"
+#include "tests/conformance/check/expect_conforming.hpp"
 
 namespace robochart::conformance {
 namespace {
@@ -12,9 +13,7 @@ void expect_conformance_of(const std::string& text) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path());
     const ir::ComponentRef component = model.system.modules.empty() ? model.machine("S") : model.module();
-    diagnostics::Diagnostics found;
-    const Result result = conform(model.system, model.instantiation, component, {}, model.sources, found);
-    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason.substr(0, 2000);
+    (void)test::expect_conforming(model, component);
 }
 
 std::string machine(const std::string& declarations, const std::string& body) {

@@ -5,6 +5,7 @@
 
 #include "conformance/check/conform.hpp"
 #include "tests/conformance/bench.hpp"
+#include "tests/conformance/check/expect_conforming.hpp"
 
 namespace robochart::conformance {
 namespace {
@@ -79,10 +80,8 @@ using ::testing::Not;
 
 TEST_F(SharedVariables, EachMachineHasItsCopyWhereTheEnvironmentPropagates) {
     test::Model model(folder_.path());
-    diagnostics::Diagnostics found;
     const ir::ComponentRef controller = model.controller();
-    const Result result = conform(model.system, model.instantiation, controller, {}, model.sources, found);
-    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    (void)test::expect_conforming(model, controller);
     test::Bench bench(model, controller);
     const auto object = bench.compiled(cpp_emit::Fault::none, 0);
     ASSERT_TRUE(object);
@@ -97,9 +96,7 @@ TEST_F(SharedVariables, EachMachineHasItsCopyWhereTheEnvironmentPropagates) {
 
 TEST_F(SharedVariables, ThereIsOneWhereTheModuleDoes) {
     test::Model model(folder_.path());
-    diagnostics::Diagnostics found;
-    const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
-    EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    (void)test::expect_conforming(model, model.module());
     test::Bench bench(model, model.module());
     const auto object = bench.compiled(cpp_emit::Fault::none, 0);
     ASSERT_TRUE(object);
@@ -174,7 +171,8 @@ const HeldUp held_up[] = {
     {"an operation that waits with a deadline", R"(opref o = op
         stm A { requires D event e : nat var w : nat requires P initial i
         state S { during op() } transition ti { from i to S } }
-        stm B { requires D initial i state S { } transition ti { from i to S action v = 1; v = 2; wait(1); v = 1; v = 2; wait(1); v = 1 } }
+        stm B { requires D initial i state S { }
+        transition ti { from i to S action v = 1; v = 2; wait(1); v = 1; v = 2; wait(1); v = 1 } }
         connection C on e to A on e)"},
 };
 
@@ -189,10 +187,8 @@ TEST(WritesHeldUp, WritesWaitForThem) {
         const test::TemporaryFolder folder(with_platform(each.controller) + operation);
         test::Model model(folder.path());
         ASSERT_FALSE(model.system.modules.empty()) << each.what;
-        diagnostics::Diagnostics found;
-        const Result result = conform(model.system, model.instantiation, model.module(), {}, model.sources, found);
-        EXPECT_EQ(result.outcome, Outcome::conforms) << each.what << ": " << result.reason;
-        EXPECT_GT(result.code_cycles, 1U) << each.what;
+        SCOPED_TRACE(each.what);
+        EXPECT_GT(test::expect_conforming(model, model.module()).code_cycles, 1U);
     }
 }
 

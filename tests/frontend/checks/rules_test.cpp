@@ -64,7 +64,7 @@ class Fixture : public ::testing::TestWithParam<std::string> {};
 TEST_P(Fixture, IsJudgedAsItSays) {
     const std::string& code = GetParam();
     for (const fs::path& path : files_of(fixtures / code)) {
-        const std::string text = testing::slurp(path);
+        const std::string text = testing::contents(path);
         const auto reading = testing::resolved(text, path.extension() == ".assertions");
         const auto expected = expectations(text);
         EXPECT_EQ(findings(*reading, code.starts_with("RC-W")), expected) << path << "\n" << reading->report();

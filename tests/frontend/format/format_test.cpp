@@ -20,7 +20,7 @@ void expect_format(const std::string& text, const std::string& wanted, bool is_a
 }
 
 TEST(Format, TheExampleOfTheDocumentationIsInTheStyle) {
-    const std::string page = testing::slurp(tests::source_folder() / "docs/format.md");
+    const std::string page = testing::contents(tests::source_folder() / "docs/format.md");
     const std::string fence = "```robochart\n";
     const std::size_t begin = page.find(fence) + fence.size();
     const std::string example = page.substr(begin, page.find("```", begin) - begin);

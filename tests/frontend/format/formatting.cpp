@@ -76,7 +76,7 @@ void add_examples(std::vector<Example>& examples, const fs::path& folder) {
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         const bool is_assertions = entry.path().extension() == ".assertions";
         if (!entry.is_regular_file() || (!is_assertions && entry.path().extension() != ".rct")) continue;
-        const Example example{entry.path().string(), slurp(entry.path()), is_assertions};
+        const Example example{entry.path().string(), contents(entry.path()), is_assertions};
         if (is_correct(example)) examples.push_back(example);
     }
 }
@@ -84,7 +84,7 @@ void add_examples(std::vector<Example>& examples, const fs::path& folder) {
 /// The examples on the pages of the rules: their fenced blocks.
 void add_pages(std::vector<Example>& examples, const fs::path& folder) {
     for (const auto& entry : fs::directory_iterator(folder)) {
-        std::istringstream page(slurp(entry.path()));
+        std::istringstream page(contents(entry.path()));
         std::string language;
         std::string text;
         std::size_t number = 0;

@@ -246,7 +246,7 @@ TEST(GuardLogic, GivesUpInsteadOfRunningForEver) {
 
 TEST(Lints, SayForWhichValuesAJunctionIsStuck) {
     const auto reading =
-        resolved(testing::slurp(tests::source_folder().string() + "/tests/frontend/fixtures/RC-W02/bad.rct"));
+        resolved(testing::contents(tests::source_folder().string() + "/tests/frontend/fixtures/RC-W02/bad.rct"));
     EXPECT_NE(reading->report().find("junction `j` has no enabled transition: when `x` is 3, none of its guards holds"),
               std::string::npos)
         << reading->report();
@@ -267,7 +267,7 @@ TEST(Lints, SayTheDefaultOfWhatIsNotSet) {
 
 TEST(Lints, PointAtTheUseOfALooseEvent) {
     const auto reading =
-        resolved(testing::slurp(tests::source_folder().string() + "/tests/frontend/fixtures/RC-W01/bad.rct"));
+        resolved(testing::contents(tests::source_folder().string() + "/tests/frontend/fixtures/RC-W01/bad.rct"));
     const auto findings = reading->findings.sorted();
     ASSERT_EQ(findings.size(), 1U) << reading->report();
     ASSERT_EQ(findings.front().notes.size(), 1U);

@@ -122,7 +122,7 @@ TEST(Incremental, TheCorpusIsResolvedAsAnew) {
     Project project;
     for (const char* path : {"aggregation/aggregation.assertions", "aggregation/aggregation.rct",
                              "swarm_taxis/swarm_taxis.assertions", "swarm_taxis/swarm_taxis.rct"})
-        project.push_back({path, testing::slurp(corpus / path)});
+        project.push_back({path, testing::contents(corpus / path)});
     Random random(7);
     EXPECT_GT(expect_the_same(project, 60, random), 20U);
 }

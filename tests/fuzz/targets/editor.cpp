@@ -70,21 +70,22 @@ public:
     [[nodiscard]] std::string shown() const {
         std::string all;
         for (const auto& [uri, list] : shown_)
-            if (!list.items().empty()) all += uri + ": " + list.write() + "\n";
+            if (!list.empty()) all += uri + ": " + lsp::json_text(list) + "\n";
         return all;
     }
 
 private:
     void sent(const std::string& text) {
         std::string error;
-        const Json message = lsp::read_json(text, error);
+        const Json json = lsp::read_json(text, error);
+        const lsp::View message = json;
         if (!error.empty()) complain("a message is not JSON: " + error);
-        if (message["method"] == Json("textDocument/publishDiagnostics"))
-            shown_[message["params"]["uri"].text()] = message["params"]["diagnostics"];
-        if (message["method"] == Json("window/logMessage")) complain("the server has a fault: " + text);
-        if (message["error"]["code"] == Json(static_cast<int>(lsp::ErrorCode::internal_error)))
+        if (message["method"].text() == "textDocument/publishDiagnostics")
+            shown_[message["params"]["uri"].text()] = message["params"]["diagnostics"].json();
+        if (message["method"].text() == "window/logMessage") complain("the server has a fault: " + text);
+        if (message["error"]["code"].number() == static_cast<int>(lsp::ErrorCode::internal_error))
             complain("a request ends in a fault: " + text);
-        if (message["id"] == Json(last_id_) && !message.has("method")) ++answers_;
+        if (message["id"].json() == Json(last_id_) && !message.has("method")) ++answers_;
     }
     void complain(std::string what) {
         if (complaint_.empty()) complaint_ = std::move(what);
@@ -100,7 +101,7 @@ private:
         deliver(Json::object({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}));
     }
     void deliver(const Json& message) {
-        server_.receive(message.write());
+        server_.receive(lsp::json_text(message));
         while (server_.has_work()) server_.step();
         server_.idle();
     }
@@ -195,7 +196,7 @@ std::string run_stream(std::string_view bytes) {
     for (const std::string& message : sent) {
         std::string error;
         const Json read = lsp::read_json(message, error);
-        if (!error.empty() || read["jsonrpc"] != Json("2.0")) return "a message is no JSON-RPC: " + message;
+        if (!error.empty() || lsp::View(read)["jsonrpc"].text() != "2.0") return "a message is no JSON-RPC: " + message;
     }
     return {};
 }

@@ -8,6 +8,7 @@
 namespace robochart::lsp {
 namespace {
 
+using testing::Answer;
 using testing::Client;
 
 constexpr const char* library =
@@ -40,7 +41,7 @@ protected:
             Json::object({{"textDocument", Json::object({{"uri", uri}})}, {"position", client.position_of(mark, uri)}});
         items = client.request("textDocument/completion", params)["items"];
         std::set<std::string> result;
-        for (const Json& each : items.items()) result.insert(each["label"].text());
+        for (const Answer& each : items.items()) result.insert(each["label"].text());
         return result;
     }
     /// Text in a machine with variables, events, clocks and operations.
@@ -62,7 +63,7 @@ protected:
     }
 
     Client client;
-    Json items;
+    Answer items;
 };
 
 using Labels = std::set<std::string>;
@@ -203,7 +204,7 @@ TEST_F(Completion, OfAssertions) {
 
 TEST_F(Completion, ReplacesTheLettersAlreadyWritten) {
     in_machine("  transition t { from A to B trigger le$ }");
-    const Json range = items[0]["textEdit"]["range"];
+    const Answer range = items[0]["textEdit"]["range"];
     EXPECT_EQ(range["end"]["character"].number() - range["start"]["character"].number(), 2);
 }
 
@@ -217,12 +218,12 @@ TEST_F(Completion, EscapesNamesThatAreWords) {
 TEST_F(Completion, SnippetsOnlyForEditorsThatKnowThem) {
     Client plain(Json::object({}));
     plain.open("file:///p/a.rct", "");
-    const Json found =
+    const Answer found =
         plain.request("textDocument/completion",
                       Json::object({{"textDocument", Json::object({{"uri", "file:///p/a.rct"}})},
                                     {"position", Json::object({{"line", 0}, {"character", 0}})}}))["items"];
     EXPECT_FALSE(found.items().empty());
-    for (const Json& each : found.items()) EXPECT_FALSE(each.has("insertTextFormat"));
+    for (const Answer& each : found.items()) EXPECT_FALSE(each.has("insertTextFormat"));
 }
 
 /// Wherever the text is cut, completion answers, and what it offers are names and words.
@@ -238,8 +239,8 @@ TEST_F(Completion, AnywhereInAnyPrefix) {
         client.open("file:///p/a.rct", text.substr(0, length));
         const Json params = Json::object({{"textDocument", Json::object({{"uri", "file:///p/a.rct"}})},
                                           {"position", client.position_of(length, "file:///p/a.rct")}});
-        const Json found = client.request("textDocument/completion", params);
-        for (const Json& each : found["items"].items()) EXPECT_NE(each["label"].text(), "");
+        const Answer found = client.request("textDocument/completion", params);
+        for (const Answer& each : found["items"].items()) EXPECT_NE(each["label"].text(), "");
         client.request("textDocument/signatureHelp", params);
         client.request("textDocument/hover", params);
     }

@@ -6,6 +6,7 @@
 namespace robochart::lsp {
 namespace {
 
+using testing::Answer;
 using testing::Client;
 
 constexpr const char* uri = "file:///p/a.rct";
@@ -27,7 +28,7 @@ TEST(Published, WithEverythingThatIsKnown) {
     client.open(uri,
                 "stm S {\n  initial i\n  state A { initial j state B { } transition k { from j to B } }\n"
                 "  transition t { from i to A }\n  transition u { from A to B }\n}\n");
-    const Json found = client.diagnostics();
+    const Answer found = client.diagnostics();
     ASSERT_EQ(client.codes(), "T1@5");
     EXPECT_EQ(found[0]["severity"].number(), 1);
     EXPECT_EQ(found[0]["source"].text(), "robochart");
@@ -43,8 +44,8 @@ TEST(Published, WithATagForWhatCouldBeLeftOut) {
                 "stm S {\n  initial i\n  state A { }\n  state B { }\n  transition t { from i to A }\n"
                 "  transition u { from A to A }\n}\n");
     bool tagged = false;
-    const Json found = client.diagnostics();
-    for (const Json& each : found.items())
+    const Answer found = client.diagnostics();
+    for (const Answer& each : found.items())
         if (each["code"].text() == "RC-W03") tagged = each["tags"] == Json::array({1});
     EXPECT_TRUE(tagged) << found.write();
 }
@@ -97,7 +98,7 @@ TEST(Published, WaitUntilTheEditorIsSilent) {
              {"contentChanges",
               Json::array({Json::object({{"text", "interface I { var x : lost" + std::to_string(i) + " }\n"}})})}});
         client.server().receive(
-            Json::object({{"jsonrpc", "2.0"}, {"method", "textDocument/didChange"}, {"params", params}}).write());
+            json_text(Json::object({{"jsonrpc", "2.0"}, {"method", "textDocument/didChange"}, {"params", params}})));
     }
     client.work();
     EXPECT_EQ(client.messages.size(), before + 1);
@@ -111,9 +112,9 @@ TEST(QuickFixes, CorrectTheText) {
                 "  transition t { from i to A }\n}\n");
     ASSERT_EQ(client.codes(), "RC-N01@4");
     Json params = client.at("slip");
-    params.set("range", Json::object({{"start", params["position"]}, {"end", params["position"]}}));
-    params.set("context", Json::object({{"diagnostics", client.diagnostics()}}));
-    const Json actions = client.request("textDocument/codeAction", params);
+    params["range"] = Json::object({{"start", params["position"]}, {"end", params["position"]}});
+    params["context"] = Json::object({{"diagnostics", client.diagnostics().json()}});
+    const Answer actions = client.request("textDocument/codeAction", params);
     ASSERT_EQ(actions.items().size(), 1U);
     EXPECT_EQ(actions[0]["kind"].text(), "quickfix");
     EXPECT_EQ(actions[0]["title"].text(), "Change `spede` to `speed`");
@@ -131,8 +132,8 @@ TEST(QuickFixes, GuessesAreNotPreferred) {
                 "+ speed2 }\n"
                 "  transition t { from i to A }\n}\n");
     Json params = client.at("slip");
-    params.set("range", Json::object({{"start", params["position"]}, {"end", params["position"]}}));
-    const Json actions = client.request("textDocument/codeAction", params);
+    params["range"] = Json::object({{"start", params["position"]}, {"end", params["position"]}});
+    const Answer actions = client.request("textDocument/codeAction", params);
     ASSERT_EQ(actions.items().size(), 1U);
     EXPECT_FALSE(actions[0]["isPreferred"].truth());
 }
@@ -160,7 +161,7 @@ TEST(Formatting, IsOneEditToTheStandardLayout) {
     client.open(uri, "// ä\ninterface   I {\nvar x:nat }\n");
     const Json params = Json::object({{"textDocument", Json::object({{"uri", uri}})},
                                       {"options", Json::object({{"tabSize", 4}, {"insertSpaces", true}})}});
-    const Json edits = client.request("textDocument/formatting", params);
+    const Answer edits = client.request("textDocument/formatting", params);
     ASSERT_EQ(edits.items().size(), 1U);
     EXPECT_GE(edits[0]["range"]["start"]["line"].number(), 1) << "what is right already stays untouched";
     client.change(uri, "interface   I {\nvar x:nat }\n");

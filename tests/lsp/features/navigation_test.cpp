@@ -9,6 +9,7 @@
 namespace robochart::lsp {
 namespace {
 
+using testing::Answer;
 using testing::Client;
 
 constexpr const char* model = R"(package p
@@ -44,7 +45,7 @@ protected:
     }
     std::string references(const std::string& mark, bool declaration = true) {
         Json params = client.at(mark);
-        params.set("context", Json::object({{"includeDeclaration", declaration}}));
+        params["context"] = Json::object({{"includeDeclaration", declaration}});
         return client.marks(client.request("textDocument/references", params));
     }
 
@@ -94,9 +95,9 @@ TEST_F(Navigation, References) {
 }
 
 TEST_F(Navigation, HighlightsTellReadsFromWrites) {
-    const Json found = client.request("textDocument/documentHighlight", client.at("x"));
+    const Answer found = client.request("textDocument/documentHighlight", client.at("x"));
     std::string kinds;
-    for (const Json& each : found.items()) kinds += std::to_string(each["kind"].number());
+    for (const Answer& each : found.items()) kinds += std::to_string(each["kind"].number());
     EXPECT_EQ(kinds, "1323");
 }
 
@@ -104,7 +105,7 @@ TEST_F(Navigation, AnotherFileOfThePackage) {
     client.open("file:///p/b.rct",
                 "package p\nstm T { requires /*^I2*/I initial i state A { entry /*^x2*/x = 1 } "
                 "transition t { from i to A } }\n");
-    const Json found = client.request("textDocument/definition", client.at("x2", "file:///p/b.rct"));
+    const Answer found = client.request("textDocument/definition", client.at("x2", "file:///p/b.rct"));
     EXPECT_EQ(client.marks(found), "x");
     EXPECT_EQ(found[0]["uri"].text(), "file:///p/a.rct");
     EXPECT_EQ(references("x", false), "x-write x-read ? x2");
@@ -192,13 +193,13 @@ TEST_F(Navigation, DefinitionsOfLibrariesAreInTheirFiles) {
                   "import set_toolkit::*\n"
                   "interface I { const c : boolean = /*^subset*/subset({1}, {2}) const d : /*^nat*/nat = 1 }\n");
     for (const std::string name : {"subset", "nat"}) {
-        const Json found = client.request("textDocument/definition", client.at(name));
+        const Answer found = client.request("textDocument/definition", client.at(name));
         ASSERT_EQ(found.items().size(), 1U) << found.write();
         const std::string path = path_of_uri(found.items()[0]["uri"].text());
         EXPECT_TRUE(path.ends_with(name == "nat" ? "/core.rct" : "/set_toolkit.rct")) << path;
         std::ifstream file(path);
         std::string line;
-        const Json& begin = found.items()[0]["range"]["start"];
+        const Answer& begin = found.items()[0]["range"]["start"];
         for (std::int64_t i = 0; i <= begin["line"].number(); ++i) ASSERT_TRUE(std::getline(file, line)) << path;
         EXPECT_EQ(line.substr(static_cast<std::size_t>(begin["character"].number()), name.size()), name);
     }
@@ -212,7 +213,7 @@ TEST_F(Navigation, SignatureHelpFollowsTheArguments) {
                   "  state A { entry x = max(/*^one*/ 1, /*^two*/ ); turn(/*^three*/ }\n"
                   "  transition t { from i to A } }\n");
     const auto help = [&](const std::string& mark) {
-        const Json found = client.request("textDocument/signatureHelp", client.at(mark));
+        const Answer found = client.request("textDocument/signatureHelp", client.at(mark));
         return found["signatures"][0]["label"].text() + " " + std::to_string(found["activeParameter"].number(-1));
     };
     EXPECT_EQ(help("one"), "function max(a : nat, b : nat) : nat 0");

@@ -6,30 +6,31 @@
 namespace robochart::lsp {
 namespace {
 
+using testing::Answer;
 using testing::Client;
 
 constexpr const char* outlined_uri = "file:///p/a.rct";
 const Json document = Json::object({{"textDocument", Json::object({{"uri", outlined_uri}})}});
 
 /// "name(child child(…))" of symbols.
-std::string shape(const Json& symbols) {
+std::string shape(const Answer& symbols) {
     std::string out;
-    for (const Json& each : symbols.items()) {
+    for (const Answer& each : symbols.items()) {
         const std::string inner = shape(each["children"]);
         out += (out.empty() ? "" : " ") + each["name"].text() + (inner.empty() ? "" : "(" + inner + ")");
     }
     return out;
 }
 
-bool holds(const Json& outer, const Json& inner) {
-    const auto key = [](const Json& place) { return place["line"].number() * 100000 + place["character"].number(); };
+bool holds(const Answer& outer, const Answer& inner) {
+    const auto key = [](const Answer& place) { return place["line"].number() * 100000 + place["character"].number(); };
     return key(outer["start"]) <= key(inner["start"]) && key(inner["end"]) <= key(outer["end"]);
 }
 
-void expect_nested(const Json& symbols) {
-    for (const Json& each : symbols.items()) {
+void expect_nested(const Answer& symbols) {
+    for (const Answer& each : symbols.items()) {
         EXPECT_TRUE(holds(each["range"], each["selectionRange"])) << each["name"].text();
-        for (const Json& child : each["children"].items())
+        for (const Answer& child : each["children"].items())
             EXPECT_TRUE(holds(each["range"], child["range"])) << child["name"].text();
         expect_nested(each["children"]);
     }
@@ -53,7 +54,7 @@ constexpr const char* outlined =
 TEST(Outline, HasEverythingWithAName) {
     Client client;
     client.open(outlined_uri, outlined);
-    const Json symbols = client.request("textDocument/documentSymbol", document);
+    const Answer symbols = client.request("textDocument/documentSymbol", document);
     EXPECT_EQ(shape(symbols), "E(red green) R(hue) I(x op e) C(K S(i A(B inner) t) s)");
     expect_nested(symbols);
     EXPECT_EQ(symbols[2]["children"][0]["detail"].text(), "nat");
@@ -67,7 +68,7 @@ TEST(Outline, OfBrokenTextIsStillThere) {
     text += "stm Last { initial i state Z {\n";
     client.open(outlined_uri, text);
     EXPECT_NE(client.codes(), "");
-    const Json symbols = client.request("textDocument/documentSymbol", document);
+    const Answer symbols = client.request("textDocument/documentSymbol", document);
     EXPECT_EQ(shape(symbols), "E(red green) R(hue) I(x op e) C(K S(i A(B inner) t) s) Last(i Z)");
     expect_nested(symbols);
 }
@@ -78,16 +79,16 @@ TEST(Outline, OfAnyPrefixIsWellNested) {
     client.open(outlined_uri, "");
     for (std::size_t length = 0; length <= text.size(); ++length) {
         client.change(outlined_uri, text.substr(0, length));
-        const Json symbols = client.request("textDocument/documentSymbol", document);
+        const Answer symbols = client.request("textDocument/documentSymbol", document);
         expect_nested(symbols);
-        for (const Json& each : symbols.items()) EXPECT_NE(each["name"].text(), "");
+        for (const Answer& each : symbols.items()) EXPECT_NE(each["name"].text(), "");
     }
 }
 
 TEST(Outline, IsFlatForEditorsThatWantItSo) {
     Client client(Json::object({}));
     client.open(outlined_uri, outlined);
-    const Json symbols = client.request("textDocument/documentSymbol", document);
+    const Answer symbols = client.request("textDocument/documentSymbol", document);
     EXPECT_EQ(symbols.items().size(), 18U);
     EXPECT_EQ(symbols[1]["name"].text(), "red");
     EXPECT_EQ(symbols[1]["containerName"].text(), "E");
@@ -97,7 +98,7 @@ TEST(Outline, OfAssertions) {
     Client client;
     client.open("file:///p/a.assertions",
                 "assertion A1 : p::M is deadlock-free\ncsp Spec csp-begin Spec = STOP csp-end\n");
-    const Json symbols =
+    const Answer symbols =
         client.request("textDocument/documentSymbol",
                        Json::object({{"textDocument", Json::object({{"uri", "file:///p/a.assertions"}})}}));
     EXPECT_EQ(shape(symbols), "A1 Spec");
@@ -130,8 +131,8 @@ TEST(Folds, AreBodiesCommentsAndImports) {
                 "/* three\n */\n"             // 9, 10
                 "interface I {\n");           // 11
     std::string found;
-    const Json folds = client.request("textDocument/foldingRange", document);
-    for (const Json& each : folds.items())
+    const Answer folds = client.request("textDocument/foldingRange", document);
+    for (const Answer& each : folds.items())
         found += std::to_string(each["startLine"].number()) + "-" + std::to_string(each["endLine"].number()) +
                  each["kind"].text() + " ";
     EXPECT_EQ(found, "4-7 2-3comment 9-10comment 0-1imports ");
@@ -140,8 +141,8 @@ TEST(Folds, AreBodiesCommentsAndImports) {
 TEST(Colours, FollowWhatNamesStandFor) {
     Client client;
     client.open(outlined_uri, "interface I {\n  const k : nat = 1\n}\nstm S { requires I }\n");
-    const Json legend = client.initialized()["capabilities"]["semanticTokensProvider"]["legend"];
-    const Json data = client.request("textDocument/semanticTokens/full", document)["data"];
+    const Answer legend = client.initialized()["capabilities"]["semanticTokensProvider"]["legend"];
+    const Answer data = client.request("textDocument/semanticTokens/full", document)["data"];
     std::string found;
     std::int64_t line = 0;
     std::int64_t column = 0;

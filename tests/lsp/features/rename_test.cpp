@@ -6,25 +6,26 @@
 namespace robochart::lsp {
 namespace {
 
+using testing::Answer;
 using testing::Client;
 
 class Rename : public ::testing::Test {
 protected:
     void open(const std::string& text, const std::string& uri = "file:///p/a.rct") { client.open(uri, text); }
-    Json ask(const std::string& mark, const std::string& name, const std::string& uri = "file:///p/a.rct") {
+    Answer ask(const std::string& mark, const std::string& name, const std::string& uri = "file:///p/a.rct") {
         Json params = client.at(mark, uri);
-        params.set("newName", name);
+        params["newName"] = name;
         return client.ask("textDocument/rename", params);
     }
     /// The text of a document after the renaming.
     std::string renamed(const std::string& mark, const std::string& name,
                         const std::string& shown = "file:///p/a.rct") {
-        const Json response = ask(mark, name);
+        const Answer response = ask(mark, name);
         EXPECT_FALSE(response.has("error")) << response.write();
         return client.edited(response["result"], shown);
     }
     std::string refusal(const std::string& mark, const std::string& name) {
-        const Json response = ask(mark, name);
+        const Answer response = ask(mark, name);
         EXPECT_EQ(response["error"]["code"].number(), -32803) << response.write();
         return response["error"]["message"].text();
     }
@@ -57,7 +58,7 @@ TEST_F(Rename, EveryPlace) {
 
 TEST_F(Rename, IsPreparedWithTheName) {
     open(renamed_text);
-    const Json found = client.request("textDocument/prepareRename", client.at("v"));
+    const Answer found = client.request("textDocument/prepareRename", client.at("v"));
     EXPECT_EQ(found["placeholder"].text(), "speed");
     EXPECT_EQ(found["range"]["start"]["character"].number(), 24);
 }
@@ -182,7 +183,7 @@ TEST_F(Rename, SaysWhereCspTextSpeaksOfTheName) {
     open("import p::*\ncsp Spec csp-begin Spec = Moving -> STOP csp-end\n", "file:///p/c.assertions");
     renamed("A", "Going");
     bool reported = false;
-    for (const Json& message : client.messages)
+    for (const Answer& message : client.messages)
         reported = reported || (message["method"].text() == "window/showMessage" &&
                                 message["params"]["message"].text().find("`Moving`") != std::string::npos);
     EXPECT_TRUE(reported);

@@ -10,9 +10,12 @@
 #include <string>
 
 #include "lsp/protocol/json.hpp"
+#include "tests/lsp/answer.hpp"
 
 namespace robochart::lsp {
 namespace {
+
+using testing::Answer;
 
 /// A running `robochart-verify lsp`.
 class Process {
@@ -50,7 +53,7 @@ public:
         }
     }
     /// The next message; null at the end.
-    Json hear() {
+    Answer hear() {
         std::string header;
         while (!header.ends_with("\r\n\r\n")) {
             char c = 0;
@@ -95,7 +98,7 @@ TEST(Program, ServesAnEditorOverPipes) {
     process.say(R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":)"
                 R"({"uri":"file:///nowhere/a.rct","languageId":"robochart","version":1,)"
                 R"("text":"interface I { var x : lost }\n"}}})");
-    const Json published = process.hear();
+    const Answer published = process.hear();
     EXPECT_EQ(published["method"].text(), "textDocument/publishDiagnostics");
     EXPECT_EQ(published["params"]["diagnostics"][0]["code"].text(), "RC-N01");
     process.say(R"({"jsonrpc":"2.0","id":2,"method":"textDocument/hover","params":{"textDocument":)"

@@ -6,21 +6,22 @@
 namespace robochart::lsp {
 namespace {
 
+using testing::Answer;
 using testing::Client;
 
-std::int64_t code_of(const Json& response) {
+std::int64_t code_of(const Answer& response) {
     return response["error"]["code"].number();
 }
 
 /// A server alone, before any message.
 struct Bare {
-    std::vector<Json> messages;
+    std::vector<Answer> messages;
     Server server{[this](const std::string& text) {
         std::string error;
         messages.push_back(read_json(text, error));
     }};
 
-    Json say(const std::string& text) {
+    Answer say(const std::string& text) {
         server.receive(text);
         while (server.has_work()) server.step();
         return messages.empty() ? Json() : messages.back();
@@ -101,7 +102,7 @@ TEST(Messages, ThatAreCancelledInTime) {
     client.server().receive(R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":71}})");
     client.work();
     ASSERT_GE(client.messages.size(), 2U);
-    const Json& cancelled = client.messages[client.messages.size() - 2];
+    const Answer& cancelled = client.messages[client.messages.size() - 2];
     EXPECT_EQ(cancelled["id"].number(), 71);
     EXPECT_EQ(code_of(cancelled), -32800);
     EXPECT_TRUE(client.messages.back()["result"].is_array());
@@ -109,8 +110,8 @@ TEST(Messages, ThatAreCancelledInTime) {
 }
 
 TEST(Positions, EncodingIsNegotiated) {
-    const auto chosen = [](Json::Array offered) {
-        const Json general = Json::object({{"positionEncodings", Json(std::move(offered))}});
+    const auto chosen = [](std::vector<std::string> offered) {
+        const Json general = Json::object({{"positionEncodings", std::move(offered)}});
         Client client(Json::object({{"general", general}}));
         return client.initialized()["capabilities"]["positionEncoding"].text();
     };
@@ -127,7 +128,7 @@ TEST(Positions, AreThoseAgreedUpon) {
             Json::object({{"positionEncodings", Json::array({utf8 ? Json("utf-8") : Json("utf-16")})}});
         Client client(Json::object({{"general", general}}));
         client.open("file:///p/a.rct", "/* \xf0\x9f\x98\x80 */ interface I { var x : lost }\n");
-        const Json found = client.diagnostics();
+        const Answer found = client.diagnostics();
         ASSERT_EQ(found.items().size(), 1U);
         EXPECT_EQ(found[0]["range"]["start"]["character"].number(), utf8 ? 33 : 31);
     }

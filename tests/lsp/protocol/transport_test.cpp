@@ -7,10 +7,13 @@
 #include "lsp/protocol/positions.hpp"
 #include "lsp/protocol/transport.hpp"
 #include "lsp/server.hpp"
+#include "tests/lsp/answer.hpp"
 #include "tests/rounds.hpp"
 
 namespace robochart::lsp {
 namespace {
+
+using testing::Answer;
 
 std::string framed(const std::string& text) {
     return "Content-Length: " + std::to_string(text.size()) + "\r\n\r\n" + text;
@@ -65,12 +68,33 @@ TEST(Frames, WithAnEndlessHeaderLineNeedLittleMemory) {
 TEST(JsonText, IsReadAndWritten) {
     std::string error;
     const std::string text = R"({"a":[1,-2,2.5,true,null],"b":{"c":"\u00e4\n\ud83d\ude00"},"d":[],"e":{}})";
-    const Json value = read_json(text, error);
+    const Answer value = read_json(text, error);
     EXPECT_EQ(error, "");
     EXPECT_EQ(value["b"]["c"].text(), "ä\n😀");
     EXPECT_EQ(value["a"][1].number(), -2);
     EXPECT_TRUE(value["a"][9].is_null());
     EXPECT_EQ(read_json(value.write(), error), value);
+}
+
+/// RFC 8259 leaves both to the reader: numbers that do not fit, and several members with one key.
+TEST(JsonText, OfAnyShapeIsAskedSafely) {
+    std::string error;
+    const Answer value = read_json(R"({"a":18446744073709551615,"b":1.5,"a":2,"n":{"x":"y"}})", error);
+    EXPECT_EQ(error, "");
+    EXPECT_EQ(value["a"].number(-1), -1) << "no integer of 64 bits with sign";
+    EXPECT_EQ(value["b"].number(-1), -1);
+    EXPECT_TRUE(value["a"]["x"][3]["y"].is_null());
+    EXPECT_EQ(value["n"][0].text() + value["n"]["z"].text(), "");
+    EXPECT_TRUE(value["n"].items().empty());
+    EXPECT_FALSE(value["b"].has("x"));
+}
+
+/// A member is not looked for before it is added: that would take minutes here.
+TEST(JsonText, WithManyMembersIsReadInLinearTime) {
+    std::string text = "{";
+    for (int i = 0; i < 300'000; ++i) text += "\"k" + std::to_string(i) + "\":0,";
+    std::string error;
+    EXPECT_EQ(Answer(read_json(text + "\"last\":7}", error))["last"].number(), 7);
 }
 
 TEST(JsonText, ThatIsWrongIsRefused) {
@@ -89,7 +113,7 @@ TEST(Positions, CountCodeUnits) {
     SourceManager sources;
     const SourceId id = sources.add("t", "ab\r\nä😀z\rx\n");
     const auto at = [&](std::uint32_t offset, Encoding encoding) {
-        const Json place = position(sources, id, offset, encoding);
+        const Answer place = position(sources, id, offset, encoding);
         return std::to_string(place["line"].number()) + ":" + std::to_string(place["character"].number());
     };
     EXPECT_EQ(at(1, Encoding::utf16), "0:1");
@@ -112,8 +136,8 @@ TEST(Positions, AndOffsetsAreInverse) {
         const SourceId id = sources.add("t", text);
         for (const Encoding encoding : {Encoding::utf8, Encoding::utf16, Encoding::utf32})
             for (std::uint32_t offset = 0; offset <= text.size(); ++offset) {
-                const Json place = position(sources, id, offset, encoding);
-                const std::uint32_t back = offset_of(sources, id, place, encoding);
+                const Answer place = position(sources, id, offset, encoding);
+                const std::uint32_t back = offset_of(sources, id, place.json(), encoding);
                 EXPECT_LE(back, offset);
                 EXPECT_EQ(position(sources, id, back, encoding), place);
             }

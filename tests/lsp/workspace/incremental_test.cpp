@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <random>
 
 #include "diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
+#include "tests/contents.hpp"
 #include "tests/lsp/client.hpp"
 #include "tests/rounds.hpp"
 #include "tests/source_folder.hpp"
@@ -16,12 +16,10 @@
 namespace robochart::lsp {
 namespace {
 
-using testing::Client;
+using tests::contents;
 
-std::string slurp(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+using testing::Answer;
+using testing::Client;
 
 /// Texts of several files, edited through a server.
 class Editing {
@@ -45,7 +43,7 @@ public:
                 pick(4) == 0 ? std::min<std::size_t>(text.size() - begin, pick(40)) : pick(2) == 0;
             const std::size_t end = std::min(text.size(), begin + length);
             const std::string piece = pieces[pick(pieces.size())];
-            list.push(Json::object({{"range", range_of(text, begin, end)}, {"text", piece}}));
+            list.push_back(Json::object({{"range", range_of(text, begin, end)}, {"text", piece}}));
             text.replace(begin, end - begin, piece);
         }
         client.changes(uri(file), std::move(list));
@@ -55,8 +53,8 @@ public:
         Client fresh;
         for (std::size_t i = 0; i < texts_.size(); ++i) fresh.open(uri(i), texts_[i]);
         for (std::size_t i = 0; i < texts_.size(); ++i) {
-            const Json incremental = client.diagnostics(uri(i));
-            const Json anew = fresh.diagnostics(uri(i));
+            const Answer incremental = client.diagnostics(uri(i));
+            const Answer anew = fresh.diagnostics(uri(i));
             ASSERT_EQ(incremental.items().size(), anew.items().size()) << texts_[i];
             ASSERT_EQ(incremental.items(), anew.items());
             for (const char* method : {"textDocument/documentSymbol", "textDocument/semanticTokens/full"}) {
@@ -79,7 +77,7 @@ public:
                                    "textDocument/completion", "textDocument/documentHighlight",
                                    "textDocument/signatureHelp", "textDocument/codeAction", "textDocument/foldingRange",
                                    "textDocument/prepareRename", "textDocument/rename", "textDocument/formatting"}) {
-            const Json response = client.ask(method, params);
+            const Answer response = client.ask(method, params);
             EXPECT_NE(response["error"]["code"].number(), -32603) << method << response.write();
         }
         client.messages.clear();
@@ -111,8 +109,8 @@ private:
 std::vector<std::string> corpus_texts() {
     const std::filesystem::path corpus = tests::source_folder().string() + "/corpus";
     return {
-        slurp(corpus / "aggregation/aggregation.assertions"), slurp(corpus / "aggregation/aggregation.rct"),
-        slurp(corpus / "swarm_taxis/swarm_taxis.rct"),
+        contents(corpus / "aggregation/aggregation.assertions"), contents(corpus / "aggregation/aggregation.rct"),
+        contents(corpus / "swarm_taxis/swarm_taxis.rct"),
         "import set_toolkit::*\ninterface I { var speed : nat var s : Set(nat) }\n"
         "stm S { requires I initial i state A { entry speed = size(union(s, {1})) } transition t { from i to A } }\n"};
 }
@@ -147,7 +145,7 @@ TEST(Incremental, AgreesWithTheCommandLine) {
         SourceManager sources;
         diagnostics::Diagnostics findings;
         auto model = std::make_unique<frontend::Model>();
-        const std::string text = slurp(entry.path());
+        const std::string text = contents(entry.path());
         model->files.push_back(frontend::parse(sources, sources.add("a.rct", text), false, findings));
         frontend::update_toolkits(sources, *model, findings);
         frontend::resolve(*model, findings);

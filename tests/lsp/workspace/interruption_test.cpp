@@ -10,6 +10,7 @@ namespace robochart::lsp {
 namespace {
 
 using std::chrono::milliseconds;
+using testing::Answer;
 using testing::Client;
 
 /// Takes seconds to look at.
@@ -57,7 +58,7 @@ public:
         const Json at = Json::object({{"line", 0}, {"character", 5}});
         Json request = message("textDocument/hover",
                                Json::object({{"textDocument", Json::object({{"uri", large_uri}})}, {"position", at}}));
-        request.set("id", id);
+        request["id"] = id;
         server().receive(std::move(request), "");
     }
     /// Lets the server work, and tells it of the message meanwhile.
@@ -69,7 +70,7 @@ public:
         working.join();
     }
     [[nodiscard]] std::int64_t code_of(std::int64_t id) const {
-        for (const Json& each : messages)
+        for (const Answer& each : messages)
             if (each["id"] == Json(id)) return each["error"]["code"].number();
         return 0;
     }
@@ -130,7 +131,7 @@ TEST(Interruption, AnEditorThatLeavesIsNotKeptWaiting) {
     busy.hover(506);
     busy.hover(507);
     Json shutdown = message("shutdown", nullptr);
-    shutdown.set("id", 508);
+    shutdown["id"] = 508;
     busy.server().receive(shutdown, "");
     busy.interrupted_by(shutdown, [&] { busy.work(); });
     EXPECT_EQ(busy.code_of(506), -32800);

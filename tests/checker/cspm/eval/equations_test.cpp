@@ -11,14 +11,12 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "tests/checker/cspm/support.hpp"
 #include "tests/checker/lts/bisimilar.hpp"
+#include "tests/contents.hpp"
 
 namespace robochart::cspm::test {
 namespace {
 
-std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+using tests::contents;
 
 struct Equation {
     std::string name;
@@ -131,10 +129,10 @@ bool equal(Session& session, const ExprPtr& a, const ExprPtr& b) {
 /// Why the process is not what the file says; empty if it is.
 std::string difference(const std::filesystem::path& script, const std::string& asked,
                        const std::filesystem::path& expected) {
-    const std::string equations = definitions(equations_in(text_of(expected)), asked);
+    const std::string equations = definitions(equations_in(contents(expected)), asked);
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;
-    const Script read_script = read(sources, sources.add(script.string(), text_of(script) + "\n" + equations), found);
+    const Script read_script = read(sources, sources.add(script.string(), contents(script) + "\n" + equations), found);
     if (!found.ok()) return diagnostics::render_text(sources, found) + equations;
     try {
         Session session(read_script);

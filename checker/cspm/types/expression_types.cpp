@@ -1,7 +1,7 @@
 // Types of expressions and patterns (FDR manual, chapter CSPM: functional syntax, defining processes).
 #include <utility>
 
-#include "checker/cspm/types/infer.hpp"
+#include "checker/cspm/types/expression_types.hpp"
 #include "checker/cspm/types/rules.hpp"
 
 namespace robochart::cspm::types {
@@ -22,7 +22,7 @@ std::string arguments_text(std::size_t count) {
 
 // ---------------------------------------------------------------- expectations
 
-TypeId Inference::unify(diagnostics::Span span, TypeId expected, TypeId actual, std::string_view because) {
+TypeId ExpressionTypes::unify(diagnostics::Span span, TypeId expected, TypeId actual, std::string_view because) {
     const diagnostics::Span before = std::exchange(here_, span);
     try {
         const TypeId result = unifier_.unify(expected, actual);
@@ -35,7 +35,7 @@ TypeId Inference::unify(diagnostics::Span span, TypeId expected, TypeId actual, 
     }
 }
 
-void Inference::constrain(diagnostics::Span span, Constraint constraint, TypeId type, std::string_view because) {
+void ExpressionTypes::constrain(diagnostics::Span span, Constraint constraint, TypeId type, std::string_view because) {
     const diagnostics::Span before = std::exchange(here_, span);
     try {
         unifier_.constrain(constraint, type);
@@ -47,43 +47,43 @@ void Inference::constrain(diagnostics::Span span, Constraint constraint, TypeId 
     }
 }
 
-TypeId Inference::expect(const Term& term, TypeId type, std::string_view because) {
+TypeId ExpressionTypes::expect(const Term& term, TypeId type, std::string_view because) {
     const TypeId actual = infer(term);
     return unify(inner(term).syntax->span, type, actual, because);
 }
 
 // A branch or a let's body is blamed rather than the whole.
-void Inference::expect_atom(const Term& term, TypeKind kind, std::string_view because) {
+void ExpressionTypes::expect_atom(const Term& term, TypeKind kind, std::string_view because) {
     const Term& at = inner(term);
     if (at.syntax->kind == ExprKind::if_then_else) {
         expect_atom(*at.args[0], TypeKind::boolean, "the condition of an `if` is a Bool");
         expect_atom(*at.args[1], kind, because);
         expect_atom(*at.args[2], kind, because);
     } else if (at.syntax->kind == ExprKind::let) {
-        check_list(*at.decls, ListKind::let);
+        check_let_(*at.decls);
         expect_atom(*at.args[0], kind, because);
     } else {
         (void)expect(at, atom(kind), because);
     }
 }
 
-TypeId Inference::expect_extendable(const Term& term, TypeId type, std::string_view because) {
+TypeId ExpressionTypes::expect_extendable(const Term& term, TypeId type, std::string_view because) {
     return expect(term, store_.extendable(type, store_.fresh()), because);
 }
 
-void Inference::expect_processes(const Term& term, std::size_t count) {
+void ExpressionTypes::expect_processes(const Term& term, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         expect_atom(*term.args[i], TypeKind::process, "the operator takes processes");
     }
 }
 
-void Inference::expect_events(const Term& term, std::size_t index) {
+void ExpressionTypes::expect_events(const Term& term, std::size_t index) {
     (void)expect(*term.args[index], store_.set_of(atom(TypeKind::event)), "the operator takes a set of events here");
 }
 
 // ---------------------------------------------------------------- values
 
-TypeId Inference::infer(const Term& term) {
+TypeId ExpressionTypes::infer(const Term& term) {
     diagnostics_.poll();
     switch (term.syntax->kind) {
         case ExprKind::parenthesised:
@@ -107,7 +107,7 @@ TypeId Inference::infer(const Term& term) {
     }
 }
 
-TypeId Inference::infer_value(const Term& term) {
+TypeId ExpressionTypes::infer_value(const Term& term) {
     using enum ExprKind;
     switch (term.syntax->kind) {
         case integer:
@@ -156,18 +156,18 @@ TypeId Inference::infer_value(const Term& term) {
     }
 }
 
-TypeId Inference::name(const Term& term) {
+TypeId ExpressionTypes::name(const Term& term) {
     if (term.symbol == nullptr || term.symbol->failed) return store_.fresh();
     return unifier_.instantiate(term.symbol->scheme);
 }
 
-TypeId Inference::tuple(const Term& term) {
+TypeId ExpressionTypes::tuple(const Term& term) {
     std::vector<TypeId> types;
     for (const Term* each : term.args) types.push_back(infer(*each));
     return store_.make(TypeKind::tuple, types);
 }
 
-TypeId Inference::map(const Term& term) {
+TypeId ExpressionTypes::map(const Term& term) {
     const TypeId key = store_.fresh();
     const TypeId value = store_.fresh();
     for (std::size_t i = 0; i + 1 < term.args.size(); i += 2) {
@@ -177,19 +177,19 @@ TypeId Inference::map(const Term& term) {
     return store_.make(TypeKind::map, {key, value});
 }
 
-TypeId Inference::dotted(const Term& term) {
+TypeId ExpressionTypes::dotted(const Term& term) {
     std::vector<TypeId> types;
     for (const Term* each : term.args) types.push_back(infer(*each));
     return store_.dot(types);
 }
 
-TypeId Inference::conditional(const Term& term) {
+TypeId ExpressionTypes::conditional(const Term& term) {
     expect_atom(*term.args[0], TypeKind::boolean, "the condition of an `if` is a Bool");
     const TypeId type = infer(*term.args[1]);
     return expect(*term.args[2], type, "both branches of an `if` have one type");
 }
 
-TypeId Inference::comparison(const Term& term) {
+TypeId ExpressionTypes::comparison(const Term& term) {
     const TypeId left = infer(*term.args[0]);
     const TypeId type = expect(*term.args[1], left, "both sides of a comparison have one type");
     const bool equality = term.syntax->kind == ExprKind::equal || term.syntax->kind == ExprKind::not_equal;
@@ -198,12 +198,12 @@ TypeId Inference::comparison(const Term& term) {
     return atom(TypeKind::boolean);
 }
 
-TypeId Inference::let(const Term& term) {
-    check_list(*term.decls, ListKind::let);
+TypeId ExpressionTypes::let(const Term& term) {
+    check_let_(*term.decls);
     return infer(*term.args[0]);
 }
 
-TypeId Inference::lambda(const Term& term) {
+TypeId ExpressionTypes::lambda(const Term& term) {
     bind_locals(term.binds);
     const TypeId result = infer(*term.args[0]);
     std::vector<TypeId> types;
@@ -212,7 +212,7 @@ TypeId Inference::lambda(const Term& term) {
     return store_.make(TypeKind::function, types);
 }
 
-TypeId Inference::application(const Term& term) {
+TypeId ExpressionTypes::application(const Term& term) {
     const Term& function = *term.args[0];
     const std::size_t count = term.args.size() - 1;
     const TypeId type = store_.head(infer(function));
@@ -248,19 +248,19 @@ TypeId Inference::application(const Term& term) {
 
 // ---------------------------------------------------------------- sets, sequences
 
-TypeId Inference::elements(const Term& term, Constraints constraints) {
+TypeId ExpressionTypes::elements(const Term& term, Constraints constraints) {
     const TypeId type = store_.fresh(constraints);
     for (const Term* each : term.args) (void)expect(*each, type, "the elements have one type");
     return type;
 }
 
-void Inference::range(const Term& term) {
+void ExpressionTypes::range(const Term& term) {
     for (const Term* each : term.args) {
         if (each != nullptr) expect_atom(*each, TypeKind::integer, "a range runs over integers");
     }
 }
 
-TypeId Inference::infer_collection(const Term& term) {
+TypeId ExpressionTypes::infer_collection(const Term& term) {
     using enum ExprKind;
     const ExprKind kind = term.syntax->kind;
     const bool sequences = kind == sequence || kind == sequence_comprehension || kind == sequence_range ||
@@ -299,7 +299,7 @@ TypeId Inference::infer_collection(const Term& term) {
 
 // ---------------------------------------------------------------- processes
 
-TypeId Inference::prefix(const Term& term) {
+TypeId ExpressionTypes::prefix(const Term& term) {
     const Term& event = *term.args[0];
     const TypeId channel = infer(event);
     bind_locals(term.binds);
@@ -312,7 +312,7 @@ TypeId Inference::prefix(const Term& term) {
     return atom(TypeKind::process);
 }
 
-TypeId Inference::field(const FieldTerm& field) {
+TypeId ExpressionTypes::field(const FieldTerm& field) {
     if (field.pattern.syntax == nullptr) return infer(*field.value);
     const TypeId values = field.value != nullptr ? infer(*field.value) : no_type;
     const TypeId type = pattern(field.pattern);
@@ -323,7 +323,7 @@ TypeId Inference::field(const FieldTerm& field) {
     return type;
 }
 
-TypeId Inference::infer_process(const Term& term) {
+TypeId ExpressionTypes::infer_process(const Term& term) {
     using enum ExprKind;
     switch (term.syntax->kind) {
         case guard:
@@ -368,7 +368,7 @@ TypeId Inference::infer_process(const Term& term) {
     return atom(TypeKind::process);
 }
 
-TypeId Inference::infer_replicated(const Term& term) {
+TypeId ExpressionTypes::infer_replicated(const Term& term) {
     using enum ExprKind;
     const ExprKind kind = term.syntax->kind;
     if (kind == replicated_parallel || kind == replicated_synchronising) expect_events(term, 1);
@@ -383,7 +383,7 @@ TypeId Inference::infer_replicated(const Term& term) {
 }
 
 // Both ends of a link or a renaming need the same further fields to be events.
-void Inference::links(const Term& term) {
+void ExpressionTypes::links(const Term& term) {
     std::vector<TypeId> left;
     for (const LinkTerm& each : term.links) {
         left.push_back(
@@ -394,7 +394,7 @@ void Inference::links(const Term& term) {
     }
 }
 
-void Inference::clauses(const std::vector<ClauseTerm>& clauses, TypeKind collection) {
+void ExpressionTypes::clauses(const std::vector<ClauseTerm>& clauses, TypeKind collection) {
     for (const ClauseTerm& each : clauses) {
         if (!each.generator) {
             expect_atom(*each.value, TypeKind::boolean, "a condition is a Bool");
@@ -417,18 +417,18 @@ void Inference::clauses(const std::vector<ClauseTerm>& clauses, TypeKind collect
 
 // ---------------------------------------------------------------- patterns
 
-void Inference::bind_locals(const std::vector<Symbol*>& symbols) {
+void ExpressionTypes::bind_locals(const std::vector<Symbol*>& symbols) {
     for (Symbol* each : symbols) {
         each->scheme = {{}, store_.fresh()};
         each->failed = false;
     }
 }
 
-void Inference::expect_pattern(const PatternTerm& term, TypeId type) {
+void ExpressionTypes::expect_pattern(const PatternTerm& term, TypeId type) {
     (void)unify(term.syntax->span, type, pattern(term));
 }
 
-TypeId Inference::pattern(const PatternTerm& term) {
+TypeId ExpressionTypes::pattern(const PatternTerm& term) {
     switch (term.syntax->kind) {
         case PatternKind::wildcard:
             return store_.fresh();

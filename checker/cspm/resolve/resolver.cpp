@@ -1,4 +1,4 @@
-#include "checker/cspm/eval/resolver.hpp"
+#include "checker/cspm/resolve/resolver.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,17 +1,14 @@
-// The text between two words: a gap, and the comments in it at the places where people put them. A comment behind a
-// word stays on its line; one that begins a line begins a line again, indented as the word that follows.
+// See format_gaps.hpp. The text between two words: a gap, and the comments in it at the places where people put them. A
+// comment behind a word stays on its line; one that begins a line begins a line again, indented as the word that
+// follows.
 #include <algorithm>
 #include <array>
 
-#include "frontend/format/format_layout.hpp"
+#include "frontend/format/format_gaps.hpp"
 
 namespace robochart::frontend {
 
 namespace {
-
-bool is_line_break(char c) {
-    return c == '\n' || c == '\r';
-}
 
 bool keeps_empty_lines(Gap gap) {
     return gap == Gap::open || gap == Gap::first || gap == Gap::member || gap == Gap::block || gap == Gap::start;
@@ -40,56 +37,9 @@ std::string_view take_line(std::string_view& text) {
     return without_trailing_blanks(line);
 }
 
-bool is_word_character(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 }  // namespace
 
-/// Line ends between two offsets, at most 2.
-std::size_t Layout::line_ends(std::size_t begin, std::size_t end) const {
-    std::size_t count = 0;
-    for (std::size_t at = begin; at < end && count < 2; ++at) {
-        if (!is_line_break(text_[at])) continue;
-        if (text_.substr(at, 2) == "\r\n") ++at;
-        ++count;
-    }
-    return count;
-}
-
-/// Would the last word and the next be read the same without a blank between them?
-bool Layout::may_touch() const {
-    constexpr std::array<std::string_view, 17> joined = {
-        "<->", "::", "->", "<{", "=>", "==", "!=", ">=", "<=", "\\/", "/\\", "(|", "|)", "[|", "|]", "//", "/*"};
-    if (at_ == 0 || at_end()) return true;
-    const Token& before = stream_.tokens[at_ - 1];
-    const std::string_view left = source(before.span);
-    const std::string_view right = source(peek().span);
-    if (is_word_character(right.front()) && (is_word_character(left.back()) || left == "^")) return false;
-    if ((left == "Set" || left == "Seq") && right.front() == '(') return false;
-    if (before.kind != TokenKind::symbol || peek().kind != TokenKind::symbol) return true;
-    const std::string both = std::string(left) + std::string(right);
-    return std::none_of(joined.begin(), joined.end(),
-                        [&](std::string_view word) { return word.size() > left.size() && both.starts_with(word); });
-}
-
-/// The comments before the next word, and the word.
-std::vector<Layout::Piece> Layout::pieces() {
-    std::vector<Piece> result;
-    std::size_t end = previous_end_;
-    const auto add = [&](diagnostics::Span span, bool is_token) {
-        const bool to_line_end = !is_token && text_[span.begin + 1] == '/';
-        result.push_back({span, line_ends(end, span.begin), to_line_end, is_token});
-        end = span.end;
-    };
-    const auto& comments = stream_.comments;
-    for (; comment_ < comments.size() && comments[comment_].begin < peek().span.begin; ++comment_)
-        add(comments[comment_], false);
-    add(peek().span, true);
-    return result;
-}
-
-Doc Layout::separator(Gap gap, std::size_t lines) {
+Doc WordLayout::separator(Gap gap, std::size_t lines) {
     switch (gap) {
         case Gap::blank:
             return doc_.blank();
@@ -111,11 +61,10 @@ Doc Layout::separator(Gap gap, std::size_t lines) {
     }
 }
 
-Doc Layout::gap(Gap gap) {
+Doc WordLayout::gap(Gap gap) {
     if (gap == Gap::done) return 0;
-    const bool commented = comment_ < stream_.comments.size() && stream_.comments[comment_].begin < peek().span.begin;
-    if (!commented) return separator(gap, line_ends(previous_end_, peek().span.begin));
-    const std::vector<Piece> found = pieces();
+    if (!commented()) return separator(gap, lines_before());
+    const std::vector<Piece> found = take_comments();
     const bool joins = gap == Gap::none || gap == Gap::soft || gap == Gap::blank;
     const auto on_line = [&](const Piece& p) { return !p.to_line_end && (p.lines == 0 || (p.is_token && joins)); };
     const bool one_line = gap != Gap::start && std::all_of(found.begin(), found.end(), on_line);
@@ -127,10 +76,10 @@ Doc Layout::gap(Gap gap) {
 }
 
 /// `a /* c */ b`: comments go with the word they precede.
-Doc Layout::inline_comments(Gap gap, const std::vector<Piece>& pieces) {
+Doc WordLayout::inline_comments(Gap gap, const std::vector<Piece>& pieces) {
     constexpr std::array<std::string_view, 7> openers = {"(", "[", "{", "(|", "[|", "Set(", "Seq("};
     constexpr std::array<std::string_view, 9> closers = {")", "]", "}", "|)", "|]", ",", ";", ".", "::"};
-    const bool opened = at_ > 0 && among(stream_.tokens[at_ - 1].text, openers);
+    const bool opened = last() && among(last()->text, openers);
     Doc result = gap == Gap::soft && opened ? doc_.soft() : separator(gap, 0);
     if (gap == Gap::none && !opened) result = doc_.blank();
     if (gap == Gap::none && opened) result = 0;
@@ -140,14 +89,14 @@ Doc Layout::inline_comments(Gap gap, const std::vector<Piece>& pieces) {
 }
 
 /// The comments that stay behind the last word.
-Doc Layout::trailing(const std::vector<Piece>& pieces, std::size_t count) {
+Doc WordLayout::trailing(const std::vector<Piece>& pieces, std::size_t count) {
     Doc result = 0;
     for (std::size_t i = 0; i < count; ++i) result = cat({result, doc_.blank(), comment(pieces[i])});
     return result;
 }
 
 /// From the first piece on a new line to the word.
-Doc Layout::own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t trailing) {
+Doc WordLayout::own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t trailing) {
     const Piece& head = pieces[trailing];
     const bool forced = !head.is_token || (trailing > 0 && pieces[trailing - 1].to_line_end);
     const bool any_empty_line = std::any_of(pieces.begin() + static_cast<std::ptrdiff_t>(trailing), pieces.end(),
@@ -163,46 +112,37 @@ Doc Layout::own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t tra
 }
 
 /// Between a comment on a line of its own and the next piece.
-Doc Layout::following(Gap gap, const Piece& before, const Piece& piece) {
+Doc WordLayout::following(Gap gap, const Piece& before, const Piece& piece) {
     if (!before.to_line_end && piece.lines == 0) return doc_.blank();
     return keeps_empty_lines(gap) && piece.lines > 1 ? doc_.empty_line() : doc_.hard();
 }
 
-/// The comments before a closing brace or the end, inside what is closed.
-Doc Layout::closing_comments() {
-    std::vector<Piece> found = pieces();
+Doc WordLayout::closing_comments() {
+    std::vector<Piece> found = take_comments();
     found.pop_back();
     Doc result = 0;
-    const bool opened = at_ == 0 || stream_.tokens[at_ - 1].is("{");
+    const bool opened = !last() || last()->is("{");
     for (std::size_t i = 0; i < found.size(); ++i) {
         const bool behind = found[i].lines == 0 && (i == 0 || !found[i - 1].to_line_end);
         const bool empty_line = found[i].lines > 1 && !(i == 0 && opened);
         const Doc before = behind ? doc_.blank() : empty_line ? doc_.empty_line() : doc_.hard();
-        result = cat({result, i == 0 && at_ == 0 ? 0 : before, comment(found[i])});
-        previous_end_ = found[i].span.end;
+        result = cat({result, i == 0 && !last() ? 0 : before, comment(found[i])});
+        read_to(found[i].span.end);
     }
     return result;
 }
 
 // ---------------------------------------------------------------- the text of a comment
 
-/// The blanks that precede a place on its line; nothing if something else does.
-std::optional<std::string_view> Layout::margin(std::size_t offset) const {
-    std::size_t begin = offset;
-    while (begin > 0 && (text_[begin - 1] == ' ' || text_[begin - 1] == '\t')) --begin;
-    if (begin > 0 && !is_line_break(text_[begin - 1])) return std::nullopt;
-    return text_.substr(begin, offset - begin);
-}
-
 /// A further line of a comment: moved with its first line, or where it is.
-Doc Layout::comment_line(std::string_view line, std::size_t margin, bool moved) {
+Doc WordLayout::comment_line(std::string_view line, std::size_t margin, bool moved) {
     if (!moved) return doc_.cat(doc_.raw(), doc_.comment(line));
     line.remove_prefix(std::min(line.size(), margin));
     return doc_.cat(doc_.hard(), doc_.comment(line));
 }
 
 /// The lines of a block comment move with its first line where they are indented at least as far.
-Doc Layout::comment(const Piece& piece) {
+Doc WordLayout::comment(const Piece& piece) {
     std::string_view rest = source(piece.span);
     const std::string_view first = take_line(rest);
     if (piece.to_line_end) return doc_.line_comment(first);
@@ -218,6 +158,47 @@ Doc Layout::comment(const Piece& piece) {
         result = doc_.cat(result, comment_line(line, indentation ? indentation->size() : 0, moved));
     }
     return result;
+}
+
+// ---------------------------------------------------------------- words
+
+Doc WordLayout::token(Gap gap) {
+    const Doc before = this->gap(gap);
+    return doc_.cat(before, advance());
+}
+
+Doc WordLayout::words(Gap gap, std::size_t count) {
+    Doc result = token(gap);
+    while (--count > 0) result = doc_.cat(result, token(Gap::blank));
+    return result;
+}
+
+Doc WordLayout::names(Gap gap) {
+    Doc result = token(gap);
+    while (at("::") && !peek(1).is("*")) result = cat({result, token(Gap::none), token(Gap::none)});
+    return result;
+}
+
+Doc WordLayout::phrase(Gap gap) {
+    const Doc word = token(gap);
+    return doc_.cat(word, names(Gap::blank));
+}
+
+Doc WordLayout::import(Gap gap) {
+    const Doc result = phrase(gap);
+    return at("::") ? cat({result, token(Gap::none), token(Gap::none)}) : result;
+}
+
+std::string WordLayout::run(std::string_view line_end) {
+    Printer printer(doc_, line_end);
+    Gap gap = Gap::start;
+    while (!at_end()) {
+        printer.print(member(gap));
+        doc_.clear();
+        gap = Gap::member;
+    }
+    printer.print(cat({closing_comments(), untouched() ? 0 : doc_.hard()}));
+    return printer.take();
 }
 
 }  // namespace robochart::frontend

@@ -1,6 +1,6 @@
 // A variable is read where its name stands, unless it stands there as a whole argument of a definition whose parameter
 // is not read. What is left after following these links backwards from the variables that are read is unread.
-#include "checker/cspm/eval/unread_parameters.hpp"
+#include "checker/cspm/resolve/unread_parameters.hpp"
 
 #include <set>
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "checker/cspm/eval/resolver.hpp"
+#include "checker/cspm/resolve/resolver.hpp"
 
 namespace robochart::cspm {
 

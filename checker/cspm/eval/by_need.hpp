@@ -1,0 +1,89 @@
+// Sequences and maps that are evaluated as far as they are asked for: streams, the order and equality of values, and
+// the built-ins that take their arguments by need.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "checker/cspm/eval/builtin_functions.hpp"
+#include "checker/cspm/eval/domains.hpp"
+#include "checker/cspm/eval/value_text.hpp"
+#include "checker/cspm/eval/work.hpp"
+#include "checker/cspm/types/builtins.hpp"
+
+namespace robochart::cspm {
+
+class Evaluator;
+
+/// Owns the list of comprehensions that streams go on with. What is computed fails by `Work::fail` with the place
+/// given.
+class ByNeed {
+public:
+    /// The first element of a sequence and the sequence of the others.
+    struct Cut {
+        Value head;
+        Value tail;
+    };
+    /// Generators of a comprehension from one on.
+    struct Comprehension {
+        const Code* code;
+        std::size_t clause;
+    };
+
+    /// What it shares with the evaluator of values.
+    struct Tables {
+        const Program& program;
+        ValueStore& store;
+        Work& work;
+        Domains& domains;
+        BuiltinFunctions& builtins;
+    };
+    ByNeed(Evaluator& values, const Tables& tables)
+        : values_(values),
+          store_(tables.store),
+          work_(tables.work),
+          domains_(tables.domains),
+          builtins_(tables.builtins),
+          text_(tables.program) {}
+
+    // streams.cpp
+    /// `first ^ rest`, where the rest may wait.
+    Value append(Value first, Value rest);
+    /// `first`, then what the comprehension makes of the elements of `source`; `frame`: the variables around.
+    Value stream(Value first, Value source, Comprehension of, const Values& frame);
+    /// None if the sequence has no element.
+    std::optional<Cut> next(Value sequence, Span span);
+    /// The sequence with all its elements in `items`.
+    Value written_out(Value sequence, Span span);
+    /// The sequence it is, if it has an end; else the stream with nothing that waits but its elements.
+    Value share_stream(Value value);
+    /// Equality of tuples and sequences part by part, up to the first difference.
+    bool equal(Value a, Value b, Span span);
+    /// The orders of FDR: numbers and characters; prefix of sequences; subset; maps and tuples by parts.
+    bool less_equal(Value a, Value b, Span span);
+
+    // builtins_by_need.cpp
+    /// Any built-in; its arguments are evaluated as far as it needs them.
+    Value call(Value builtin, Values arguments, Span span);
+    /// A built-in of maps; keys have values, what they stand for may wait.
+    Value map_builtin(Builtin which, const Values& arguments, Span span);
+    /// All elements of a sequence, evaluated.
+    Values sequence(Value value, Span span);
+    /// k1, v1, k2, v2... of a map.
+    const Values& map_items(Value value, Span span);
+
+private:
+    bool contains(Value element, Value sequence, Span span);
+    Value sequence_builtin(Builtin which, const Values& arguments, Span span);
+    Value part_before(Value part, Value rest);
+
+    Evaluator& values_;
+    ValueStore& store_;
+    Work& work_;
+    Domains& domains_;
+    BuiltinFunctions& builtins_;
+    ValueText text_;
+    std::vector<Comprehension> streams_;  // those that sequences come from which are not written out
+};
+
+}  // namespace robochart::cspm

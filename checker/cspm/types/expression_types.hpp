@@ -1,0 +1,78 @@
+// Types of expressions and patterns, and the places that findings about them are reported at.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "checker/cspm/types/terms.hpp"
+#include "checker/cspm/types/unify.hpp"
+#include "diagnostics/diagnostic.hpp"
+
+namespace robochart::cspm::types {
+
+/// Owns the unifier and its place. What has no type ends in a TypeFault, what has too large a one in a TypeOverflow.
+class ExpressionTypes {
+public:
+    /// Checks the declarations of a let before its body.
+    using CheckLet = std::function<void(DeclarationList&)>;
+
+    /// Store and diagnostics outlive it; the diagnostics are only polled for the end of the run's budget.
+    ExpressionTypes(TypeStore& store, diagnostics::Diagnostics& diagnostics, CheckLet check_let)
+        : store_(store), unifier_(store, here_), diagnostics_(diagnostics), check_let_(std::move(check_let)) {}
+    ExpressionTypes(const ExpressionTypes&) = delete;
+    ExpressionTypes& operator=(const ExpressionTypes&) = delete;
+
+    [[nodiscard]] Unifier& unifier() { return unifier_; }
+    /// The place that findings of the unifier are about.
+    [[nodiscard]] diagnostics::Span here() const { return here_; }
+    void at(diagnostics::Span span) { here_ = span; }
+
+    TypeId infer(const Term& term);
+    /// The type of what the pattern matches; its variables are bound before.
+    TypeId pattern(const PatternTerm& pattern);
+    /// A new type for each variable.
+    void bind_locals(const std::vector<Symbol*>& symbols);
+
+    // What a type has to be; a finding is about the term or span given, with the reason `because` as its note.
+    TypeId expect(const Term& term, TypeId type, std::string_view because = {});
+    /// A branch or a let's body is blamed rather than the whole.
+    void expect_atom(const Term& term, TypeKind kind, std::string_view because);
+    TypeId unify(diagnostics::Span span, TypeId expected, TypeId actual, std::string_view because = {});
+    void constrain(diagnostics::Span span, Constraint constraint, TypeId type, std::string_view because);
+
+private:
+    TypeId infer_value(const Term& term);
+    TypeId infer_collection(const Term& term);
+    TypeId infer_process(const Term& term);
+    TypeId infer_replicated(const Term& term);
+    TypeId name(const Term& term);
+    TypeId tuple(const Term& term);
+    TypeId map(const Term& term);
+    TypeId application(const Term& term);
+    TypeId lambda(const Term& term);
+    TypeId let(const Term& term);
+    TypeId conditional(const Term& term);
+    TypeId comparison(const Term& term);
+    TypeId dotted(const Term& term);
+    TypeId prefix(const Term& term);
+    TypeId field(const FieldTerm& field);
+    TypeId elements(const Term& term, Constraints constraints);
+    void range(const Term& term);
+    void links(const Term& term);
+    void clauses(const std::vector<ClauseTerm>& clauses, TypeKind collection);
+    void expect_pattern(const PatternTerm& term, TypeId type);
+    void expect_processes(const Term& term, std::size_t count);
+    void expect_events(const Term& term, std::size_t index);
+    TypeId expect_extendable(const Term& term, TypeId type, std::string_view because);
+    [[nodiscard]] TypeId atom(TypeKind kind) const { return store_.atom(kind); }
+
+    TypeStore& store_;
+    diagnostics::Span here_;
+    Unifier unifier_;
+    diagnostics::Diagnostics& diagnostics_;
+    CheckLet check_let_;
+};
+
+}  // namespace robochart::cspm::types

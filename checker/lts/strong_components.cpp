@@ -1,0 +1,91 @@
+#include "checker/lts/strong_components.hpp"
+
+#include <algorithm>
+
+namespace robochart::lts {
+namespace {
+
+/// Only edges to vertices not yet entered are kept, and only while their source is on the path.
+class Tarjan {
+public:
+    Tarjan(const GraphView& graph, const OnComponent& report)
+        : graph_(graph), report_(report), number_(graph.size, 0), low_(graph.size, 0) {}
+
+    void explore(StateIndex root) {
+        if (number_[root] != 0) return;
+        enter(root);
+        while (!path_.empty()) {
+            if (ahead_.size() == path_.back().first) {
+                leave();
+                continue;
+            }
+            const StateIndex target = ahead_.back();
+            ahead_.pop_back();
+            if (!known(target)) enter(target);
+        }
+    }
+
+private:
+    struct Frame {
+        StateIndex vertex;
+        bool loops;         // has an edge to itself
+        std::size_t first;  // of its targets in ahead_
+    };
+
+    void enter(StateIndex vertex) {
+        number_[vertex] = low_[vertex] = ++count_;
+        path_.push_back({vertex, false, ahead_.size()});
+        open_.push_back(vertex);
+        targets_.clear();
+        graph_.successors(vertex, targets_);
+        // The last is taken first.
+        for (auto target = targets_.rbegin(); target != targets_.rend(); ++target)
+            if (!known(*target)) ahead_.push_back(*target);
+    }
+
+    /// Whether the target of an edge of the path's last vertex was entered before; then that is all there is to it.
+    bool known(StateIndex to) {
+        if (number_[to] == 0) return false;
+        Frame& from = path_.back();
+        if (low_[to] != closed) low_[from.vertex] = std::min(low_[from.vertex], number_[to]);
+        from.loops |= from.vertex == to;
+        return true;
+    }
+
+    void leave() {
+        const Frame left = path_.back();
+        path_.pop_back();
+        const std::uint32_t low = low_[left.vertex];
+        if (!path_.empty()) low_[path_.back().vertex] = std::min(low_[path_.back().vertex], low);
+        if (low == number_[left.vertex]) close_component(left);
+    }
+
+    void close_component(const Frame& root) {
+        std::size_t begin = open_.size();
+        do low_[open_[--begin]] = closed;
+        while (open_[begin] != root.vertex);
+        const std::span<const StateIndex> members = std::span(open_).subspan(begin);
+        report_(members, members.size() > 1 || root.loops);
+        open_.resize(begin);
+    }
+
+    static constexpr std::uint32_t closed = no_state;
+    const GraphView& graph_;
+    const OnComponent& report_;
+    std::vector<std::uint32_t> number_;  // order of entering, from 1
+    std::vector<std::uint32_t> low_;
+    std::vector<Frame> path_;
+    std::vector<StateIndex> ahead_;  // targets of the path's vertices
+    std::vector<StateIndex> targets_;
+    std::vector<StateIndex> open_;  // vertices whose component is not complete
+    std::uint32_t count_ = 0;
+};
+
+}  // namespace
+
+void strong_components(const GraphView& graph, std::span<const StateIndex> roots, const OnComponent& report) {
+    Tarjan tarjan(graph, report);
+    for (const StateIndex root : roots) tarjan.explore(root);
+}
+
+}  // namespace robochart::lts

@@ -1,0 +1,24 @@
+// SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014): the same numbers on
+// every platform.
+#pragma once
+
+#include <cstdint>
+
+namespace robochart::diagnostics {
+
+/// What the generator adds to its state for each number: 2^64 divided by the golden ratio, made odd.
+inline constexpr std::uint64_t splitmix64_step = 0x9e3779b97f4a7c15U;
+
+/// The number that the generator gives for a state: a bijection of 64 bits in which each bit depends on all others.
+[[nodiscard]] constexpr std::uint64_t splitmix64_mixed(std::uint64_t z) {
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+}
+
+/// The next number; the state goes on.
+constexpr std::uint64_t splitmix64(std::uint64_t& state) {
+    return splitmix64_mixed(state += splitmix64_step);
+}
+
+}  // namespace robochart::diagnostics

@@ -1,0 +1,58 @@
+// The layout of expressions, types and lists: what models and assertion files have in common (private to the
+// formatter).
+#pragma once
+
+#include <string_view>
+
+#include "frontend/format/format_gaps.hpp"
+#include "frontend/syntax/operators.hpp"
+
+namespace robochart::frontend {
+
+/// Knows in which kind of file the expressions are.
+class ExpressionLayout : public WordLayout {
+protected:
+    using Part = Doc (ExpressionLayout::*)(Gap);
+
+    ExpressionLayout(std::string_view text, const TokenStream& stream, bool is_assertions)
+        : WordLayout(text, stream), is_assertions_(is_assertions) {}
+    ~ExpressionLayout() = default;
+
+    static constexpr int value_level = concat_level + 2;  ///< after `!` and `.`: no operators; above operands of any
+    Doc expression(Gap gap);
+    /// Operators that bind at least as tightly as `level`, with their operands.
+    Doc operand(Gap gap, int level);
+    /// `if c then a else b end`, of statements and of expressions.
+    Doc conditional(Gap gap, Part branch);
+
+    /// A bracketed list with `,` or `;`: on one line, or one element a line.
+    Doc list(Gap gap, Part element);
+    /// `a : T`
+    Doc typed(Gap gap);
+    Doc type(Gap gap);
+
+private:
+    Doc prefix(int level);
+    Doc chain(Doc left, int level);
+    Doc infix(int level);
+    Doc binder(int level);
+    Doc bindings(Gap gap);
+    Doc binding(Gap gap);
+    Doc negation();
+    Doc postfix();
+    Doc atom();
+    Doc sequence_element(Gap gap);
+    Doc sequence_with_set();
+    Doc set_element(Gap gap);
+    Doc field(Gap gap);
+    [[nodiscard]] int operator_level() const;
+    [[nodiscard]] bool at_step() const;
+
+    Doc elements(Gap first, Part element);
+    Doc atomic_type(Gap gap);
+    Doc type_or_size(Gap gap);
+
+    bool is_assertions_;
+};
+
+}  // namespace robochart::frontend

@@ -1,0 +1,24 @@
+// What most tests of `conform` expect of a model.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "conformance/check/conform.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance::test {
+
+/// The result for a component, whose code must conform; a failure shows the beginning of the reason, and all findings.
+inline Result expect_conforming(Model& model, const ir::ComponentRef& component, const Options& options = {}) {
+    diagnostics::Diagnostics found;
+    Result result = conform(model.system, model.instantiation, component, options, model.sources, found);
+    std::string said = result.reason.substr(0, 2000);
+    for (const auto& each : found.sorted()) said += fmt::format("\n{} {}", each.rule->code, each.message());
+    EXPECT_EQ(result.outcome, Outcome::conforms) << said;
+    return result;
+}
+
+}  // namespace robochart::conformance::test

@@ -1,0 +1,13 @@
+#include "tests/contents.hpp"
+
+#include <fstream>
+#include <iterator>
+
+namespace robochart::tests {
+
+std::string contents(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace robochart::tests

@@ -1,0 +1,12 @@
+// Files that tests read whole.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace robochart::tests {
+
+/// The bytes of a file; "" if it cannot be read.
+[[nodiscard]] std::string contents(const std::filesystem::path& path);
+
+}  // namespace robochart::tests

@@ -1,0 +1,41 @@
+// What a server sent, to be asked as the server asks what it receives (lsp/protocol/json.hpp).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lsp/protocol/json.hpp"
+
+namespace robochart::lsp::testing {
+
+/// A value of its own: tests take answers apart in one expression.
+class Answer {
+public:
+    Answer(Json json = nullptr) : json_(std::move(json)) {}
+
+    Answer operator[](std::string_view key) const { return View(json_)[key].json(); }
+    Answer operator[](std::size_t index) const { return View(json_)[index].json(); }
+    [[nodiscard]] std::string text() const { return View(json_).text(); }
+    [[nodiscard]] std::int64_t number(std::int64_t otherwise = 0) const { return View(json_).number(otherwise); }
+    [[nodiscard]] bool truth(bool otherwise = false) const { return View(json_).truth(otherwise); }
+    [[nodiscard]] std::vector<Answer> items() const {
+        std::vector<Answer> result;
+        for (const View each : View(json_).items()) result.emplace_back(each.json());
+        return result;
+    }
+    [[nodiscard]] bool has(std::string_view key) const { return View(json_).has(key); }
+    [[nodiscard]] bool is_null() const { return json_.is_null(); }
+    [[nodiscard]] bool is_array() const { return json_.is_array(); }
+    [[nodiscard]] bool is_object() const { return json_.is_object(); }
+    [[nodiscard]] const Json& json() const { return json_; }
+    [[nodiscard]] std::string write() const { return json_text(json_); }
+
+    friend bool operator==(const Answer& a, const Answer& b) { return a.json_ == b.json_; }
+
+private:
+    Json json_;
+};
+
+}  // namespace robochart::lsp::testing
