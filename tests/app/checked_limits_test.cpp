@@ -220,7 +220,8 @@ TEST(CheckedLimits, NeverTurnAVerdictIntoAnother) {
         Model model(inputs);
         for (const Part& part : model.parts())
             for (const csp_emit::Time time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
-                const csp_emit::Emission emission = emit_csp(*part.project, model.options(), time);
+                const csp_emit::Emission& emission = emit_csp(*part.project, model.options(), time);
+                EXPECT_EQ(&emit_csp(*part.project, model.options(), time), &emission) << "made once";
                 const std::vector<std::string> whole = Verdicts(emission).decided({});
                 for (const auto& [name, limits] : all_limits()) {
                     Verdicts verdicts(emission);
