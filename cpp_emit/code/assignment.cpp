@@ -9,13 +9,13 @@ namespace robochart::cpp_emit {
 
 std::string store(const Generation& generation, const Unit& unit, ir::VariableId id, const std::string& value) {
     const StoredVariable* stored = generation.component.stored(unit, id);
-    const std::string relay =
-        stored != nullptr && !stored->holders.empty() ? fmt::format(" {}();", stored->relay) : std::string();
-    if (stored != nullptr && stored->visible) return fmt::format("{}({});{}", stored->writer, value, relay);
+    const std::string propagate =
+        stored != nullptr && !stored->holders.empty() ? fmt::format(" {}();", stored->propagate) : std::string();
+    if (stored != nullptr && stored->visible) return fmt::format("{}({});{}", stored->writer, value, propagate);
     const bool propagated = stored != nullptr && stored->shared && generation.component.composed();
     if (propagated && generation.mutation.hits(Fault::write_not_relayed)) return {};
     const std::string place = ExpressionWriter(generation, unit).variable(id);
-    return place.empty() ? relay : fmt::format("{} = {};{}", place, value, relay);
+    return place.empty() ? propagate : fmt::format("{} = {};{}", place, value, propagate);
 }
 
 bool may_be_held_up(const Generation& generation, const Unit& unit, ir::VariableId id) {

@@ -13,7 +13,7 @@ namespace robochart::cpp_emit {
 
 /// `write_x(value);` or a plain assignment, wherever the variable lives; "" if it has no place and is not seen.
 [[nodiscard]] std::string store(const Generation&, const Unit&, ir::VariableId, const std::string& value);
-/// Whether a write of the variable may have to wait until earlier ones are relayed (semantics 3.7).
+/// Whether a write of the variable may have to wait until earlier ones are propagated (semantics 3.7).
 [[nodiscard]] bool may_be_held_up(const Generation&, const Unit&, ir::VariableId);
 /// `!held_up_x()`: a write has not to wait. Empty where it never has to.
 [[nodiscard]] CppExpr may_write(const Generation&, const Unit&, ir::VariableId);

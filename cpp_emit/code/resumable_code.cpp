@@ -169,8 +169,8 @@ std::string ProgramWriter::look_at_deadlines() const {
     return fmt::format("watch({});", frame_arguments(generation_.component, unit_));
 }
 
-/// A variable that is not relayed yet takes no other write (semantics 3.7).
-void ProgramWriter::await_relays(const ir::Stmt& assignment, const std::string& stem) {
+/// A variable that is not propagated yet takes no other write (semantics 3.7).
+void ProgramWriter::await_propagation(const ir::Stmt& assignment, const std::string& stem) {
     const CppExpr free = may_write(generation_, unit_, assignment.variable);
     if (free.empty()) return;
     const std::string label = fresh(stem);
@@ -181,7 +181,7 @@ void ProgramWriter::await_relays(const ir::Stmt& assignment, const std::string& 
 
 void ProgramWriter::assign(const ir::Stmt& stmt, const std::string& stem) {
     const ir::Variable& variable = unit_.machine->variables[stmt.variable.index];
-    await_relays(stmt, stem);
+    await_propagation(stmt, stem);
     if (variable.scope == ir::VariableScope::required) line(look_at_deadlines());
     const ExpressionWriter expressions(generation_, unit_);
     const ir::TypeId type = variable.type;
@@ -434,11 +434,11 @@ void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
     resumed_ = std::move(resumed);
 }
 
-/// What was relayed before is no longer on its way, unless another thread holds it up.
+/// What was propagated before is no longer on its way, unless another thread holds it up.
 void ProgramWriter::begin_to_hold(std::vector<std::string>& lines) const {
     const Part& part = generation_.component.part(unit_);
     for (const StoredVariable& variable : generation_.component.variables)
-        for (const RelayHolder& holder : variable.holders)
+        for (const PropagationHolder& holder : variable.holders)
             if (holder.part == unit_.part)
                 lines.push_back(fmt::format("if (!holds_up({})) state_.{} = 0;", part.place(), holder.field));
 }

@@ -98,7 +98,7 @@ private:
     void if_statement(const ir::Stmt&, const std::string& stem);
     void suspending_if(const ir::Stmt&, const std::string& stem);
     [[nodiscard]] std::string look_at_deadlines() const;
-    void await_relays(const ir::Stmt& assignment, const std::string& stem);
+    void await_propagation(const ir::Stmt& assignment, const std::string& stem);
     void begin_to_hold(std::vector<std::string>& lines) const;
     void assign(const ir::Stmt&, const std::string& stem);
     void assign_part(const ir::Stmt&, ir::TypeId whole);

@@ -23,9 +23,9 @@ namespace robochart::cpp_emit {
 [[nodiscard]] std::vector<const ir::Expr*> evaluated_first(const ir::Stmt&);
 
 /// Whether a thread of the unit that is in front of a call of the platform may hold up writes of others: nothing is
-/// relayed to a machine while one of its threads is there, and a variable takes no other write before it is relayed to
-/// all machines that require it (semantics 3.7). True where others write at least twice what the unit's machine
-/// requires.
+/// propagated to a machine while one of its threads is there, and a variable takes no other write before it is
+/// propagated to all machines that require it (semantics 3.7). True where others write at least twice what the unit's
+/// machine requires.
 [[nodiscard]] bool calls_hold_up_writes(const Generation&, const Unit&);
 
 /// Whether an argument of the call depends on a variable. Before it is read others may write.

@@ -136,7 +136,7 @@ std::vector<Field> common_fields(const Generation& generation) {
                           extent.alignment});
     }
     for (const StoredVariable& variable : generation.component.variables)
-        for (const RelayHolder& holder : variable.holders)
+        for (const PropagationHolder& holder : variable.holders)
             fields.push_back({"std::uint8_t", holder.field, "0",
                               fmt::format("writes of {} on their way to {}", variable.variable->name,
                                           generation.component.parts[holder.part].name),

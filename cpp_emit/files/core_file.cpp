@@ -263,23 +263,23 @@ void write_variables(const Generation& generation, CodeWriter& out) {
     }
 }
 
-/// The relays of a variable have room for a write each; a machine that holds one up holds up those behind it
-/// (semantics 3.7).
-void write_relays(const Generation& generation, CodeWriter& out) {
+/// The memories between a write and the machines take one write at a time; a machine that holds one up holds up those
+/// behind it (semantics 3.7).
+void write_propagation(const Generation& generation, CodeWriter& out) {
     const Component& component = generation.component;
     for (const StoredVariable& variable : component.variables) {
         if (variable.holders.empty()) continue;
         out.declaration(
-            fmt::format("Earlier writes of {} are not relayed yet: the next has to wait.", variable.variable->name),
+            fmt::format("Earlier writes of {} are not propagated yet: the next has to wait.", variable.variable->name),
             fmt::format("[[nodiscard]] bool {}() const noexcept {{", variable.held_up));
-        for (const RelayHolder& holder : variable.holders)
+        for (const PropagationHolder& holder : variable.holders)
             out.line(fmt::format("if (holds_up({}) && state_.{} >= {}) return true;",
-                                 component.parts[holder.part].place(), holder.field, variable.relays));
+                                 component.parts[holder.part].place(), holder.field, variable.memories));
         out.line("return false;");
         out.close();
         out.declaration(fmt::format("A write of {} is on its way to the machines.", variable.variable->name),
-                        fmt::format("void {}() noexcept {{", variable.relay));
-        for (const RelayHolder& holder : variable.holders)
+                        fmt::format("void {}() noexcept {{", variable.propagate));
+        for (const PropagationHolder& holder : variable.holders)
             out.line(fmt::format("if (holds_up({})) ++state_.{};", component.parts[holder.part].place(), holder.field));
         out.close();
     }
@@ -363,7 +363,7 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.gap();
     out.label("private:");
     write_variables(generation, out);
-    write_relays(generation, out);
+    write_propagation(generation, out);
     write_hook(generation, out);
     for (const MachineCode& machine : core.machines) {
         out.gap();

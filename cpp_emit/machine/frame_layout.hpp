@@ -38,7 +38,7 @@ struct FrameLayout {
     std::size_t alignment = 1;
     bool timed = false;   ///< something in it changes with time
     bool prompt = false;  ///< its threads have prompt steps, or those of operations in it
-    bool holds = false;   ///< its threads may hold up what is relayed to the machine, or those of operations in it
+    bool holds = false;   ///< its threads may hold up what is propagated to the machine, or those of operations in it
 };
 
 /// By Unit::number.

@@ -11,7 +11,7 @@
 #include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/machine/control_code.hpp"
 #include "cpp_emit/machine/dispatch_code.hpp"
-#include "cpp_emit/machine/relay_code.hpp"
+#include "cpp_emit/machine/propagation_code.hpp"
 #include "cpp_emit/machine/transition_code.hpp"
 
 namespace robochart::cpp_emit {
@@ -29,7 +29,7 @@ public:
           control_code_(context, faults_, steps_),
           transition_code_(context, faults_, steps_),
           time_(context, steps_),
-          relays_(context),
+          propagation_(context),
           frame_(context, time_),
           dispatch_code_(context, steps_, time_, frame_) {}
 
@@ -48,7 +48,7 @@ private:
     ControlCode control_code_;
     TransitionCode transition_code_;
     TimeCode time_;
-    RelayCode relays_;
+    PropagationCode propagation_;
     FrameCode frame_;
     DispatchCode dispatch_code_;
 };
@@ -63,8 +63,8 @@ MachineCode MachineWriter::write(const std::vector<Field>& more) {
     transition_code_.transition_functions();
     begin_exits_function();
     time_.watch_function();
-    relays_.prompt_function();
-    relays_.holds_up_function();
+    propagation_.prompt_function();
+    propagation_.holds_up_function();
     time_.advance_function();
     run_function();
     MachineCode code;
@@ -76,8 +76,8 @@ MachineCode MachineWriter::write(const std::vector<Field>& more) {
     }
     code.enumerations = frame_.enumerations();
     code.layout = frame_.layout(more);
-    code.layout.prompt = relays_.prompt();
-    code.layout.holds = relays_.holds();
+    code.layout.prompt = propagation_.prompt();
+    code.layout.holds = propagation_.holds();
     const auto collect = [&](const Thread& thread) {
         code.sites.insert(code.sites.end(), thread.sites.begin(), thread.sites.end());
         code.calls.insert(code.calls.end(), thread.calls.begin(), thread.calls.end());
@@ -128,7 +128,7 @@ void MachineWriter::during_functions() {
         out_.close();
     }
     out_.declaration("During actions of the active states, outer states first.", signature("bool during"));
-    if (relays_.prompt()) out_.line(call("prompt") + ";");
+    if (propagation_.prompt()) out_.line(call("prompt") + ";");
     out_.line("bool moved = false;");
     for (const DuringThread& during : during_)
         out_.line(fmt::format("moved = {} || moved;", call("during_" + during.suffix)));
@@ -202,7 +202,7 @@ void MachineWriter::run_function() {
 void MachineWriter::run_alone(const std::string& parts, bool watches) {
     out_.doc("Everything that can happen in this cycle.");
     out_.open(signature("void run"));
-    if (relays_.prompt()) out_.line(call("prompt") + ";");
+    if (propagation_.prompt()) out_.line(call("prompt") + ";");
     if (watches) out_.line(call("watch") + ";");
     out_.open(fmt::format("while ({}({})) {{", generation_.bound_test(), parts));
     if (watches) out_.line(call("watch") + ";");

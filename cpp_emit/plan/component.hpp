@@ -62,11 +62,11 @@ struct EventUse {
 
 inline constexpr std::size_t no_part = static_cast<std::size_t>(-1);
 
-/// A machine that may hold up what is relayed to it: nothing is while one of its threads waits for a communication with
-/// a deadline (semantics 3.7).
-struct RelayHolder {
+/// A machine that may hold up what is propagated to it: nothing is while one of its threads waits for a communication
+/// with a deadline (semantics 3.7).
+struct PropagationHolder {
     std::size_t part = 0;
-    std::string field;  ///< member of State: how many writes wait to be relayed to it
+    std::string field;  ///< member of State: how many writes wait to be propagated to it
 };
 
 /// A variable of a machine or one that machines share. The semantics gives each machine a copy and propagates writes
@@ -83,15 +83,15 @@ struct StoredVariable {
     bool read = false;            ///< some expression depends on it
     bool copy = false;            ///< of an entry before it, which has the names at the boundary
     ir::Value initial;
-    std::string field;       ///< member of the frame that holds it
-    std::string path;        ///< below State: "x", "stm0.x"
-    std::string writer;      ///< method of Step, if visible
-    std::string input;       ///< member of Inputs, if external and read
-    std::string output;      ///< method of the platform, if visible
-    std::size_t relays = 0;  ///< shared: between a write and the machines, each with room for one write
-    std::vector<RelayHolder> holders;
-    std::string held_up;  ///< method of Step, if there are holders: whether the next write has to wait
-    std::string relay;    ///< method of Step, if there are holders: what follows a write
+    std::string field;         ///< member of the frame that holds it
+    std::string path;          ///< below State: "x", "stm0.x"
+    std::string writer;        ///< method of Step, if visible
+    std::string input;         ///< member of Inputs, if external and read
+    std::string output;        ///< method of the platform, if visible
+    std::size_t memories = 0;  ///< shared: between a write and the machines, each of which takes one write at a time
+    std::vector<PropagationHolder> holders;
+    std::string held_up;    ///< method of Step, if there are holders: whether the next write has to wait
+    std::string propagate;  ///< method of Step, if there are holders: what follows a write
 
     /// A shared variable that nothing reads has no place in the state.
     [[nodiscard]] bool stored() const { return read || !shared; }

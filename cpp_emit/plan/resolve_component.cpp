@@ -381,7 +381,7 @@ private:
         if (at_controller != nullptr && at_controller->scope == ir::VariableScope::local) {
             entry.level = module_ == nullptr ? static_cast<const void*>(context().controller)
                                              : &module_->controllers[component_.parts[part_].controller];
-            entry.relays = 1;
+            entry.memories = 1;
             return nullptr;
         }
         if (context().module == nullptr) {
@@ -389,7 +389,7 @@ private:
             return nullptr;
         }
         entry.level = module_;
-        entry.relays = 2;  // the module's, then the controller's
+        entry.memories = 2;  // the module's, then the controller's
         const ir::Variable* at_platform = find_named(module_->platform.variables, name);
         if (at_platform == nullptr) return nullptr;
         entry.visible = at_platform->scope == ir::VariableScope::required;
@@ -554,7 +554,7 @@ private:
     /// A machine with one thread that writes the variable alone does not wait for itself.
     void find_holders(std::size_t index, NameScope& state, NameScope& writers) {
         StoredVariable& entry = component_.variables[index];
-        if (!entry.shared || entry.relays == 0) return;
+        if (!entry.shared || entry.memories == 0) return;
         for (std::size_t place = 0; place < component_.parts.size(); ++place) {
             const Part& part = component_.parts[place];
             const auto required = part.variables.find(entry.variable->name);
@@ -564,7 +564,7 @@ private:
         }
         if (entry.holders.empty()) return;
         entry.held_up = writers.unique("held_up_" + entry.variable->name);
-        entry.relay = writers.unique("relay_" + entry.variable->name);
+        entry.propagate = writers.unique("propagate_" + entry.variable->name);
     }
 
     static bool has_during(const Unit& unit) {

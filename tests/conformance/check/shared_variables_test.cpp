@@ -117,8 +117,9 @@ struct HeldUp {
     const char* controller;
 };
 
-/// Nothing is relayed to a machine while one of its threads is in front of a call of the platform (semantics 3.7), and
-/// the relays take one write each: three writes in a row do not go before the call. Code that makes them first differs.
+/// Nothing is propagated to a machine while one of its threads is in front of a call of the platform (semantics 3.7),
+/// and the memories in between take one write each: three writes in a row do not go before the call. Code that makes
+/// them first differs.
 const HeldUp held_up[] = {
     {"a during action begins with the call", R"(stm A { requires D requires O initial i
         state S { initial j state T { during move() } transition tj { from j to T }

@@ -16,11 +16,11 @@ namespace {
 using cpp_emit::Fault;
 
 /// Passes records on.
-constexpr const char* relay = R"(
+constexpr const char* forward = R"(
 datatype Scan { a : real b : real c : real d : real e : real f : real }
 enumeration Kind { near far }
 interface Out { show(one : Scan, two : Scan, k : Kind) }
-stm Relay {
+stm Forward {
     requires Out
     event scan : Scan
     event answer : Scan
@@ -81,7 +81,7 @@ Result checked(const std::string& text, Fault fault = Fault::none, const ir::Ins
 }
 
 TEST(Representatives, AreTheDefaultAndTwoThatDifferInEveryPart) {
-    const Representatives few = chosen(relay);
+    const Representatives few = chosen(forward);
     ASSERT_EQ(few.types.size(), 1U);
     EXPECT_EQ(few.types[0].name, "Scan");
     EXPECT_EQ(few.types[0].values, 3U);
@@ -94,10 +94,10 @@ TEST(Representatives, AreTheDefaultAndTwoThatDifferInEveryPart) {
 }
 
 TEST(Representatives, AreNotUsedWhereAllCanBeExplored) {
-    const test::TemporaryFolder folder(relay);
+    const test::TemporaryFolder folder(forward);
     test::Model model(folder.path(), two_numbers());
     const auto component =
-        cpp_emit::resolve(model.system, model.instantiation, model.machine("Relay"), model.diagnostics);
+        cpp_emit::resolve(model.system, model.instantiation, model.machine("Forward"), model.diagnostics);
     EXPECT_TRUE(representatives(model.system, model.instantiation, *component).types.empty());
 }
 
@@ -148,11 +148,11 @@ TEST(Representatives, OfNumbers) {
 }
 
 TEST(FewValues, ConformWhereAllDo) {
-    const Result few = checked(relay);
+    const Result few = checked(forward);
     EXPECT_EQ(few.outcome, Outcome::conforms) << few.reason;
     ASSERT_EQ(few.represented.size(), 1U);
     EXPECT_EQ(few.represented[0].type, "Scan");
-    const Result all = checked(relay, Fault::none, two_numbers());
+    const Result all = checked(forward, Fault::none, two_numbers());
     EXPECT_EQ(all.outcome, Outcome::conforms) << all.reason;
     EXPECT_TRUE(all.represented.empty());
     EXPECT_LT(few.code_states, all.code_states);
@@ -171,8 +171,8 @@ TEST(FewValues, FindTheFaultsThatAllFind) {
     for (const Fault fault : {Fault::value_not_stored, Fault::fields_lost, Fault::wrong_output,
                               Fault::assignment_dropped, Fault::send_dropped, Fault::argument_swapped,
                               Fault::wrong_input, Fault::guard_dropped, Fault::wait_dropped}) {
-        const Result few = checked(relay, fault);
-        const Result all = checked(relay, fault, two_numbers());
+        const Result few = checked(forward, fault);
+        const Result all = checked(forward, fault, two_numbers());
         EXPECT_EQ(few.outcome, all.outcome) << static_cast<int>(fault) << " " << few.reason << " | " << all.reason;
         found += all.outcome == Outcome::differs ? 1 : 0;
     }

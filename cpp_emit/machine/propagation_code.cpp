@@ -1,5 +1,5 @@
 // Both functions test at which places the threads are, those of operations inside their calls.
-#include "cpp_emit/machine/relay_code.hpp"
+#include "cpp_emit/machine/propagation_code.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 namespace robochart::cpp_emit {
 
 template <class Test>
-bool RelayCode::any_thread(const Test& test) const {
+bool PropagationCode::any_thread(const Test& test) const {
     return test(control_) ||
            std::any_of(during_.begin(), during_.end(), [&](const DuringThread& during) { return test(during.thread); });
 }
 
-bool RelayCode::prompt() const {
+bool PropagationCode::prompt() const {
     return any_thread([&](const Thread& thread) {
         return !thread.prompt_steps.empty() ||
                std::any_of(thread.calls.begin(), thread.calls.end(),
@@ -21,7 +21,7 @@ bool RelayCode::prompt() const {
     });
 }
 
-void RelayCode::prompt_function() {
+void PropagationCode::prompt_function() {
     if (!prompt()) return;
     out_.declaration("Threads that go on with what writes of others may have to wait for do it.",
                      signature("void prompt"));
@@ -30,7 +30,7 @@ void RelayCode::prompt_function() {
     out_.close();
 }
 
-void RelayCode::prompt_steps(const Thread& thread) {
+void PropagationCode::prompt_steps(const Thread& thread) {
     for (const PromptStep& each : thread.prompt_steps) {
         out_.open(fmt::format("if ({}) {{", each.there));
         for (const std::string& line : each.lines) out_.line(line);
@@ -42,7 +42,7 @@ void RelayCode::prompt_steps(const Thread& thread) {
                                   context_.call_inside(call, "prompt")));
 }
 
-bool RelayCode::holds() const {
+bool PropagationCode::holds() const {
     return any_thread([&](const Thread& thread) {
         return !thread.holding.empty() ||
                std::any_of(thread.calls.begin(), thread.calls.end(),
@@ -51,17 +51,18 @@ bool RelayCode::holds() const {
 }
 
 /// Of a machine that holders name (Component::variables), and of the operations that it calls.
-void RelayCode::holds_up_function() {
+void PropagationCode::holds_up_function() {
     if (!holds()) return;
-    out_.declaration("A thread waits for a communication with a deadline: meanwhile nothing is relayed to the machine.",
-                     fmt::format("[[nodiscard]] static bool holds_up(const {}& f) noexcept {{", frame_type()));
+    out_.declaration(
+        "A thread waits for a communication with a deadline: meanwhile nothing is propagated to the machine.",
+        fmt::format("[[nodiscard]] static bool holds_up(const {}& f) noexcept {{", frame_type()));
     for (const DuringThread& during : during_) holding(during.thread);
     holding(control_);
     out_.line("return false;");
     out_.close();
 }
 
-void RelayCode::holding(const Thread& thread) {
+void PropagationCode::holding(const Thread& thread) {
     for (const std::string& label : thread.holding)
         out_.line(fmt::format("if ({} == {}) return true;", thread.variable, thread.at(label)));
     for (const CallFrame& call : thread.calls)

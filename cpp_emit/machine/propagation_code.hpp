@@ -1,4 +1,4 @@
-// What is relayed to a machine waits for its threads (semantics 3.7): calls of the platform are made before others
+// What is propagated to a machine waits for its threads (semantics 3.7): calls of the platform are made before others
 // write, and communications with deadlines hold up what others write.
 #pragma once
 
@@ -7,9 +7,9 @@
 namespace robochart::cpp_emit {
 
 /// Writes the functions about it, once the threads are written.
-class RelayCode : private MachineCodePart {
+class PropagationCode : private MachineCodePart {
 public:
-    explicit RelayCode(MachineContext& context) : MachineCodePart(context) {}
+    explicit PropagationCode(MachineContext& context) : MachineCodePart(context) {}
 
     /// Whether threads may go on with what holds up writes of others, here or in operations called.
     [[nodiscard]] bool prompt() const;
