@@ -1,4 +1,4 @@
-// Each kind of property has its CSPM form, as RoboTool generates it and FDR decides it (assertions.md 4).
+// Each kind of property has its CSPM form, as RoboTool generates it and FDR decides it.
 #include "csp_emit/assertions.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ cspm::Model model_of(ir::PropertyModel model) {
     return cspm::Model::failures_divergences;
 }
 
-/// Timed deadlock freedom (assertions.md 4), with Ev = Events \ {tock, tock'}:
+/// Timed deadlock freedom, with Ev = Events \ {tock, tock'}:
 ///     prioritise(P[[tock <- tock, tock <- tock']], <Ev, {tock}>) \ {tock} is divergence-free.
 /// A hidden tock is performed only where P offers no other event but tock', so a divergence is a run in which, from
 /// some point on, time passes for ever and nothing else is on offer.
@@ -198,7 +198,7 @@ std::vector<DeclPtr> Asserter::deadlock(const ExprPtr& process, cspm::Model mode
                                cspm::Model::failures_divergences, negated)};
 }
 
-/// Timelock freedom (assertions.md 4): `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`, that is, every stable state of P
+/// Timelock freedom: `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`, that is, every stable state of P
 /// accepts tock.
 std::vector<DeclPtr> Asserter::timelock(const ExprPtr& process, bool negated) const {
     const ExprPtr others = b::call("diff", {b::name("Events"), b::productions({tock()})});
@@ -206,7 +206,7 @@ std::vector<DeclPtr> Asserter::timelock(const ExprPtr& process, bool negated) co
     return {b::assert_refines(any, cspm::Model::failures, process, negated)};
 }
 
-/// `terminates` (assertions.md 4): not `P :[deadlock free]`, so some deadlock or ✓ is reachable, and
+/// `terminates`: not `P :[deadlock free]`, so some deadlock or ✓ is reachable, and
 /// `P; RUN({r__}) :[deadlock free]`, so every deadlock of P is a ✓.
 /// `does not terminate`: `STOP [T= (P; r__ -> STOP) |\ {r__}`, so no ✓ is reachable, after which r__ would follow.
 std::vector<DeclPtr> Asserter::termination(const ExprPtr& process, cspm::Model model, bool negated) const {
@@ -270,7 +270,7 @@ std::string Asserter::model_shifting(const ir::Property& property, Obligation& o
 }
 
 /// `X refines Y` is `Y [M= X`; `equals` is both directions, and its negation the failure of either. The tick-tock
-/// model is that of traces after model shifting (assertions.md 4).
+/// model is that of traces after model shifting.
 void Asserter::refinement(const ir::Property& property, Obligation& out) {
     ExprPtr subject = renamed_to(property.subject, property.other, process(property.subject, property, "D__"));
     ExprPtr other = process(property.other, property, "D__");

@@ -1,4 +1,4 @@
-// Assertions of the model as CSPM assertions (assertions.md, section 4: the table).
+// Assertions of the model as CSPM assertions (docs/semantics.md, "Assertions").
 #pragma once
 
 #include "csp_emit/base/component.hpp"

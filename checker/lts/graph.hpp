@@ -46,7 +46,7 @@ struct Exploration {
 /// Breadth first from the initial state. `poll` is called once a state and may throw to stop.
 [[nodiscard]] Exploration explore(TransitionSystem& system, const std::function<void(std::size_t states)>& poll);
 
-/// A graph behind the narrow waist.
+/// A graph as a transition system.
 class GraphSystem final : public TransitionSystem {
 public:
     GraphSystem(const Graph& graph, const EventTable& events) : graph_(graph), events_(events) {}

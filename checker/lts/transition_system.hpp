@@ -1,4 +1,4 @@
-// The narrow waist: everything that can be searched is an initial packed state, successors, and names.
+// The interface between searches and processes: an initial packed state, successors, and names.
 // Process terms, compiled machines, explicit graphs and generated code implement it.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A compiled process behind the narrow waist.
+// A compiled process as a transition system.
 #pragma once
 
 #include <memory>

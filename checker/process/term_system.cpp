@@ -1,4 +1,4 @@
-// Process terms behind the narrow waist.
+// Process terms as transition systems.
 #include "checker/process/term_system.hpp"
 
 namespace robochart::process {

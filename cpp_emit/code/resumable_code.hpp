@@ -1,5 +1,5 @@
 // Resumable programs as the cases of one switch: each case runs to the next place where the program may have to
-// wait (for time, for an input, for an operation), stores where it is and gives up control (codegen.md 6.3, A1).
+// wait (for time, for an input, for an operation), stores where it is and gives up control.
 #pragma once
 
 #include <map>

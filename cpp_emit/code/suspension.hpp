@@ -1,4 +1,4 @@
-// Where a program may have to wait, so that its code must be able to stop there and go on later (codegen.md 6.3, A1).
+// Where a program may have to wait, so that its code must be able to stop there and go on later.
 #pragma once
 
 #include <vector>

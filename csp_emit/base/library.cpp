@@ -1,5 +1,5 @@
 // The library is kept as text: it is read by the reader that reads everybody's CSPM. Parameters end in `__`, because a
-// parameter named like somebody's channel or constructor would be a pattern (checkers.md 3).
+// parameter named like somebody's channel or constructor would be a pattern.
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Names of the script. Elements of the model keep RoboTool's names (semantics 3.2, 3.12); names of our own
 // (parameters, program points) are made unique against everything that is a channel, constructor or function,
-// because a CSPM parameter of such a name would be a constructor pattern (checkers.md 3).
+// because a CSPM parameter of such a name would be a constructor pattern.
 #pragma once
 
 #include <map>

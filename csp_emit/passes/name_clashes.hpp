@@ -1,6 +1,6 @@
 // What is generated and what users write in CSP blocks is one script. A name that both use for something of their own
 // gets a number on one side: a parameter called like a channel or constructor would be a pattern that matches only that
-// (checkers.md 3), a function called like one of the library, or like a predefined one, would do the other's work.
+// value, a function called like one of the library, or like a predefined one, would do the other's work.
 //
 // The rule that holds everywhere: no declaration of a block has at the top of the script a name that CSPM
 // predefines or that the library has. So the library and all that is generated mean what is written there, whatever

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What is not as the suite words it, line by line as `shortfall` has it, by folder. RoboTool has no check for `clock C
-/// is initialised` (assertions.md 4). The comment above the claim in clocks6, that the clock is not used there, is that
+/// is initialised`. The comment above the claim in clocks6, that the clock is not used there, is that
 /// of clocks5; in clocks6 every run resets the clock with the trigger `time`, and then t2 reads it
 /// (RoboToolSuite.TheClockOfClocks6IsResetBeforeItIsRead).
 const std::map<std::string, std::string>& departures() {

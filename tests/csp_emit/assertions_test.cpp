@@ -1,5 +1,5 @@
-// Every form of assertion in its models (assertions.md 4): what holds and what fails follows from the semantics of the
-// small machines, by hand.
+// Every form of assertion in its models (docs/semantics.md, "Assertions"): what holds and what fails follows from the
+// semantics of the small machines, by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

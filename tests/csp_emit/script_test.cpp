@@ -77,7 +77,7 @@ TEST(Script, UsesRoboToolsNames) {
 }
 
 TEST(Script, ParametersAvoidNamesOfEvents) {
-    // A parameter called like a channel would be a pattern that matches the channel only (checkers.md 3).
+    // A parameter called like a channel would be a pattern that matches the channel only.
     const auto m = model(R"(
         stm S {
             event v_x

@@ -1,4 +1,4 @@
-// Whether a clock is initialised (assertions.md 4: RoboTool has no check for it). A clock starts with its machine, but
+// Whether a clock is initialised (RoboTool has no check for it). A clock starts with its machine, but
 // a guard that reads it before any reset reads a time that nobody has set. The machine remembers in one more parameter
 // whether the clock has been reset so far, and an event says where it is read before that.
 #pragma once

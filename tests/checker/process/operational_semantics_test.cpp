@@ -268,8 +268,8 @@ TEST_F(Rules, DeepTermsCostNoMachineStack) {
     EXPECT_FALSE(describe(s.store, deep).empty());
 }
 
-// checkers.md 3: with FDR's synchronising termination the finished half of a parallel does not hold up time.
-// TSKIP = SKIP [] tock -> TSKIP etc. follow the rewriting of timed sections (semantics.md 3.10).
+// With FDR's synchronising termination the finished half of a parallel does not hold up time.
+// TSKIP = SKIP [] tock -> TSKIP etc. follow the rewriting of timed sections (semantics 3.10).
 TEST_F(Rules, TimeGoesOnAfterOneSideOfAnInterleavingHasEnded) {
     const TermId tskip = s.name("TSKIP");
     s.bind(tskip, s.op(Op::external_choice, {skip, s.prefix("tock", tskip)}));

@@ -118,7 +118,7 @@ TEST(CaseStudies, AggregationMachineAloneCallsAnOperationTwice) {
                 ElementsAre("MoveClockwise(-0.75, -10.88)", "RotateClockwise(-5.02)"));
 }
 
-// codegen.md 5.5: with {detected, turned} in one cycle, Forward is entered and left and entered: two moves.
+// With {detected, turned} in one cycle, Forward is entered and left and entered: two moves.
 TEST(CaseStudies, SwarmTaxisWithoutWaitsMovesTwice) {
     const Result result =
         conform_module(test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "; wait(1)", "").path());
