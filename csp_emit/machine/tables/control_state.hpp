@@ -1,6 +1,6 @@
 // The control state of a machine, without its data: which nodes are active, what the control thread and the during
-// threads still have to do, which operations are being called. This is the state of the distilled operational semantics
-// (semantics 3.14); data live in parameters (cells). Each reachable configuration becomes one CSPM function.
+// threads still have to do, which operations are being called. Data live in parameters (cells). Each reachable
+// configuration becomes one CSPM function.
 #pragma once
 
 #include <memory>
