@@ -35,6 +35,7 @@ struct Limits {
 /// Main memory of a process and of all that it has started.
 [[nodiscard]] std::uint64_t resident_bytes_of_tree(pid_t process);
 
+/// The limits of a run, which every long loop polls.
 class Budget {
 public:
     /// `phase` is what the run does while no Phase says otherwise.

@@ -11,6 +11,7 @@
 
 namespace robochart::diagnostics {
 
+/// How bad a finding is.
 enum class Severity { note, warning, error };
 
 /// One row of a rule table. All views point at static storage.

@@ -7,6 +7,7 @@
 
 namespace robochart::diagnostics {
 
+/// How findings look as text.
 struct TextStyle {
     bool color = false;           ///< ANSI colours
     std::size_t max_width = 160;  ///< longer source lines are cut around the caret

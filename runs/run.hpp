@@ -17,6 +17,7 @@ struct Place {
     std::uint32_t end_line = 0, end_column = 0;
 };
 
+/// What happens in a step, in terms of the model.
 enum class Kind {
     transition,      ///< a transition without trigger fires
     input,           ///< an event is received
@@ -51,6 +52,7 @@ struct Event {
     std::optional<Place> place;
 };
 
+/// What a value shown beside a state is.
 enum class VariableKind {
     variable,
     clock,      ///< time since its last reset
@@ -59,6 +61,7 @@ enum class VariableKind {
     temporary,  ///< a value that has been read or received and is not used up yet
 };
 
+/// A value that belongs to a machine at one moment.
 struct Variable {
     std::string name;
     VariableKind kind = VariableKind::variable;
@@ -78,6 +81,7 @@ struct Machine {
     std::optional<Place> place;  ///< of the innermost state, or of the statement that is next
 };
 
+/// A variable that a step changes.
 struct Change {
     std::string component;
     std::string name;
@@ -85,6 +89,7 @@ struct Change {
     std::string after;
 };
 
+/// One step of a run: what happens, and the state behind it.
 struct Step {
     std::size_t raw = 0;    ///< the first event of Run::raw that it stands for
     std::size_t count = 1;  ///< how many; 0: a step inside a compressed process, which the raw events do not show
@@ -99,6 +104,7 @@ struct Step {
     std::size_t more_offered = 0;   ///< how many more than are listed
 };
 
+/// What is wrong where a run ends; or what it shows, if the claim is that there is no such run.
 enum class EndKind {
     forbidden,              ///< the last step is none that the specification allows
     refusal,                ///< less is offered than the specification requires
@@ -132,6 +138,7 @@ struct End {
     std::vector<Cause> causes;                 ///< timelock
 };
 
+/// A counterexample as a run of the model; text and JSON are made from this alone.
 struct Run {
     bool timed = false;
     std::int64_t time = 0;         ///< when it ends; where it goes on for ever: where the loop begins

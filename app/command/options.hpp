@@ -24,6 +24,7 @@ enum class Exit : int {
     internal = 70,  ///< internal error
 };
 
+/// What is to be done; `emit` has one for each thing written.
 enum class Verb {
     verify,
     check,
@@ -39,9 +40,13 @@ enum class Verb {
     simulate,
     validate
 };
+/// How results are printed.
 enum class Format { text, json, sarif, plain, framed_json };
+/// Whether progress goes to stderr, and how.
 enum class ProgressMode { automatic, json, never };
+/// Whether text is coloured.
 enum class Color { automatic, always, never };
+/// Which semantics are checked.
 enum class Times { both, timed, untimed };
 
 /// What `--version` says behind the name.
@@ -53,6 +58,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// The command line as data; docs/cli.md explains each option.
 struct Options {
     Verb verb = Verb::verify;
     std::vector<std::string> inputs;  ///< models (files or folders), scripts, or a rule code

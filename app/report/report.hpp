@@ -12,6 +12,7 @@
 
 namespace robochart::app {
 
+/// The answer to one assertion.
 enum class Answer {
     holds,
     fails,
@@ -24,6 +25,7 @@ enum class Answer {
 /// Why something that was to be decided is inconclusive while nothing is known of it.
 inline constexpr const char* not_decided = "it was not decided before the limit";
 
+/// One assertion with its answer.
 struct AssertionReport {
     std::string title;  ///< "A1 [timed] AggregationFSM is deadlock-free"
     std::string place;  ///< "aggregation.assertions:12"
@@ -55,12 +57,14 @@ struct SizeReport {
     Size compressed;        ///< O__
 };
 
+/// One component with the answer about its code.
 struct ConformanceReport {
     std::string component;
     conformance::Result result;
     double seconds = 0;
 };
 
+/// A file that was written.
 struct FileReport {
     std::string path;
     std::size_t bytes = 0;
@@ -72,6 +76,7 @@ struct RefusedReport {
     std::string diagnostics;  ///< schema "robochart-verify/diagnostics/1"
 };
 
+/// All results of one command; text and JSON are made from it.
 struct Report {
     std::string model;    ///< the inputs as given
     std::string summary;  ///< "1 state machine, 2 operations, …"

@@ -17,6 +17,7 @@
 
 namespace robochart::cspm {
 
+/// An assertion of a script and its verdict.
 struct AssertionResult {
     std::string text;  ///< the assertion as printed
     Span span;

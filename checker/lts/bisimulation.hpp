@@ -8,6 +8,7 @@
 
 namespace robochart::lts {
 
+/// Which states count as equal.
 enum class Equivalence {
     /// Strong bisimilarity: keeps everything.
     strong,
@@ -18,6 +19,7 @@ enum class Equivalence {
     branching_with_divergence,
 };
 
+/// The smallest graph equivalent to another, and which states became which.
 struct Quotient {
     Graph graph;                             ///< numbered breadth first; edges ordered, without repetitions
     std::vector<StateIndex> representative;  ///< of each state, the first state of the original that it stands for

@@ -13,12 +13,14 @@
 
 namespace robochart::lts {
 
+/// A transition of a graph, from the state that it is listed with.
 struct Edge {
     Event event;
     StateIndex target;
     friend auto operator<=>(const Edge&, const Edge&) = default;
 };
 
+/// An explicit transition system.
 class Graph {
 public:
     [[nodiscard]] std::size_t size() const { return first_.size() - 1; }

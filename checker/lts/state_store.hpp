@@ -12,6 +12,7 @@
 
 namespace robochart::lts {
 
+/// Packed states of one width, each once, by number.
 class StateStore {
 public:
     explicit StateStore(std::size_t width);

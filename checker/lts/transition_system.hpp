@@ -25,6 +25,7 @@ public:
     virtual void add(Event event, StateView target, Event revealed) = 0;
 };
 
+/// What can be searched: an initial packed state, the successors of a state, names of events.
 class TransitionSystem {
 public:
     virtual ~TransitionSystem() = default;

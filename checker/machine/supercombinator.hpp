@@ -32,6 +32,7 @@ struct Leading {
     }
 };
 
+/// What a rule asks of one component: to do this event.
 struct Requirement {
     std::uint32_t participant;
     std::uint32_t event;  ///< place in the participant's alphabet
@@ -73,6 +74,7 @@ struct Field {
     std::uint32_t word, shift, mask;
 };
 
+/// A compiled process as data.
 struct Supercombinator {
     std::vector<ComponentPtr> components;  ///< by slot
     std::vector<Region> regions;           ///< inner ones first; the last is the whole

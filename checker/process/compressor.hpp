@@ -20,6 +20,7 @@ struct Machine {
     std::vector<TermId> meaning;  ///< of each state, a term that it stands for
 };
 
+/// Makes machines smaller for the operational semantics.
 class Compressor {
 public:
     virtual ~Compressor() = default;

@@ -26,6 +26,7 @@ enum class SetId : std::uint32_t {};
 enum class RenamingId : std::uint32_t {};
 enum class OrderId : std::uint32_t {};
 
+/// The operators of terms; `P`, `Q`, `n children` are a term's children in order.
 enum class Op : std::uint8_t {
     stop,
     skip,
@@ -55,6 +56,7 @@ enum class Op : std::uint8_t {
     chaos_offer,  ///< set: the state of chaos(set) that offers the whole set; made by the firing rules only
 };
 
+/// The compressions of FDR by name; docs/cspm.md says what each is here.
 enum class Compression : std::uint32_t {
     normal,
     sbisim,
@@ -76,6 +78,7 @@ enum class Compression : std::uint32_t {
 /// level is possible. An event listed twice has its first level.
 using PriorityOrder = std::vector<EventSet>;
 
+/// An operator with its children; equal terms have one TermId.
 struct Term {
     Op op = Op::stop;
     std::uint32_t payload = 0;  ///< call/prefix index, SetId, RenamingId, OrderId, Compression
@@ -84,6 +87,7 @@ struct Term {
     friend bool operator==(const Term&, const Term&) = default;
 };
 
+/// One event of a prefix and the term behind it.
 struct Branch {
     Event event;
     TermId target;

@@ -11,6 +11,7 @@
 
 namespace robochart::conformance {
 
+/// The answer for one component.
 enum class Outcome {
     conforms,
     differs,          ///< the code does something NF_c(M) does not allow
@@ -54,6 +55,7 @@ struct FewValues {
     std::size_t values = 0;
 };
 
+/// The answer for one component, with what was explored and, where the code differs, a shortest run.
 struct Result {
     Outcome outcome = Outcome::inconclusive;
     std::string reason;
@@ -94,6 +96,7 @@ struct WalkOptions {
     std::uint64_t seed = 1;
 };
 
+/// How code is generated, compiled and compared with its model.
 struct Options {
     std::uint32_t cycle_length = 1;  ///< c: tocks per cycle
     Relation relation = Relation::failures_divergences;

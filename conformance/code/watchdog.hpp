@@ -12,6 +12,7 @@ struct Stepped {
     bool endless = false;  ///< it was stopped: `state` and `log` are as the code had left them then
 };
 
+/// How long a call of generated code may take.
 enum class Patience {
     seconds,  ///< one to two of the thread's own time
     short_,   ///< a hundredth of that, for code of which one call was found endless

@@ -35,6 +35,7 @@ enum class Strategy {
     table,          ///< a dense table of cases, one switch over them
 };
 
+/// What is generated, and how.
 struct Options {
     Target target = Target::sources;
     Strategy strategy = Strategy::automatic;
@@ -56,6 +57,7 @@ struct Options {
     return options.fault == Fault::none || in_event_api(options.fault);
 }
 
+/// What was generated for one component.
 struct Emission {
     std::vector<OutputFile> files;  ///< headers, sources, CMakeLists.txt, the runtime headers
     std::string

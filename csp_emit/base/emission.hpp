@@ -15,6 +15,7 @@
 
 namespace robochart::csp_emit {
 
+/// Which of the two semantics: each has a script of its own.
 enum class Time { untimed, timed };
 
 /// What a name in the script means to the reader of the model.
@@ -32,6 +33,7 @@ enum class MeaningKind {
     tock,
     refusal,  ///< tick-tock: its argument is the event that is refused
 };
+/// An event of the script in terms of the model.
 struct EventMeaning {
     MeaningKind kind = MeaningKind::step;
     std::string text;               ///< for people: "S1 -> S2 on seeRobot", "call MoveClockwise"
@@ -99,6 +101,7 @@ struct ComponentProcesses {
     cspm::ExprPtr compressed;  ///< its O__
 };
 
+/// The semantics of a system in one time: scripts, what is to be checked, what names mean.
 struct Emission {
     cspm::Script definitions;  ///< library, instantiations, components
     cspm::Script script;       ///< definitions, the CSP blocks, the assertions: what is checked
@@ -109,6 +112,7 @@ struct Emission {
     std::set<std::string> captured;  ///< always empty, or the script is wrong (name_clashes.hpp)
 };
 
+/// How the script is written, and whether assertions are added to those of the model.
 struct Options {
     bool core_assertions =
         false;  ///< add the generated ones (deadlock, divergence, determinism, timelock) for each component

@@ -213,12 +213,14 @@ struct Stmt {
 
 // ---------------------------------------------------------------- machines
 
+/// Who declares a variable of a machine, and who may write it.
 enum class VariableScope {
     local,      ///< declared by the machine: private
     required,   ///< of a required interface: shared, the machine keeps a copy (semantics 3.7)
     parameter,  ///< of an operation: read-only
 };
 
+/// A variable of a machine, a controller or a platform; parameters of operations are variables too.
 struct Variable {
     std::string name;
     TypeId type;
@@ -228,6 +230,7 @@ struct Variable {
     Origin origin;
 };
 
+/// A constant of a machine, a controller or a platform.
 struct Constant {
     std::string name;
     TypeId type;
@@ -237,6 +240,7 @@ struct Constant {
     Origin origin;
 };
 
+/// A named input or output of a component.
 struct Event {
     std::string name;
     std::optional<TypeId> type;  ///< absent: carries no value
@@ -248,6 +252,7 @@ struct Event {
     Origin origin;
 };
 
+/// A clock of a machine: time units since its last reset, or since a state was entered.
 struct Clock {
     std::string name;       ///< for sinceEntry(S) clocks: the state's path joined by '_'
     NodeId entry_of;        ///< valid: the clock of sinceEntry(node)
@@ -267,8 +272,10 @@ struct OperationSignature {
     Origin origin;
 };
 
+/// What a node of a machine is.
 enum class NodeKind { state, initial, junction, probabilistic, final };
 
+/// A state, junction or final state of a machine.
 struct Node {
     NodeKind kind = NodeKind::state;
     std::string name;
@@ -283,6 +290,7 @@ struct Node {
     [[nodiscard]] bool composite() const { return !children.empty(); }
 };
 
+/// A transition between two nodes of one machine.
 struct Transition {
     std::string name;
     NodeId source, target;
@@ -296,8 +304,10 @@ struct Transition {
     Origin origin;
 };
 
+/// A defined operation is a machine too.
 enum class MachineKind { state_machine, operation };
 
+/// A state machine or a defined operation, whoever contains or calls it.
 struct Machine {
     MachineKind kind = MachineKind::state_machine;
     std::string name;
@@ -332,12 +342,14 @@ struct MachineInstance {
 
 enum class EndKind { self, part };  ///< `self`: the controller, or the module's platform
 
+/// One end of a connection: an event of the whole or of one of its parts.
 struct ConnectionEnd {
     EndKind kind = EndKind::self;
     std::uint32_t part = no_id;  ///< controller: index of machines; module: index of controllers
     std::string event;
 };
 
+/// A connection of a controller or a module.
 struct Connection {
     ConnectionEnd from, to;
     bool async = false;
@@ -345,6 +357,7 @@ struct Connection {
     Origin origin;
 };
 
+/// Machines in parallel, with their connections and the operations that they call.
 struct Controller {
     std::string name;
     std::string package;
@@ -362,12 +375,14 @@ struct Controller {
     Origin origin;
 };
 
+/// A controller in the module where it runs.
 struct ControllerInstance {
     std::string name;
     ControllerId controller;
     Origin origin;
 };
 
+/// The robotic platform of a module: what it provides.
 struct Platform {
     std::string name;
     std::vector<Variable>
@@ -379,6 +394,7 @@ struct Platform {
     Origin origin;
 };
 
+/// A platform with controllers in parallel.
 struct Module {
     std::string name;
     std::string package;
@@ -404,6 +420,7 @@ struct Function {
 
 // ---------------------------------------------------------------- properties (from .assertions)
 
+/// What an assertion is about; `process`: one that a CSP block defines.
 enum class ComponentKind { module, controller, machine, operation, process };
 
 /// A component named in an assertion, followed through references.
@@ -415,6 +432,7 @@ struct ComponentRef {
     std::uint32_t definition = no_id;  ///< index into System::modules, controllers, machines or csp_blocks
 };
 
+/// The forms of assertions.
 enum class PropertyKind {
     deadlock_free,
     divergence_free,
@@ -426,8 +444,10 @@ enum class PropertyKind {
     reachable,
     clock_initialised
 };
+/// The model of CSP in which a property is decided.
 enum class PropertyModel { failures_divergences, traces, failures, tick_tock };
 
+/// An assertion of the model, with its components resolved.
 struct Property {
     std::string name;
     PropertyKind kind = PropertyKind::deadlock_free;

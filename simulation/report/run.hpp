@@ -10,6 +10,7 @@
 
 namespace robochart::simulation {
 
+/// How far the trials of a scenario have come.
 struct RunProgress {
     std::uint32_t trials = 0;
     std::uint32_t trials_done = 0;
@@ -18,6 +19,7 @@ struct RunProgress {
     double seconds = 0;            ///< of this run
 };
 
+/// How the trials of a scenario are run.
 struct RunOptions {
     unsigned threads = 0;  ///< 0: one a core
     StageMaker stage = embedded_stage;
@@ -28,12 +30,14 @@ struct RunOptions {
     std::function<void(const RunProgress&)> progress;  ///< called a few times a second, from the caller's thread
 };
 
+/// Whether the trials lie in one band.
 struct BandResult {
     bool holds = false;
     double value = 0;                ///< of `mean`: the mean; of `each`: the worst trial; NaN: a time that never came
     std::size_t trials_outside = 0;  ///< of `each`
 };
 
+/// All trials of a scenario and what the bands say of them.
 struct RunResult {
     std::vector<TrialResult> trials;
     std::vector<BandResult> bands;

@@ -36,6 +36,7 @@ struct Limits : diagnostics::Limits {
     std::function<void(const Progress&)> progress;
 };
 
+/// How large a search was.
 struct Statistics {
     std::uint64_t states = 0;  ///< pairs (specification node, implementation state) or states visited
     std::uint64_t transitions = 0;

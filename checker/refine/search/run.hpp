@@ -7,12 +7,14 @@
 
 namespace robochart::refine {
 
+/// An event and the state that it leads to.
 struct RunStep {
     process::Event event;
     process::Event revealed;
     std::vector<lts::Word> state;  ///< the state reached
 };
 
+/// An initial state and the steps from it.
 struct Run {
     std::vector<lts::Word> initial;
     std::vector<RunStep> steps;

@@ -3,6 +3,7 @@
 
 namespace robochart::refine {
 
+/// What is wrong at the end of a run.
 enum class ViolationKind {
     trace,           ///< the last step's event is not allowed by the specification
     refusal,         ///< the reached stable state offers too little

@@ -12,8 +12,10 @@
 
 namespace robochart::refine {
 
+/// The models of CSP in which processes are compared (UCS 10 to 12).
 enum class Model { traces, failures, failures_divergences };
 
+/// The answer to an assertion.
 enum class Outcome { holds, fails, inconclusive };
 
 /// One step of the implementation's run.
@@ -23,6 +25,7 @@ struct Step {
     std::string state;                       ///< describe() of the state reached
 };
 
+/// A shortest run that violates an assertion, and what is wrong with it.
 struct Counterexample {
     ViolationKind kind = ViolationKind::trace;
     std::vector<Step> steps;              ///< shortest run of the implementation, taus included
@@ -39,6 +42,7 @@ struct Counterexample {
     bool replayed_by_terms = false;
 };
 
+/// The answer to an assertion, with its counterexample and the size of the search.
 struct Verdict {
     Outcome outcome = Outcome::inconclusive;
     std::string reason;                            ///< inconclusive: which limit, or the evaluation error
