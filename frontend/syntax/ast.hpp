@@ -31,6 +31,7 @@ struct QualifiedName {
 
 // ---------------------------------------------------------------- types as written
 
+/// The forms of written types.
 enum class TypeKind {
     name,      ///< qualified name; `target` is a TypeDeclaration or a built-in
     variable,  ///< ?X
@@ -46,6 +47,7 @@ enum class TypeKind {
 struct Expr;
 using ExprPtr = std::unique_ptr<Expr>;
 
+/// A type as written.
 struct TypeExpr {
     TypeKind kind = TypeKind::name;
     Span span;
@@ -59,6 +61,7 @@ using TypeExprPtr = std::unique_ptr<TypeExpr>;
 
 // ---------------------------------------------------------------- expressions
 
+/// The forms of expressions.
 enum class ExprKind {
     integer,
     real,
@@ -98,6 +101,7 @@ enum class ExprKind {
     error,          ///< left by recovery; carries no more errors
 };
 
+/// The operators between two expressions.
 enum class BinaryOp {
     iff,
     implies,
@@ -117,11 +121,13 @@ enum class BinaryOp {
     modulus,
     concat,
 };
+/// The operators in front of an expression.
 enum class UnaryOp { negate, logical_not };
 
 /// `v:T`, `v == e`, or `f = e` inside quantifiers, let, comprehensions and record literals.
 struct Binding;
 
+/// An expression as written; resolution fills in what its names mean and its type.
 struct Expr {
     ExprKind kind = ExprKind::error;
     Span span;
@@ -144,8 +150,10 @@ struct Expr {
 
 // ---------------------------------------------------------------- statements and communications
 
+/// The forms of communication.
 enum class CommKind { simple, input, output, sync };  ///< e, e?x, e!v, e.v
 
+/// A communication in a trigger or a statement.
 struct Communication {
     CommKind kind = CommKind::simple;
     Span span;
@@ -159,6 +167,7 @@ struct Communication {
     const Declaration* from_target = nullptr;      ///< filled by resolve: Variable of `from_variable`
 };
 
+/// The forms of statements.
 enum class StmtKind {
     skip,
     sequence,
@@ -177,6 +186,7 @@ enum class StmtKind {
 struct Stmt;
 using StmtPtr = std::unique_ptr<Stmt>;
 
+/// A statement as written.
 struct Stmt {
     StmtKind kind = StmtKind::error;
     Span span;
@@ -194,6 +204,7 @@ struct Stmt {
 
 // ---------------------------------------------------------------- declarations
 
+/// What a declaration declares.
 enum class DeclKind {
     package,
     primitive_type,  ///< `type X` and the built-ins of core
@@ -254,6 +265,7 @@ struct Binding {
     ExprPtr value;         ///< let, record literal
 };
 
+/// `event e : T`.
 struct Event final : Declaration {
     Event() : Declaration(DeclKind::event) {}
     bool broadcast = false;
@@ -261,16 +273,19 @@ struct Event final : Declaration {
     TypePtr type;           ///< filled by typing; null if untyped
 };
 
+/// `clock C`.
 struct Clock final : Declaration {
     Clock() : Declaration(DeclKind::clock) {}
 };
 
+/// An operation of an interface, without a body.
 struct OperationSignature final : Declaration {
     OperationSignature() : Declaration(DeclKind::operation_signature) {}
     std::vector<VariablePtr> parameters;
     bool terminates = false;
 };
 
+/// A literal of an enumeration, with the types of its arguments.
 struct EnumLiteral final : Declaration {
     EnumLiteral() : Declaration(DeclKind::enum_literal) {}
     std::vector<TypeExprPtr> arguments;
@@ -284,6 +299,7 @@ struct TypeDeclaration final : Declaration {
     bool record_keyword = false;                         ///< written `record`, not `datatype`
 };
 
+/// A function, specified by its contract.
 struct Function final : Declaration {
     Function() : Declaration(DeclKind::function) {}
     std::vector<VariablePtr> parameters;
@@ -295,6 +311,7 @@ struct Function final : Declaration {
 
 /// `uses I`, `requires I, J`, `provides I`.
 enum class InterfaceUse { uses, requires_, provides };
+/// `uses`, `requires` or `provides` with the name of an interface.
 struct InterfaceClause {
     InterfaceUse use = InterfaceUse::uses;
     QualifiedName name;
@@ -321,7 +338,9 @@ struct NodeContainer {
     std::vector<std::unique_ptr<Transition>> transitions;
 };
 
+/// When an action of a state runs.
 enum class ActionKind { entry, during, exit };
+/// An action of a state.
 struct Action {
     ActionKind kind = ActionKind::entry;
     Span span;
@@ -334,6 +353,7 @@ struct State final : Declaration, NodeContainer {
     std::vector<Action> actions;  ///< states only
 };
 
+/// A transition between two nodes, named by their names.
 struct Transition final : Declaration {
     Transition() : Declaration(DeclKind::transition) {}
     QualifiedName from, to;
@@ -371,6 +391,7 @@ struct Reference final : Declaration {
     const Declaration* target = nullptr;  ///< filled by resolve
 };
 
+/// A connection between two components of a controller or module, or with the container itself.
 struct Connection final : Declaration {
     Connection() : Declaration(DeclKind::connection) {}
     struct End {
@@ -397,6 +418,7 @@ struct Component final : Context {
     std::vector<const Declaration*> order;
 };
 
+/// `import p::*` or `import p::X`.
 struct Import {
     QualifiedName name;
     bool wildcard = false;
@@ -405,6 +427,7 @@ struct Import {
 
 // ---------------------------------------------------------------- assertions
 
+/// The forms of assertions.
 enum class AssertionKind {
     deadlock_free,
     divergence_free,
@@ -416,7 +439,9 @@ enum class AssertionKind {
     reachable,
     clock_initialised,
 };
+/// In which semantics an assertion is decided.
 enum class AssertionTime { both, timed, untimed };
+/// The model of CSP that an assertion names.
 enum class AssertionModel { failures_divergences, traces, failures, tick_tock };
 
 struct CspBlock;
@@ -428,6 +453,7 @@ struct ComponentPath {
     const CspBlock* process = nullptr;      ///< the name is that of a csp block
 };
 
+/// A value that an assertion gives to a constant or to a parameter of an operation.
 struct AssertionParameter {
     bool constant = true;  ///< `constant v of ctx`; false: `parameter p of op`
     QualifiedName name;
@@ -437,6 +463,7 @@ struct AssertionParameter {
     const Declaration* target = nullptr;  ///< filled by resolve: Variable
 };
 
+/// An assertion as written.
 struct Assertion final {
     std::string name;
     Span name_span, span;
@@ -468,7 +495,6 @@ struct CspBlock final {
 
 // ---------------------------------------------------------------- files
 
-/// A parsed `.rct` or `.assertions` file.
 /// The head of a part of an assertion file that is kept as text: nothing here evaluates it.
 struct KeptPart {
     std::string form;  ///< the words that it begins with: `prob property`, `sleec assertion`, `defs`
@@ -478,6 +504,7 @@ struct KeptPart {
     bool probabilistic = true;  ///< else of another tool
 };
 
+/// A parsed `.rct` or `.assertions` file.
 struct File {
     diagnostics::SourceId source = diagnostics::SourceId::none;
     std::string folder;     ///< that it lies in, from the root, with "/" at its end

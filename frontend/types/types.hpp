@@ -31,6 +31,7 @@ enum class TypeForm {
     matrix
 };
 
+/// A type of the language, as the type checker computes with it.
 struct Type {
     TypeForm form = TypeForm::any;
     std::string name;                              ///< variable ?X; declared types: name

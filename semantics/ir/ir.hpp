@@ -46,6 +46,7 @@ struct Origin {
 
 // ---------------------------------------------------------------- types and values
 
+/// The forms of types.
 enum class TypeKind {
     boolean,
     nat,
@@ -65,6 +66,7 @@ enum class TypeKind {
     unit
 };
 
+/// A type; equal types have one TypeId.
 struct Type {
     TypeKind kind = TypeKind::unit;
     std::string name;                               ///< RoboChart name ("nat", "Light"); composed types: as written
@@ -84,6 +86,7 @@ struct Decimal {
 
 // ---------------------------------------------------------------- expressions
 
+/// The forms of expressions, with the fields of Expr that each uses.
 enum class ExprKind {
     boolean,        ///< number: 0/1
     integer,        ///< number
@@ -146,6 +149,7 @@ enum class ExprKind {
 struct Expr;
 using ExprPtr = std::shared_ptr<const Expr>;
 
+/// A typed expression.
 struct Expr {
     ExprKind kind = ExprKind::integer;
     TypeId type;
@@ -166,6 +170,7 @@ struct Expr {
 
 // ---------------------------------------------------------------- programs
 
+/// The forms of communication.
 enum class CommKind { simple, input, output, sync };  ///< e, e?x, e!v, e.v
 
 /// In a trigger, `e` and `e?x` receive (CSP direction `.in`); in a statement `e`, `e!v`, `e.v` send (`.out`), `e?x`
@@ -178,6 +183,7 @@ struct Communication {
     ExprPtr predicate;    ///< optional condition on the value
 };
 
+/// The forms of statements.
 enum class StmtKind {
     skip,
     sequence,
