@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "simulation/scenario/reader.hpp"
-#include "simulation/scenario/readings.hpp"
 #include "simulation/scenario/scenario.hpp"
+#include "simulation/scenario/scenario_words.hpp"
+#include "simulation/scenario/sensor_readings.hpp"
 
 namespace robochart::simulation {
 

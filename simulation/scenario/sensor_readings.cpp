@@ -1,4 +1,4 @@
-#include "simulation/scenario/readings.hpp"
+#include "simulation/scenario/sensor_readings.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "simulation/scenario/reader.hpp"
+#include "simulation/scenario/scenario_words.hpp"
 
 #include <fmt/format.h>
 
