@@ -208,7 +208,7 @@ Exit exit_of(const Totals& totals) {
     return totals.inconclusive > 0 || !totals.limit.empty() ? Exit::inconclusive : Exit::success;
 }
 
-void print_text(const Totals& totals, const Options& options) {
+void print_totals(const Totals& totals, const Options& options) {
     for (const ReportedRun& reported : totals.reported) print_run(reported, options.quiet);
     if (!totals.reported.empty() && !options.quiet) print("\n");
     if (totals.replaced > 0 && !options.quiet)
@@ -270,7 +270,7 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
         if (options.format == Format::json)
             print_json(none, Exit::inconclusive);
         else
-            print_text(none, options);
+            print_totals(none, options);
         return Exit::inconclusive;
     });
     const std::vector<std::string> paths = logs(options, project.diagnostics);
@@ -302,7 +302,7 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
     if (options.format == Format::json)
         print_json(totals, exit);
     else
-        print_text(totals, options);
+        print_totals(totals, options);
     return exit;
 }
 

@@ -163,7 +163,7 @@ Exit print_report(const Report& report, const Options& options) {
     if (options.format == Format::json)
         print_exact(render_json(report));
     else
-        print_text(render_text(report, options));
+        app::print_text(render_text(report, options));
     return report.exit();
 }
 
