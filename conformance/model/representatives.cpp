@@ -103,8 +103,8 @@ public:
     }
 
     Representatives choose() {
-        if (too_many())
-            for (const ir::TypeId type : at_the_boundary()) parts_first(type);
+        if (!too_many()) return std::move(result_);
+        for (const ir::TypeId type : at_the_boundary()) parts_first(type);
         if (too_many()) {
             numbers(ir::TypeKind::nat, result_.instantiation.nat);
             numbers(ir::TypeKind::integer, result_.instantiation.integer);
