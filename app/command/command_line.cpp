@@ -199,6 +199,8 @@ void add_common(CLI::App& app, Options& o) {
     app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
     add_progress(app, o);
     add_limits(app, o);
+    app.add_flag_callback(
+        "--no-cache", [&o] { o.cache = false; }, "work out everything anew, and keep nothing for later runs");
     app.add_option("--threads", o.threads,
                    "threads of a check at most, used where its state space is wide; 0 for one for each core")
         ->check(number("--threads"))

@@ -33,7 +33,8 @@ void write_assertion(std::string& out, const AssertionReport& a, const std::stri
     if (options.quiet && a.answer == Answer::holds) return;
     out += fmt::format("  {:<12} {:<{}}", answer_word(a.answer), a.title, width);
     if (a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0)
-        out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states), duration(a.statistics.seconds));
+        out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states),
+                           a.searched ? duration(a.statistics.seconds) : "known");
     out += '\n';
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
     if (!a.run && a.counterexample.empty()) return;
