@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/assertion_forms.hpp"
 #include "csp_emit/base/names.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/expressions/expressions.hpp"
-#include "csp_emit/machine/machine.hpp"
 
 namespace robochart::csp_emit {
 
@@ -19,10 +19,6 @@ using cspm::ExprPtr;
 using ir::PropertyKind;
 
 namespace {
-
-ExprPtr tock() {
-    return b::name("tock");
-}
 
 cspm::Model model_of(ir::PropertyModel model) {
     switch (model) {
@@ -35,16 +31,6 @@ cspm::Model model_of(ir::PropertyModel model) {
             break;
     }
     return cspm::Model::failures_divergences;
-}
-
-/// Timed deadlock freedom, with Ev = Events \ {tock, tock'}:
-///     prioritise(P[[tock <- tock, tock <- tock']], <Ev, {tock}>) \ {tock} is divergence-free.
-/// A hidden tock is performed only where P offers no other event but tock', so a divergence is a run in which, from
-/// some point on, time passes for ever and nothing else is on offer.
-ExprPtr deadlock_watch(const ExprPtr& process) {
-    const ExprPtr both = b::rename(process, {{tock(), tock()}, {tock(), b::name("tock'")}});
-    const ExprPtr others = b::call("diff", {b::name("Events"), b::set({b::name("tock'"), tock()})});
-    return b::hide(b::call("prioritise", {both, b::sequence({others, b::set({tock()})})}), b::set({tock()}));
 }
 
 std::string wording(const ir::Property& property) {
@@ -76,19 +62,12 @@ std::string opposite(const ir::Property& property) {
     return "it refines the other";
 }
 
-/// `SKIP [T= P`: P performs no event but ✓; negated: it performs one. RoboTool's specification is STOP, which forbids ✓
-/// as well, so that every state of a terminating machine seems reachable.
-DeclPtr never(const ExprPtr& process, bool negated) {
-    return b::assert_refines(b::skip(), cspm::Model::traces, process, negated);
-}
-
 class Asserter {
 public:
-    Asserter(const Project& project, NameManager names, Emitted& emitted)
-        : project_(project), names_(std::move(names)), emitted_(emitted) {}
+    Asserter(const Project& project, NameManager& names, Emitted& emitted)
+        : project_(project), names_(names), emitted_(emitted) {}
 
     Obligation property(std::uint32_t index);
-    void core(const std::string& path, const ComponentEmission& component, std::vector<Obligation>& out) const;
 
 private:
     bool timed() const { return project_.timed(); }
@@ -101,8 +80,6 @@ private:
     bool takes(const ir::ComponentRef& ref, const std::string& constant) const;
     void report_unused(const ir::Property& property) const;
     std::vector<DeclPtr> unary(AssertionKind kind, const ExprPtr& process, cspm::Model model, bool negated) const;
-    std::vector<DeclPtr> deadlock(const ExprPtr& process, cspm::Model model, bool negated) const;
-    std::vector<DeclPtr> timelock(const ExprPtr& process, bool negated) const;
     std::vector<DeclPtr> termination(const ExprPtr& process, cspm::Model model, bool negated) const;
     void refinement(const ir::Property& property, Obligation& out);
     std::string model_shifting(const ir::Property& property, Obligation& out);
@@ -117,7 +94,7 @@ private:
     void forms(const ir::Property& property, Obligation& out);
 
     const Project& project_;
-    NameManager names_;
+    NameManager& names_;
     Emitted& emitted_;
 };
 
@@ -192,32 +169,12 @@ std::vector<DeclPtr> Asserter::unary(AssertionKind kind, const ExprPtr& process,
     return {b::assert_property(process, kind, model, negated)};
 }
 
-std::vector<DeclPtr> Asserter::deadlock(const ExprPtr& process, cspm::Model model, bool negated) const {
-    if (!timed()) return unary(AssertionKind::deadlock_free, process, model, negated);
-    return {b::assert_property(deadlock_watch(process), AssertionKind::divergence_free,
-                               cspm::Model::failures_divergences, negated)};
-}
-
-/// Timelock freedom: `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`, that is, every stable state of P
-/// accepts tock.
-std::vector<DeclPtr> Asserter::timelock(const ExprPtr& process, bool negated) const {
-    const ExprPtr others = b::call("diff", {b::name("Events"), b::productions({tock()})});
-    const ExprPtr any = b::interleave({b::call("RUN", {b::set({tock()})}), b::call("CHAOS", {others})});
-    return {b::assert_refines(any, cspm::Model::failures, process, negated)};
-}
-
 /// `terminates`: not `P :[deadlock free]`, so some deadlock or ✓ is reachable, and
 /// `P; RUN({r__}) :[deadlock free]`, so every deadlock of P is a ✓.
-/// `does not terminate`: `STOP [T= (P; r__ -> STOP) |\ {r__}`, so no ✓ is reachable, after which r__ would follow.
 std::vector<DeclPtr> Asserter::termination(const ExprPtr& process, cspm::Model model, bool negated) const {
-    const ExprPtr after = b::name("r__");
-    if (negated) {
-        const ExprPtr marked = b::sequential({process, b::prefix(after, b::stop())});
-        return {b::assert_refines(b::stop(), cspm::Model::traces, b::project(marked, b::set({after})))};
-    }
-    const ExprPtr running = b::sequential({process, b::call("RUN", {b::set({after})})});
+    if (negated) return {never_terminates(process)};
     return {b::assert_property(process, AssertionKind::deadlock_free, model, true),
-            b::assert_property(running, AssertionKind::deadlock_free, model, false)};
+            b::assert_property(running_on(process, "r__"), AssertionKind::deadlock_free, model, false)};
 }
 
 /// Two components of the model are compared by the names of their events (csp-gen issue 91): one side is renamed.
@@ -296,31 +253,16 @@ std::vector<DeclPtr> Asserter::reachability(const ir::Property& property) const 
     return {never(only, !property.negated)};
 }
 
-/// `clock C is initialised`: no guard reads C before its first reset, and some run resets it. An instrumented copy W of
-/// the machine (clock_initialisation.cpp) performs `unset__` at such a read and `reset__` at a reset:
+/// `clock C is initialised`: no guard reads C before its first reset, and some run resets it. Of an instrumented copy W
+/// of the machine (clock_initialisation.cpp):
 ///     SKIP [T= W |\ {unset__}   and   not SKIP [T= W |\ {reset__}.
 void Asserter::initialisation(const ir::Property& property, Obligation& out) {
     const ComponentEmission& subject = *component(property.subject);
-    MachineContext context;
-    context.project = &project_;
-    context.machine = subject.machine;
-    context.name = names_.unique("CLW_" + flatten(property.name));
-    context.path = context.name;
-    context.definitions = subject.definitions;
-    context.names = names_;
-    context.watched = property.state;
-    const std::string name = context.name;
-    Emitted apart;
-    const ComponentEmission watching = emit_machine(std::move(context), apart);
-    emitted_.provenance.events.merge(apart.provenance.events);
-    emitted_.provenance.definitions.merge(apart.provenance.definitions);
-    out.preparation.push_back(watching.module);
-    const ExprPtr process = b::call(name + "::D__", arguments(property.subject, property));
-    const auto only = [&](const std::string& channel) {
-        return b::project(process, b::productions({b::name(name + "::" + channel)}));
-    };
-    if (watching.reads_of_watched > 0) out.assertions.push_back(never(only("unset__"), property.negated));
-    out.assertions.push_back(never(only("reset__"), !property.negated));
+    const ClockWatch watch = clock_watch(project_, names_, emitted_, subject, property.state, flatten(property.name));
+    out.preparation.push_back(watch.module);
+    const b::Exprs given = arguments(property.subject, property);
+    if (watch.reads > 0) out.assertions.push_back(never(watch.only("unset__", given), property.negated));
+    out.assertions.push_back(never(watch.only("reset__", given), !property.negated));
     out.one_suffices = property.negated;
     out.reason = property.negated ? "every read of it follows a reset" : "no run resets it";
 }
@@ -369,7 +311,7 @@ void Asserter::forms(const ir::Property& property, Obligation& out) {
     const cspm::Model model = property.model == ir::PropertyModel::failures ? cspm::Model::failures : cspm::Model::none;
     switch (property.kind) {
         case PropertyKind::deadlock_free:
-            out.assertions = deadlock(subject(), model, property.negated);
+            out.assertions = {deadlock_free(subject(), timed(), model, property.negated)};
             break;
         case PropertyKind::divergence_free:
             out.assertions = unary(AssertionKind::divergence_free, subject(), model, property.negated);
@@ -378,7 +320,7 @@ void Asserter::forms(const ir::Property& property, Obligation& out) {
             out.assertions = unary(AssertionKind::deterministic, subject(), model, property.negated);
             break;
         case PropertyKind::timelock_free:
-            out.assertions = timelock(subject(), property.negated);
+            out.assertions = {timelock_free(subject(), property.negated)};
             break;
         case PropertyKind::terminates:
             out.assertions = termination(subject(), model, property.negated);
@@ -412,44 +354,28 @@ Obligation Asserter::property(std::uint32_t index) {
     return result;
 }
 
-/// The generated assertions of one component: deadlock, divergence, determinism, and in time timelock.
-void Asserter::core(const std::string& path, const ComponentEmission& component, std::vector<Obligation>& out) const {
-    const ExprPtr process = default_process(project_, path, component, "D__");
-    const auto add = [&](const std::string& what, PropertyKind kind, std::vector<DeclPtr> assertions) {
-        Obligation obligation;
-        obligation.kind = kind;
-        obligation.title = (timed() ? "core [timed] " : "core [untimed] ") + path + " is " + what;
-        obligation.time = project_.time;
-        obligation.assertions = std::move(assertions);
-        out.push_back(std::move(obligation));
-    };
-    const auto plain = cspm::Model::none;
-    add("deadlock-free", PropertyKind::deadlock_free, deadlock(process, plain, false));
-    add("divergence-free", PropertyKind::divergence_free, unary(AssertionKind::divergence_free, process, plain, false));
-    add("deterministic", PropertyKind::deterministic, unary(AssertionKind::deterministic, process, plain, false));
-    if (timed()) add("timelock-free", PropertyKind::timelock_free, timelock(process, false));
-}
-
 }  // namespace
 
 ExprPtr default_process(const Project& project, const std::string& path, const ComponentEmission& component,
                         const std::string& variant) {
+    return b::call(path + "::" + variant, default_arguments(project, component));
+}
+
+b::Exprs default_arguments(const Project& project, const ComponentEmission& component) {
     b::Exprs arguments{b::number(0)};
     for (const ArgumentParameter& parameter : component.arguments)
         arguments.push_back(default_literal(project, parameter.type));
     for (const ConstantParameter& constant : component.constants) arguments.push_back(b::name(constant.value));
-    return b::call(path + "::" + variant, arguments);
+    return arguments;
 }
 
-std::vector<Obligation> obligations(const Project& project, NameManager names, Emitted& emitted) {
-    Asserter asserter(project, std::move(names), emitted);
+std::vector<Obligation> obligations(const Project& project, NameManager& names, Emitted& emitted) {
+    Asserter asserter(project, names, emitted);
     std::vector<Obligation> result;
     for (std::uint32_t i = 0; i < project.system.properties.size(); ++i) {
         const ir::Property& property = project.system.properties[i];
         if (project.timed() ? property.timed : property.untimed) result.push_back(asserter.property(i));
     }
-    if (project.options.core_assertions)
-        for (const auto& [path, component] : emitted.components) asserter.core(path, component, result);
     return result;
 }
 

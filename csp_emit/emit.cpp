@@ -13,6 +13,7 @@
 #include "csp_emit/compose/controller.hpp"
 #include "csp_emit/compose/instantiations.hpp"
 #include "csp_emit/compose/module.hpp"
+#include "csp_emit/core_properties.hpp"
 #include "csp_emit/expressions/expressions.hpp"
 #include "csp_emit/machine/machine.hpp"
 #include "csp_emit/passes/name_clashes.hpp"
@@ -283,6 +284,8 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
         append(result.script.decls,
                cspm::renamed(declared_once(files[i].others, result.script.decls), new_names_of_files[i]));
     result.obligations = obligations(project, names, emitted);
+    if (options.core_properties)
+        for (Obligation& each : core_properties(project, names, emitted)) result.obligations.push_back(std::move(each));
     for (Obligation& obligation : result.obligations) {
         obligation.preparation = cspm::renamed(obligation.preparation, new_names);
         append(result.script.decls, obligation.preparation);

@@ -260,7 +260,7 @@ const csp_emit::Emission& emit_csp(Project& project, const Options& options, csp
     if (const auto made = project.scripts.find(time); made != project.scripts.end()) return made->second;
     const diagnostics::Budget::Phase phase(options.run->budget(), "writing the CSP semantics");
     csp_emit::Options wanted;
-    wanted.core_assertions = options.core;
+    wanted.core_properties = options.core && (time == csp_emit::Time::timed || options.times == Times::untimed);
     const csp_emit::Emission& emission =
         project.scripts
             .emplace(time, csp_emit::emit(project.system, project.instantiation, time, wanted, project.sources,

@@ -85,7 +85,11 @@ struct Provenance {
 struct Obligation {
     ir::PropertyKind kind = ir::PropertyKind::deadlock_free;
     bool negated = false;
-    std::uint32_t property = ir::no_id;  ///< index into System::properties; none for generated core assertions
+    std::uint32_t property = ir::no_id;  ///< index into System::properties; none for core properties
+    std::string component = {};          ///< core properties: "state machine P::S"; "" for the model's assertions
+    std::string property_text = {};      ///< core properties: "deadlock-free"
+    bool information = false;            ///< core properties: nothing is wrong where it does not hold
+    ir::Origin origin = {};              ///< core properties: the state or clock that it is about
     std::string title;                   ///< "A1 [timed] AggregationFSM is deadlock-free"
     Time time = Time::untimed;
     std::vector<cspm::DeclPtr> preparation;  ///< what the assertions mention and no other does; in the script too
@@ -114,8 +118,7 @@ struct Emission {
 
 /// How the script is written, and whether assertions are added to those of the model.
 struct Options {
-    bool core_assertions =
-        false;  ///< add the generated ones (deadlock, divergence, determinism, timelock) for each component
+    bool core_properties = false;  ///< add them for each component (core_properties.hpp)
     /// A machine that may have more states than this, by the sizes of its carriers, keeps its largest variables in
     /// memory processes of their own.
     double states_of_a_process = 50'000;

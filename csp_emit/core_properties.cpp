@@ -1,0 +1,144 @@
+#include "csp_emit/core_properties.hpp"
+
+#include <fmt/format.h>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/assertion_forms.hpp"
+#include "csp_emit/assertions.hpp"
+
+namespace robochart::csp_emit {
+
+namespace b = cspm::build;
+using cspm::ExprPtr;
+using ir::PropertyKind;
+
+namespace {
+
+/// The properties of one component.
+class CoreProperties {
+public:
+    CoreProperties(const Project& project, NameManager& names, Emitted& emitted, std::string path, std::string title)
+        : project_(project),
+          names_(names),
+          emitted_(emitted),
+          path_(std::move(path)),
+          title_(std::move(title)),
+          component_(emitted.components.at(path_)),
+          process_(default_process(project, path_, component_, "D__")) {}
+
+    std::vector<Obligation> all() {
+        const auto plain = cspm::Model::none;
+        required(PropertyKind::deadlock_free, "deadlock-free",
+                 deadlock_free(running_on(process_, "r__"), project_.timed(), plain));
+        required(PropertyKind::divergence_free, "divergence-free",
+                 b::assert_property(process_, cspm::AssertionKind::divergence_free, plain));
+        if (project_.timed()) {
+            required(PropertyKind::timelock_free, "timelock-free",
+                     timelock_free(b::hide(running_on(process_, "tock"), b::productions(outputs()))));
+            clocks();
+        }
+        information(PropertyKind::deterministic, "deterministic",
+                    b::assert_property(process_, cspm::AssertionKind::deterministic, plain));
+        information(PropertyKind::terminates, "never terminates", never_terminates(process_)).negated = true;
+        states();
+        return std::move(obligations_);
+    }
+
+private:
+    Obligation& required(PropertyKind kind, const std::string& what, cspm::DeclPtr assertion) {
+        Obligation& obligation = obligations_.emplace_back();
+        obligation.kind = kind;
+        obligation.component = title_;
+        obligation.property_text = what;
+        obligation.title = fmt::format("core [{}] {}: {}", project_.timed() ? "timed" : "untimed", path_, what);
+        obligation.time = project_.time;
+        obligation.assertions.push_back(std::move(assertion));
+        return obligation;
+    }
+    Obligation& information(PropertyKind kind, const std::string& what, cspm::DeclPtr assertion) {
+        Obligation& obligation = required(kind, what, std::move(assertion));
+        obligation.information = true;
+        return obligation;
+    }
+
+    /// What the component does to its platform: calls, outputs, writes of variables that others share.
+    [[nodiscard]] b::Exprs outputs() const {
+        b::Exprs result;
+        const std::string prefix = path_ + "::";
+        const auto& events = emitted_.provenance.events;
+        for (auto at = events.lower_bound(prefix); at != events.end() && at->first.starts_with(prefix); ++at) {
+            const MeaningKind kind = at->second.kind;
+            const std::string own = at->first.substr(prefix.size());
+            const bool outside =
+                kind == MeaningKind::output || kind == MeaningKind::call || kind == MeaningKind::assignment;
+            if (!outside || own.find("::") != std::string::npos) continue;
+            const std::size_t dot = own.find('.');
+            const ExprPtr channel = b::name(prefix + own.substr(0, dot));
+            result.push_back(dot == std::string::npos ? channel : b::dot({channel, b::name(own.substr(dot + 1))}));
+        }
+        return result;
+    }
+
+    /// Of a machine; each in an instrumented copy of it.
+    void clocks() {
+        if (component_.machine == nullptr) return;
+        for (const ir::Clock& clock : component_.machine->clocks) {
+            if (clock.entry_of.valid()) continue;  // set by the entry
+            const ClockWatch watch =
+                clock_watch(project_, names_, emitted_, component_, clock.name, flatten(path_ + "_" + clock.name));
+            if (watch.reads == 0) continue;
+            const ExprPtr read_unset = watch.only("unset__", default_arguments(project_, component_));
+            Obligation& obligation =
+                required(PropertyKind::clock_initialised, fmt::format("{} is reset before it is read", clock.name),
+                         never(read_unset, false));
+            obligation.origin = clock.origin;
+            obligation.preparation.push_back(watch.module);
+        }
+    }
+
+    /// Of the machines inside, in the component's own context.
+    void states() {
+        const ExprPtr visible = default_process(project_, path_, component_, "VS__");
+        for (const auto& [path, inner] : emitted_.components) {
+            const bool inside = path == path_ || path.starts_with(path_ + "::");
+            if (!inside || inner.machine == nullptr || inner.machine->kind != ir::MachineKind::state_machine) continue;
+            for (const ir::Node& node : inner.machine->nodes)
+                if (node.kind == ir::NodeKind::state) state(path, node, visible);
+        }
+    }
+    void state(const std::string& machine, const ir::Node& node, const ExprPtr& visible) {
+        const std::string name = machine + "::" + node.path;
+        const ExprPtr entered = b::project(visible, b::productions({b::name(name + "::entered")}));
+        const std::string shown = name.substr(path_.size() + 2);
+        information(PropertyKind::reachable, shown + " is reachable", never(entered, true)).origin = node.origin;
+    }
+
+    const Project& project_;
+    NameManager& names_;
+    Emitted& emitted_;
+    std::string path_;
+    std::string title_;
+    const ComponentEmission& component_;
+    ExprPtr process_;
+    std::vector<Obligation> obligations_;
+};
+
+}  // namespace
+
+std::vector<Obligation> core_properties(const Project& project, NameManager& names, Emitted& emitted) {
+    std::vector<Obligation> result;
+    const auto ask = [&](const std::string& package, const std::string& path, const char* kind) {
+        const std::string name = qualified(package, path);
+        if (!emitted.components.contains(name)) return;
+        for (Obligation& each : CoreProperties(project, names, emitted, name, fmt::format("{} {}", kind, name)).all())
+            result.push_back(std::move(each));
+    };
+    for (const ir::Module& module : project.system.modules) ask(module.package, module.name, "module");
+    for (const ir::Controller& controller : project.system.controllers)
+        ask(controller.package, controller.path, "controller");
+    for (const ir::Machine& machine : project.system.machines)
+        if (machine.kind == ir::MachineKind::state_machine) ask(machine.package, machine.path, "state machine");
+    return result;
+}
+
+}  // namespace robochart::csp_emit
