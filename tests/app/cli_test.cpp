@@ -38,7 +38,8 @@ TEST(Cli, WrongUsageIsExit4) {
                                   {"check", "x", "--max-states", "0"}}) {
         const Ran ran = run(arguments);
         EXPECT_EQ(ran.exit, 4) << ran.err;
-        EXPECT_THAT(ran.err, HasSubstr("try: robochart-verify --help"));
+        EXPECT_THAT(ran.err, HasSubstr("try: robochart-verify ")) << ran.err;
+        EXPECT_THAT(ran.err, HasSubstr("--help"));
     }
 }
 
@@ -67,6 +68,12 @@ TEST(Cli, WarningsCanBeLeftOutOrDenied) {
     const Ran allowed = with({"--deny-warnings", "--allow", "RC-W02", "--allow", "rc-w07"});
     EXPECT_EQ(allowed.exit, 0);
     EXPECT_THAT(allowed.err, Not(HasSubstr("RC-W07")));
+    EXPECT_EQ(run({"validate", model.path()}).exit, 0);
+    EXPECT_EQ(run({"validate", model.path(), "--allow", "RC-W07", "--deny-warnings"}).out, "valid\n");
+    const Ran invalid = run({"validate", model.path(), "--deny-warnings"});
+    EXPECT_EQ(invalid.exit, 2);
+    EXPECT_THAT(invalid.out, IsEmpty());
+    EXPECT_THAT(invalid.err, HasSubstr("--deny-warnings"));
     for (const char* code : {"RC-N01", "nonsense"}) {
         const Ran wrong = with({"--allow", code});
         EXPECT_EQ(wrong.exit, 4) << wrong.err;
