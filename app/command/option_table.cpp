@@ -110,7 +110,7 @@ std::uint64_t number(const std::string& word) {
 }
 
 void take_format(Options& o, const std::string& word) {
-    o.format = static_cast<Format>(index_of(word, "text,json,sarif,plain,framed_json"));
+    o.format = static_cast<Format>(index_of(word, "text,json,sarif,plain,framed_json,junit"));
 }
 
 void take_quiet(Options& o, const std::string&) {
@@ -251,11 +251,15 @@ const std::vector<OptionRow>& option_table() {
              o.out = word;
              o.out_given = true;
          }},
-        {"--format", Group::output, models | of(Verb::simulate), format_of("text,json"), "how the result is printed",
+        {"--format", Group::output, emitting | of(Verb::simulate), format_of("text,json"), "how the result is printed",
+         take_format},
+        {"--format", Group::output, checking, format_of("text,json,sarif,junit"), "how the result is printed",
+         take_format},
+        {"--format", Group::output, of(Verb::conform), format_of("text,json,junit"), "how the result is printed",
          take_format},
         {"--format", Group::output, of(Verb::validate), format_of("text,json,sarif"), "how findings are printed",
          take_format},
-        {"--format", Group::output, of(Verb::cspm), format_of("text,plain,json,framed_json"),
+        {"--format", Group::output, of(Verb::cspm), format_of("text,plain,json,framed_json,junit"),
          "how the result is printed; plain, json and framed_json as by FDR's refines", take_format},
         {"--color", Group::output, limited | of(Verb::explain),
          {.kind = Kind::choice, .name = "WHEN", .usual = "auto", .choices = "auto,always,never"},

@@ -44,7 +44,7 @@ enum class Verb {
     version
 };
 /// How results are printed.
-enum class Format { text, json, sarif, plain, framed_json };
+enum class Format { text, json, sarif, plain, framed_json, junit };
 /// Whether progress goes to stderr, and how.
 enum class ProgressMode { automatic, json, never };
 /// Whether text is coloured.

@@ -46,9 +46,11 @@ _robochart_verify_argument() {
     'simulate --seed') echo '<value>' ;;
     'simulate --log') echo '<folder>' ;;
     'verify -o' | 'verify --out' | 'check -o' | 'check --out' | 'emit csp -o' | 'emit csp --out' | 'emit cpp -o' | 'emit cpp --out' | 'emit monitor -o' | 'emit monitor --out' | 'emit tests -o' | 'emit tests --out' | 'conform -o' | 'conform --out' | 'simulate -o' | 'simulate --out') echo '<folder>' ;;
-    'verify --format' | 'check --format' | 'emit csp --format' | 'emit cpp --format' | 'emit monitor --format' | 'emit tests --format' | 'conform --format' | 'simulate --format') echo 'text json' ;;
+    'emit csp --format' | 'emit cpp --format' | 'emit monitor --format' | 'emit tests --format' | 'simulate --format') echo 'text json' ;;
+    'verify --format' | 'check --format') echo 'text json sarif junit' ;;
+    'conform --format') echo 'text json junit' ;;
     'validate --format') echo 'text json sarif' ;;
-    'cspm --format') echo 'text plain json framed_json' ;;
+    'cspm --format') echo 'text plain json framed_json junit' ;;
     'verify --color' | 'validate --color' | 'check --color' | 'emit csp --color' | 'emit cpp --color' | 'emit monitor --color' | 'emit tests --color' | 'conform --color' | 'cspm --color' | 'simulate --color' | 'format --color' | 'explain --color') echo 'auto always never' ;;
     'cspm --export') echo 'aut dot csp' ;;
     'verify --progress' | 'check --progress' | 'emit csp --progress' | 'emit cpp --progress' | 'emit monitor --progress' | 'emit tests --progress' | 'conform --progress' | 'cspm --progress' | 'simulate --progress') echo 'auto json never' ;;

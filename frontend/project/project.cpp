@@ -112,7 +112,8 @@ std::vector<fs::path> closure(const fs::path& named, Diagnostics& out) {
     std::vector<Neighbour> open;
     const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");
     for (const fs::path& path : files_of(folder, false, out))
-        if (path.filename() != named.filename()) open.push_back(survey(path));
+        if (path.filename() != named.filename())
+            open.push_back(survey(named.has_parent_path() ? path : path.filename()));
     std::vector<Neighbour> chosen{survey(named)};
     std::set<std::string> declared = chosen.front().declares;
     for (std::size_t i = 0; i < chosen.size(); ++i)

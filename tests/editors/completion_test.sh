@@ -48,8 +48,8 @@ expect "cpp csp monitor tests" emit ""
 expect "aggregation false_claims swarm_taxis" emit cpp ""
 expect "check conform cspm emit explain format help lsp simulate validate verify version" help ""
 expect "always auto never" check --color ""
-expect "json" check --format j
-expect "json" check --format = j
+expect "json" check --format js
+expect "json" check --format = js
 expect "aut csp dot" cspm --export ""
 expect "timed-script" check aggregation --print t
 expect "" check --timeout ""
