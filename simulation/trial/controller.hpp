@@ -14,7 +14,7 @@ namespace robochart::simulation {
 class Controller {
 public:
     /// Compiles and loads what emit_drive made. On failure returns nothing and sets `error`. Throws
-    /// diagnostics::LimitReached.
+    /// cpp_emit::NoCompiler, diagnostics::LimitReached.
     static std::unique_ptr<Controller> build(const cpp_emit::DriveEmission&, const std::string& compiler,
                                              std::string& error, diagnostics::Budget* budget = nullptr);
 

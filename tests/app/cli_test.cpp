@@ -239,6 +239,22 @@ TEST(Cli, ScriptsAreTypeCheckedFirst) {
                 HasSubstr("robochart-verify/diagnostics/1"));
 }
 
+/// Only comparing code, and simulating, needs a compiler.
+TEST(Cli, WithoutACompilerTheVerdictsAreKnown) {
+    const std::string model = repository("corpus/aggregation");
+    const Ran ran = run_shell("PATH=/nonexistent \"$verify\" '" + model + "'");
+    EXPECT_EQ(ran.exit, 3) << ran.err;
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("holds        A1"), HasSubstr("22 of 22 checks hold"),
+                               HasSubstr("conformance was not checked: cannot run c++"), HasSubstr("apt install g++")));
+    EXPECT_EQ(run_shell("PATH=/nonexistent \"$verify\" check '" + model + "'").exit, 0);
+    const Ran conform = run_shell("PATH=/nonexistent \"$verify\" conform --format junit '" + model + "'");
+    EXPECT_EQ(conform.exit, 3) << conform.err;
+    EXPECT_THAT(conform.out, HasSubstr("<error message=\"conformance was not checked"));
+    const Ran simulated = run_shell("PATH=/nonexistent \"$verify\" simulate '" + model + "/aggregation.scenario'");
+    EXPECT_EQ(simulated.exit, 3) << simulated.err;
+    EXPECT_THAT(simulated.out, HasSubstr("apt install g++"));
+}
+
 class CaseStudy : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CaseStudy, HoldsAndConforms) {
