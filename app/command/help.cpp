@@ -14,7 +14,8 @@ constexpr std::size_t text_column = 26;
 
 constexpr const char* about_models =
     "MODEL is a folder (a project: every .rct and .assertions file below it) or a file (with the .rct files of its "
-    "folder that it needs); independent projects are processed separately.";
+    "folder that it needs, or, for assertions in a folder without models, of the folder above); independent projects "
+    "are processed separately.";
 
 /// The text in lines that begin at this column; the first has `lead` in front of it.
 std::string paragraph(const std::string& lead, std::string_view text, std::size_t column) {

@@ -112,7 +112,7 @@ controllers, and checks that this code refines the semantics.
 .PP
 .I MODEL
 is a folder (a project: every .rct and .assertions file below it) or a file (with the .rct files of its folder that it
-needs).
+needs, or, for assertions in a folder without models, of the folder above).
 Independent projects are processed separately.
 Results go to standard output, diagnostics and progress to standard error.
 )";

@@ -144,5 +144,35 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"AssertionZero", "cspm --assertion 0 s.csp", 4, "--assertion"}),
     [](const auto& each) { return std::string(each.param.name); });
 
+/// Every verb that takes a name says that there is none of it, and which is nearest.
+TEST(NamesInEveryVerb, AreSuggested) {
+    const std::vector<std::string> models{"verify",       "check",      "emit csp", "emit cpp",
+                                          "emit monitor", "emit tests", "conform"};
+    std::vector<std::pair<std::string, std::string>> commands;
+    for (const std::string& verb : models) {
+        commands.emplace_back(verb + " claimed --const sped=1", "did you mean 'speed'?");
+        commands.emplace_back(verb + " claimed --range nta=0..1", "did you mean 'nat'?");
+        commands.emplace_back(verb + " claimed --allow RCW07", "did you mean 'RC-W07'?");
+        commands.emplace_back(verb + " claimed --format jsn", "did you mean 'json'?");
+        commands.emplace_back(verb + " claimed --quite", "did you mean '--quiet'?");
+    }
+    for (const std::string verb : {"verify", "check"})
+        commands.emplace_back(verb + " claimed --assertion Movs", "did you mean 'Moves'?");
+    for (const std::string verb : {"verify", "emit cpp", "emit monitor", "emit tests", "conform"})
+        commands.emplace_back(verb + " claimed --component Walkr", "did you mean 'Walker'?");
+    for (const std::string verb : {"validate claimed", "simulate 'CORPUS'"})
+        commands.emplace_back(verb + " --allow RCW07", "did you mean 'RC-W07'?");
+    commands.emplace_back("simulate 'CORPUS' --const Turns=1", "--const Turns: the model has no constant");
+    std::string script = files;
+    for (const auto& [command, said] : commands) {
+        std::string line = "timeout 60 \"$verify\" " + command + "; echo \"exit $?\"\n";
+        if (const std::size_t at = line.find("CORPUS"); at != std::string::npos)
+            line.replace(at, 6, repository("corpus/aggregation/aggregation.scenario"));
+        const Ran ran = run_shell(script + line);
+        EXPECT_EQ(ran.out, "exit 4\n") << command;
+        EXPECT_THAT(ran.err, HasSubstr(said)) << command;
+    }
+}
+
 }  // namespace
 }  // namespace robochart::app::testing

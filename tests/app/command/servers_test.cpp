@@ -260,5 +260,24 @@ TEST(OneFile, FindsItsProject) {
     EXPECT_EQ(run_shell(project + "cd ..; \"$verify\" check --untimed p/m.assertions").exit, 1);
 }
 
+/// Assertions in a folder of their own, below their models.
+TEST(OneFile, FindsTheModelsAboveItsFolder) {
+    const std::string project = std::string(files) + "mkdir -p p/claims; mv m.rct p; mv m.assertions p/claims; ";
+    for (const char* command : {"check p/claims/m.assertions", "cd p; check claims/m.assertions",
+                                "cd p/claims; check m.assertions", "cd p/claims; check ./m.assertions"}) {
+        std::string line = command;
+        line.replace(line.find("check"), 5, "\"$verify\" check --untimed");
+        const Ran ran = run_shell(project + line);
+        EXPECT_EQ(ran.exit, 1) << command << ran.err;
+        EXPECT_THAT(ran.out, HasSubstr("1 of 2 checks hold, 1 fail")) << command;
+    }
+    // With a model of its own folder, and beside other inputs, it is not looked for there.
+    EXPECT_EQ(run_shell(project + "echo 'stm T { initial i state A { } transition t { from i to A } }' > "
+                                  "p/claims/t.rct; \"$verify\" check p/claims/m.assertions")
+                  .exit,
+              2);
+    EXPECT_EQ(run_shell(project + "\"$verify\" check p/claims/m.assertions s.rct").exit, 2);
+}
+
 }  // namespace
 }  // namespace robochart::app::testing
