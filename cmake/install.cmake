@@ -6,8 +6,9 @@ include(GNUInstallDirs)
 # At configuration, so that `cmake --install` needs nothing but the program.
 set(man_page ${CMAKE_SOURCE_DIR}/docs/robochart-verify.1)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${man_page})
-file(ARCHIVE_CREATE OUTPUT ${CMAKE_BINARY_DIR}/robochart-verify.1.gz PATHS ${man_page} FORMAT raw COMPRESSION GZip
-     COMPRESSION_LEVEL 9 MTIME "1970-01-01 00:00:00 UTC")
+find_program(GZIP_PROGRAM gzip REQUIRED)
+execute_process(COMMAND ${GZIP_PROGRAM} -9 --no-name --stdout ${man_page}
+                OUTPUT_FILE ${CMAKE_BINARY_DIR}/robochart-verify.1.gz COMMAND_ERROR_IS_FATAL ANY)
 install(FILES ${CMAKE_BINARY_DIR}/robochart-verify.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 set(completions ${CMAKE_SOURCE_DIR}/editors/completion)

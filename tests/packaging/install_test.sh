@@ -38,6 +38,7 @@ cd "$folder/elsewhere"
 run=(env -i "$folder/usr/bin/robochart-verify")
 "${run[@]}" check "$folder/usr/share/doc/robochart-verify/examples/aggregation" -q | grep -q 'checks hold$'
 [ "$("${run[@]}" version)" = "$("$build/app/robochart-verify" --version)" ]
+grep -q "^project(robochart-verify VERSION $("${run[@]}" version | cut -d ' ' -f 2) " "$sources/CMakeLists.txt"
 "${run[@]}" explain RC-W07 | grep -q 'RC-W07'
 [ -z "$(ls)" ]  # `check` writes nothing
 
