@@ -128,27 +128,10 @@ private:
     }
 
     [[nodiscard]] double initial(const StoredVariable& variable) const {
-        switch (generation_.system.type(variable.variable->type).kind) {
-            case ir::TypeKind::real:
-                return static_cast<double>(variable.initial.number) / static_cast<double>(generation_.inst.scale);
-            case ir::TypeKind::nat:
-            case ir::TypeKind::integer:
-                return static_cast<double>(variable.initial.number);
-            case ir::TypeKind::boolean:
-            case ir::TypeKind::string:
-            case ir::TypeKind::enumeration:
-            case ir::TypeKind::given:
-            case ir::TypeKind::sequence:
-            case ir::TypeKind::set:
-            case ir::TypeKind::product:
-            case ir::TypeKind::record:
-            case ir::TypeKind::function:
-            case ir::TypeKind::relation:
-            case ir::TypeKind::vector:
-            case ir::TypeKind::matrix:
-            case ir::TypeKind::unit:
-                break;
-        }
+        const Carried kind = carried(generation_.system.type(variable.variable->type).kind);
+        const auto number = static_cast<double>(variable.initial.number);
+        if (kind == Carried::real) return number / static_cast<double>(generation_.inst.scale);
+        if (kind == Carried::whole) return number;
         return 0;
     }
 

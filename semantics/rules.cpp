@@ -90,6 +90,10 @@ const Rule declared_twice{
     "Where two declarations of one kind share a name, a reference means the first (RC-N03 warns). Semantics and code "
     "know members, literals, fields, parameters and what an expression binds by their names, so they refuse it. Rename "
     "one of the two."};
+const Rule no_literals{
+    "RC-S23", Severity::error, "enumeration {} has no literals, so nothing can have a value of it",
+    "A variable, an event or a parameter of an enumeration without literals has no value that it could begin with or "
+    "communicate, so the model has no behaviour. Give the enumeration a literal, or make it a given type: `type T`."};
 const Rule ambiguous_constant{
     "RC-S19", Severity::error,
     "operation {} requires constant {}, which its callers in {} provide with different values: {}",
@@ -97,7 +101,7 @@ const Rule ambiguous_constant{
     "their own, the operation would need one process for each; give it a parameter instead."};
 
 namespace {
-const std::array<const Rule*, 18> table{&unsupported_construct,
+const std::array<const Rule*, 19> table{&unsupported_construct,
                                         &recursive_operation,
                                         &number_too_large,
                                         &too_deep,
@@ -114,7 +118,8 @@ const std::array<const Rule*, 18> table{&unsupported_construct,
                                         &ambiguous_constant,
                                         &function_by_contract,
                                         &no_beginning,
-                                        &declared_twice};
+                                        &declared_twice,
+                                        &no_literals};
 }  // namespace
 
 std::span<const Rule* const> all() {

@@ -25,6 +25,7 @@ extern const diagnostics::Rule ambiguous_constant;           // RC-S19
 extern const diagnostics::Rule function_by_contract;         // RC-S20
 extern const diagnostics::Rule no_beginning;                 // RC-S21
 extern const diagnostics::Rule declared_twice;               // RC-S22
+extern const diagnostics::Rule no_literals;                  // RC-S23
 
 /// Every rule above, in order of code.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

@@ -125,6 +125,12 @@ std::string version_text() {
     return fmt::format("robochart-verify {}\n", program_version);
 }
 
+/// A verb that cannot be asked to do without a cache has none.
+bool has_cache(Verb verb) {
+    const std::vector<const OptionRow*> rows = options_of(of(verb));
+    return std::any_of(rows.begin(), rows.end(), [](const OptionRow* row) { return long_name(*row) == "--no-cache"; });
+}
+
 /// An option that the verb does not have: the nearest that it has, or the verbs that have it.
 std::string unknown_option(const std::string& given, const std::string& verb) {
     const std::string name = given.substr(0, given.find('='));
@@ -184,6 +190,7 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     }
     if (options.verb == Verb::help) return help_asked(options);
     if (options.verb == Verb::version) return said(version_text());
+    options.cache = options.cache && has_cache(options.verb);
     return Parsed{options, Exit::success, ""};
 }
 

@@ -135,6 +135,13 @@ and the programs that convert pictures
 .BR ffmpeg )
 are looked for.
 .TP
+.BR XDG_CACHE_HOME ", " HOME
+What runs keep for later ones is in
+.I robochart\-verify
+below the former, or below
+.I .cache
+of the latter.
+.TP
 .B TMPDIR
 The folder for temporary files;
 .I /tmp
@@ -154,6 +161,11 @@ A scenario for
 .IR NAME .trace
 Logs of runs, for
 .BR "conform \-\-traces" .
+.TP
+.I ~/.cache/robochart\-verify/
+Answers and compiled code of earlier runs, unless
+.B \-\-no\-cache
+is given. It may be removed at any time.
 .TP
 .I out/
 What is written goes below this folder unless

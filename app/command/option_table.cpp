@@ -313,6 +313,9 @@ const std::vector<OptionRow>& option_table() {
          "bound on states of a check",
          [](Options& o, const std::string& word) { o.max_states = number(word); }},
 
+        {"--no-cache", Group::general, searching | of(Verb::simulate), {},
+         "work out everything anew, and keep nothing for later runs",
+         [](Options& o, const std::string&) { o.cache = false; }},
         {"--stdio", Group::general, of(Verb::lsp), {},
          "accepted because editors' libraries pass it; standard input and output are always used",
          [](Options&, const std::string&) {}},

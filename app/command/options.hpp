@@ -70,6 +70,7 @@ struct Options {
     Format format = Format::text;
     Color color = Color::automatic;
     bool quiet = false;
+    bool cache = true;           ///< take what earlier runs have worked out, and keep what this one does
     bool fix = false;            ///< validate: apply certain fixes to the files
     bool show_internal = false;  ///< --trace: raw event traces with the text of a counterexample
     Times times = Times::both;

@@ -39,6 +39,8 @@ diagnostics::Limits limits_of(const Options& options) {
 }  // namespace
 
 Run::Run(const Options& options) : budget_(limits_of(options)) {
+    constexpr std::uint64_t most_cached_bytes = std::uint64_t{512} << 20U;
+    if (options.cache) cache_.emplace(diagnostics::cache_folder(), diagnostics::program_identity(), most_cached_bytes);
     last_word_ = [](const std::string& why) {
         print_error("robochart-verify: {}; nothing is known yet\n", why);
         return Exit::inconclusive;

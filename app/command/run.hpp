@@ -10,12 +10,14 @@
 #include <chrono>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
 
 #include "app/command/options.hpp"
 #include "diagnostics/budget.hpp"
+#include "diagnostics/cache/cache.hpp"
 
 namespace robochart::app {
 
@@ -28,6 +30,8 @@ public:
     Run& operator=(const Run&) = delete;
 
     [[nodiscard]] diagnostics::Budget& budget() { return budget_; }
+    /// What earlier runs have worked out; null where it is not wanted.
+    [[nodiscard]] diagnostics::Cache* cache() { return cache_ ? &*cache_ : nullptr; }
     /// A signal has come.
     [[nodiscard]] bool interrupted() const { return signals_.load() > 0; }
 
@@ -52,6 +56,7 @@ private:
     [[noreturn]] void end_at_once(int code);
 
     diagnostics::Budget budget_;
+    std::optional<diagnostics::Cache> cache_;
     sigset_t signals_taken_{};
     sigset_t mask_before_{};
     std::atomic<int> signals_{0};

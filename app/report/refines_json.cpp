@@ -199,6 +199,7 @@ Json result(const ScriptAssertion& a, EventMap& events, const Options& options) 
     json["compile_seconds"] = a.result.compile_seconds;
     json["seconds"] = verdict.statistics.seconds;
     json["specification_nodes"] = verdict.statistics.spec_nodes;
+    if (verdict.known) json["known"] = true;
     return json;
 }
 

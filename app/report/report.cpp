@@ -55,7 +55,8 @@ std::string assertion_rest(const AssertionReport& a, const std::string& subject,
                            const Options& options) {
     std::string out = fmt::format("{:<{}}", a.title, width);
     if (a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0)
-        out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states), duration(a.statistics.seconds));
+        out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states),
+                           a.searched ? duration(a.statistics.seconds) : "known");
     out += '\n';
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
     if (!a.run && a.counterexample.empty()) return out;

@@ -33,6 +33,7 @@ struct AssertionReport {
     Answer answer = Answer::inconclusive;
     std::string reason;  ///< inconclusive, no_check, error
     refine::Statistics statistics;
+    bool searched = false;         ///< now: not all of the answer is an earlier run's, from the cache
     std::optional<runs::Run> run;  ///< a model's counterexample
     std::string counterexample;    ///< a script's, as text
 };

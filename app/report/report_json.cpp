@@ -35,6 +35,8 @@ Json assertion(const AssertionReport& a) {
               {"place", a.place},
               {"answer", words[static_cast<std::size_t>(a.answer)]},
               {"statistics", statistics(a.statistics)}};
+    const bool decided = a.answer == Answer::holds || a.answer == Answer::fails;
+    if (decided && !a.searched) json["known"] = true;
     if (!a.reason.empty()) json["reason"] = a.reason;
     if (a.run) json["counterexample"] = counterexample(*a.run);
     return json;

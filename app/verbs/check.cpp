@@ -38,6 +38,7 @@ void add(refine::Statistics& sum, const refine::Statistics& one) {
 void take(const Context& context, const csp_emit::Obligation& obligation, const refine::Verdict& verdict,
           AssertionReport& report) {
     add(report.statistics, verdict.statistics);
+    report.searched = report.searched || !verdict.known;
     if (verdict.outcome == refine::Outcome::inconclusive) {
         report.answer = Answer::inconclusive;
         report.reason = verdict.reason;
@@ -125,7 +126,9 @@ void announce(const Context& context, Report& report) {
 std::unique_ptr<cspm::Session> open(const Project& project, const csp_emit::Emission& emission, Time time,
                                     const Options& options, Report& report) {
     try {
-        return std::make_unique<cspm::Session>(emission.script, &options.run->budget());
+        auto session = std::make_unique<cspm::Session>(emission.script, &options.run->budget());
+        if (diagnostics::Cache* const cache = options.run->cache()) session->remember(*cache);
+        return session;
     } catch (const cspm::EvaluationError& error) {
         AssertionReport one;
         one.title = fmt::format("{}the {} script", project.label, time == Time::timed ? "timed" : "untimed");

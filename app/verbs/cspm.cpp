@@ -98,6 +98,7 @@ AssertionReport in_report(const ScriptAssertion& assertion, const process::Event
     report.place = assertion.place;
     report.answer = assertion.answer;
     report.statistics = assertion.result.verdict.statistics;
+    report.searched = !assertion.result.verdict.known;
     if (!assertion.errors.empty()) report.reason = assertion.errors.front();
     if (assertion.result.verdict.counterexample && !options.brief)
         report.counterexample = counterexample_text(assertion, events, options);
@@ -301,6 +302,7 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
     bool stopped = false;
     try {
         cspm::Session session(loaded.script, &options.run->budget());
+        if (diagnostics::Cache* const cache = options.run->cache()) session.remember(*cache);
         script.prints = print_statements(session, loaded, options, stopped);
         show_prints(script, options);
         decide_all(loaded, session, options, script, report);

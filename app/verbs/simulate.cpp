@@ -165,10 +165,10 @@ std::function<std::unique_ptr<simulation::Trace>(std::uint32_t)> log_maker(const
 }
 
 /// Builds the controller and runs; what goes wrong is among the project's diagnostics.
-std::unique_ptr<simulation::Controller> build(Simulation& simulation) {
+std::unique_ptr<simulation::Controller> build(Simulation& simulation, const Options& options) {
     std::string error;
-    auto controller =
-        simulation::Controller::build(simulation.emission, "", error, simulation.project->diagnostics.budget());
+    auto controller = simulation::Controller::build(simulation.emission, "", error,
+                                                    simulation.project->diagnostics.budget(), options.run->cache());
     if (controller == nullptr)
         simulation.project->diagnostics.report(simulation::rules::not_compiled, simulation.scenario.component.span,
                                                {error});
@@ -199,7 +199,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     const auto simulation = load_simulation(options);
     Project& project = *simulation->project;
     if (!acceptable(project, options)) return show_diagnostics(project, options), refusal(project);
-    const auto controller = build(*simulation);
+    const auto controller = build(*simulation, options);
     if (controller == nullptr) return show_diagnostics(project, options), Exit::bad_input;
     simulation::RunOptions wanted;
     wanted.threads = stage.parallel ? options.threads : 1;

@@ -249,6 +249,7 @@ void check_conformance(Project& project, const Options& options, Report& report)
         wanted.generator.choices = options.choices;
         if (options.relation == "tick-tock") wanted.relation = conformance::Relation::tick_tock;
         wanted.walks.cycles = options.walks;
+        wanted.cache = options.run->cache();
         wanted.exported = export_format(options.exported_code);
         ConformanceReport one;
         one.component = project.label + ir::qualified(component);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <new>
 
+#include "checker/cspm/earlier_answers.hpp"
 #include "checker/cspm/eval/evaluator.hpp"
 #include "checker/cspm/resolve/resolver.hpp"
 #include "checker/cspm/resolve/unread_parameters.hpp"
@@ -211,24 +212,35 @@ struct Session::Impl {
         const refine::Model in = model(assertion);
         const auto start = std::chrono::steady_clock::now();
         const Sides both = sides(assertion, limits);
-        const auto& first = both.first;
         result.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         refine::Limits quiet = limits;
         quiet.progress = {};
         refine::Budget evaluation(quiet);
         const Polling polling(*this, evaluation);
-        switch (asked.kind) {
+        const auto ask = [&](refine::Earlier earlier) { return ask_of(both, assertion, in, limits, earlier); };
+        if (memory.cache == nullptr || asked.kind == AssertionKind::has_trace) return ask(nullptr);
+        const bool two = asked.kind == AssertionKind::refinement;
+        const Question question{asked.kind, in, two ? both.first.get() : nullptr,
+                                two ? both.second.get() : both.first.get(), limits.max_states};
+        const auto key = key_of(question, [&evaluation] { evaluation.charge(); });
+        return key ? answer(question, *key, memory, ask) : ask(nullptr);
+    }
+
+    refine::Verdict ask_of(const Sides& both, const Decl& assertion, refine::Model in, const refine::Limits& limits,
+                           refine::Earlier earlier) {
+        auto& first = *both.first;
+        switch (assertion.assertion.kind) {
             case AssertionKind::refinement:
-                return refine::refines(*first, *both.second, in, limits);
+                return refine::refines(first, *both.second, in, limits, earlier);
             case AssertionKind::deadlock_free:
-                return refine::deadlock_free(*first, in, limits);
+                return refine::deadlock_free(first, in, limits, earlier);
             case AssertionKind::divergence_free:
-                return refine::divergence_free(*first, limits);
+                return refine::divergence_free(first, limits, earlier);
             case AssertionKind::deterministic:
-                return refine::deterministic(*first, in, limits);
+                return refine::deterministic(first, in, limits, earlier);
             case AssertionKind::has_trace: {
-                const Ready trace = ready(asked.implementation, &assertion);
-                return refine::has_trace(*first, evaluator.trace(*trace.code, *trace.unit), in, limits);
+                const Ready trace = ready(assertion.assertion.implementation, &assertion);
+                return refine::has_trace(first, evaluator.trace(*trace.code, *trace.unit), in, limits);
             }
         }
         throw EvaluationError("an assertion of no kind", assertion.span, {});
@@ -244,6 +256,7 @@ struct Session::Impl {
     machine::Compiler compiler;
     Resolver resolver;
     Evaluator evaluator;
+    Memory memory;
 };
 
 Session::Session(Script script, diagnostics::Budget* budget)
@@ -262,6 +275,10 @@ std::vector<DeclPtr> Session::assertions() const {
 
 void Session::observe(CallObserver observer) {
     impl_->evaluator.observe(std::move(observer));
+}
+
+void Session::remember(diagnostics::Cache& cache, std::uint64_t fewest_states) {
+    impl_->memory = {&cache, fewest_states};
 }
 
 AssertionResult Session::check(const Decl& assertion, const refine::Limits& limits) {

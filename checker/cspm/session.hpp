@@ -13,6 +13,7 @@
 #include "checker/process/behaviour.hpp"
 #include "checker/process/term.hpp"
 #include "checker/refine/verdict/check.hpp"
+#include "diagnostics/cache/cache.hpp"
 #include "diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm {
@@ -40,6 +41,10 @@ public:
     [[nodiscard]] std::vector<DeclPtr> assertions() const;
     /// Decides one assertion. Evaluation errors are thrown; limits give inconclusive.
     [[nodiscard]] AssertionResult check(const Decl& assertion, const refine::Limits&);
+
+    /// Takes answers of earlier runs from this cache, and keeps those of this one there whose search had so many
+    /// states; a smaller search is done again sooner than it is looked up. The cache has to outlive the session.
+    void remember(diagnostics::Cache& cache, std::uint64_t fewest_states = 1000);
 
     /// Reports calls of these functions while processes are evaluated. Each state's calls are reported once, whichever
     /// assertion asks first; so it is to be set before the first check.

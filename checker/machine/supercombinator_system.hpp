@@ -23,6 +23,7 @@ public:
     [[nodiscard]] const process::EventTable& events() const override { return terms_.events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { poll_ = poll; }
+    [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
 
 private:
     struct Move {

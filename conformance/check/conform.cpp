@@ -36,7 +36,7 @@ std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Op
                                     diagnostics::Budget& budget, std::string& error) {
     std::vector<std::string> sources = emission.sources;
     sources.push_back(emission.shim);
-    const BuildOptions wanted{options.compiler, options.flags, options.work_dir, &budget};
+    const BuildOptions wanted{options.compiler, options.flags, options.work_dir, &budget, options.cache};
     return SharedObject::build(emission.files, sources, wanted, error);
 }
 

@@ -8,6 +8,7 @@
 
 #include "checker/refine/verdict/verdict.hpp"
 #include "cpp_emit/plan/options.hpp"
+#include "diagnostics/cache/cache.hpp"
 
 namespace robochart::conformance {
 
@@ -107,6 +108,7 @@ struct Options {
     std::string flags = "-std=c++17 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror";
     std::string
         work_dir;  ///< where sources and the shared object are put; "" : a fresh temporary folder, removed after
+    diagnostics::Cache* cache = nullptr;  ///< of compiled code; null: none
     refine::Limits limits;
 };
 

@@ -42,6 +42,7 @@ struct PassedCycle {
 
 class CodeSystem : public lts::TransitionSystem {
 public:
+    /// Of all inputs together.
     static constexpr std::uint64_t max_valuations = 1ULL << 24U;
 
     /// Throws std::length_error if the inputs have more than `max_valuations` together.

@@ -19,28 +19,9 @@ namespace {
 using ir::TypeKind;
 
 const std::vector<std::int64_t>* numbers(const ir::Instantiation& instantiation, TypeKind kind) {
-    switch (kind) {
-        case TypeKind::nat:
-            return &instantiation.nat;
-        case TypeKind::integer:
-            return &instantiation.integer;
-        case TypeKind::real:
-            return &instantiation.real;
-        case TypeKind::boolean:
-        case TypeKind::string:
-        case TypeKind::enumeration:
-        case TypeKind::given:
-        case TypeKind::sequence:
-        case TypeKind::set:
-        case TypeKind::product:
-        case TypeKind::record:
-        case TypeKind::function:
-        case TypeKind::relation:
-        case TypeKind::vector:
-        case TypeKind::matrix:
-        case TypeKind::unit:
-            break;
-    }
+    if (kind == TypeKind::nat) return &instantiation.nat;
+    if (kind == TypeKind::integer) return &instantiation.integer;
+    if (kind == TypeKind::real) return &instantiation.real;
     return nullptr;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "conformance/code/code_system.hpp"
 #include "conformance/model/data_independence.hpp"
 #include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/types.hpp"
@@ -20,9 +21,6 @@ namespace robochart::conformance {
 
 namespace {
 
-/// More valuations of all registers than the search of L(G) takes.
-constexpr double most_valuations = 16'777'216;
-constexpr std::size_t values_of_one_register = 4096;
 /// Attempts to find a value that is not taken.
 constexpr std::size_t attempts = 64;
 
@@ -121,11 +119,11 @@ private:
             const double values =
                 input.type
                     ? static_cast<double>(
-                          ir::carrier(system_, result_.instantiation, *input.type, values_of_one_register).size())
+                          ir::carrier(system_, result_.instantiation, *input.type, cpp_emit::max_input_values).size())
                     : 1;
             valuations *= 1 + values;
         }
-        return valuations > most_valuations;
+        return valuations > static_cast<double>(CodeSystem::max_valuations);
     }
 
     [[nodiscard]] std::vector<ir::TypeId> at_the_boundary() const {

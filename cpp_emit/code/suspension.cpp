@@ -50,7 +50,7 @@ bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr&
             return true;
         case StmtKind::communicate:
             return stmt->communication.kind == CommKind::input ||
-                   waits_to_send(generation.component.event(unit, stmt->communication.event));
+                   generation.component.event(unit, stmt->communication.event).waits_to_send();
         case StmtKind::assign:
             return may_be_held_up(generation, unit, stmt->variable);
         case StmtKind::call:
@@ -64,11 +64,6 @@ bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr&
     }
     return std::any_of(stmt->body.begin(), stmt->body.end(),
                        [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
-}
-
-/// Another machine has to take it; the platform always does.
-bool waits_to_send(const EventUse& use) {
-    return use.filled.empty() && use.ports.empty() && !use.peers.empty();
 }
 
 namespace {

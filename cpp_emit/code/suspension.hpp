@@ -15,9 +15,6 @@ namespace robochart::cpp_emit {
 /// Whether a transition of the machine has a deadline that counts only while its guard holds (semantics 3.10).
 [[nodiscard]] bool guards_deadlines(const ir::Machine&);
 
-/// Sending the event may have to wait, for another machine.
-[[nodiscard]] bool waits_to_send(const EventUse&);
-
 /// What the statement evaluates before it does anything, in the order in which the semantics asks for preconditions. An
 /// input asks with its value, which is not there yet.
 [[nodiscard]] std::vector<const ir::Expr*> evaluated_first(const ir::Stmt&);

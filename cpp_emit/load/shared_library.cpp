@@ -14,9 +14,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -172,6 +174,47 @@ bool compile(const BuildOptions& options, const fs::path& folder, const std::vec
     return status == 0;
 }
 
+/// What else than its command line a compiler's output depends on: which compiler it is, by its own words and its file,
+/// and the folders that the environment adds to its search. None where it cannot be asked.
+std::optional<std::string> compiler_identity(const BuildOptions& options, const fs::path& folder) {
+    std::string error;
+    const std::string log = (folder / "version.log").string();
+    if (run_program({options.compiler, "--version"}, log, error, options.budget) != 0) return std::nullopt;
+    std::string identity = read_file(log);
+    std::error_code ignored;
+    fs::remove(log, ignored);
+    for (const char* variable : {"CPATH", "CPLUS_INCLUDE_PATH", "LIBRARY_PATH", "COMPILER_PATH", "GCC_EXEC_PREFIX"})
+        if (const char* const value = std::getenv(variable)) identity += fmt::format("{}={}\n", variable, value);
+    return identity;
+}
+
+/// Equal for files and compilers that make the same object.
+std::optional<diagnostics::Digest> key_of(const std::vector<OutputFile>& files, const std::vector<std::string>& sources,
+                                          const BuildOptions& options, const fs::path& folder) {
+    if (options.cache == nullptr) return std::nullopt;
+    const auto identity = compiler_identity(options, folder);
+    if (!identity) return std::nullopt;
+    diagnostics::Hasher hasher;
+    for (const std::string& part : {std::string("object"), options.compiler, options.flags, *identity})
+        hasher.add(std::string_view(part));
+    hasher.add(sources.size());
+    for (const std::string& source : sources) hasher.add(std::string_view(source));
+    for (const OutputFile& file : files) {
+        hasher.add(std::string_view(file.path));
+        hasher.add(std::string_view(file.text));
+    }
+    return hasher.finish();
+}
+
+/// The object that an earlier run has compiled, put in this place.
+bool restored(const std::optional<diagnostics::Digest>& key, const BuildOptions& options, const std::string& path) {
+    if (!key) return false;
+    const auto object = options.cache->find(*key);
+    if (!object) return false;
+    std::ofstream out(path, std::ios::binary | std::ios::trunc);
+    return out.write(object->data(), static_cast<std::streamsize>(object->size())).flush().good();
+}
+
 /// Each build gets a name of its own: the loader would take a loaded object of the same name for the new one.
 std::string object_name(const fs::path& folder, std::string& error) {
     std::string name = (folder / "controller-XXXXXX.so").string();
@@ -204,9 +247,13 @@ std::unique_ptr<SharedLibrary> SharedLibrary::build(const std::vector<OutputFile
         if (!error.empty()) return nullptr;
     }
     object->path_ = object_name(object->folder_, error);
-    if (object->path_.empty() || !compile(options, object->folder_, sources, object->path_, error) ||
-        !object->load(error))
-        return nullptr;
+    if (object->path_.empty()) return nullptr;
+    const auto key = key_of(files, sources, options, object->folder_);
+    if (!restored(key, options, object->path_)) {
+        if (!compile(options, object->folder_, sources, object->path_, error)) return nullptr;
+        if (key) options.cache->keep(*key, read_file(object->path_));
+    }
+    if (!object->load(error)) return nullptr;
     return object;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cpp_emit/plan/options.hpp"
+#include "diagnostics/cache/cache.hpp"
 #include "diagnostics/files.hpp"
 
 namespace robochart::cpp_emit {
@@ -16,6 +17,7 @@ struct BuildOptions {
     std::string flags;                      ///< separated by blanks
     std::string work_dir;                   ///< "": a fresh temporary folder, removed with the object
     diagnostics::Budget* budget = nullptr;  ///< of the run; the compiler is ended where a limit is reached
+    diagnostics::Cache* cache = nullptr;    ///< of objects that earlier runs have compiled from the same files
 };
 
 /// Runs a program found through PATH, its output and errors going to the file `log`. Returns its exit status; -1 with

@@ -58,6 +58,8 @@ struct EventUse {
 
     /// Received and connected to nothing: the semantics lets it happen on its own (semantics 3.9).
     [[nodiscard]] bool spontaneous() const { return ports.empty() && peers.empty() && emptied.empty(); }
+    /// Sent to another machine, which has to take it: the sender may have to wait. The platform takes always.
+    [[nodiscard]] bool waits_to_send() const { return filled.empty() && ports.empty() && !peers.empty(); }
 };
 
 inline constexpr std::size_t no_part = static_cast<std::size_t>(-1);

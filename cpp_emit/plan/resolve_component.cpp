@@ -583,8 +583,7 @@ private:
                     if (inside.kind != ir::StmtKind::communicate) return;
                     const EventUse& use = component_.event(unit, inside.communication.event);
                     const bool received = inside.communication.kind == ir::CommKind::input;
-                    const bool offered = use.filled.empty() && use.ports.empty() && !use.peers.empty();
-                    found = found || (received ? !use.spontaneous() : offered);
+                    found = found || (received ? !use.spontaneous() : use.waits_to_send());
                 });
         return found;
     }

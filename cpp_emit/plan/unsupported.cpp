@@ -22,8 +22,6 @@ using ir::NodeKind;
 
 /// Arguments that one record of the exploration interface holds (runtime/explore_abi.h).
 constexpr std::size_t max_arguments = 8;
-/// Values of one input that the exploration interface lists.
-constexpr std::size_t max_input_values = 4096;
 constexpr std::size_t max_output_values = 65536;
 /// Numbers and literals in the values of one type that the interface lists: a compiler needs seconds for so many.
 constexpr std::size_t max_listed = 8 * max_output_values;

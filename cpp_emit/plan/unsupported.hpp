@@ -1,6 +1,7 @@
 // What can't be generated is refused by name before any code is written.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::cpp_emit {
+
+/// Values of one input that the exploration interface lists.
+inline constexpr std::size_t max_input_values = 4096;
 
 /// Reports every construct of the component that has no C++ (rules.hpp); true if there is none.
 [[nodiscard]] bool check_support(const ir::System&, const ir::Instantiation&, const Component&,

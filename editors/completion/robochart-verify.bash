@@ -5,16 +5,16 @@ _robochart_verify_emitted='csp cpp monitor tests'
 # The options of a verb.
 _robochart_verify_options() {
   case "$1" in
-    'verify') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states -h --help' ;;
+    'verify') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
     'validate') echo '--allow --deny-warnings --fix --format --color -q --quiet --memory --timeout -h --help' ;;
-    'check') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states -h --help' ;;
-    'emit csp') echo '--timed --untimed --core --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states -h --help' ;;
-    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states -h --help' ;;
-    'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states -h --help' ;;
-    'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states -h --help' ;;
-    'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states -h --help' ;;
-    'cspm') echo '--assertion --typecheck --types --format --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --max-states -h --help' ;;
-    'simulate') echo '--const --allow --deny-warnings --trials --seed --monitor --log --no-pictures -o --out --format --color -q --quiet --progress --memory --timeout --threads -h --help' ;;
+    'check') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'emit csp') echo '--timed --untimed --core --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'cspm') echo '--assertion --typecheck --types --format --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'simulate') echo '--const --allow --deny-warnings --trials --seed --monitor --log --no-pictures -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
     'format') echo '--check --diff --assertions --color -q --quiet --memory --timeout -h --help' ;;
     'explain') echo '--color -h --help' ;;
     'lsp') echo '--stdio -h --help' ;;

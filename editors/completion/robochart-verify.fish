@@ -94,6 +94,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "chec
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm"' -l threads -x -d 'threads of a check at most, used where its state space is wide; 0 for one for each core'
 complete -c robochart-verify -n '__robochart_verify_is "simulate"' -l threads -x -d 'parallel trials at most; 0 for one for each core'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm"' -l max-states -x -d 'bound on states of a check'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "simulate"' -l no-cache -d 'work out everything anew, and keep nothing for later runs'
 complete -c robochart-verify -n '__robochart_verify_is "lsp"' -l stdio -d 'accepted because editors\' libraries pass it; standard input and output are always used'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit monitor" "emit tests" "conform" "cspm" "simulate" "format" "explain" "lsp" "help" "version" none' -s h -l help -d 'show the help of the program or of the verb'
 complete -c robochart-verify -n '__robochart_verify_is none' -l version -d 'show the version'

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "semantics/rules.hpp"
+
 namespace robochart::ir {
 namespace {
 
@@ -62,6 +64,8 @@ TypeKind kind_of(TypeForm form) {
 }
 
 void add_literals(Lowering& lowering, const frontend::TypeDeclaration& declaration, Type& type) {
+    if (type.kind == TypeKind::enumeration && declaration.literals.empty())
+        lowering.diagnostics.report(rules::no_literals, declaration.name_span, {declaration.name});
     lowering.check_unique(pointers(declaration.literals), declaration.name, "literal");
     for (const auto& literal : declaration.literals) {
         type.labels.push_back(literal->name);

@@ -22,9 +22,11 @@ std::string fault(const rc_drive* drive, const cpp_emit::DriveEmission& emission
 }  // namespace
 
 std::unique_ptr<Controller> Controller::build(const cpp_emit::DriveEmission& emission, const std::string& compiler,
-                                              std::string& error, diagnostics::Budget* budget) {
+                                              std::string& error, diagnostics::Budget* budget,
+                                              diagnostics::Cache* cache) {
     cpp_emit::BuildOptions options;
     options.budget = budget;
+    options.cache = cache;
     if (!compiler.empty()) options.compiler = compiler;
     // No multiplication and addition in one rounding: the same bits wherever the controller is built.
     options.flags = "-std=c++20 -O2 -DNDEBUG -ffp-contract=off";

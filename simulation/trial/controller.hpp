@@ -14,9 +14,10 @@ namespace robochart::simulation {
 class Controller {
 public:
     /// Compiles and loads what emit_drive made. On failure returns nothing and sets `error`. Throws
-    /// cpp_emit::NoCompiler, diagnostics::LimitReached.
+    /// cpp_emit::NoCompiler, diagnostics::LimitReached. `cache`: of compiled controllers; null: none.
     static std::unique_ptr<Controller> build(const cpp_emit::DriveEmission&, const std::string& compiler,
-                                             std::string& error, diagnostics::Budget* budget = nullptr);
+                                             std::string& error, diagnostics::Budget* budget = nullptr,
+                                             diagnostics::Cache* cache = nullptr);
 
     [[nodiscard]] const rc_drive& drive() const { return *drive_; }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "checker/lts/transition_system.hpp"
+#include "checker/process/term.hpp"
 
 namespace robochart::refine {
 

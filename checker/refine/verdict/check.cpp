@@ -38,6 +38,18 @@ Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits&
     return verdict;
 }
 
+std::optional<Violation> found(Earlier earlier, Verdict& verdict,
+                               const std::function<std::optional<Violation>()>& search) {
+    if (earlier != nullptr && *earlier) {
+        verdict.known = true;
+        verdict.statistics = (*earlier)->statistics;
+        return (*earlier)->violation;
+    }
+    std::optional<Violation> violation = search();
+    if (earlier != nullptr) *earlier = Findings{verdict.statistics, violation};
+    return violation;
+}
+
 Tally::~Tally() {
     statistics_.states += search_.states();
     statistics_.transitions += search_.transitions();
@@ -70,21 +82,27 @@ Counterexample violation_counterexample(NormalForm& normal, const Confirmed& con
     return counterexample;
 }
 
-void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
-                       Search::Pairs pairs, Budget& budget, Verdict& verdict) {
+/// The first fault of the implementation's runs against the normal form.
+std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSystem& implementation, Model model,
+                                           Search::Pairs pairs, Budget& budget, Statistics& statistics) {
     const bool with_divergence = model == Model::failures_divergences;
-    NormalForm normal(specification, budget);
     if (pairs == Search::Pairs::all) normal.refuse_growth();
     RefinementMonitor monitor(normal, model);
     Search search(implementation, monitor, budget, with_divergence, pairs);
-    const Tally tally(search, verdict.statistics, &normal);
-    verdict.outcome = Outcome::holds;
-    if (with_divergence && normal.diverges(normal.initial())) return;  // everything refines divergence
-    std::optional<Violation> violation;
+    const Tally tally(search, statistics, &normal);
+    if (with_divergence && normal.diverges(normal.initial())) return std::nullopt;  // everything refines divergence
     if (const std::optional<Finding> finding = search.first_violation())
-        violation = violation_of(search, implementation, *finding);
-    else if (with_divergence)
-        violation = first_divergence(search);
+        return violation_of(search, implementation, *finding);
+    return with_divergence ? first_divergence(search) : std::nullopt;
+}
+
+void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
+                       Search::Pairs pairs, Budget& budget, Verdict& verdict, Earlier earlier) {
+    NormalForm normal(specification, budget);
+    verdict.outcome = Outcome::holds;
+    const std::optional<Violation> violation = found(earlier, verdict, [&] {
+        return search_refinement(normal, implementation, model, pairs, budget, verdict.statistics);
+    });
     if (!violation) return;
     const auto judge = [&](lts::TransitionSystem& system, const Violation& shown, Budget& own) {
         const bool by_reference = &system != &implementation && specification.reference() != nullptr;
@@ -94,17 +112,21 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
     fail(verdict, violation_counterexample(normal, confirmed(implementation, *violation, budget, judge)));
 }
 
-void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence, Budget& budget,
-                   Verdict& verdict) {
+std::optional<Violation> search_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence,
+                                       Budget& budget, Statistics& statistics) {
     StateMonitor monitor(forbid_deadlock);
     Search search(system, monitor, budget, forbid_divergence);
-    const Tally tally(search, verdict.statistics);
+    const Tally tally(search, statistics);
+    if (const std::optional<Finding> finding = search.first_violation()) return violation_of(search, system, *finding);
+    return forbid_divergence ? first_divergence(search) : std::nullopt;
+}
+
+void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence, Budget& budget,
+                   Verdict& verdict, Earlier earlier) {
     verdict.outcome = Outcome::holds;
-    std::optional<Violation> violation;
-    if (const std::optional<Finding> finding = search.first_violation())
-        violation = violation_of(search, system, *finding);
-    else if (forbid_divergence)
-        violation = first_divergence(search);
+    const std::optional<Violation> violation = found(earlier, verdict, [&] {
+        return search_states(system, forbid_deadlock, forbid_divergence, budget, verdict.statistics);
+    });
     if (!violation) return;
     fail(verdict, tell(confirmed(system, *violation, budget, confirm_property_violation)));
 }
@@ -207,26 +229,30 @@ std::optional<Violation> first_divergence(Search& search) {
 }
 
 Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
-                const Limits& limits) {
+                const Limits& limits, Earlier earlier) {
     return decide({&specification, &implementation}, limits, [&](Budget& budget, Verdict& verdict) {
+        const auto decide_with = [&](Search::Pairs pairs) {
+            decide_refinement(specification, implementation, model, pairs, budget, verdict, earlier);
+        };
         try {
-            decide_refinement(specification, implementation, model, Search::Pairs::all, budget, verdict);
+            decide_with(Search::Pairs::all);
         } catch (const SpecificationGrows&) {
             verdict.statistics = {};
-            decide_refinement(specification, implementation, model, Search::Pairs::antichain, budget, verdict);
+            decide_with(Search::Pairs::antichain);
         }
     });
 }
 
-Verdict deadlock_free(lts::TransitionSystem& system, Model model, const Limits& limits) {
+Verdict deadlock_free(lts::TransitionSystem& system, Model model, const Limits& limits, Earlier earlier) {
     return decide({&system}, limits, [&](Budget& budget, Verdict& verdict) {
-        decide_states(system, true, model == Model::failures_divergences, budget, verdict);
+        decide_states(system, true, model == Model::failures_divergences, budget, verdict, earlier);
     });
 }
 
-Verdict divergence_free(lts::TransitionSystem& system, const Limits& limits) {
-    return decide({&system}, limits,
-                  [&](Budget& budget, Verdict& verdict) { decide_states(system, false, true, budget, verdict); });
+Verdict divergence_free(lts::TransitionSystem& system, const Limits& limits, Earlier earlier) {
+    return decide({&system}, limits, [&](Budget& budget, Verdict& verdict) {
+        decide_states(system, false, true, budget, verdict, earlier);
+    });
 }
 
 Verdict has_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, const Limits& limits) {

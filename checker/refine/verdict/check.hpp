@@ -2,20 +2,26 @@
 // traces; and their answers. Roscoe, Understanding Concurrent Systems (2010), chapters 10, 11, 16; FDR manual.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "checker/refine/verdict/findings.hpp"
 #include "checker/refine/verdict/verdict.hpp"
 
 namespace robochart::refine {
 
+/// What an earlier search of the same systems has found, which is then taken for this one's: a violation is confirmed
+/// and reported as if it had been found now. Empty: takes what this search finds, if it comes to an end. Null: neither.
+using Earlier = std::optional<Findings>*;
+
 /// specification [M= implementation. The two share one EventTable.
 [[nodiscard]] Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model,
-                              const Limits&);
+                              const Limits&, Earlier earlier = nullptr);
 /// :[deadlock free [M]]. M is failures (divergence ignored) or failures_divergences (a divergence fails it).
 /// A terminated process counts as deadlocked, as FDR has it.
-[[nodiscard]] Verdict deadlock_free(lts::TransitionSystem&, Model, const Limits&);
-[[nodiscard]] Verdict divergence_free(lts::TransitionSystem&, const Limits&);
-[[nodiscard]] Verdict deterministic(lts::TransitionSystem&, Model, const Limits&);
+[[nodiscard]] Verdict deadlock_free(lts::TransitionSystem&, Model, const Limits&, Earlier earlier = nullptr);
+[[nodiscard]] Verdict divergence_free(lts::TransitionSystem&, const Limits&, Earlier earlier = nullptr);
+[[nodiscard]] Verdict deterministic(lts::TransitionSystem&, Model, const Limits&, Earlier earlier = nullptr);
 /// :[has trace [M]]: the process can perform these visible events in order. In the other models than T inconclusive
 /// where it could also refuse one of them, or in FD diverge, since the manual does not define these cases.
 [[nodiscard]] Verdict has_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, Model, const Limits&);

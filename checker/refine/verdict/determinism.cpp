@@ -194,15 +194,22 @@ std::optional<Ambiguity> ambiguity_of(lts::TransitionSystem& system, Budget& bud
     }
 }
 
-void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budget, Verdict& verdict) {
-    verdict.outcome = Outcome::holds;
-    if (leaves_no_choice(system, budget, verdict.statistics)) return;
-    verdict.statistics = {};
+std::optional<Violation> search_choice(lts::TransitionSystem& system, Model model, Budget& budget,
+                                       Statistics& statistics) {
+    if (leaves_no_choice(system, budget, statistics)) return std::nullopt;
+    statistics = {};
     std::optional<Violation> violation;
-    if (model == Model::failures_divergences) violation = divergence_of(system, budget, verdict.statistics);
+    if (model == Model::failures_divergences) violation = divergence_of(system, budget, statistics);
     if (!violation)
-        if (const std::optional<Ambiguity> ambiguity = ambiguity_of(system, budget, verdict.statistics))
+        if (const std::optional<Ambiguity> ambiguity = ambiguity_of(system, budget, statistics))
             violation = refusing_run(system, *ambiguity, budget);
+    return violation;
+}
+
+void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budget, Verdict& verdict, Earlier earlier) {
+    verdict.outcome = Outcome::holds;
+    const std::optional<Violation> violation =
+        found(earlier, verdict, [&] { return search_choice(system, model, budget, verdict.statistics); });
     if (!violation) return;
     verdict.counterexample = tell(confirmed(system, *violation, budget, confirm_property_violation));
     verdict.outcome = Outcome::fails;
@@ -210,9 +217,10 @@ void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budg
 
 }  // namespace
 
-Verdict deterministic(lts::TransitionSystem& system, Model model, const Limits& limits) {
-    return decide({&system}, limits,
-                  [&](Budget& budget, Verdict& verdict) { decide_determinism(system, model, budget, verdict); });
+Verdict deterministic(lts::TransitionSystem& system, Model model, const Limits& limits, Earlier earlier) {
+    return decide({&system}, limits, [&](Budget& budget, Verdict& verdict) {
+        decide_determinism(system, model, budget, verdict, earlier);
+    });
 }
 
 }  // namespace robochart::refine

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "checker/refine/search/search.hpp"
+#include "checker/refine/verdict/check.hpp"
 #include "checker/refine/verdict/normal_form.hpp"
 #include "checker/refine/verdict/replay.hpp"
 #include "checker/refine/verdict/verdict.hpp"
@@ -14,6 +15,10 @@ namespace robochart::refine {
 /// Long work inside the systems counts against the limits too.
 [[nodiscard]] Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
                              const std::function<void(Budget&, Verdict&)>& question);
+
+/// What an earlier search has found where that is known, else what this one finds, which is then noted.
+[[nodiscard]] std::optional<Violation> found(Earlier earlier, Verdict& verdict,
+                                             const std::function<std::optional<Violation>()>& search);
 
 /// Adds up what a search has seen, also when it is left by an exception.
 class Tally {

@@ -5,17 +5,10 @@
 
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/search/run.hpp"
+#include "checker/refine/verdict/findings.hpp"
 #include "checker/refine/verdict/verdict.hpp"
 
 namespace robochart::refine {
-
-/// What the search claims to have found.
-struct Violation {
-    ViolationKind kind = ViolationKind::trace;
-    Run run;
-    Run loop;                             ///< divergence: taus from the run's last state back to it
-    std::optional<process::Event> event;  ///< nondeterminism: the event that is both accepted and refused
-};
 
 void confirm_refinement_violation(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model,
                                   const Violation&, Budget&);

@@ -48,6 +48,7 @@ struct Verdict {
     std::string reason;                            ///< inconclusive: which limit, or the evaluation error
     std::optional<Counterexample> counterexample;  ///< present iff fails (for has trace: iff the trace is impossible)
     Statistics statistics;
+    bool known = false;  ///< an earlier search of the same systems gave the answer; the statistics are its
 };
 
 }  // namespace robochart::refine

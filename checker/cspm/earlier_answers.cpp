@@ -1,0 +1,101 @@
+#include "checker/cspm/earlier_answers.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "checker/cspm/eval/evaluation_error.hpp"
+#include "checker/lts/graph.hpp"
+#include "checker/machine/content.hpp"
+#include "checker/machine/supercombinator_system.hpp"
+#include "checker/process/operational_semantics.hpp"
+
+namespace robochart::cspm {
+
+namespace {
+
+/// A specification with more states is not looked at as a whole.
+constexpr std::size_t most_specification_states = 20'000;
+constexpr std::chrono::seconds longest_look(1);
+
+struct GivesUp {};
+
+/// All of a system that is run as terms; none where it is large or cannot be evaluated as a whole.
+std::optional<lts::Graph> whole(lts::TransitionSystem& system, const std::function<void()>& poll) {
+    const auto end = std::chrono::steady_clock::now() + longest_look;
+    try {
+        return lts::explore(system,
+                            [&](std::size_t states) {
+                                poll();
+                                if (states > most_specification_states || std::chrono::steady_clock::now() > end)
+                                    throw GivesUp();
+                            })
+            .graph;
+    } catch (const GivesUp&) {
+    } catch (const EvaluationError&) {
+    } catch (const process::SemanticsError&) {
+    }
+    return std::nullopt;
+}
+
+const machine::Supercombinator* compiled(const lts::TransitionSystem& system) {
+    const auto* const found = dynamic_cast<const machine::SupercombinatorSystem*>(&system);
+    return found == nullptr ? nullptr : &found->combined();
+}
+
+machine::EventPlaces places(process::EventSet events) {
+    std::sort(events.begin(), events.end());
+    events.erase(std::unique(events.begin(), events.end()), events.end());
+    return machine::EventPlaces(std::move(events));
+}
+
+}  // namespace
+
+std::optional<QuestionKey> key_of(const Question& question, const std::function<void()>& poll) {
+    const machine::Supercombinator* const process = compiled(*question.process);
+    if (process == nullptr) return std::nullopt;
+    const machine::Supercombinator* specification = nullptr;
+    std::optional<lts::Graph> graph;
+    if (question.specification != nullptr) {
+        specification = compiled(*question.specification);
+        if (specification == nullptr) graph = whole(*question.specification, poll);
+        if (specification == nullptr && !graph) return std::nullopt;
+    }
+    process::EventSet events;
+    machine::add_events(*process, events);
+    if (specification != nullptr) machine::add_events(*specification, events);
+    if (graph) machine::add_events(*graph, events);
+    const machine::EventPlaces named = places(std::move(events));
+
+    diagnostics::Hasher hasher;
+    for (const std::uint64_t part :
+         {static_cast<std::uint64_t>(question.kind), static_cast<std::uint64_t>(question.model), question.max_states})
+        hasher.add(part);
+    for (const process::Event event : named.named()) hasher.add(question.process->events().name(event));
+    machine::add_content(*process, named, hasher);
+    hasher.add(std::string_view(specification != nullptr ? "compiled" : graph ? "graph" : ""));
+    if (specification != nullptr) machine::add_content(*specification, named, hasher);
+    if (graph) machine::add_content(*graph, named, hasher);
+    return QuestionKey{hasher.finish(), named.named()};
+}
+
+refine::Verdict answer(const Question& question, const QuestionKey& key, const Memory& memory,
+                       const std::function<refine::Verdict(refine::Earlier)>& ask) {
+    std::optional<refine::Findings> findings;
+    if (const auto bytes = memory.cache->find(key.digest))
+        findings = refine::decode(*bytes, key.named, question.process->width());
+    if (findings) {
+        try {
+            return ask(&findings);
+        } catch (const std::logic_error&) {
+            // The violation is none of this process: it is searched for.
+            findings.reset();
+        }
+    }
+    refine::Verdict verdict = ask(&findings);
+    if (findings && findings->statistics.states >= memory.fewest_states)
+        memory.cache->keep(key.digest, refine::encode(*findings, key.named));
+    return verdict;
+}
+
+}  // namespace robochart::cspm

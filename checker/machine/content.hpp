@@ -1,0 +1,33 @@
+// The content of a compiled process: what its transitions depend on, apart from the session that compiled it. Equal
+// content means equal searches, with equal packed states. The terms that states stand for are no part of it.
+#pragma once
+
+#include "checker/lts/graph.hpp"
+#include "checker/machine/supercombinator.hpp"
+#include "diagnostics/cache/digest.hpp"
+
+namespace robochart::machine {
+
+/// Events by their places in an ascending list, so that sessions that number them differently, but in the same order,
+/// give the same content.
+class EventPlaces {
+public:
+    /// `named`: ascending.
+    explicit EventPlaces(EventSet named);
+    [[nodiscard]] const EventSet& named() const { return named_; }
+    /// The place of an event that is in the list.
+    [[nodiscard]] std::uint32_t of(Event event) const { return places_[event]; }
+
+private:
+    EventSet named_;
+    std::vector<std::uint32_t> places_;  ///< by event
+};
+
+/// Adds the events that the process or graph names, in no order, some more than once.
+void add_events(const Supercombinator&, EventSet& events);
+void add_events(const lts::Graph&, EventSet& events);
+
+void add_content(const Supercombinator&, const EventPlaces&, diagnostics::Hasher&);
+void add_content(const lts::Graph&, const EventPlaces&, diagnostics::Hasher&);
+
+}  // namespace robochart::machine

@@ -1,0 +1,132 @@
+// Numbers of 64 bits, one after the other, lists with their length in front.
+#include "checker/refine/verdict/findings.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace robochart::refine {
+
+namespace {
+
+using process::Event;
+using process::EventSet;
+
+class Encoder {
+public:
+    explicit Encoder(const EventSet& named) : named_(named) {}
+
+    void number(std::uint64_t value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
+    void event(Event event) {
+        const auto place = std::lower_bound(named_.begin(), named_.end(), event);
+        if (place == named_.end() || *place != event) throw std::logic_error("a finding with an event without a name");
+        number(static_cast<std::uint64_t>(place - named_.begin()));
+    }
+    void state(const std::vector<lts::Word>& words) {
+        for (const lts::Word word : words) number(word);
+    }
+    void run(const Run& run) {
+        number(run.initial.empty() ? 0 : 1);
+        state(run.initial);
+        number(run.steps.size());
+        for (const RunStep& step : run.steps) {
+            event(step.event);
+            event(step.revealed);
+            state(step.state);
+        }
+    }
+    [[nodiscard]] std::string take() { return std::move(bytes_); }
+
+private:
+    const EventSet& named_;
+    std::string bytes_;
+};
+
+/// The bytes are no findings.
+struct Damaged {};
+
+class Decoder {
+public:
+    Decoder(std::string_view bytes, const EventSet& named, std::size_t width)
+        : bytes_(bytes), named_(named), width_(width) {}
+
+    std::uint64_t number() {
+        std::uint64_t value = 0;
+        if (bytes_.size() < sizeof value) throw Damaged();
+        std::memcpy(&value, bytes_.data(), sizeof value);
+        bytes_.remove_prefix(sizeof value);
+        return value;
+    }
+    std::uint64_t number_below(std::uint64_t end) {
+        const std::uint64_t value = number();
+        if (value >= end) throw Damaged();
+        return value;
+    }
+    Event event() { return named_[number_below(named_.size())]; }
+    std::vector<lts::Word> state() {
+        std::vector<lts::Word> words(width_);
+        for (lts::Word& word : words) word = static_cast<lts::Word>(number_below(std::uint64_t{1} << 32U));
+        return words;
+    }
+    Run run() {
+        Run result;
+        if (number_below(2) == 1) result.initial = state();
+        const std::uint64_t steps = number_below(bytes_.size());
+        for (std::uint64_t i = 0; i < steps; ++i) {
+            const Event happens = event();
+            const Event revealed = event();
+            result.steps.push_back({happens, revealed, state()});
+        }
+        return result;
+    }
+    void finish() const {
+        if (!bytes_.empty()) throw Damaged();
+    }
+
+private:
+    std::string_view bytes_;
+    const EventSet& named_;
+    std::size_t width_;
+};
+
+}  // namespace
+
+std::string encode(const Findings& findings, const EventSet& named) {
+    Encoder out(named);
+    const Statistics& size = findings.statistics;
+    for (const std::uint64_t value : {size.states, size.transitions, size.depth, size.spec_nodes}) out.number(value);
+    out.number(findings.violation ? 1 : 0);
+    if (const auto& violation = findings.violation) {
+        out.number(static_cast<std::uint64_t>(violation->kind));
+        out.run(violation->run);
+        out.run(violation->loop);
+        out.number(violation->event ? 1 : 0);
+        if (violation->event) out.event(*violation->event);
+    }
+    return out.take();
+}
+
+std::optional<Findings> decode(std::string_view bytes, const EventSet& named, std::size_t width) {
+    Decoder in(bytes, named, width);
+    try {
+        Findings findings;
+        Statistics& size = findings.statistics;
+        for (std::uint64_t* value : {&size.states, &size.transitions, &size.depth, &size.spec_nodes})
+            *value = in.number();
+        if (in.number_below(2) == 1) {
+            Violation violation;
+            constexpr auto kinds = static_cast<std::uint64_t>(ViolationKind::no_trace) + 1;
+            violation.kind = static_cast<ViolationKind>(in.number_below(kinds));
+            violation.run = in.run();
+            violation.loop = in.run();
+            if (in.number_below(2) == 1) violation.event = in.event();
+            findings.violation = std::move(violation);
+        }
+        in.finish();
+        return findings;
+    } catch (const Damaged&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace robochart::refine

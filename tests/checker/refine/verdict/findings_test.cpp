@@ -1,0 +1,72 @@
+// Findings come back as they were written, and bytes that are no findings do not.
+#include "checker/refine/verdict/findings.hpp"
+
+#include <gtest/gtest.h>
+
+namespace robochart::refine {
+namespace {
+
+const process::EventSet named{0, 1, 7, 9};
+constexpr std::size_t width = 2;
+
+Findings divergence() {
+    Findings findings;
+    findings.statistics.states = 12;
+    findings.statistics.transitions = 34;
+    findings.statistics.depth = 3;
+    findings.statistics.spec_nodes = 5;
+    findings.violation = Violation{ViolationKind::divergence,
+                                   {{1, 2}, {{7, 7, {3, 4}}, {0, 9, {5, 0xFFFFFFFFU}}}},
+                                   {{5, 0xFFFFFFFFU}, {{0, 0, {5, 0xFFFFFFFFU}}}},
+                                   process::Event{9}};
+    return findings;
+}
+
+TEST(FindingsTest, ComeBackAsTheyWere) {
+    const Findings written = divergence();
+    const auto read = decode(encode(written, named), named, width);
+    ASSERT_TRUE(read && read->violation);
+    EXPECT_EQ(read->statistics.states, 12U);
+    EXPECT_EQ(read->statistics.spec_nodes, 5U);
+    EXPECT_EQ(read->violation->kind, ViolationKind::divergence);
+    EXPECT_EQ(read->violation->event, process::Event{9});
+    ASSERT_EQ(read->violation->run.steps.size(), 2U);
+    EXPECT_EQ(read->violation->run.initial, (std::vector<lts::Word>{1, 2}));
+    EXPECT_EQ(read->violation->run.steps[1].revealed, 9U);
+    EXPECT_EQ(read->violation->run.steps[1].state, (std::vector<lts::Word>{5, 0xFFFFFFFFU}));
+    EXPECT_EQ(read->violation->loop.steps.size(), 1U);
+}
+
+TEST(FindingsTest, EventsAreWrittenByTheirPlaces) {
+    const process::EventSet others{0, 1, 20, 30};
+    const auto read = decode(encode(divergence(), named), others, width);
+    ASSERT_TRUE(read && read->violation);
+    EXPECT_EQ(read->violation->run.steps[0].event, 20U);
+    EXPECT_EQ(read->violation->event, process::Event{30});
+}
+
+TEST(FindingsTest, OfAnAssertionThatHoldsThereIsNoViolation) {
+    Findings findings;
+    findings.statistics.states = 1;
+    const auto read = decode(encode(findings, named), named, width);
+    ASSERT_TRUE(read);
+    EXPECT_FALSE(read->violation);
+}
+
+TEST(FindingsTest, OtherBytesAreNone) {
+    const std::string bytes = encode(divergence(), named);
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+        EXPECT_FALSE(decode(bytes.substr(0, length), named, width)) << length;
+    EXPECT_FALSE(decode(bytes + std::string(8, '\0'), named, width));
+    EXPECT_FALSE(decode(bytes, named, width + 1));
+    EXPECT_FALSE(decode(bytes, {0, 1, 7}, width)) << "an event without a name";
+    std::string wrong_kind = bytes;
+    wrong_kind[5 * 8] = 99;
+    EXPECT_FALSE(decode(wrong_kind, named, width));
+    std::string endless = bytes;
+    for (std::size_t i = 9 * 8; i < 10 * 8; ++i) endless[i] = '\xff';
+    EXPECT_FALSE(decode(endless, named, width)) << "a run of so many steps";
+}
+
+}  // namespace
+}  // namespace robochart::refine
