@@ -9,6 +9,7 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
       ${ccache_sloppiness} ${CCACHE_PROGRAM})
 endif()
 find_program(MOLD_PROGRAM mold)
-if(MOLD_PROGRAM AND NOT ROBOCHART_SANITIZE)
+# mold keeps references to functions of the C library that only removed code has: a package would need a newer one.
+if(MOLD_PROGRAM AND NOT ROBOCHART_SANITIZE AND NOT ROBOCHART_PORTABLE)
   add_link_options(-fuse-ld=mold)
 endif()

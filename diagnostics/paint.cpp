@@ -20,6 +20,7 @@ fmt::text_style style_of(Paint paint) {
         case Paint::error:
             return bold(fmt::terminal_color::red);
         case Paint::addition:
+        case Paint::success:
             return bold(fmt::terminal_color::green);
     }
     return {};

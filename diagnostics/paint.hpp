@@ -15,6 +15,7 @@ enum class Paint : unsigned char {
     warning,
     error,
     addition,  ///< what a fix would write
+    success,   ///< everything as claimed
 };
 
 /// The text so that it stands out, or as it is where no colours are wanted.

@@ -4,26 +4,24 @@
 #include <nlohmann/json.hpp>
 
 #include "diagnostics/escape.hpp"
-#include "diagnostics/json.hpp"
 #include "diagnostics/render.hpp"
+#include "diagnostics/sarif.hpp"
 
 namespace robochart::diagnostics {
 
 namespace {
+
+Json span_of_lines(Position begin, Position end) {
+    return {{"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}};
+}
 
 std::string_view level(Severity severity) {
     if (severity == Severity::error) return "error";
     return severity == Severity::warning ? "warning" : "note";
 }
 
-Json text(std::string_view message) {
-    return {{"text", message}};
-}
-
 Json region(const SourceManager& sources, Span span) {
-    const Position begin = sources.position(span.source, span.begin);
-    const Position end = sources.position(span.source, span.end);
-    return {{"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}};
+    return span_of_lines(sources.position(span.source, span.begin), sources.position(span.source, span.end));
 }
 
 Json artifact(const SourceManager& sources, Span span) {
@@ -31,13 +29,15 @@ Json artifact(const SourceManager& sources, Span span) {
 }
 
 Json physical(const SourceManager& sources, Span span) {
-    return {{"artifactLocation", artifact(sources, span)}, {"region", region(sources, span)}};
+    return sarif_place(sources.path(span.source), sources.position(span.source, span.begin),
+                       sources.position(span.source, span.end));
 }
 
 Json fix_object(const SourceManager& sources, const FixIt& fix) {
-    const Json replacement{{"deletedRegion", region(sources, fix.span)}, {"insertedContent", text(fix.replacement)}};
+    const Json replacement{{"deletedRegion", region(sources, fix.span)},
+                           {"insertedContent", sarif_text(fix.replacement)}};
     const Json change{{"artifactLocation", artifact(sources, fix.span)}, {"replacements", Json::array({replacement})}};
-    return {{"description", text(fix.title)}, {"artifactChanges", Json::array({change})}};
+    return {{"description", sarif_text(fix.title)}, {"artifactChanges", Json::array({change})}};
 }
 
 /// Notes with a place are related locations, the others part of the message.
@@ -48,14 +48,14 @@ Json result(const SourceManager& sources, const Diagnostic& diagnostic, std::siz
         if (note.span.known())
             related.push_back({{"id", related.size() + 1},
                                {"physicalLocation", physical(sources, note.span)},
-                               {"message", text(note.message)}});
+                               {"message", sarif_text(note.message)}});
         else
             message += "; " + note.message;
     }
     Json json{{"ruleId", diagnostic.rule->code},
               {"ruleIndex", rule},
               {"level", level(diagnostic.rule->severity)},
-              {"message", text(message)}};
+              {"message", sarif_text(message)}};
     if (diagnostic.span.known())
         json["locations"] = Json::array({Json{{"physicalLocation", physical(sources, diagnostic.span)}}});
     if (!related.empty()) json["relatedLocations"] = related;
@@ -65,14 +65,14 @@ Json result(const SourceManager& sources, const Diagnostic& diagnostic, std::siz
 
 Json described(const Rule& rule) {
     return {{"id", rule.code},
-            {"shortDescription", text(rule.message)},
-            {"help", text(rule.explanation)},
+            {"shortDescription", sarif_text(rule.message)},
+            {"help", sarif_text(rule.explanation)},
             {"defaultConfiguration", {{"level", level(rule.severity)}}}};
 }
 
 /// SARIF 2.1.0, 3.20: a run that was cut short says so here; its results are not all.
 Json invocation(std::string_view limit) {
-    const Json notification{{"level", "error"}, {"message", text(limit)}};
+    const Json notification{{"level", "error"}, {"message", sarif_text(limit)}};
     return {{"executionSuccessful", false}, {"toolExecutionNotifications", Json::array({notification})}};
 }
 
@@ -93,13 +93,27 @@ std::string render_sarif(const SourceManager& sources, const Diagnostics& diagno
     for (const Diagnostic& each : findings) results.push_back(result(sources, each, index(each)));
     Json descriptions = Json::array();
     for (const Rule* rule : rules) descriptions.push_back(described(*rule));
-    const Json driver{{"name", "robochart-verify"}, {"version", version}, {"rules", descriptions}};
+    return sarif_log(
+        descriptions, results, version, limit,
+        {{"errors", diagnostics.errors()}, {"warnings", diagnostics.warnings()}, {"dropped", diagnostics.dropped()}});
+}
+
+Json sarif_text(std::string_view message) {
+    return {{"text", message}};
+}
+
+Json sarif_place(std::string_view path, Position begin, Position end) {
+    return {{"artifactLocation", {{"uri", uri_of_path(path)}}}, {"region", span_of_lines(begin, end)}};
+}
+
+std::string sarif_log(const Json& rules, const Json& results, std::string_view version, std::string_view limit,
+                      const Json& properties) {
+    const Json driver{{"name", "robochart-verify"}, {"version", version}, {"rules", rules}};
     Json run{{"tool", {{"driver", driver}}}};
     if (!limit.empty()) run["invocations"] = Json::array({invocation(limit)});
     run["columnKind"] = "unicodeCodePoints";
     run["results"] = results;
-    run["properties"] = {
-        {"errors", diagnostics.errors()}, {"warnings", diagnostics.warnings()}, {"dropped", diagnostics.dropped()}};
+    run["properties"] = properties;
     return json_text({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                       {"version", "2.1.0"},
                       {"runs", Json::array({run})}}) +

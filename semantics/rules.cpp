@@ -36,7 +36,7 @@ const Rule bad_constant_value{
     "Values are RoboChart literals: 3, -1, 0.25, true, red or Colour::red. Decimals need type real; nat has no "
     "negative numbers."};
 const Rule unknown_range_option{
-    "RC-S12", Severity::error, "--range {}: only nat, int, real, Seq, clock and given have a range",
+    "RC-S12", Severity::error, "--range {}: only nat, int, real, Seq, clock and given have a range{}",
     "`--range nat=0..4` says which numbers the type holds while the model is checked, `--range Seq=0..3` how long "
     "sequences are, `--range clock=0..20` how far clocks count, `--range given=0..2` how many elements every given "
     "type "

@@ -1,426 +1,162 @@
 #include "app/command/command_line.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <limits>
+#include <filesystem>
 
-#include "app/command/rules.hpp"
+#include "app/command/help.hpp"
+#include "app/command/option_table.hpp"
 
 namespace robochart::app {
 namespace {
 
-constexpr const char* version = "robochart-verify 0.1.0";
-
-constexpr const char* footer = R"(
-MODEL is a folder (a project: every .rct and .assertions file below it) or a file (with the .rct files of its
-folder that it needs); independent projects are processed separately.
-
-Exit status:
-   0  everything as claimed: every assertion holds as worded, the code conforms
-   1  some assertion fails, some code does not conform, some file is not formatted (format --check),
-      a simulation leaves its bands
-   2  the input is wrong, there is nothing to check, or the output cannot be written
-   3  inconclusive: a limit was reached, or interrupted, and the results so far are printed; or a claim of a kind that
-      is not decided here
-   4  wrong usage: unknown options, values out of range, unknown names
-  70  internal error: please report it)";
-
-struct VerbRow {
-    Verb verb;
-    const char* name;
-    const char* parent;  ///< "" for top-level verbs
-    const char* help;
-    const char* input;
-};
-constexpr std::array<VerbRow, 13> verbs{{
-    {Verb::verify, "verify", "", "everything: read, check assertions, export CSP, generate C++, conform (the default)",
-     "MODEL"},
-    {Verb::check, "check", "", "read the model and decide its assertions", "MODEL"},
-    {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL"},
-    {Verb::emit_cpp, "cpp", "emit", "write the C++ controllers", "MODEL"},
-    {Verb::emit_monitor, "monitor", "emit",
-     "write monitors: headers that follow a controller and report where it leaves its model", "MODEL"},
-    {Verb::emit_tests, "tests", "emit",
-     "write finite complete test suites, and GoogleTest that replays them against an implementation", "MODEL"},
-    {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL"},
-    {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT"},
-    {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "CODE"},
-    {Verb::simulate, "simulate", "",
-     "run a scenario's trials with the generated controllers: measures, bands, pictures", "SCENARIO"},
-    {Verb::validate, "validate", "", "read the model and report what is wrong with it, nothing else", "MODEL"},
-    {Verb::format, "format", "", "write model and assertion files in the standard layout, in place", "FILE"},
-    {Verb::lsp, "lsp", "", "serve an editor over standard input and output (Language Server Protocol)", ""},
-}};
-
-/// What a number given on the command line may be. One table for all of them: what a parser takes for a number (nan,
-/// -1, 1e300) is not yet one that means something.
-struct NumberRow {
-    const char* option;
-    enum class Kind { whole, seconds, size } kind;
-    std::uint64_t least, most;
-};
-constexpr std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max();
-constexpr std::array<NumberRow, 10> numbers{{
-    {"--memory", NumberRow::Kind::size, 1, std::uint64_t{1} << 62U},
-    {"--timeout", NumberRow::Kind::seconds, 0, 1'000'000'000},
-    {"--threads", NumberRow::Kind::whole, 0, 64},
-    {"--max-states", NumberRow::Kind::whole, 1, any_number},
-    {"--assertion", NumberRow::Kind::whole, 1, 1'000'000'000},
-    {"--cycle", NumberRow::Kind::whole, 1, 1000},
-    {"--walks", NumberRow::Kind::whole, 0, 1'000'000'000'000},
-    {"--trials", NumberRow::Kind::whole, 1, 100'000},
-    {"--seed", NumberRow::Kind::whole, 0, any_number},
-    {"--extra-states", NumberRow::Kind::whole, 0, 8},
-}};
-
-bool parse_whole(std::string_view text, std::uint64_t& value) {
-    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return code == std::errc() && end == text.data() + text.size();
+Parsed wrong_usage(const std::string& what, const std::string& help = "") {
+    return {
+        std::nullopt, Exit::usage,
+        fmt::format("robochart-verify: {}\ntry: robochart-verify {}--help\n", what, help.empty() ? "" : help + " ")};
 }
 
-/// "300M", "4GiB", "1048576": binary units, whatever their spelling.
-bool parse_size(std::string_view text, std::uint64_t& bytes) {
-    const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-    std::string unit(text.substr(digits));
-    std::transform(unit.begin(), unit.end(), unit.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
-    constexpr std::string_view letters = "kmgtpe";
-    std::size_t power = 0;
-    if (!unit.empty() && unit != "b") {
-        const std::size_t letter = letters.find(unit.front());
-        const std::string_view rest = std::string_view(unit).substr(1);
-        if (letter == std::string_view::npos || (!rest.empty() && rest != "b" && rest != "ib")) return false;
-        power = letter + 1;
+Parsed said(std::string text) {
+    return {std::nullopt, Exit::success, std::move(text)};
+}
+
+/// The words behind an option into the options.
+void take(const OptionRow& row, const std::vector<std::string>& words, Options& options) {
+    const std::size_t behind = words_behind(row.argument);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        std::string word = words[i];
+        if (const std::string wrong = wrong_word(row.argument, i % behind, word); !wrong.empty())
+            throw CLI::ValidationError(std::string(long_name(row)), wrong);
+        row.take(options, word);
     }
-    if (!parse_whole(text.substr(0, digits), bytes) || bytes > (any_number >> (10 * power))) return false;
-    bytes <<= 10 * power;
-    return true;
 }
 
-std::string wanted_number(const NumberRow& row) {
-    if (row.kind == NumberRow::Kind::size) return "a size above 0 is wanted, as 300M or 4GiB";
-    const std::string range =
-        row.most == any_number ? fmt::format("from {}", row.least) : fmt::format("from {} to {}", row.least, row.most);
-    return fmt::format("a {} {} is wanted", row.kind == NumberRow::Kind::seconds ? "number of seconds" : "whole number",
-                       range);
+void add_option(CLI::App& app, const OptionRow& row, Options& options) {
+    const auto callback = [&row, &options](const CLI::results_t& words) { return take(row, words, options), true; };
+    CLI::Option* option = app.add_option(row.names, callback)->allow_extra_args(false);
+    const auto words = static_cast<int>(words_behind(row.argument));
+    if (row.argument.repeated)
+        option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->expected(1, -1)->allow_extra_args(false);
+    else
+        option->expected(words);
 }
 
-/// The check of this option's number, by its row; a size becomes its bytes.
-CLI::Validator number(std::string_view option) {
-    const auto row =
-        *std::find_if(numbers.begin(), numbers.end(), [&](const NumberRow& each) { return each.option == option; });
-    return CLI::Validator(
-        [row](std::string& text) -> std::string {
-            std::uint64_t value = 0;
-            bool good = false;
-            if (row.kind == NumberRow::Kind::seconds) {
-                char* end = nullptr;
-                const double seconds = std::strtod(text.c_str(), &end);
-                const bool plain =
-                    text.find_first_not_of("0123456789.eE+-") == std::string::npos;  // no hexadecimals, nan, infinity
-                good = plain && !text.empty() && *end == '\0' && std::isfinite(seconds) &&
-                       seconds >= static_cast<double>(row.least) && seconds <= static_cast<double>(row.most);
-            } else {
-                good = (row.kind == NumberRow::Kind::size ? parse_size(text, value) : parse_whole(text, value)) &&
-                       value >= row.least && value <= row.most;
-            }
-            if (good && row.kind == NumberRow::Kind::size) text = std::to_string(value);
-            return good ? "" : fmt::format("{}: {}", text, wanted_number(row));
-        },
-        "");
-}
-
-/// A name that is given is not empty: an empty one would stand for all.
-const CLI::Validator named(
-    [](std::string& text) { return text.empty() ? std::string("the name is empty") : std::string(); }, "");
-
-void add_color(CLI::App& app, Options& o) {
-    const std::map<std::string, Color> colors{
-        {"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}};
-    app.add_option("--color", o.color, "auto, always or never")
-        ->transform(CLI::CheckedTransformer(colors))
-        ->option_text("WHEN [auto]");
-}
-
-void add_limits(CLI::App& app, Options& o) {
-    app.add_option(
-           "--memory", o.memory_bytes,
-           "memory bound of the program and its child processes, e.g. 4GiB; at most 3/4 of the machine's by default")
-        ->transform(number("--memory"))
-        ->option_text("SIZE [16GiB]");
-    app.add_option("--timeout", o.timeout_seconds, "time bound of the whole run in seconds; 0 for none")
-        ->check(number("--timeout"))
-        ->option_text("SECONDS [0]");
-}
-
-void add_validate(CLI::App& app, Options& o) {
-    const std::map<std::string, Format> formats{
-        {"text", Format::text}, {"json", Format::json}, {"sarif", Format::sarif}};
-    add_color(app, o);
-    app.add_option("--format", o.format, "text, json or sarif")
-        ->transform(CLI::CheckedTransformer(formats))
-        ->option_text("FORMAT [text]");
-    app.add_flag("--fix", o.fix, "apply certain fixes to the files, then report the remaining findings");
-    app.add_flag("-q,--quiet", o.quiet, "print only what is wrong");
-    add_limits(app, o);
-}
-
-void add_format_choice(CLI::App& app, Options& o, bool script) {
-    std::map<std::string, Format> formats{{"text", Format::text}, {"json", Format::json}};
-    if (script) {
-        formats["plain"] = Format::plain;
-        formats["framed_json"] = Format::framed_json;
+void add_options(CLI::App& app, Verbs verbs, Options& options) {
+    const std::vector<const OptionRow*> rows = options_of(verbs);
+    for (const OptionRow* row : rows) {
+        if (std::string_view(row->names) == "-h,--help")
+            app.set_help_flag(row->names);
+        else if (std::string_view(row->names) == "--version")
+            app.set_version_flag(row->names, "");
+        else if (row->argument.kind == Argument::Kind::none)
+            app.add_flag_callback(row->names, [row, &options] { row->take(options, ""); });
+        else
+            add_option(app, *row, options);
     }
-    app.add_option("--format", o.format, script ? "text; as FDR's refines: plain, json or framed_json" : "text or json")
-        ->transform(CLI::CheckedTransformer(formats))
-        ->option_text(script ? "FORMAT [text] {text,plain,json,framed_json}" : "FORMAT [text]");
+    for (const OptionRow* row : rows)
+        if (row->excludes[0] != '\0') app.get_option(row->names)->excludes(app.get_option(row->excludes));
 }
 
-void add_progress(CLI::App& app, Options& o) {
-    const std::map<std::string, ProgressMode> modes{
-        {"auto", ProgressMode::automatic}, {"json", ProgressMode::json}, {"never", ProgressMode::never}};
-    app.add_option("--progress", o.progress, "auto (a line on a terminal), json or never")
-        ->transform(CLI::CheckedTransformer(modes))
-        ->option_text("HOW [auto] {auto,json,never}");
-}
-
-void add_common(CLI::App& app, Options& o) {
-    add_color(app, o);
-    app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
-    add_progress(app, o);
-    add_limits(app, o);
-    app.add_flag_callback(
-        "--no-cache", [&o] { o.cache = false; }, "work out everything anew, and keep nothing for later runs");
-    app.add_option("--threads", o.threads,
-                   "threads of a check at most, used where its state space is wide; 0 for one for each core")
-        ->check(number("--threads"))
-        ->option_text("N [0]");
-    app.add_option("--max-states", o.max_states, "bound on states of a check")
-        ->check(number("--max-states"))
-        ->option_text("N [500000000]");
-}
-
-/// The code of a rule that warns, as the tables write it.
-std::string warning_code(std::string& code) {
-    for (const diagnostics::Rule* rule : find_rules(code))
-        if (rule->severity == diagnostics::Severity::warning) {
-            code = std::string(rule->code);
-            return "";
-        }
-    return fmt::format("{} is no code of a warning (robochart-verify explain lists them)", code);
-}
-
-void add_warnings(CLI::App& app, Options& o) {
-    app.add_option("--allow", o.allowed, "leave out warnings of this code; may be repeated")
-        ->allow_extra_args(false)
-        ->transform(CLI::Validator(warning_code, "CODE"))
-        ->option_text("CODE ...");
-    app.add_flag("--deny-warnings", o.deny_warnings, "treat a model with warnings as wrong");
-}
-
-void add_model(CLI::App& app, Options& o) {
-    add_warnings(app, o);
-    app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
-    app.add_option("--range", o.ranges,
-                   "carrier of nat, int or real; lengths of Seq, times of clock, elements of given")
-        ->option_text("TYPE=LOW..HIGH ...");
-    app.add_option("--print", o.print, "print a phase and stop")
-        ->check(CLI::IsMember({"ast", "model", "ir", "script", "timed-script"}))
-        ->option_text("PHASE {ast,model,ir,script,timed-script}");
-}
-
-void add_checking(CLI::App& app, Options& o) {
-    app.add_option("--assertion", o.assertion, "only the assertion of this name")->check(named)->option_text("NAME");
-    app.add_flag("--trace", o.show_internal, "also print raw event traces of counterexamples");
-}
-
-void add_script(CLI::App& app, Options& o) {
-    app.add_option("--assertion", o.assertion, "only this assertion of each script, counted from 1")
-        ->check(number("--assertion"))
-        ->option_text("N");
-    app.add_flag("--typecheck", o.typecheck, "check names and types and stop");
-    app.add_flag("--types", o.types, "print the type of every name and stop");
-    app.add_flag("-b,--brief", o.brief, "verdicts without counterexamples");
-    app.add_flag("--reveal-taus", o.reveal_taus, "show hidden events by their names");
-    app.add_flag("--split", o.split, "show what every part of the process did, also if there are many");
-    app.add_option("--export", o.exported, "write all states of a process, any expression of the script, and stop")
-        ->expected(2)
-        ->option_text("FORMAT PROCESS {aut,dot,csp}");
-}
-
-void add_times(CLI::App& app, Options& o) {
-    auto* timed = app.add_flag_callback(
-        "--timed", [&o] { o.times = Times::timed; }, "only the timed semantics");
-    app.add_flag_callback(
-           "--untimed", [&o] { o.times = Times::untimed; }, "only the untimed semantics")
-        ->excludes(timed);
-    app.add_flag("--core", o.core, "also check the generated core assertions of every component");
-    app.add_flag("--sizes", o.sizes, "print the number of states and transitions of every component");
-}
-
-void add_code(CLI::App& app, Options& o) {
-    app.add_option("--component", o.component, "only this module, controller or machine")
-        ->check(named)
-        ->option_text("NAME");
-    app.add_option_function<std::uint32_t>(
-           "--cycle",
-           [&o](const std::uint32_t& units) {
-               o.cycle = units;
-               o.cycle_given = true;
-           },
-           "time units of one control cycle")
-        ->check(number("--cycle"))
-        ->option_text("N [1]");
-}
-
-void add_strategy(CLI::App& app, Options& o) {
-    app.add_option("--strategy", o.strategy,
-                   "how generated code selects what an event does: by a switch over states and events, or by a table; "
-                   "auto: a table from five states on")
-        ->check(CLI::IsMember({"auto", "switch", "table"}))
-        ->option_text("STRATEGY {auto,switch,table} [auto]");
-}
-
-void add_target(CLI::App& app, Options& o) {
-    app.add_flag("--choices", o.choices,
-                 "code that asks its platform where the model leaves a choice (`pick`), instead of taking the first");
-    app.add_option("--target", o.target, "a complete project, below DIR/TARGET/COMPONENT")
-        ->check(CLI::IsMember({"library", "main", "ros2", "enki", "argos"}))
-        ->option_text("TARGET {library,main,ros2,enki,argos}");
-}
-
-void add_out(CLI::App& app, Options& o) {
-    app.add_option_function<std::string>(
-           "--out",
-           [&o](const std::string& dir) {
-               o.out = dir;
-               o.out_given = true;
-           },
-           "folder for the files written")
-        ->check(named)
-        ->option_text("DIR [out]");
-}
-
-void add_conform(CLI::App& app, Options& o) {
-    app.add_option("--traces", o.traces,
-                   "compare logs of runs with the model (docs/traces.md), and no generated code; files, or folders "
-                   "with .trace files")
-        ->allow_extra_args(false)
-        ->option_text("FILE ...");
-    app.add_option("--model", o.relation,
-                   "what is decided: refinement in failures-divergences, or in tick-tock, which records refusals "
-                   "before each tock")
-        ->check(CLI::IsMember({"failures-divergences", "tick-tock"}))
-        ->option_text("MODEL {failures-divergences,tick-tock}");
-    app.add_flag("--all-choices", o.choices,
-                 "where the model leaves a choice, explore every alternative, not only the first");
-    app.add_option("--walks", o.walks, "cycles of guided random walks where the state space is too large; 0 for none")
-        ->check(number("--walks"))
-        ->option_text("N [200000]");
-    app.add_option(
-           "--export", o.exported_code,
-           "write all states of the code to this file, for other tools (.aut, .dot) or with the model for FDR (.csp)")
-        ->check(named)
-        ->option_text("FILE");
-}
-
-void add_simulate(CLI::App& app, Options& o) {
-    add_format_choice(app, o, false);
-    add_color(app, o);
-    add_progress(app, o);
-    app.add_flag("-q,--quiet", o.quiet, "print only what is wrong and the closing line");
-    app.add_option("--trials", o.trials, "number of trials, instead of the scenario's")
-        ->check(number("--trials"))
-        ->option_text("N");
-    app.add_option("--seed", o.seed, "seed of the first trial, instead of the scenario's")
-        ->check(number("--seed"))
-        ->option_text("N");
-    app.add_option("--threads", o.threads, "parallel trials at most; 0 for one for each core")
-        ->check(number("--threads"))
-        ->option_text("N [0]");
-    add_limits(app, o);
-    app.add_flag_callback(
-        "--no-pictures", [&o] { o.pictures = false; }, "write no tables and pictures");
-    app.add_flag("--monitor", o.monitor, "stop a trial where a robot does what its model does not allow");
-    app.add_option("--log", o.log, "write what every robot read and did in every cycle, for `conform --traces`")
-        ->check(named)
-        ->option_text("DIR");
-    app.add_option("--const", o.constants, "value of a constant the model leaves open")->option_text("NAME=VALUE ...");
-    add_warnings(app, o);
-    add_out(app, o);
-}
-
-void add_format(CLI::App& app, Options& o) {
-    add_color(app, o);
-    app.add_flag("-q,--quiet", o.quiet, "do not list the files changed");
-    app.add_flag("--check", o.check, "write nothing; list the files that would change, exit 1 if there are any");
-    app.add_flag("--diff", o.diff, "write nothing; show what would change");
-    app.add_flag("--assertions", o.assertions, "read standard input (-) as an assertion file");
-    add_limits(app, o);
-}
-
-void add_options(CLI::App& app, const VerbRow& row, Options& o) {
-    if (row.verb == Verb::lsp) {
-        app.add_flag_callback(
-            "--stdio", [] {}, "accepted because editors' libraries pass it; standard input and output are always used");
-        return;
+void add_verb(CLI::App& app, const VerbRow& row, Options& options) {
+    CLI::App* sub = app.add_subcommand(row.name);
+    add_options(*sub, of(row.verb), options);
+    if (const std::string input = row.input; !input.empty()) {
+        const std::size_t begin = input.front() == '[' ? 1 : 0;
+        const std::string name = input.substr(begin, input.find_first_of(".]") - begin);
+        sub->add_option(name, options.inputs)->required(begin == 0);
     }
-    auto* inputs = app.add_option("inputs", o.inputs, "")->option_text(fmt::format("{}...", row.input));
-    if (row.verb == Verb::explain) return add_color(app, o);
-    inputs->required();
-    if (row.verb == Verb::validate) return add_validate(app, o);
-    if (row.verb == Verb::format) return add_format(app, o);
-    if (row.verb == Verb::simulate) return add_simulate(app, o);
-    add_format_choice(app, o, row.verb == Verb::cspm);
-    add_common(app, o);
-    if (row.verb == Verb::cspm) return add_script(app, o);
-    add_model(app, o);
-    if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::emit_csp) add_times(app, o);
-    if (row.verb == Verb::verify || row.verb == Verb::check || row.verb == Verb::conform) add_checking(app, o);
-    if (row.verb == Verb::verify || row.verb == Verb::emit_cpp || row.verb == Verb::emit_monitor ||
-        row.verb == Verb::emit_tests || row.verb == Verb::conform)
-        add_code(app, o);
-    if (row.verb == Verb::emit_tests)
-        app.add_option("--extra-states", o.extra_states,
-                       "states over control cycles that an implementation may have more than the model")
-            ->check(number("--extra-states"))
-            ->option_text("M [0]");
-    if (row.verb == Verb::conform) add_conform(app, o);
-    if (row.verb == Verb::emit_cpp) add_target(app, o);
-    if (row.verb == Verb::emit_cpp) add_strategy(app, o);
-    add_out(app, o);
+    sub->callback([&options, &row] { options.verb = row.verb; });
 }
 
-/// `robochart-verify MODEL` is `robochart-verify verify MODEL`: the first word decides.
+/// Where a first word is no verb, it is a model, unless there is none and a verb was meant.
+std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
+    const std::string& first = words.front();
+    std::error_code ignored;
+    if (first == "emit" && words.size() > 1 && !words[1].starts_with("-")) {
+        const std::vector<std::string> known = emitted_things();
+        if (std::find(known.begin(), known.end(), words[1]) != known.end()) return std::nullopt;
+        return wrong_usage(fmt::format("emit writes no '{}'{}", words[1], did_you_mean(words[1], known)), "emit");
+    }
+    const bool like_a_verb = first.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
+    if (!like_a_verb || std::filesystem::exists(first, ignored)) return std::nullopt;
+    const std::string meant = did_you_mean(first, first_words());
+    if (meant.empty()) return std::nullopt;
+    return wrong_usage(fmt::format("there is no verb, file or folder '{}'{}", first, meant));
+}
+
 bool names_a_verb(const std::string& word) {
-    if (word == "emit" || word == "-h" || word == "--help" || word == "--version") return true;
-    return std::any_of(verbs.begin(), verbs.end(),
-                       [&](const VerbRow& row) { return row.parent[0] == '\0' && word == row.name; });
+    const std::vector<std::string> known = first_words();
+    return std::find(known.begin(), known.end(), word) != known.end();
 }
 
-Parsed finish(CLI::App& app, const CLI::Error& error) {
-    Parsed parsed;
-    if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) {
-        parsed.message = std::string(version) + "\n";
-    } else if (error.get_exit_code() == 0) {
-        const CLI::App* shown = &app;
-        while (!shown->get_subcommands().empty()) shown = shown->get_subcommands().front();
-        parsed.message = shown->help();
-    } else {
-        parsed.exit = Exit::usage;
-        parsed.message = fmt::format("robochart-verify: {}\ntry: robochart-verify --help\n", error.what());
+/// The verb that the parser has come to, "" for none, "emit" on the way.
+std::string verb_reached(const CLI::App& app) {
+    std::string name;
+    for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
+        at = at->get_subcommands().front();
+        name += (name.empty() ? "" : " ") + at->get_name();
     }
-    return parsed;
+    return name;
+}
+
+Parsed help_of(const std::string& name) {
+    if (name.empty()) return said(program_help());
+    if (name == "emit") return said(emit_help());
+    if (const VerbRow* row = find_verb(name)) return said(verb_help(*row));
+    std::vector<std::string> known = first_words();
+    for (const VerbRow& row : verb_table()) known.push_back(full_name(row));
+    return wrong_usage(fmt::format("there is no verb '{}'{}", name, did_you_mean(name, known)));
+}
+
+/// The answer of the verb `help`.
+Parsed help_asked(const Options& options) {
+    if (options.generate == "man") return said(manual_page());
+    if (options.generate == "bash") return said(bash_completion());
+    if (options.generate == "zsh") return said(zsh_completion());
+    if (options.generate == "fish") return said(fish_completion());
+    return help_of(fmt::format("{}", fmt::join(options.inputs, " ")));
+}
+
+std::string version_text() {
+    return fmt::format("robochart-verify {}\n", program_version);
+}
+
+/// A verb that cannot be asked to do without a cache has none.
+bool has_cache(Verb verb) {
+    const std::vector<const OptionRow*> rows = options_of(of(verb));
+    return std::any_of(rows.begin(), rows.end(), [](const OptionRow* row) { return long_name(*row) == "--no-cache"; });
+}
+
+/// An option that the verb does not have: the nearest that it has, or the verbs that have it.
+std::string unknown_option(const std::string& given, const std::string& verb) {
+    const std::string name = given.substr(0, given.find('='));
+    std::vector<std::string> known, owners;
+    const VerbRow* row = find_verb(verb);
+    for (const OptionRow* option : options_of(row == nullptr ? no_verb : of(row->verb)))
+        known.emplace_back(long_name(*option));
+    for (const VerbRow& each : verb_table())
+        for (const OptionRow* option : options_of(of(each.verb)))
+            if (long_name(*option) == name) owners.push_back(full_name(each));
+    const std::string who = verb.empty() ? "the program" : fmt::format("`{}`", verb);
+    std::string text = fmt::format("{} has no option {}", who, name);
+    if (!owners.empty()) return text + fmt::format("; `{}` has", fmt::join(owners, "`, `"));
+    return text + did_you_mean(name, known);
+}
+
+Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
+    const std::string verb = verb_reached(app);
+    if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) return said(version_text());
+    if (error.get_exit_code() == 0) return help_of(verb);
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+        for (const std::string& word : app.remaining(true))
+            if (word.starts_with("-") && word != "--") return wrong_usage(unknown_option(word, verb), verb);
+    if (verb.empty()) return wrong_usage("a model or a verb is wanted");
+    if (verb == "emit") return wrong_usage("emit what? csp, cpp, monitor or tests", verb);
+    return wrong_usage(error.what(), verb);
 }
 
 bool parse_number(std::string_view text, std::int64_t& value) {
@@ -431,29 +167,31 @@ bool parse_number(std::string_view text, std::int64_t& value) {
 }  // namespace
 
 Parsed parse_command_line(int argc, const char* const* argv) {
-    Options o;
-    CLI::App app{"Verifies RoboChart models: semantics, assertions, C++ controllers, conformance.", "robochart-verify"};
-    app.footer(footer);
-    app.set_version_flag("--version", version);
+    Options options;
+    CLI::App app;
+    add_options(app, no_verb, options);
     app.require_subcommand(1);
-    auto* emit = app.add_subcommand("emit", "write files, nothing else");
+    CLI::App* emit = app.add_subcommand("emit");
+    emit->set_help_flag("-h,--help");
     emit->require_subcommand(1);
-    for (const VerbRow& row : verbs) {
-        CLI::App& parent = row.parent[0] == '\0' ? app : *emit;
-        auto* sub = parent.add_subcommand(row.name, row.help);
-        sub->footer(footer);
-        add_options(*sub, row, o);
-        sub->callback([&o, &row] { o.verb = row.verb; });
-    }
+    for (const VerbRow& row : verb_table()) add_verb(row.parent[0] == '\0' ? app : *emit, row, options);
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    if (!words.empty() && !names_a_verb(words.front())) words.insert(words.begin(), "verify");
+    const bool of_the_program = words.empty() || words[0] == "-h" || words[0] == "--help" || words[0] == "--version";
+    if (!of_the_program) {
+        if (std::optional<Parsed> wrong = unknown_verb(words)) return *wrong;
+        // `robochart-verify MODEL` is `robochart-verify verify MODEL`: the first word decides.
+        if (!names_a_verb(words.front())) words.insert(words.begin(), "verify");
+    }
     std::reverse(words.begin(), words.end());
     try {
         app.parse(words);
     } catch (const CLI::Error& error) {
-        return finish(app, error);
+        return parse_failed(app, error);
     }
-    return Parsed{o, Exit::success, ""};
+    if (options.verb == Verb::help) return help_asked(options);
+    if (options.verb == Verb::version) return said(version_text());
+    options.cache = options.cache && has_cache(options.verb);
+    return Parsed{options, Exit::success, ""};
 }
 
 ir::InstantiationOptions instantiation_options(const Options& o, std::string& error) {

@@ -1,4 +1,5 @@
-// The command line: verbs, options, exit codes. One table of options in options.cpp feeds `--help` and parsing.
+// What a command line asks for, as data: the verb, its options, the exit codes. option_table.hpp says how it is
+// written.
 #pragma once
 
 #include <cstdint>
@@ -38,10 +39,12 @@ enum class Verb {
     format,
     lsp,
     simulate,
-    validate
+    validate,
+    help,
+    version
 };
 /// How results are printed.
-enum class Format { text, json, sarif, plain, framed_json };
+enum class Format { text, json, sarif, plain, framed_json, junit };
 /// Whether progress goes to stderr, and how.
 enum class ProgressMode { automatic, json, never };
 /// Whether text is coloured.
@@ -104,6 +107,7 @@ struct Options {
     std::string exported_code;                      ///< conform: file for L(G), .aut, .dot or .csp; "" for none
     std::vector<std::string> traces;  ///< conform: logs (files, folders) to compare with the model instead of code
     bool cycle_given = false;
+    std::string generate;            ///< help: the man page, or a completion, by its name; "" for none
     bool deny_warnings = false;      ///< a warning is as bad as an error
     std::uint64_t memory_bytes = 0;  ///< 0: what `default_memory` says
     double timeout_seconds = 0;      ///< of the whole run; 0: none

@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "app/command/command_line.hpp"
+#include "app/command/junit.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
@@ -367,18 +368,41 @@ bool acceptable(const Project& project, const Options& options) {
     return project.diagnostics.ok() && !(options.deny_warnings && project.diagnostics.warnings() > 0);
 }
 
+namespace {
+
+/// The diagnostics as the whole answer, in a format for programs.
+std::string refused_document(const Project& project, Format format) {
+    if (format == Format::json) return diagnostics::render_json(project.sources, project.diagnostics) + "\n";
+    if (format == Format::sarif)
+        return diagnostics::render_sarif(project.sources, project.diagnostics, program_version);
+    const JunitCase refused{"model",
+                            project.name,
+                            JunitCase::Kind::error,
+                            "refused, with errors",
+                            diagnostics::render_text(project.sources, project.diagnostics),
+                            0};
+    return junit_document(project.name, {refused});
+}
+
+}  // namespace
+
+void show_findings(const Project& project, const Options& options) {
+    const bool good = acceptable(project, options);
+    if (options.quiet && good) return;
+    diagnostics::TextStyle style;
+    style.color = color_wanted(options.color, STDERR_FILENO);
+    print_error_styled(diagnostics::render_text(project.sources, project.diagnostics, style));
+    if (!good && project.diagnostics.ok()) print_error("warnings are denied (--deny-warnings)\n");
+}
+
 bool show_diagnostics(const Project& project, const Options& options) {
     const bool good = acceptable(project, options);
-    if (options.format == Format::json) {
+    if (options.format != Format::text && !good) {
         // It is the run's answer: what a limit would have to say comes too late, and would be a second document.
-        if (!good) options.run->finish();
-        if (!good) print_exact(diagnostics::render_json(project.sources, project.diagnostics) + "\n");
-    } else if (!options.quiet || !good) {
-        diagnostics::TextStyle style;
-        style.color = color_wanted(options.color, STDERR_FILENO);
-        print_error_styled(diagnostics::render_text(project.sources, project.diagnostics, style));
-        if (!good && project.diagnostics.ok()) print_error("warnings are denied (--deny-warnings)\n");
+        options.run->finish();
+        print_exact(refused_document(project, options.format));
     }
+    if (options.format != Format::json && (good || options.format == Format::text)) show_findings(project, options);
     return good;
 }
 

@@ -73,7 +73,10 @@ bool write_output(Project&, const Options&, const std::string& path, const std::
 /// No errors, and no warnings where they are denied.
 [[nodiscard]] bool acceptable(const Project&, const Options&);
 
-/// Prints the project's diagnostics to stderr (or, as JSON, to stdout) and tells whether they are acceptable.
+/// Prints the project's diagnostics as text to stderr.
+void show_findings(const Project&, const Options&);
+/// The same; in a format for programs those that refuse the model are the answer, on stdout. Returns whether they are
+/// acceptable.
 bool show_diagnostics(const Project&, const Options&);
 
 }  // namespace robochart::app

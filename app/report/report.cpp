@@ -1,12 +1,15 @@
 #include "app/report/report.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 
 #include "app/command/numbers.hpp"
+#include "app/command/output.hpp"
 #include "diagnostics/escape.hpp"
+#include "diagnostics/paint.hpp"
 #include "runs/text.hpp"
 
 namespace robochart::app {
@@ -24,28 +27,54 @@ std::string_view outcome_word(conformance::Outcome outcome) {
     return words[static_cast<std::size_t>(outcome)];
 }
 
+using diagnostics::Paint;
+
+/// A verdict at the beginning of a line, as wide as all of them.
+std::string verdict(std::string_view word, Paint paint, bool color) {
+    constexpr std::size_t widest = 12;
+    return fmt::format("  {}{:<{}} ", diagnostics::painted(word, paint, color), "",
+                       widest - std::min(widest, word.size()));
+}
+
+Paint paint_of(Answer answer) {
+    if (answer == Answer::holds) return Paint::success;
+    return answer == Answer::fails || answer == Answer::error ? Paint::error : Paint::warning;
+}
+
+Paint paint_of(conformance::Outcome outcome) {
+    if (outcome == conformance::Outcome::conforms) return Paint::success;
+    return outcome == conformance::Outcome::inconclusive ? Paint::warning : Paint::error;
+}
+
 std::string duration(double seconds) {
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
 }
 
-void write_assertion(std::string& out, const AssertionReport& a, const std::string& subject, std::size_t width,
-                     const Options& options) {
-    if (options.quiet && a.answer == Answer::holds) return;
-    out += fmt::format("  {:<12} {:<{}}", answer_word(a.answer), a.title, width);
+/// Behind the verdict.
+std::string assertion_rest(const AssertionReport& a, const std::string& subject, std::size_t width,
+                           const Options& options) {
+    std::string out = fmt::format("{:<{}}", a.title, width);
     if (a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0)
         out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states),
                            a.searched ? duration(a.statistics.seconds) : "known");
     out += '\n';
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
-    if (!a.run && a.counterexample.empty()) return;
+    if (!a.run && a.counterexample.empty()) return out;
     const std::string claimed = a.place.empty() ? "" : fmt::format("claimed at {}; ", diagnostics::shown(a.place));
     out += fmt::format("               {}the {} does:\n{}", claimed, subject,
                        a.run ? runs::text(*a.run, indent_of_runs) : a.counterexample);
-    if (!a.run) return;
+    if (!a.run) return out;
     const std::vector<std::string> raw(a.run->raw.begin(),
                                        a.run->raw.end() - static_cast<std::ptrdiff_t>(a.run->raw_loop));
     if (options.show_internal && !raw.empty())
         out += fmt::format("                 events <{}>\n", fmt::join(raw, ", "));
+    return out;
+}
+
+std::string assertion_block(const AssertionReport& a, const std::string& subject, std::size_t width,
+                            const Options& options, bool color) {
+    return verdict(answer_word(a.answer), paint_of(a.answer), color) +
+           diagnostics::shown_lines(assertion_rest(a, subject, width, options));
 }
 
 /// What the verdicts are about where it is less than the model.
@@ -93,13 +122,13 @@ void write_api_difference(std::string& out, const conformance::Result& r) {
     write_behaviour(out, "dispatch", r.api_difference->dispatched);
 }
 
-void write_conformance(std::string& out, const ConformanceReport& c, const Options& options) {
+/// Behind the verdict.
+std::string conformance_rest(const ConformanceReport& c, const Options& options) {
     const conformance::Result& r = c.result;
-    if (options.quiet && r.outcome == conformance::Outcome::conforms) return;
-    out +=
-        fmt::format("  {:<12} {}: {} states, {} cycles of the code explored; {} states, {} transitions checked; {}\n",
-                    outcome_word(r.outcome), c.component, with_commas(r.code_states), with_commas(r.code_cycles),
-                    with_commas(r.product.states), with_commas(r.product.transitions), duration(c.seconds));
+    std::string out =
+        fmt::format("{}: {} states, {} cycles of the code explored; {} states, {} transitions checked; {}\n",
+                    c.component, with_commas(r.code_states), with_commas(r.code_cycles), with_commas(r.product.states),
+                    with_commas(r.product.transitions), duration(c.seconds));
     if (r.dispatched > 0)
         out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n",
                            with_commas(r.dispatched));
@@ -114,6 +143,12 @@ void write_conformance(std::string& out, const ConformanceReport& c, const Optio
     write_asides(out, r);
     if (options.show_internal && !r.raw.empty())
         out += fmt::format("                 events <{}>\n", fmt::join(r.raw, ", "));
+    return out;
+}
+
+std::string conformance_block(const ConformanceReport& c, const Options& options, bool color) {
+    return verdict(outcome_word(c.result.outcome), paint_of(c.result.outcome), color) +
+           diagnostics::shown_lines(conformance_rest(c, options));
 }
 
 void write_files(std::string& out, std::string_view title, const std::vector<FileReport>& files) {
@@ -190,33 +225,65 @@ Exit Report::exit() const {
     return Exit::success;
 }
 
-std::string render_text(const Report& report, const Options& options) {
-    std::string out;
-    if (!options.quiet) {
-        out += report.summary.empty() ? diagnostics::shown(report.model) + "\n"
-                                      : fmt::format("{}: {} ({})\n", diagnostics::shown(report.model), report.summary,
-                                                    duration(report.load_seconds));
-        for (const std::string& note : report.notes) out += fmt::format("  {}\n", note);
-    }
+namespace {
+
+std::string heading_text(const Report& report) {
+    std::string out = report.summary.empty() ? diagnostics::shown(report.model) + "\n"
+                                             : fmt::format("{}: {} ({})\n", diagnostics::shown(report.model),
+                                                           report.summary, duration(report.load_seconds));
+    for (const std::string& note : report.notes) out += fmt::format("  {}\n", note);
+    return out;
+}
+
+/// The widest title, within reason.
+std::size_t title_width(const Report& report) {
     std::size_t width = 0;
     for (const AssertionReport& a : report.assertions)
         width = std::max(width, std::min<std::size_t>(a.title.size(), 80));
-    if (!report.assertions.empty() && !options.quiet) out += "\nassertions\n";
-    for (const AssertionReport& a : report.assertions) write_assertion(out, a, report.subject, width, options);
-    write_bounds(out, report.bounds);
-    write_sizes(out, report.sizes);
-    if (!report.conformance.empty() && !options.quiet) out += "\nconformance of the generated C++\n";
-    for (const ConformanceReport& c : report.conformance) write_conformance(out, c, options);
-    if (!options.quiet) {
-        write_files(out, "CSP semantics", report.csp_files);
-        write_files(out, "C++", report.cpp_files);
-        write_files(out, "monitors", report.monitor_files);
-        write_files(out, "tests", report.test_files);
-        for (const std::string& remark : report.remarks) out += fmt::format("  {}\n", remark);
-    }
-    if (const std::string last = closing(report); !last.empty())
-        out += fmt::format("{}{}\n", options.quiet ? "" : "\n", last);
+    return width;
+}
+
+std::string files_text(const Report& report) {
+    std::string out;
+    write_files(out, "CSP semantics", report.csp_files);
+    write_files(out, "C++", report.cpp_files);
+    write_files(out, "monitors", report.monitor_files);
+    write_files(out, "tests", report.test_files);
+    for (const std::string& remark : report.remarks) out += fmt::format("  {}\n", remark);
     return out;
+}
+
+}  // namespace
+
+std::string render_text(const Report& report, const Options& options) {
+    using diagnostics::shown_lines;
+    const bool color = color_wanted(options.color, STDOUT_FILENO);
+    std::string out = options.quiet ? "" : shown_lines(heading_text(report));
+    const std::size_t width = title_width(report);
+    if (!report.assertions.empty() && !options.quiet) out += "\nassertions\n";
+    for (const AssertionReport& a : report.assertions)
+        if (!options.quiet || a.answer != Answer::holds)
+            out += assertion_block(a, report.subject, width, options, color);
+    std::string found;
+    write_bounds(found, report.bounds);
+    write_sizes(found, report.sizes);
+    out += shown_lines(found);
+    if (!report.conformance.empty() && !options.quiet) out += "\nconformance of the generated C++\n";
+    for (const ConformanceReport& c : report.conformance)
+        if (!options.quiet || c.result.outcome != conformance::Outcome::conforms)
+            out += conformance_block(c, options, color);
+    if (!options.quiet) out += shown_lines(files_text(report));
+    if (const std::string last = closing(report); !last.empty())
+        out += shown_lines(fmt::format("{}{}\n", options.quiet ? "" : "\n", last));
+    return out;
+}
+
+std::string assertion_text(const AssertionReport& assertion, const std::string& subject) {
+    return assertion_block(assertion, subject, 0, {}, false);
+}
+
+std::string conformance_text(const ConformanceReport& component) {
+    return conformance_block(component, {}, false);
 }
 
 }  // namespace robochart::app

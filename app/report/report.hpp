@@ -27,8 +27,9 @@ inline constexpr const char* not_decided = "it was not decided before the limit"
 
 /// One assertion with its answer.
 struct AssertionReport {
-    std::string title;  ///< "A1 [timed] AggregationFSM is deadlock-free"
-    std::string place;  ///< "aggregation.assertions:12"
+    std::string title;                  ///< "A1 [timed] AggregationFSM is deadlock-free"
+    std::string place;                  ///< "aggregation.assertions:12"
+    std::optional<runs::Place> region;  ///< the same with its end; a model's
     Answer answer = Answer::inconclusive;
     std::string reason;  ///< inconclusive, no_check, error
     refine::Statistics statistics;
@@ -75,6 +76,7 @@ struct FileReport {
 struct RefusedReport {
     std::string model;
     std::string diagnostics;  ///< schema "robochart-verify/diagnostics/1"
+    std::string text;         ///< the same for people
 };
 
 /// All results of one command; text and JSON are made from it.
@@ -101,8 +103,16 @@ struct Report {
 /// In front of the lines of a counterexample.
 extern const std::string_view indent_of_runs;
 
+/// Text for people, in which what others wrote is shown already; verdicts are coloured as the options ask.
 [[nodiscard]] std::string render_text(const Report&, const Options&);
+/// One assertion, one component in that text, without colours.
+[[nodiscard]] std::string assertion_text(const AssertionReport&, const std::string& subject);
+[[nodiscard]] std::string conformance_text(const ConformanceReport&);
 /// Schema "robochart-verify/report/1" (docs/cli.md).
 [[nodiscard]] std::string render_json(const Report&);
+/// SARIF 2.1.0: what does not hold or is not known, with its run as a code flow.
+[[nodiscard]] std::string render_sarif(const Report&);
+/// JUnit's XML: a case for each assertion and each component.
+[[nodiscard]] std::string render_junit(const Report&);
 
 }  // namespace robochart::app

@@ -99,6 +99,14 @@ bool wanted(const Context& context, const csp_emit::Obligation& obligation) {
            context.project.system.properties[obligation.property].name == context.options.assertion;
 }
 
+void set_place(const Project& project, diagnostics::Span span, AssertionReport& report) {
+    report.place = project.sources.place(span);
+    if (!span.known()) return;
+    const diagnostics::Position begin = project.sources.position(span.source, span.begin);
+    const diagnostics::Position end = project.sources.position(span.source, span.end);
+    report.region = runs::Place{project.sources.path(span.source), begin.line, begin.column, end.line, end.column};
+}
+
 /// The report lists everything to be decided from the beginning, as not decided.
 void announce(const Context& context, Report& report) {
     const auto edit = context.options.run->edit();
@@ -107,8 +115,7 @@ void announce(const Context& context, Report& report) {
         AssertionReport one;
         one.title = context.project.label + obligation.title;
         if (obligation.property != ir::no_id)
-            one.place =
-                context.project.sources.place(context.project.system.properties[obligation.property].origin.span);
+            set_place(context.project, context.project.system.properties[obligation.property].origin.span, one);
         one.answer = obligation.assertions.empty() ? Answer::no_check : Answer::inconclusive;
         one.reason = obligation.assertions.empty() ? obligation.reason : not_decided;
         report.assertions.push_back(std::move(one));
@@ -166,7 +173,7 @@ void report_unchecked(const Project& project, const Options& options, Report& re
             if (!part.claims || (!options.assertion.empty() && part.name != options.assertion)) continue;
             AssertionReport one;
             one.title = project.label + part.name;
-            one.place = project.sources.place(part.span);
+            set_place(project, part.span, one);
             one.answer = Answer::unchecked;
             one.reason =
                 fmt::format("{}: not checked: {}", diagnostics::shown(one.place),

@@ -178,7 +178,7 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
 }
 
 void show_prints(const ScriptReport& script, const Options& options) {
-    if (options.quiet || options.format == Format::json || options.format == Format::framed_json) return;
+    if (options.quiet || (options.format != Format::text && options.format != Format::plain)) return;
     for (const ScriptPrint& each : script.prints)
         print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
 }
@@ -246,6 +246,21 @@ Exit worse(Exit a, Exit b) {
     return rank(a) < rank(b) ? b : a;
 }
 
+/// The report over all scripts.
+void print_report(const Report& report, const Options& options) {
+    if (options.format == Format::junit)
+        print_exact(render_junit(report));
+    else
+        print_styled(render_text(report, options));
+}
+
+/// A script with errors is a case of its own for those who read cases.
+void note_refused(const ScriptReport& script, const Options& options, Report& report) {
+    if (options.format != Format::junit) return;
+    const auto edit = options.run->edit();
+    report.refused.push_back({script.path, "", fmt::format("{}", fmt::join(script.errors, "\n"))});
+}
+
 /// What the last word of the run may still have to print.
 struct Known {
     Report report;
@@ -281,6 +296,7 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
     const process::EventTable no_events;
     if (!loaded.diagnostics.ok()) {
         if (json) print_object(script, no_events, options, known);
+        note_refused(script, options, report);
         return Exit::bad_input;
     }
     bool stopped = false;
@@ -308,7 +324,10 @@ Exit decide_script(const std::string& path, const Options& options, Known& known
         if (json) print_object(script, no_events, options, known);
     }
     for (const std::string& error : script.errors) print_error("{}\n", error);
-    if (!script.errors.empty()) return Exit::bad_input;
+    if (!script.errors.empty()) {
+        note_refused(script, options, report);
+        return Exit::bad_input;
+    }
     return stopped ? Exit::inconclusive : Exit::success;
 }
 
@@ -353,6 +372,8 @@ void show_findings(const LoadedScript& loaded, const Options& options) {
 }
 
 Exit run_cspm(const Options& options) {
+    if ((options.typecheck || options.types) && options.format == Format::junit)
+        throw UsageError("--format junit is about assertions: of types there are text and json");
     if (options.typecheck || options.types) return check_types(options);
     if (!options.exported.empty()) return export_process(options);
     const auto known = std::make_shared<Known>();
@@ -366,8 +387,8 @@ Exit run_cspm(const Options& options) {
         script.errors.push_back(why);
         const process::EventTable no_events;
         const bool json = options.format == Format::json || options.format == Format::framed_json;
-        if (options.format == Format::text)
-            print_text(render_text(known->report, options));
+        if (options.format == Format::text || options.format == Format::junit)
+            print_report(known->report, options);
         else if (!json)
             print_error("robochart-verify: {}\n", why);
         else if (!known->open.empty())
@@ -385,8 +406,8 @@ Exit run_cspm(const Options& options) {
         if (!report.limit.empty()) break;
     }
     options.run->finish();
-    if (options.format == Format::text && (exit != Exit::bad_input || !report.assertions.empty()))
-        print_text(render_text(report, options));
+    const bool some = exit != Exit::bad_input || !report.assertions.empty();
+    if (options.format == Format::junit || (options.format == Format::text && some)) print_report(report, options);
     return worse(exit, report.exit());
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "app/command/option_table.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rule_pages.hpp"
 #include "app/command/rules.hpp"
@@ -28,13 +29,17 @@ std::string upper_start(std::string_view code) {
     return letters;
 }
 
-/// Codes of the same family, to help after a slip.
+/// The nearest code, or those of the same family, to help after a slip.
 std::string relatives(std::string_view code) {
-    std::vector<std::string_view> found;
-    for (const diagnostics::Rule* rule : all_rules())
-        if (upper_start(rule->code) == upper_start(code)) found.push_back(rule->code);
+    std::vector<std::string> all, found;
+    for (const diagnostics::Rule* rule : all_rules()) {
+        all.emplace_back(rule->code);
+        if (upper_start(rule->code) == upper_start(code)) found.emplace_back(rule->code);
+    }
+    if (const std::string meant = did_you_mean(code, all); !meant.empty()) return meant;
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found.empty() ? "`robochart-verify explain` lists all" : fmt::format("there are {}", fmt::join(found, ", "));
+    return found.empty() ? "; `robochart-verify explain` lists all"
+                         : fmt::format("; there are {}", fmt::join(found, ", "));
 }
 
 /// What the table says, for a rule whose page is missing.
@@ -50,7 +55,7 @@ bool explain(const std::string& code, bool color) {
     const std::string_view page = page_text(code);
     const auto rules = find_rules(code);
     if (page.empty() && rules.empty()) {
-        print_error("robochart-verify: no rule has the code {}; {}\n", code, relatives(code));
+        print_error("robochart-verify: no rule has the code {}{}\n", code, relatives(code));
         return false;
     }
     print_styled(page.empty() ? from_table(rules) : render_page(page, color));

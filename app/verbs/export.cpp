@@ -86,11 +86,6 @@ Exit export_from(LoadedScript& loaded, const Options& options) {
 }  // namespace
 
 Exit export_process(const Options& options) {
-    const std::string& format = options.exported[0];
-    if (format != "aut" && format != "dot" && format != "csp") {
-        print_error("robochart-verify: --export {}: the formats are aut, dot and csp\n", format);
-        return Exit::usage;
-    }
     if (options.inputs.size() != 1) {
         print_error("robochart-verify: --export takes one script\n");
         return Exit::usage;

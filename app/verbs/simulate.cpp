@@ -193,8 +193,9 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
     return simulation;
 }
 
-Exit run_simulate(const Options& options, const OtherStage& stage) {
-    options.run->last_word([&options](const std::string& why) { return before_trials(options, why); });
+namespace {
+
+Exit simulate(const Options& options, const OtherStage& stage) {
     const auto simulation = load_simulation(options);
     Project& project = *simulation->project;
     if (!acceptable(project, options)) return show_diagnostics(project, options), refusal(project);
@@ -231,6 +232,17 @@ Exit run_simulate(const Options& options, const OtherStage& stage) {
     show_diagnostics(project, options);
     print_text(*simulation, result, options, stage, files, notes);
     return exit;
+}
+
+}  // namespace
+
+Exit run_simulate(const Options& options, const OtherStage& stage) {
+    options.run->last_word([&options](const std::string& why) { return before_trials(options, why); });
+    try {
+        return simulate(options, stage);
+    } catch (const cpp_emit::NoCompiler& missing) {
+        return options.run->stopped(missing.what());
+    }
 }
 
 int simulate_program(const char* program, int argc, char** argv, const OtherStage& stage) {

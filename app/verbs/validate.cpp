@@ -51,7 +51,8 @@ void show(const diagnostics::SourceManager& sources, const diagnostics::Diagnost
         diagnostics::TextStyle style;
         style.color = color_wanted(options.color, STDERR_FILENO);
         print_error_styled(diagnostics::render_text(sources, findings, style));
-        if (!options.quiet && limit.empty() && findings.ok()) print("valid\n");
+        const bool valid = findings.ok() && !(options.deny_warnings && findings.warnings() > 0);
+        if (!options.quiet && limit.empty() && valid) print("valid\n");
     }
     if (!limit.empty()) print_error("robochart-verify: inconclusive: {}\n", limit);
 }
@@ -73,7 +74,9 @@ Exit validate(const Options& options) {
     options.run->finish();
     const diagnostics::Diagnostics findings = together(parts);
     show(parts.front().project->sources, findings, "", options);
-    return findings.ok() ? Exit::success : Exit::bad_input;
+    const bool denied = options.deny_warnings && findings.warnings() > 0;
+    if (findings.ok() && denied) print_error("warnings are denied (--deny-warnings)\n");
+    return findings.ok() && !denied ? Exit::success : Exit::bad_input;
 }
 
 }  // namespace

@@ -162,8 +162,12 @@ void begin(const std::vector<Part>& parts, const Options& options, Report& repor
 Exit print_report(const Report& report, const Options& options) {
     if (options.format == Format::json)
         print_exact(render_json(report));
+    else if (options.format == Format::sarif)
+        print_exact(render_sarif(report));
+    else if (options.format == Format::junit)
+        print_exact(render_junit(report));
     else
-        app::print_text(render_text(report, options));
+        print_styled(render_text(report, options));
     return report.exit();
 }
 
@@ -286,12 +290,12 @@ bool concerns(const Part& part, const std::vector<Part>& parts, const Options& o
 /// The diagnostics of all parts. A program gets those of one part as the answer; those of several are part of the
 /// report.
 bool show_all(const std::vector<Part>& parts, const Options& options) {
+    if (parts.size() == 1) return show_diagnostics(*parts.front().project, options);
     bool good = true;
-    for (const Part& part : parts)
-        if (parts.size() == 1 || options.format != Format::json)
-            good = show_diagnostics(*part.project, options) && good;
-        else
-            good = acceptable(*part.project, options) && good;
+    for (const Part& part : parts) {
+        if (options.format != Format::json) show_findings(*part.project, options);
+        good = acceptable(*part.project, options) && good;
+    }
     return good;
 }
 
@@ -308,8 +312,9 @@ void note_refused(const std::vector<Part>& parts, const Options& options, Report
     report.refused.clear();
     for (const Part& part : parts)
         if (!acceptable(*part.project, options))
-            report.refused.push_back(
-                {part.project->name, diagnostics::render_json(part.project->sources, part.project->diagnostics)});
+            report.refused.push_back({part.project->name,
+                                      diagnostics::render_json(part.project->sources, part.project->diagnostics),
+                                      diagnostics::render_text(part.project->sources, part.project->diagnostics)});
 }
 
 /// A verb whose answer is a report, over all parts. A part with errors is refused, and the others are judged.
@@ -389,6 +394,8 @@ Exit compare_traces(const std::vector<Part>& parts, const Options& options, Repo
 Exit run_verb(const Options& options, Report& report, std::vector<Part>& parts) {
     parts = load_parts(options);
     if (!options.print.empty()) return print_phases(parts, options);
+    if (!options.traces.empty() && options.format == Format::junit)
+        throw UsageError("--format junit is about generated code: of logs (--traces) there are text and json");
     if (!options.traces.empty()) return compare_traces(parts, options, report);
     if (const Project* const stopped = hopeless(parts, options)) {
         (void)show_diagnostics(*stopped, options);

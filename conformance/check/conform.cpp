@@ -244,6 +244,10 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
         Result result;
         result.reason = limit.what();
         return result;
+    } catch (const cpp_emit::NoCompiler& missing) {
+        Result result;
+        result.reason = fmt::format("conformance was not checked: {}", missing.what());
+        return result;
     }
     if (!object) return not_generated(std::move(error));
     Result result = judged(few ? few->script : timed.script, model.system, instantiation, component,

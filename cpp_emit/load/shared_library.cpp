@@ -165,6 +165,9 @@ bool compile(const BuildOptions& options, const fs::path& folder, const std::vec
     }
     std::error_code ignored;
     fs::remove(log, ignored);
+    if (status < 0)
+        throw NoCompiler(
+            fmt::format("{}: a C++ compiler is needed here; on Debian, `apt install g++` installs one", error));
     if (status > 0 && lacked_memory(said))
         throw diagnostics::LimitReached(fmt::format("{} was given no more memory", options.compiler));
     if (status > 0) error = fmt::format("{} failed with status {}:\n{}", options.compiler, status, said);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,18 @@ struct BuildOptions {
 int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error,
                 diagnostics::Budget* budget = nullptr);
 
+/// There is no compiler to run: that says nothing about the code.
+class NoCompiler : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 /// A loaded shared object. Its code runs in this process: load only what this toolkit generated or tests wrote.
 class SharedLibrary {
 public:
     /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and
     /// loads it. On failure returns nothing and sets `error` to the cause, with the compiler's words if it spoke.
-    /// Throws diagnostics::LimitReached.
+    /// Throws diagnostics::LimitReached, and NoCompiler.
     static std::unique_ptr<SharedLibrary> build(const std::vector<OutputFile>& files,
                                                 const std::vector<std::string>& sources, const BuildOptions&,
                                                 std::string& error);

@@ -1,64 +1,107 @@
-# Completion of robochart-verify for bash: source this file, or copy it to /usr/share/bash-completion/completions as
-# `robochart-verify`.
-#
-# Verbs, options and their choices are read from `robochart-verify --help`, so they are those of the program in use.
+# Completion of robochart-verify for bash, made by `robochart-verify help --generate bash`.
+_robochart_verify_verbs='verify validate check emit conform cspm simulate format explain lsp help version'
+_robochart_verify_emitted='csp cpp monitor tests'
 
-# The verbs in a help text.
-_robochart_verify_verbs() {
-  sed -n '/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\).*/\1/p' <<<"$1"
-}
-
-# The options in a help text: `-q,--quiet`, `--out DIR`.
+# The options of a verb.
 _robochart_verify_options() {
-  grep -oE '^  -[^ ]+' <<<"$1" | tr -d ' ' | tr ',' '\n'
-}
-
-# What may follow an option: the words of `{a,b}` in its line, or of `a, b or c` in its explanation; nothing if it takes
-# something else.
-_robochart_verify_choices() {
-  local line
-  line="$(grep -E -- "^  ([^ ]+,)?$2 [A-Z]" <<<"$1")"
-  case "$line" in
-    *'{'*'}'*) sed 's/.*{\(.*\)}.*/\1/' <<<"$line" | tr ',' '\n' ;;
-    *' or '*) grep -oE '[a-z]+(, [a-z]+)* or [a-z]+$' <<<"$line" | sed 's/, / /g; s/ or / /' | tr ' ' '\n' ;;
+  case "$1" in
+    'verify') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'validate') echo '--allow --deny-warnings --fix --format --color -q --quiet --memory --timeout -h --help' ;;
+    'check') echo '--assertion --timed --untimed --core --sizes --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'emit csp') echo '--timed --untimed --core --const --range --print --allow --deny-warnings -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --strategy --choices -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --color -q --quiet --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --color -q --quiet --trace --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'cspm') echo '--assertion --typecheck --types --format --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --max-states --no-cache -h --help' ;;
+    'simulate') echo '--const --allow --deny-warnings --trials --seed --monitor --log --no-pictures -o --out --format --color -q --quiet --progress --memory --timeout --threads --no-cache -h --help' ;;
+    'format') echo '--check --diff --assertions --color -q --quiet --memory --timeout -h --help' ;;
+    'explain') echo '--color -h --help' ;;
+    'lsp') echo '--stdio -h --help' ;;
+    'help') echo '--generate -h --help' ;;
+    'version') echo '-h --help' ;;
+    *) echo '-h --help --version' ;;
   esac
 }
 
-# Does an option take a value?
-_robochart_verify_takes_value() {
-  grep -qE -- "^  ([^ ]+,)?$2 [A-Z]+[ =.]" <<<"$1"
+# What a verb's option takes: its choices, or of which kind it is; nothing if it takes no word.
+_robochart_verify_argument() {
+  case "$1 $2" in
+    'verify --assertion' | 'check --assertion') echo '<value>' ;;
+    'cspm --assertion') echo '<value>' ;;
+    'verify --const' | 'check --const' | 'emit csp --const' | 'emit cpp --const' | 'emit monitor --const' | 'emit tests --const' | 'conform --const' | 'simulate --const') echo '<value>' ;;
+    'verify --range' | 'check --range' | 'emit csp --range' | 'emit cpp --range' | 'emit monitor --range' | 'emit tests --range' | 'conform --range') echo '<value>' ;;
+    'verify --print' | 'check --print' | 'emit csp --print' | 'emit cpp --print' | 'emit monitor --print' | 'emit tests --print' | 'conform --print') echo 'ast model ir script timed-script' ;;
+    'verify --allow' | 'validate --allow' | 'check --allow' | 'emit csp --allow' | 'emit cpp --allow' | 'emit monitor --allow' | 'emit tests --allow' | 'conform --allow' | 'simulate --allow') echo '<value>' ;;
+    'verify --component' | 'emit cpp --component' | 'emit monitor --component' | 'emit tests --component' | 'conform --component') echo '<value>' ;;
+    'verify --cycle' | 'emit cpp --cycle' | 'emit monitor --cycle' | 'emit tests --cycle' | 'conform --cycle') echo '<value>' ;;
+    'emit cpp --target') echo 'library main ros2 enki argos' ;;
+    'emit cpp --strategy') echo 'auto switch table' ;;
+    'conform --model') echo 'failures-divergences tick-tock' ;;
+    'conform --walks') echo '<value>' ;;
+    'conform --export') echo '<file>' ;;
+    'conform --traces') echo '<file>' ;;
+    'emit tests --extra-states') echo '<value>' ;;
+    'simulate --trials') echo '<value>' ;;
+    'simulate --seed') echo '<value>' ;;
+    'simulate --log') echo '<folder>' ;;
+    'verify -o' | 'verify --out' | 'check -o' | 'check --out' | 'emit csp -o' | 'emit csp --out' | 'emit cpp -o' | 'emit cpp --out' | 'emit monitor -o' | 'emit monitor --out' | 'emit tests -o' | 'emit tests --out' | 'conform -o' | 'conform --out' | 'simulate -o' | 'simulate --out') echo '<folder>' ;;
+    'emit csp --format' | 'emit cpp --format' | 'emit monitor --format' | 'emit tests --format' | 'simulate --format') echo 'text json' ;;
+    'verify --format' | 'check --format') echo 'text json sarif junit' ;;
+    'conform --format') echo 'text json junit' ;;
+    'validate --format') echo 'text json sarif' ;;
+    'cspm --format') echo 'text plain json framed_json junit' ;;
+    'verify --color' | 'validate --color' | 'check --color' | 'emit csp --color' | 'emit cpp --color' | 'emit monitor --color' | 'emit tests --color' | 'conform --color' | 'cspm --color' | 'simulate --color' | 'format --color' | 'explain --color') echo 'auto always never' ;;
+    'cspm --export') echo 'aut dot csp' ;;
+    'verify --progress' | 'check --progress' | 'emit csp --progress' | 'emit cpp --progress' | 'emit monitor --progress' | 'emit tests --progress' | 'conform --progress' | 'cspm --progress' | 'simulate --progress') echo 'auto json never' ;;
+    'help --generate') echo 'man bash zsh fish' ;;
+    'verify --memory' | 'validate --memory' | 'check --memory' | 'emit csp --memory' | 'emit cpp --memory' | 'emit monitor --memory' | 'emit tests --memory' | 'conform --memory' | 'cspm --memory' | 'simulate --memory' | 'format --memory') echo '<value>' ;;
+    'verify --timeout' | 'validate --timeout' | 'check --timeout' | 'emit csp --timeout' | 'emit cpp --timeout' | 'emit monitor --timeout' | 'emit tests --timeout' | 'conform --timeout' | 'cspm --timeout' | 'simulate --timeout' | 'format --timeout') echo '<value>' ;;
+    'verify --threads' | 'check --threads' | 'emit csp --threads' | 'emit cpp --threads' | 'emit monitor --threads' | 'emit tests --threads' | 'conform --threads' | 'cspm --threads') echo '<value>' ;;
+    'simulate --threads') echo '<value>' ;;
+    'verify --max-states' | 'check --max-states' | 'emit csp --max-states' | 'emit cpp --max-states' | 'emit monitor --max-states' | 'emit tests --max-states' | 'conform --max-states' | 'cspm --max-states') echo '<value>' ;;
+  esac
 }
 
 _robochart_verify() {
-  local program="${COMP_WORDS[0]}" current="${COMP_WORDS[COMP_CWORD]}" before="${COMP_WORDS[COMP_CWORD - 1]}"
-  local help verbs words="" index
-  local -a path=()
+  local current="${COMP_WORDS[COMP_CWORD]}" before="" verb="" first=1 choices
   COMPREPLY=()
-  help="$("$program" --help 2>/dev/null)" || return 0
-  for ((index = 1; index < COMP_CWORD; index++)); do
-    verbs="$(_robochart_verify_verbs "$help")"
-    grep -qxF -- "${COMP_WORDS[index]}" <<<"$verbs" || break
-    path+=("${COMP_WORDS[index]}")
-    help="$("$program" "${path[@]}" --help 2>/dev/null)" || return 0
-  done
-  # The first word of all may be a model: then it is `verify`.
-  if [ "${#path[@]}" -eq 0 ] && [ "$COMP_CWORD" -gt 1 ]; then
-    help="$("$program" verify --help 2>/dev/null)" || return 0
+  [ "$COMP_CWORD" -gt 1 ] && before="${COMP_WORDS[COMP_CWORD - 1]}"
+  # bash takes `--format=json` apart.
+  if [ "$current" = = ]; then
+    current=""
+  elif [ "$before" = = ]; then
+    before="${COMP_WORDS[COMP_CWORD - 2]}"
   fi
-  if [ "$COMP_CWORD" -gt 1 ] && _robochart_verify_takes_value "$help" "$before"; then
-    words="$(_robochart_verify_choices "$help" "$before")"
-    if [ -n "$words" ]; then
-      mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
-    elif [ "$before" = --out ]; then
-      mapfile -t COMPREPLY < <(compgen -d -- "$current")
+  if [ "$COMP_CWORD" -gt 1 ]; then
+    verb="${COMP_WORDS[1]}"
+    if [ "$verb" = emit ]; then
+      [ "$COMP_CWORD" -gt 2 ] && verb="emit ${COMP_WORDS[2]}" && first=2
+    elif [[ " $_robochart_verify_verbs " != *" $verb "* ]]; then
+      verb=verify first=0  # the first word of all may be a model
     fi
-    return 0
   fi
+  choices="$(_robochart_verify_argument "$verb" "$before")"
+  case "$choices" in
+    '') ;;
+    '<file>') mapfile -t COMPREPLY < <(compgen -f -- "$current"); return 0 ;;
+    '<folder>') mapfile -t COMPREPLY < <(compgen -d -- "$current"); return 0 ;;
+    '<value>') return 0 ;;
+    *) mapfile -t COMPREPLY < <(compgen -W "$choices" -- "$current"); return 0 ;;
+  esac
   case "$current" in
-    -*) mapfile -t COMPREPLY < <(compgen -W "$(_robochart_verify_options "$help")" -- "$current") ;;
+    -*) mapfile -t COMPREPLY < <(compgen -W "$(_robochart_verify_options "$verb")" -- "$current") ;;
     *)
-      words="$(_robochart_verify_verbs "$help")"
-      mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current"; compgen -f -- "$current")
+      local words=""
+      [ -z "$verb" ] && words="$_robochart_verify_verbs"
+      [ "$verb" = emit ] && words="$_robochart_verify_emitted"
+      [ "$verb" = help ] && words="$_robochart_verify_verbs"
+      if [ "$first" -lt "$COMP_CWORD" ] || [ -z "$verb" ]; then
+        mapfile -t COMPREPLY < <(
+          [ -n "$words" ] && compgen -W "$words" -- "$current"
+          [ "$verb" = emit ] || [ "$verb" = help ] || compgen -f -- "$current"
+        )
+      fi
       ;;
   esac
 }

@@ -106,13 +106,26 @@ bool needs(const Neighbour& chosen, const Neighbour& candidate, const std::set<s
     return overlap(only_there, chosen.mentions);
 }
 
-/// The named file and, transitively, what it needs of its folder. Assertion files of the folder are about the project
-/// of a named model; a named assertion file is read alone.
-std::vector<fs::path> closure(const fs::path& named, Diagnostics& out) {
-    std::vector<Neighbour> open;
+/// The files among which those lie that the named one needs: of its folder. Assertions that are given alone may be in a
+/// folder of their own, without models: then they are about those of the folder above.
+std::vector<fs::path> candidates(const fs::path& named, bool alone, Diagnostics& out) {
     const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");
-    for (const fs::path& path : files_of(folder, false, out))
-        if (path.filename() != named.filename()) open.push_back(survey(path));
+    std::vector<fs::path> found = files_of(folder, false, out);
+    if (alone && is_assertions(named) && std::none_of(found.begin(), found.end(), is_model)) {
+        Diagnostics ignored;  // nobody asked for that folder
+        found = files_of((folder / "..").lexically_normal(), false, ignored);
+    } else {
+        std::erase_if(found, [&](const fs::path& path) { return path.filename() == named.filename(); });
+    }
+    for (fs::path& path : found) path = path.lexically_normal();  // without "./"
+    return found;
+}
+
+/// The named file and, transitively, what it needs. Assertion files of the folder are about the project of a named
+/// model; a named assertion file is read alone.
+std::vector<fs::path> closure(const fs::path& named, bool alone, Diagnostics& out) {
+    std::vector<Neighbour> open;
+    for (const fs::path& path : candidates(named, alone, out)) open.push_back(survey(path));
     std::vector<Neighbour> chosen{survey(named)};
     std::set<std::string> declared = chosen.front().declares;
     for (std::size_t i = 0; i < chosen.size(); ++i)
@@ -137,7 +150,7 @@ std::vector<fs::path> closure(const fs::path& named, Diagnostics& out) {
 }
 
 /// The files that one input stands for; what is missing is reported.
-std::vector<fs::path> files_of_input(const std::string& path, Diagnostics& out) {
+std::vector<fs::path> files_of_input(const std::string& path, bool alone, Diagnostics& out) {
     std::error_code code;
     const bool is_folder = fs::is_directory(path, code);
     if (!is_folder && !fs::exists(path, code)) {
@@ -145,7 +158,7 @@ std::vector<fs::path> files_of_input(const std::string& path, Diagnostics& out) 
         return {};
     }
     const std::size_t errors = out.errors();
-    std::vector<fs::path> result = is_folder ? files_of(path, true, out) : closure(path, out);
+    std::vector<fs::path> result = is_folder ? files_of(path, true, out) : closure(path, alone, out);
     if (result.empty() && out.errors() == errors) out.report(syntax::no_files, {}, {path});
     return result;
 }
@@ -155,7 +168,7 @@ std::vector<fs::path> files_of_inputs(const std::vector<std::string>& inputs, Di
     std::vector<fs::path> result;
     std::set<fs::path> seen;
     for (const std::string& input : inputs)
-        for (fs::path& path : files_of_input(input, out)) {
+        for (fs::path& path : files_of_input(input, inputs.size() == 1, out)) {
             std::error_code code;
             const fs::path canonical = fs::weakly_canonical(path, code);
             if (seen.insert(code ? path : canonical).second) result.push_back(std::move(path));

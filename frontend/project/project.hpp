@@ -25,8 +25,9 @@ void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnosti
 
 /// Loads a project: a folder (all `.rct` and `.assertions` below it, sorted by path) or one file
 /// (with the other files of its folder, so that imports work; assertions only of the named file
-/// or, for a `.rct`, of the folder's files). Reads, parses, resolves. Missing path, unreadable or empty
-/// input become diagnostics. Returns a model even when there are errors.
+/// or, for a `.rct`, of the folder's files; for assertions in a folder without models, with those of the folder above).
+/// Reads, parses, resolves. Missing path, unreadable or empty input become diagnostics. Returns a model even when there
+/// are errors.
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::string& path,
                                                   diagnostics::Diagnostics&);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "diagnostics/spelling.hpp"
 #include "semantics/evaluate/evaluate.hpp"
 #include "semantics/instantiate/constants.hpp"
 #include "semantics/instantiate/instantiate.hpp"
@@ -62,7 +63,10 @@ void read_range_options(const InstantiationOptions& options, Ranges& ranges, Dia
         if (is_size(name)) continue;
         const auto* at = std::find(Ranges::names.begin(), Ranges::names.end(), name);
         if (at == Ranges::names.end()) {
-            diagnostics.report(rules::unknown_range_option, {}, {name});
+            const std::vector<std::string> known{"nat", "int", "real", "Seq", "clock", "given"};
+            const std::string meant = diagnostics::nearest(name, known);
+            diagnostics.report(rules::unknown_range_option, {},
+                               {name, meant.empty() ? "" : "; did you mean '" + meant + "'?"});
             continue;
         }
         const auto [low, high] = bounds;

@@ -51,8 +51,8 @@ const Rule no_controller{
     "own folder, or of the one that `model` names."};
 const Rule not_compiled{
     "RC-M11", Severity::error, "the generated controller cannot be built: {}",
-    "Generated C++ is compiled by the system's compiler (`c++` on PATH) and loaded. Either the compiler is "
-    "missing, or the temporary folder cannot be written or run from."};
+    "Generated C++ is compiled by the system's compiler (`c++` on PATH) and loaded. Either the compiler "
+    "fails, or the temporary folder cannot be written or run from."};
 const Rule stopped{
     "RC-M12", Severity::error, "the controller of robot {} stopped trial {} at {} s: {}, at {}",
     "A controller that does not end its cycle within its bound of steps repeats without time passing; one that "

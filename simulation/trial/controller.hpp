@@ -14,7 +14,7 @@ namespace robochart::simulation {
 class Controller {
 public:
     /// Compiles and loads what emit_drive made. On failure returns nothing and sets `error`. Throws
-    /// diagnostics::LimitReached. `cache`: of compiled controllers; null: none.
+    /// cpp_emit::NoCompiler, diagnostics::LimitReached. `cache`: of compiled controllers; null: none.
     static std::unique_ptr<Controller> build(const cpp_emit::DriveEmission&, const std::string& compiler,
                                              std::string& error, diagnostics::Budget* budget = nullptr,
                                              diagnostics::Cache* cache = nullptr);

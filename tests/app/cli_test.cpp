@@ -38,7 +38,8 @@ TEST(Cli, WrongUsageIsExit4) {
                                   {"check", "x", "--max-states", "0"}}) {
         const Ran ran = run(arguments);
         EXPECT_EQ(ran.exit, 4) << ran.err;
-        EXPECT_THAT(ran.err, HasSubstr("try: robochart-verify --help"));
+        EXPECT_THAT(ran.err, HasSubstr("try: robochart-verify ")) << ran.err;
+        EXPECT_THAT(ran.err, HasSubstr("--help"));
     }
 }
 
@@ -67,6 +68,12 @@ TEST(Cli, WarningsCanBeLeftOutOrDenied) {
     const Ran allowed = with({"--deny-warnings", "--allow", "RC-W02", "--allow", "rc-w07"});
     EXPECT_EQ(allowed.exit, 0);
     EXPECT_THAT(allowed.err, Not(HasSubstr("RC-W07")));
+    EXPECT_EQ(run({"validate", model.path()}).exit, 0);
+    EXPECT_EQ(run({"validate", model.path(), "--allow", "RC-W07", "--deny-warnings"}).out, "valid\n");
+    const Ran invalid = run({"validate", model.path(), "--deny-warnings"});
+    EXPECT_EQ(invalid.exit, 2);
+    EXPECT_THAT(invalid.out, IsEmpty());
+    EXPECT_THAT(invalid.err, HasSubstr("--deny-warnings"));
     for (const char* code : {"RC-N01", "nonsense"}) {
         const Ran wrong = with({"--allow", code});
         EXPECT_EQ(wrong.exit, 4) << wrong.err;
@@ -230,6 +237,22 @@ TEST(Cli, ScriptsAreTypeCheckedFirst) {
     EXPECT_EQ(refused.out, "");
     EXPECT_THAT(run({"cspm", "--typecheck", "--format", "json", bad.path()}).out,
                 HasSubstr("robochart-verify/diagnostics/1"));
+}
+
+/// Only comparing code, and simulating, needs a compiler.
+TEST(Cli, WithoutACompilerTheVerdictsAreKnown) {
+    const std::string model = repository("corpus/aggregation");
+    const Ran ran = run_shell("PATH=/nonexistent \"$verify\" '" + model + "'");
+    EXPECT_EQ(ran.exit, 3) << ran.err;
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("holds        A1"), HasSubstr("22 of 22 checks hold"),
+                               HasSubstr("conformance was not checked: cannot run c++"), HasSubstr("apt install g++")));
+    EXPECT_EQ(run_shell("PATH=/nonexistent \"$verify\" check '" + model + "'").exit, 0);
+    const Ran conform = run_shell("PATH=/nonexistent \"$verify\" conform --format junit '" + model + "'");
+    EXPECT_EQ(conform.exit, 3) << conform.err;
+    EXPECT_THAT(conform.out, HasSubstr("<error message=\"conformance was not checked"));
+    const Ran simulated = run_shell("PATH=/nonexistent \"$verify\" simulate '" + model + "/aggregation.scenario'");
+    EXPECT_EQ(simulated.exit, 3) << simulated.err;
+    EXPECT_THAT(simulated.out, HasSubstr("apt install g++"));
 }
 
 class CaseStudy : public ::testing::TestWithParam<const char*> {};

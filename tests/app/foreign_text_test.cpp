@@ -47,6 +47,9 @@ TEST(ForeignText, IsShownInReports) {
     for (const std::string command : {"check \"$model\" \"$claims\" --trace",
                                       "check \"$model\" \"$claims\" --core",
                                       "check . --max-states 1",
+                                      "check \"$model\" \"$claims\" --format junit",
+                                      "check \"$model\" \"$claims\" --format sarif",
+                                      "cspm \"$name.csp\" --format junit",
                                       "conform \"$model\"",
                                       "emit csp \"$model\" \"$claims\"",
                                       "emit csp \"$model\" --out \"$name\"",
@@ -72,7 +75,7 @@ TEST(ForeignText, IsShownInReports) {
 TEST(ForeignText, IsReadableInReports) {
     const Ran ran = run_on("\"$verify\" check \"$model\" \"$claims\"");
     EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr(R"(/m\x1b]0;title\x07\n  holds        Forged.assertions:7)"));
+    EXPECT_THAT(ran.out, HasSubstr(R"(at m\x1b]0;title\x07\n  holds        Forged.assertions:7)"));
 }
 
 TEST(ForeignText, OfWhatProgramsReadIsExact) {

@@ -62,6 +62,7 @@ std::string with_inputs(const Form& form, const std::string& more) {
 const Form forms[] = {
     {"verify", "verify --format json m.rct", "robochart-verify/report/1"},
     {"check", "check --format json m.rct", "robochart-verify/report/1"},
+    {"checkSarif", "check --core --format sarif m.rct", "sarif"},
     {"checkCore", "check --core --sizes --format json m.rct", "robochart-verify/report/1"},
     {"emitCsp", "emit csp --format json m.rct", "robochart-verify/report/1"},
     {"emitCpp", "emit cpp --format json m.rct", "robochart-verify/report/1"},

@@ -30,6 +30,7 @@ printf 'channel a\nP = a -> P\nassert P :[deadlock free [F]]\n' > s.csp
 printf 'channel a\nP = a -> P\n' > none.csp
 printf 'print 1 + 1\n' > prints.csp
 printf 'robochart-trace 1\ncomponent Sitter\ncycle 1\n' > logs/none.trace
+cp -r claimed checks
 mkfifo pipe.rct; mkdir piped; mkfifo piped/m.rct
 )";
 
@@ -48,6 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
         // Names.
         Row{"KnownAssertion", "check claimed --assertion Moves", 0, "2 of 2 checks hold"},
         Row{"UnknownAssertion", "check claimed --assertion Move", 4, "did you mean 'Moves'?"},
+        Row{"MisspeltAssertionOfAll", "claimed --assertion Movs", 4, "did you mean 'Moves'?"},
         Row{"UnknownAssertionOfAll", "claimed --assertion nothing_like_it", 4,
             "the model has no assertion of this name; there are"},
         Row{"AssertionOfAModelWithout", "check plain --assertion A", 4, "it has none"},
@@ -60,18 +62,33 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"UnknownComponentOfTests", "emit tests claimed --component Walkr", 4, "did you mean 'Walker'?"},
         Row{"EmptyComponent", "conform claimed --component ''", 4, "the name is empty"},
         Row{"UnknownConstant", "check claimed --const sped=1", 4, "sped"},
+        Row{"MisspeltConstant", "emit csp claimed --const sped=1", 4, "did you mean 'speed'?"},
+        Row{"MisspeltConstantOfConform", "conform claimed --const sped=1", 4, "did you mean 'speed'?"},
+        Row{"ConstantBeforeTheModel", "check --const speed=1 claimed", 0, "checks hold"},
         Row{"ConstantWithoutValue", "check claimed --const speed", 4, "NAME=VALUE"},
         Row{"ConstantOfAnotherType", "check claimed --const speed=fast", 4, "fast"},
         Row{"UnknownRange", "check claimed --range natural=0..1", 4, "natural"},
+        Row{"MisspeltRange", "check claimed --range nta=0..1", 4, "did you mean 'nat'?"},
+        Row{"MisspeltRangeOfEmit", "emit cpp claimed --range clok=0..1", 4, "did you mean 'clock'?"},
         Row{"EmptyRange", "check claimed --range nat=1..0", 4, "the range is empty"},
         Row{"UnknownWarning", "check claimed --allow RC-XX", 4, "no code of a warning"},
+        Row{"MisspeltWarning", "validate claimed --allow RC-W9", 4, "did you mean 'RC-W"},
         Row{"UnknownPhase", "check claimed --print tokens", 4, "--print"},
         Row{"UnknownTarget", "emit cpp claimed --target cobol", 4, "--target"},
         Row{"UnknownStrategy", "emit cpp claimed --strategy luck", 4, "--strategy"},
         Row{"UnknownRelation", "conform claimed --model traces", 4, "--model"},
         Row{"UnknownExport", "conform claimed --export x.txt", 4, ".aut, .dot or .csp"},
-        Row{"UnknownRule", "explain RC-XX", 4, "no rule has the code"},
-        Row{"UnknownScriptExport", "cspm --export png P s.csp", 4, "the formats are"},
+        Row{"UnknownRule", "explain XX9999", 4, "no rule has the code"},
+        Row{"MisspeltRule", "explain RCW07", 4, "did you mean 'RC-W07'?"},
+        Row{"MisspeltChoice", "check claimed --format jsn", 4, "did you mean 'json'?"},
+        Row{"MisspeltOption", "check claimed --assertin A", 4, "did you mean '--assertion'?"},
+        Row{"OptionOfAnotherVerb", "check claimed --walks 3", 4, "`check` has no option --walks; `conform` has"},
+        Row{"MisspeltVerb", "chek claimed", 4, "did you mean 'check'?"},
+        Row{"MisspeltThingToEmit", "emit cp claimed", 4, "did you mean 'csp'?"},
+        Row{"NothingToEmit", "emit", 4, "csp, cpp, monitor or tests"},
+        Row{"MisspeltVerbOfHelp", "help conforn", 4, "did you mean 'conform'?"},
+        Row{"FolderCalledAlmostLikeAVerb", "checks", 0, "checks hold"}, Row{"NoModel", "check", 4, "MODEL is required"},
+        Row{"UnknownScriptExport", "cspm --export png P s.csp", 4, "none of aut, dot, csp"},
         Row{"AssertionOutOfRange", "cspm --assertion 7 s.csp", 4, "there is no assertion 7"},
         Row{"AssertionOutOfRangeJson", "cspm --format framed_json --assertion 7 s.csp", 4, "there is no assertion 7"},
         // Nothing to do.
@@ -126,6 +143,36 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"ExtraStates", "emit tests claimed --extra-states 9", 4, "--extra-states"},
         Row{"AssertionZero", "cspm --assertion 0 s.csp", 4, "--assertion"}),
     [](const auto& each) { return std::string(each.param.name); });
+
+/// Every verb that takes a name says that there is none of it, and which is nearest.
+TEST(NamesInEveryVerb, AreSuggested) {
+    const std::vector<std::string> models{"verify",       "check",      "emit csp", "emit cpp",
+                                          "emit monitor", "emit tests", "conform"};
+    std::vector<std::pair<std::string, std::string>> commands;
+    for (const std::string& verb : models) {
+        commands.emplace_back(verb + " claimed --const sped=1", "did you mean 'speed'?");
+        commands.emplace_back(verb + " claimed --range nta=0..1", "did you mean 'nat'?");
+        commands.emplace_back(verb + " claimed --allow RCW07", "did you mean 'RC-W07'?");
+        commands.emplace_back(verb + " claimed --format jsn", "did you mean 'json'?");
+        commands.emplace_back(verb + " claimed --quite", "did you mean '--quiet'?");
+    }
+    for (const std::string verb : {"verify", "check"})
+        commands.emplace_back(verb + " claimed --assertion Movs", "did you mean 'Moves'?");
+    for (const std::string verb : {"verify", "emit cpp", "emit monitor", "emit tests", "conform"})
+        commands.emplace_back(verb + " claimed --component Walkr", "did you mean 'Walker'?");
+    for (const std::string verb : {"validate claimed", "simulate 'CORPUS'"})
+        commands.emplace_back(verb + " --allow RCW07", "did you mean 'RC-W07'?");
+    commands.emplace_back("simulate 'CORPUS' --const Turns=1", "--const Turns: the model has no constant");
+    std::string script = files;
+    for (const auto& [command, said] : commands) {
+        std::string line = "timeout 60 \"$verify\" " + command + "; echo \"exit $?\"\n";
+        if (const std::size_t at = line.find("CORPUS"); at != std::string::npos)
+            line.replace(at, 6, repository("corpus/aggregation/aggregation.scenario"));
+        const Ran ran = run_shell(script + line);
+        EXPECT_EQ(ran.out, "exit 4\n") << command;
+        EXPECT_THAT(ran.err, HasSubstr(said)) << command;
+    }
+}
 
 }  // namespace
 }  // namespace robochart::app::testing

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# The completion for bash offers what `--help` lists. Argument: the program.
+# The completion for bash, sourced as users do, offers the verbs, the options of each, their choices and files.
+# Argument: the program.
 set -euo pipefail
 program="$1"
 folder="$(cd "$(dirname "$0")/../.." && pwd)"
 # shellcheck source=/dev/null
-source "$folder/editors/completion/robochart-verify.bash"
+source <("$program" help --generate bash)
 failures=0
 
 # What is offered for the last of the words, sorted, on one line.
 offered() {
-  COMP_WORDS=("$program" "$@")
+  COMP_WORDS=(robochart-verify "$@")
   COMP_CWORD="$#"
   _robochart_verify
   printf '%s\n' "${COMPREPLY[@]}" | sort | tr '\n' ' ' | sed 's/ $//'
@@ -26,28 +27,34 @@ expect() {
   fi
 }
 
-# Long options of a verb by another way than the completion's: all words of the help before its first blank line after
-# `Options:` that begin a line's explanation.
+# Long options of a verb as its help lists them.
 options_of() {
-  "$program" "$@" --help | sed -n '/^Options:/,/^$/p' | grep -oE '^  (-[a-z],)?--[a-z-]+' | grep -oE '\-\-[a-z-]+' |
-    sort | tr '\n' ' ' | sed 's/ $//'
+  "$program" "$@" --help | sed -n 's/^  \(-[a-z], \|    \)\(--[a-z-]*\).*/\2/p' | sort | tr '\n' ' ' | sed 's/ $//'
 }
 
 cd "$folder/corpus"
-for verb in verify check conform cspm explain format 'emit csp' 'emit cpp'; do
+for verb in verify validate check conform cspm simulate explain format 'emit csp' 'emit cpp' 'emit monitor' 'emit tests'; do
   read -ra words <<<"$verb"
   options="$(options_of "${words[@]}")"
   [ "$(wc -w <<<"$options")" -ge 2 ] || { echo "$verb has no options" >&2; exit 1; }
   expect "$options" "${words[@]}" --
 done
 expect "$(options_of verify)" aggregation --  # a model as the first word is `verify`
+expect "--help --version" --
 expect "emit explain" e
 expect "aggregation" check agg
-expect "aggregation cpp csp false_claims monitor swarm_taxis tests" emit ""
+expect "aggregation" agg
+expect "cpp csp monitor tests" emit ""
+expect "aggregation false_claims swarm_taxis" emit cpp ""
+expect "check conform cspm emit explain format help lsp simulate validate verify version" help ""
 expect "always auto never" check --color ""
-expect "json" check --format j
+expect "json" check --format js
+expect "json" check --format = js
+expect "aut csp dot" cspm --export ""
 expect "timed-script" check aggregation --print t
 expect "" check --timeout ""
 expect "aggregation false_claims swarm_taxis" check aggregation --out ""
+expect "aggregation false_claims swarm_taxis" check aggregation -o ""
 [ "$failures" -eq 0 ] || { echo "$failures failures" >&2; exit 1; }
+complete -p robochart-verify | grep -q _robochart_verify
 echo "the completion offers what --help lists"

@@ -252,8 +252,9 @@ TEST(Controller, CompilerThatFailsIsReported) {
     // RC-M11 carries these words.
     Experiment experiment(model, scenario);
     std::string error;
-    EXPECT_EQ(Controller::build(experiment.emission, "no-such-compiler", error), nullptr);
-    EXPECT_THAT(error, HasSubstr("no-such-compiler"));
+    EXPECT_EQ(Controller::build(experiment.emission, "false", error), nullptr);
+    EXPECT_THAT(error, HasSubstr("false failed with status 1"));
+    EXPECT_THROW((void)Controller::build(experiment.emission, "no-such-compiler", error), cpp_emit::NoCompiler);
 }
 
 TEST(Controller, StatesLieSideBySideAndAligned) {

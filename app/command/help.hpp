@@ -1,0 +1,26 @@
+// What the command says about itself: help, the man page, completions for shells. All of it is made from the tables of
+// option_table.hpp.
+#pragma once
+
+#include <string>
+
+#include "app/command/option_table.hpp"
+
+namespace robochart::app {
+
+/// Help of the program.
+[[nodiscard]] std::string program_help();
+/// Help of a verb.
+[[nodiscard]] std::string verb_help(const VerbRow&);
+/// Help of `emit`: the verbs below it.
+[[nodiscard]] std::string emit_help();
+/// "usage: robochart-verify check [OPTIONS] MODEL...".
+[[nodiscard]] std::string usage_line(const VerbRow&);
+
+/// A page in the macros of man(7), for section 1.
+[[nodiscard]] std::string manual_page();
+[[nodiscard]] std::string bash_completion();
+[[nodiscard]] std::string zsh_completion();
+[[nodiscard]] std::string fish_completion();
+
+}  // namespace robochart::app

@@ -1,0 +1,56 @@
+#include "app/command/junit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "diagnostics/escape.hpp"
+
+namespace robochart::app {
+namespace {
+
+using diagnostics::xml_text;
+
+/// Lines stay lines; what XML cannot hold is shown.
+std::string xml_lines(const std::string& text) {
+    std::istringstream lines(text);
+    std::string out;
+    for (std::string line; std::getline(lines, line);) out += xml_text(line) + "\n";
+    return out;
+}
+
+std::string outcome(const JunitCase& each) {
+    if (each.kind == JunitCase::Kind::skipped)
+        return fmt::format("      <skipped message=\"{}\"/>\n", xml_text(each.message));
+    const char* const element = each.kind == JunitCase::Kind::failed ? "failure" : "error";
+    return fmt::format("      <{0} message=\"{1}\" type=\"{0}\">{2}</{0}>\n", element, xml_text(each.message),
+                       xml_lines(each.text));
+}
+
+std::string case_element(const JunitCase& each) {
+    std::string out = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml_text(each.group),
+                                  xml_text(each.name), each.seconds);
+    if (each.kind == JunitCase::Kind::passed) return out + "/>\n";
+    return out + ">\n" + outcome(each) + "    </testcase>\n";
+}
+
+}  // namespace
+
+std::string junit_document(const std::string& suite, const std::vector<JunitCase>& cases) {
+    const auto count = [&](JunitCase::Kind kind) {
+        return std::count_if(cases.begin(), cases.end(), [&](const JunitCase& each) { return each.kind == kind; });
+    };
+    double seconds = 0;
+    for (const JunitCase& each : cases) seconds += each.seconds;
+    const std::string totals = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\"",
+                                           cases.size(), count(JunitCase::Kind::failed), count(JunitCase::Kind::error),
+                                           count(JunitCase::Kind::skipped), seconds);
+    std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    out += fmt::format("<testsuites name=\"robochart-verify\" {}>\n", totals);
+    out += fmt::format("  <testsuite name=\"{}\" {}>\n", xml_text(suite), totals);
+    for (const JunitCase& each : cases) out += case_element(each);
+    return out + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,205 @@
+// The man page, in the macros of man(7).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "app/command/help.hpp"
+
+namespace robochart::app {
+namespace {
+
+/// Text for troff: a hyphen that is typed, no control line, no escape.
+std::string roff(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '-')
+            out += "\\-";
+        else if (c == '\\')
+            out += "\\e";
+        else if (c == '`')
+            out += "\\(oq";
+        else if (c == '\'')
+            out += "\\(cq";
+        else
+            out += c;
+    }
+    return out.starts_with('.') ? "\\&" + out : out;
+}
+
+std::string bold(std::string_view text) {
+    return fmt::format("\\fB{}\\fR", roff(text));
+}
+
+std::string italic(std::string_view text) {
+    return fmt::format("\\fI{}\\fR", roff(text));
+}
+
+/// A tagged paragraph; both are troff already.
+std::string tagged(const std::string& tag, const std::string& text) {
+    return fmt::format(".TP\n{}\n{}\n", tag, text);
+}
+
+std::string section(std::string_view name) {
+    return fmt::format(".SH {}\n", name);
+}
+
+std::string synopsis() {
+    std::string out = section("SYNOPSIS");
+    const std::string program = bold("robochart-verify");
+    out += fmt::format("{} [{}] {}...\n", program, italic("OPTIONS"), italic("MODEL"));
+    for (const VerbRow& row : verb_table())
+        out += fmt::format(".br\n{} {}{}{}\n", program, bold(full_name(row)),
+                           row.verb == Verb::version ? "" : fmt::format(" [{}]", italic("OPTIONS")),
+                           row.input[0] == '\0' ? "" : " " + italic(row.input));
+    return out;
+}
+
+std::string verbs_section() {
+    std::string out = section("VERBS");
+    for (const VerbRow& row : verb_table()) out += tagged(bold(full_name(row)), roff(row.summary) + ".");
+    return out;
+}
+
+std::string tag_of(const OptionRow& row) {
+    std::string tag;
+    if (!short_name(row).empty()) tag = bold(short_name(row)) + ", ";
+    tag += bold(long_name(row));
+    if (row.argument.kind != Argument::Kind::none) tag += " " + italic(row.argument.name);
+    return tag;
+}
+
+std::string owners(const OptionRow& row) {
+    std::vector<std::string> names;
+    for (const VerbRow& verb : verb_table())
+        if ((row.verbs & of(verb.verb)) != 0) names.push_back(full_name(verb));
+    return names.size() == verb_table().size() ? "all verbs"
+           : names.empty()                     ? "without a verb"
+                                               : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string option_paragraph(const OptionRow& row) {
+    std::string text = roff(row.help) + ".";
+    if (const auto choices = choices_of(row.argument); !choices.empty())
+        text += fmt::format("\nOne of {}.", roff(fmt::format("{}", fmt::join(choices, ", "))));
+    if (row.argument.usual[0] != '\0') text += fmt::format("\nDefault: {}.", roff(row.argument.usual));
+    if (row.argument.repeated) text += "\nMay be repeated.";
+    return tagged(tag_of(row), fmt::format("{}\n({})", text, italic(owners(row))));
+}
+
+std::string options_section() {
+    std::string out = section("OPTIONS") + "The verbs that take an option are named behind it; those of\n" +
+                      bold("verify") + "\nhold without a verb.\n";
+    for (const Group group : groups()) {
+        out += fmt::format(".SS {}\n", heading(group));
+        for (const OptionRow& row : option_table())
+            if (row.group == group) out += option_paragraph(row);
+    }
+    return out;
+}
+
+std::string exit_section() {
+    std::string out = section("\"EXIT STATUS\"");
+    for (const ExitRow& row : exit_table())
+        out += tagged(bold(fmt::format("{}", static_cast<int>(row.exit))), roff(row.meaning) + ".");
+    return out;
+}
+
+constexpr std::string_view description = R"(.SH DESCRIPTION
+.B robochart\-verify
+reads RoboChart models, reports what is wrong with them, decides their assertions in the CSP semantics, generates C++
+controllers, and checks that this code refines the semantics.
+.PP
+.I MODEL
+is a folder (a project: every .rct and .assertions file below it) or a file (with the .rct files of its folder that it
+needs, or, for assertions in a folder without models, of the folder above).
+Independent projects are processed separately.
+Results go to standard output, diagnostics and progress to standard error.
+)";
+
+constexpr std::string_view closing = R"(.SH ENVIRONMENT
+.TP
+.B NO_COLOR
+Where it is set and not empty, text has no colours unless
+.B \-\-color always
+asks for them.
+.TP
+.B PATH
+Where
+.BR c++ ,
+the compiler of generated code
+.RB ( conform ,
+.BR simulate ),
+and the programs that convert pictures
+.RB ( rsvg\-convert ,
+.BR ffmpeg )
+are looked for.
+.TP
+.BR XDG_CACHE_HOME ", " HOME
+What runs keep for later ones is in
+.I robochart\-verify
+below the former, or below
+.I .cache
+of the latter.
+.TP
+.B TMPDIR
+The folder for temporary files;
+.I /tmp
+by default.
+.SH FILES
+.TP
+.IR NAME .rct
+A model.
+.TP
+.IR NAME .assertions
+Assertions about a model.
+.TP
+.IR NAME .scenario
+A scenario for
+.BR simulate .
+.TP
+.IR NAME .trace
+Logs of runs, for
+.BR "conform \-\-traces" .
+.TP
+.I ~/.cache/robochart\-verify/
+Answers and compiled code of earlier runs, unless
+.B \-\-no\-cache
+is given. It may be removed at any time.
+.TP
+.I out/
+What is written goes below this folder unless
+.B \-\-out
+names another:
+.I csp\-gen/
+for FDR,
+.I cpp/
+for the controllers,
+.IR monitor/ ,
+.IR tests/ ,
+.IR simulation/ .
+.SH EXAMPLES
+.TP
+.B robochart\-verify corpus/aggregation
+Everything about a project.
+.TP
+.B robochart\-verify check model.rct \-\-assertion A1
+One assertion.
+.TP
+.B robochart\-verify help conform
+The options of a verb.
+.SH "SEE ALSO"
+.BR c++ (1)
+)";
+
+}  // namespace
+
+std::string manual_page() {
+    return fmt::format(
+        ".\\\" Made by `robochart\\-verify help \\-\\-generate man`.\n"
+        ".TH ROBOCHART\\-VERIFY 1 \"\" \"robochart\\-verify {}\" \"User Commands\"\n"
+        ".SH NAME\nrobochart\\-verify \\- verify RoboChart models\n{}{}{}{}{}{}",
+        program_version, synopsis(), description, verbs_section(), options_section(), exit_section(), closing);
+}
+
+}  // namespace robochart::app

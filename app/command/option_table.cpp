@@ -1,0 +1,484 @@
+// See option_table.hpp. docs/cli.md explains verbs and options at length.
+#include "app/command/option_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+
+#include "app/command/rules.hpp"
+#include "diagnostics/spelling.hpp"
+
+namespace robochart::app {
+
+const char* const emit_summary = "write files, nothing else";
+
+const std::vector<VerbRow>& verb_table() {
+    static const std::vector<VerbRow> rows{
+        {Verb::verify, "verify", "",
+         "everything: read, check assertions, export CSP, generate C++, conform (the default)", "MODEL..."},
+        {Verb::validate, "validate", "", "read the model and report what is wrong with it, nothing else", "MODEL..."},
+        {Verb::check, "check", "", "read the model and decide its assertions", "MODEL..."},
+        {Verb::emit_csp, "csp", "emit", "write the CSP semantics as scripts for FDR", "MODEL..."},
+        {Verb::emit_cpp, "cpp", "emit", "write the C++ controllers", "MODEL..."},
+        {Verb::emit_monitor, "monitor", "emit",
+         "write monitors: headers that follow a controller and report where it leaves its model", "MODEL..."},
+        {Verb::emit_tests, "tests", "emit",
+         "write finite complete test suites, and GoogleTest that replays them against an implementation", "MODEL..."},
+        {Verb::conform, "conform", "", "check generated C++ against the semantics, exhaustively", "MODEL..."},
+        {Verb::cspm, "cspm", "", "decide the assertions of CSPM scripts", "SCRIPT..."},
+        {Verb::simulate, "simulate", "",
+         "run a scenario's trials with the generated controllers: measures, bands, pictures", "SCENARIO"},
+        {Verb::format, "format", "", "write model and assertion files in the standard layout, in place", "FILE..."},
+        {Verb::explain, "explain", "", "explain a rule by its code; without one, list all rules", "[CODE...]"},
+        {Verb::lsp, "lsp", "", "serve an editor over standard input and output (Language Server Protocol)", ""},
+        {Verb::help, "help", "", "show the help of a verb; write the man page, or a completion for a shell", "[VERB]"},
+        {Verb::version, "version", "", "show the version", ""},
+    };
+    return rows;
+}
+
+std::string full_name(const VerbRow& row) {
+    return row.parent[0] == '\0' ? row.name : fmt::format("{} {}", row.parent, row.name);
+}
+
+const VerbRow* find_verb(std::string_view name) {
+    const auto& rows = verb_table();
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const VerbRow& each) { return full_name(each) == name; });
+    return row == rows.end() ? nullptr : &*row;
+}
+
+std::vector<std::string> first_words() {
+    std::vector<std::string> words;
+    for (const VerbRow& row : verb_table()) {
+        const std::string word = row.parent[0] == '\0' ? row.name : row.parent;
+        if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    }
+    return words;
+}
+
+std::vector<std::string> emitted_things() {
+    std::vector<std::string> words;
+    for (const VerbRow& row : verb_table())
+        if (row.parent[0] != '\0') words.emplace_back(row.name);
+    return words;
+}
+
+const std::vector<Group>& groups() {
+    static const std::vector<Group> all{Group::checking, Group::model,  Group::code,   Group::simulation,
+                                        Group::files,    Group::output, Group::limits, Group::general};
+    return all;
+}
+
+std::string_view heading(Group group) {
+    constexpr std::array<std::string_view, 8> headings{"Checking", "Model",  "Generated code", "Simulation",
+                                                       "Files",    "Output", "Limits",         "General"};
+    return headings[static_cast<std::size_t>(group)];
+}
+
+namespace {
+
+constexpr std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max();
+
+constexpr Verbs emitting = of(Verb::emit_csp) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests);
+constexpr Verbs checking = of(Verb::verify) | of(Verb::check);
+constexpr Verbs models = checking | emitting | of(Verb::conform);
+constexpr Verbs coding =
+    of(Verb::verify) | of(Verb::emit_cpp) | of(Verb::emit_monitor) | of(Verb::emit_tests) | of(Verb::conform);
+constexpr Verbs searching = models | of(Verb::cspm);
+constexpr Verbs limited = searching | of(Verb::validate) | of(Verb::format) | of(Verb::simulate);
+constexpr Verbs all_verbs = limited | of(Verb::explain) | of(Verb::lsp) | of(Verb::help) | of(Verb::version);
+
+using Kind = Argument::Kind;
+
+/// Which of the words it is.
+std::size_t index_of(const std::string& word, const char* words) {
+    const std::vector<std::string> all = choices_of({.choices = words});
+    return static_cast<std::size_t>(std::find(all.begin(), all.end(), word) - all.begin());
+}
+
+std::uint64_t number(const std::string& word) {
+    return std::stoull(word);
+}
+
+void take_format(Options& o, const std::string& word) {
+    o.format = static_cast<Format>(index_of(word, "text,json,sarif,plain,framed_json,junit"));
+}
+
+void take_quiet(Options& o, const std::string&) {
+    o.quiet = true;
+}
+
+void take_choices(Options& o, const std::string&) {
+    o.choices = true;
+}
+
+void take_assertion(Options& o, const std::string& word) {
+    o.assertion = word;
+}
+
+void take_threads(Options& o, const std::string& word) {
+    o.threads = static_cast<unsigned>(number(word));
+}
+
+constexpr Argument format_of(const char* choices) {
+    return {.kind = Kind::choice, .name = "FORMAT", .usual = "text", .choices = choices};
+}
+
+}  // namespace
+
+// clang-format off
+const std::vector<OptionRow>& option_table() {
+    static const std::vector<OptionRow> rows{
+        {"--assertion", Group::checking, checking, {.kind = Kind::name, .name = "NAME"},
+         "only the assertion of this name", take_assertion},
+        {"--assertion", Group::checking, of(Verb::cspm),
+         {.kind = Kind::whole, .name = "N", .least = 1, .most = 1'000'000'000},
+         "only this assertion of each script, counted from 1", take_assertion},
+        {"--timed", Group::checking, checking | of(Verb::emit_csp), {}, "only the timed semantics",
+         [](Options& o, const std::string&) { o.times = Times::timed; }, "--untimed"},
+        {"--untimed", Group::checking, checking | of(Verb::emit_csp), {}, "only the untimed semantics",
+         [](Options& o, const std::string&) { o.times = Times::untimed; }},
+        {"--core", Group::checking, checking | of(Verb::emit_csp), {},
+         "also the generated core assertions of every component",
+         [](Options& o, const std::string&) { o.core = true; }},
+        {"--sizes", Group::checking, checking, {},
+         "print the number of states and transitions of every component",
+         [](Options& o, const std::string&) { o.sizes = true; }},
+        {"--typecheck", Group::checking, of(Verb::cspm), {}, "check names and types and stop",
+         [](Options& o, const std::string&) { o.typecheck = true; }},
+        {"--types", Group::checking, of(Verb::cspm), {}, "print the type of every name and stop",
+         [](Options& o, const std::string&) { o.types = true; }},
+
+        {"--const", Group::model, models | of(Verb::simulate),
+         {.kind = Kind::text, .name = "NAME=VALUE", .repeated = true},
+         "value of a constant the model leaves open",
+         [](Options& o, const std::string& word) { o.constants.push_back(word); }},
+        {"--range", Group::model, models, {.kind = Kind::text, .name = "TYPE=LOW..HIGH", .repeated = true},
+         "carrier of nat, int or real; lengths of Seq, times of clock, elements of given",
+         [](Options& o, const std::string& word) { o.ranges.push_back(word); }},
+        {"--print", Group::model, models,
+         {.kind = Kind::choice, .name = "PHASE", .choices = "ast,model,ir,script,timed-script"},
+         "print a phase and stop", [](Options& o, const std::string& word) { o.print = word; }},
+        {"--allow", Group::model, models | of(Verb::validate) | of(Verb::simulate),
+         {.kind = Kind::warning, .name = "CODE", .repeated = true}, "leave out warnings of this code",
+         [](Options& o, const std::string& word) { o.allowed.push_back(word); }},
+        {"--deny-warnings", Group::model, models | of(Verb::validate) | of(Verb::simulate), {},
+         "treat a model with warnings as wrong", [](Options& o, const std::string&) { o.deny_warnings = true; }},
+
+        {"--component", Group::code, coding, {.kind = Kind::name, .name = "NAME"},
+         "only this module, controller or machine",
+         [](Options& o, const std::string& word) { o.component = word; }},
+        {"--cycle", Group::code, coding,
+         {.kind = Kind::whole, .name = "N", .usual = "1", .least = 1, .most = 1000},
+         "time units of one control cycle",
+         [](Options& o, const std::string& word) {
+             o.cycle = static_cast<std::uint32_t>(number(word));
+             o.cycle_given = true;
+         }},
+        {"--target", Group::code, of(Verb::emit_cpp),
+         {.kind = Kind::choice, .name = "TARGET", .choices = "library,main,ros2,enki,argos"},
+         "a complete project, below DIR/TARGET/COMPONENT",
+         [](Options& o, const std::string& word) { o.target = word; }},
+        {"--strategy", Group::code, of(Verb::emit_cpp),
+         {.kind = Kind::choice, .name = "STRATEGY", .usual = "auto", .choices = "auto,switch,table"},
+         "how generated code selects what an event does: by a switch over states and events, or by a table; auto: a "
+         "table from five states on",
+         [](Options& o, const std::string& word) { o.strategy = word; }},
+        {"--choices", Group::code, of(Verb::emit_cpp), {},
+         "code that asks its platform where the model leaves a choice (`pick`), instead of taking the first",
+         take_choices},
+        {"--all-choices", Group::code, of(Verb::conform), {},
+         "where the model leaves a choice, explore every alternative, not only the first", take_choices},
+        {"--model", Group::code, of(Verb::conform),
+         {.kind = Kind::choice, .name = "MODEL", .usual = "failures-divergences",
+          .choices = "failures-divergences,tick-tock"},
+         "what is decided: refinement in failures-divergences, or in tick-tock, which records refusals before each tock",
+         [](Options& o, const std::string& word) { o.relation = word; }},
+        {"--walks", Group::code, of(Verb::conform),
+         {.kind = Kind::whole, .name = "N", .usual = "200000", .most = 1'000'000'000'000},
+         "cycles of guided random walks where the state space is too large; 0 for none",
+         [](Options& o, const std::string& word) { o.walks = number(word); }},
+        {"--export", Group::code, of(Verb::conform), {.kind = Kind::file, .name = "FILE"},
+         "write all states of the code to this file, for other tools (.aut, .dot) or with the model for FDR (.csp)",
+         [](Options& o, const std::string& word) { o.exported_code = word; }},
+        {"--traces", Group::code, of(Verb::conform), {.kind = Kind::file, .name = "FILE", .repeated = true},
+         "compare logs of runs with the model, and no generated code; files, or folders with .trace files",
+         [](Options& o, const std::string& word) { o.traces.push_back(word); }},
+        {"--extra-states", Group::code, of(Verb::emit_tests),
+         {.kind = Kind::whole, .name = "M", .usual = "0", .most = 8},
+         "states over control cycles that an implementation may have more than the model",
+         [](Options& o, const std::string& word) { o.extra_states = static_cast<std::uint32_t>(number(word)); }},
+
+        {"--trials", Group::simulation, of(Verb::simulate),
+         {.kind = Kind::whole, .name = "N", .least = 1, .most = 100'000},
+         "number of trials, instead of the scenario's",
+         [](Options& o, const std::string& word) { o.trials = static_cast<std::uint32_t>(number(word)); }},
+        {"--seed", Group::simulation, of(Verb::simulate), {.kind = Kind::whole, .name = "N", .most = any_number},
+         "seed of the first trial, instead of the scenario's",
+         [](Options& o, const std::string& word) { o.seed = number(word); }},
+        {"--monitor", Group::simulation, of(Verb::simulate), {},
+         "stop a trial where a robot does what its model does not allow",
+         [](Options& o, const std::string&) { o.monitor = true; }},
+        {"--log", Group::simulation, of(Verb::simulate), {.kind = Kind::folder, .name = "DIR"},
+         "write what every robot read and did in every cycle, for `conform --traces`",
+         [](Options& o, const std::string& word) { o.log = word; }},
+        {"--no-pictures", Group::simulation, of(Verb::simulate), {}, "write no tables and pictures",
+         [](Options& o, const std::string&) { o.pictures = false; }},
+
+        {"--fix", Group::files, of(Verb::validate), {},
+         "apply certain fixes to the files, then report the remaining findings",
+         [](Options& o, const std::string&) { o.fix = true; }},
+        {"--check", Group::files, of(Verb::format), {},
+         "write nothing; list the files that would change, exit 1 if there are any",
+         [](Options& o, const std::string&) { o.check = true; }},
+        {"--diff", Group::files, of(Verb::format), {}, "write nothing; show what would change",
+         [](Options& o, const std::string&) { o.diff = true; }},
+        {"--assertions", Group::files, of(Verb::format), {}, "read standard input (-) as an assertion file",
+         [](Options& o, const std::string&) { o.assertions = true; }},
+
+        {"-o,--out", Group::output, models | of(Verb::simulate),
+         {.kind = Kind::folder, .name = "DIR", .usual = "out"}, "folder for the files written",
+         [](Options& o, const std::string& word) {
+             o.out = word;
+             o.out_given = true;
+         }},
+        {"--format", Group::output, emitting | of(Verb::simulate), format_of("text,json"), "how the result is printed",
+         take_format},
+        {"--format", Group::output, checking, format_of("text,json,sarif,junit"), "how the result is printed",
+         take_format},
+        {"--format", Group::output, of(Verb::conform), format_of("text,json,junit"), "how the result is printed",
+         take_format},
+        {"--format", Group::output, of(Verb::validate), format_of("text,json,sarif"), "how findings are printed",
+         take_format},
+        {"--format", Group::output, of(Verb::cspm), format_of("text,plain,json,framed_json,junit"),
+         "how the result is printed; plain, json and framed_json as by FDR's refines", take_format},
+        {"--color", Group::output, limited | of(Verb::explain),
+         {.kind = Kind::choice, .name = "WHEN", .usual = "auto", .choices = "auto,always,never"},
+         "colours of the text; auto: on a terminal, unless NO_COLOR is set",
+         [](Options& o, const std::string& word) {
+             o.color = static_cast<Color>(index_of(word, "auto,always,never"));
+         }},
+        {"-q,--quiet", Group::output, searching | of(Verb::simulate), {},
+         "print only what is wrong and the closing line", take_quiet},
+        {"-q,--quiet", Group::output, of(Verb::validate), {}, "print only what is wrong", take_quiet},
+        {"-q,--quiet", Group::output, of(Verb::format), {}, "do not list the files changed", take_quiet},
+        {"--trace", Group::output, checking | of(Verb::conform), {},
+         "also print raw event traces of counterexamples",
+         [](Options& o, const std::string&) { o.show_internal = true; }},
+        {"-b,--brief", Group::output, of(Verb::cspm), {}, "verdicts without counterexamples",
+         [](Options& o, const std::string&) { o.brief = true; }},
+        {"--reveal-taus", Group::output, of(Verb::cspm), {}, "show hidden events by their names",
+         [](Options& o, const std::string&) { o.reveal_taus = true; }},
+        {"--split", Group::output, of(Verb::cspm), {},
+         "show what every part of the process did, also if there are many",
+         [](Options& o, const std::string&) { o.split = true; }},
+        {"--export", Group::output, of(Verb::cspm),
+         {.kind = Kind::choice, .name = "FORMAT PROCESS", .choices = "aut,dot,csp"},
+         "write all states of a process, any expression of the script, and stop",
+         [](Options& o, const std::string& word) { o.exported.push_back(word); }},
+        {"--progress", Group::output, searching | of(Verb::simulate),
+         {.kind = Kind::choice, .name = "HOW", .usual = "auto", .choices = "auto,json,never"},
+         "how far the run has come, on standard error; auto: a line on a terminal",
+         [](Options& o, const std::string& word) {
+             o.progress = static_cast<ProgressMode>(index_of(word, "auto,json,never"));
+         }},
+        {"--generate", Group::output, of(Verb::help),
+         {.kind = Kind::choice, .name = "WHAT", .choices = "man,bash,zsh,fish"},
+         "write the man page, or the completion for a shell",
+         [](Options& o, const std::string& word) { o.generate = word; }},
+
+        {"--memory", Group::limits, limited,
+         {.kind = Kind::size, .name = "SIZE", .usual = "16GiB", .least = 1, .most = std::uint64_t{1} << 62U},
+         "memory bound of the program and its child processes, e.g. 4GiB; at most 3/4 of the machine's by default",
+         [](Options& o, const std::string& word) { o.memory_bytes = number(word); }},
+        {"--timeout", Group::limits, limited,
+         {.kind = Kind::seconds, .name = "SECONDS", .usual = "0", .most = 1'000'000'000},
+         "time bound of the whole run in seconds; 0 for none",
+         [](Options& o, const std::string& word) { o.timeout_seconds = std::strtod(word.c_str(), nullptr); }},
+        {"--threads", Group::limits, searching, {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
+         "threads of a check at most, used where its state space is wide; 0 for one for each core", take_threads},
+        {"--threads", Group::limits, of(Verb::simulate), {.kind = Kind::whole, .name = "N", .usual = "0", .most = 64},
+         "parallel trials at most; 0 for one for each core", take_threads},
+        {"--max-states", Group::limits, searching,
+         {.kind = Kind::whole, .name = "N", .usual = "500000000", .least = 1, .most = any_number},
+         "bound on states of a check",
+         [](Options& o, const std::string& word) { o.max_states = number(word); }},
+
+        {"--no-cache", Group::general, searching | of(Verb::simulate), {},
+         "work out everything anew, and keep nothing for later runs",
+         [](Options& o, const std::string&) { o.cache = false; }},
+        {"--stdio", Group::general, of(Verb::lsp), {},
+         "accepted because editors' libraries pass it; standard input and output are always used",
+         [](Options&, const std::string&) {}},
+        {"-h,--help", Group::general, all_verbs | no_verb, {}, "show the help of the program or of the verb", nullptr},
+        {"--version", Group::general, no_verb, {}, "show the version", nullptr},
+    };
+    return rows;
+}
+// clang-format on
+
+std::vector<const OptionRow*> options_of(Verbs verbs) {
+    std::vector<const OptionRow*> rows;
+    for (const OptionRow& row : option_table())
+        if ((row.verbs & verbs) != 0) rows.push_back(&row);
+    return rows;
+}
+
+std::string_view long_name(const OptionRow& row) {
+    const std::string_view names = row.names;
+    return names.substr(names.find("--"));
+}
+
+std::string_view short_name(const OptionRow& row) {
+    const std::string_view names = row.names;
+    return names.substr(0, names.find(',') == std::string_view::npos ? 0 : names.find(','));
+}
+
+std::vector<std::string> choices_of(const Argument& argument) {
+    std::vector<std::string> words;
+    std::istringstream list(argument.choices);
+    for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+    return words;
+}
+
+std::size_t words_behind(const Argument& argument) {
+    const std::string_view name = argument.name;
+    if (argument.kind == Argument::Kind::none) return 0;
+    return 1 + static_cast<std::size_t>(std::count(name.begin(), name.end(), ' '));
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+    const std::string meant = diagnostics::nearest(word, known);
+    return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
+}
+
+namespace {
+
+bool parse_whole(std::string_view text, std::uint64_t& value) {
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return code == std::errc() && end == text.data() + text.size();
+}
+
+/// "300M", "4GiB", "1048576": binary units, whatever their spelling.
+bool parse_size(std::string_view text, std::uint64_t& bytes) {
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    std::string unit(text.substr(digits));
+    std::transform(unit.begin(), unit.end(), unit.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
+    constexpr std::string_view letters = "kmgtpe";
+    std::size_t power = 0;
+    if (!unit.empty() && unit != "b") {
+        const std::size_t letter = letters.find(unit.front());
+        const std::string_view rest = std::string_view(unit).substr(1);
+        if (letter == std::string_view::npos || (!rest.empty() && rest != "b" && rest != "ib")) return false;
+        power = letter + 1;
+    }
+    if (!parse_whole(text.substr(0, digits), bytes) || bytes > (any_number >> (10 * power))) return false;
+    bytes <<= 10 * power;
+    return true;
+}
+
+/// No hexadecimals, nan, infinity.
+bool parse_seconds(const std::string& text, double& seconds) {
+    char* end = nullptr;
+    seconds = std::strtod(text.c_str(), &end);
+    const bool plain = text.find_first_not_of("0123456789.eE+-") == std::string::npos;
+    return plain && !text.empty() && *end == '\0' && std::isfinite(seconds);
+}
+
+/// What a parser takes for a number (nan, -1, 1e300) is not yet one that means something.
+bool is_number(const Argument& wanted, const std::string& word, std::uint64_t& value) {
+    if (wanted.kind == Kind::seconds) {
+        double seconds = 0;
+        return parse_seconds(word, seconds) && seconds >= static_cast<double>(wanted.least) &&
+               seconds <= static_cast<double>(wanted.most);
+    }
+    return (wanted.kind == Kind::size ? parse_size(word, value) : parse_whole(word, value)) && value >= wanted.least &&
+           value <= wanted.most;
+}
+
+std::string wanted_number(const Argument& wanted) {
+    if (wanted.kind == Kind::size) return "a size above 0 is wanted, as 300M or 4GiB";
+    const std::string range = wanted.most == any_number ? fmt::format("from {}", wanted.least)
+                                                        : fmt::format("from {} to {}", wanted.least, wanted.most);
+    return fmt::format("a {} {} is wanted", wanted.kind == Kind::seconds ? "number of seconds" : "whole number", range);
+}
+
+std::string wrong_number(const Argument& wanted, std::string& word) {
+    std::uint64_t value = 0;
+    if (!is_number(wanted, word, value)) return fmt::format("{}: {}", word, wanted_number(wanted));
+    if (wanted.kind == Kind::size) word = fmt::format("{}", value);
+    return "";
+}
+
+std::string wrong_choice(const Argument& wanted, const std::string& word) {
+    const std::vector<std::string> known = choices_of(wanted);
+    if (std::find(known.begin(), known.end(), word) != known.end()) return "";
+    return fmt::format("'{}' is none of {}{}", word, fmt::join(known, ", "), did_you_mean(word, known));
+}
+
+/// The code of a rule that warns.
+std::string wrong_warning(std::string& code) {
+    for (const diagnostics::Rule* rule : find_rules(code))
+        if (rule->severity == diagnostics::Severity::warning) {
+            code = std::string(rule->code);
+            return "";
+        }
+    std::vector<std::string> known;
+    for (const diagnostics::Rule* rule : all_rules())
+        if (rule->severity == diagnostics::Severity::warning) known.emplace_back(rule->code);
+    const std::string meant = did_you_mean(code, known);
+    return fmt::format("{} is no code of a warning{}", code,
+                       meant.empty() ? " (robochart-verify explain lists them)" : meant);
+}
+
+}  // namespace
+
+std::string wrong_word(const Argument& wanted, std::size_t at, std::string& word) {
+    switch (wanted.kind) {
+        case Kind::none:
+        case Kind::text:
+            return "";
+        case Kind::choice:
+            return at == 0 ? wrong_choice(wanted, word) : "";
+        case Kind::name:
+        case Kind::file:
+        case Kind::folder:
+            return word.empty() ? "the name is empty" : "";
+        case Kind::whole:
+        case Kind::seconds:
+        case Kind::size:
+            return wrong_number(wanted, word);
+        case Kind::warning:
+            return wrong_warning(word);
+    }
+    return "";
+}
+
+const std::vector<ExitRow>& exit_table() {
+    static const std::vector<ExitRow> rows{
+        {Exit::success, "everything as claimed: every assertion holds as worded, the code conforms"},
+        {Exit::failed,
+         "some assertion fails, some code does not conform, some file is not formatted (format --check), a simulation "
+         "leaves its bands"},
+        {Exit::bad_input, "the input is wrong, there is nothing to check, or the output cannot be written"},
+        {Exit::inconclusive,
+         "inconclusive: a limit was reached, or interrupted, and the results so far are printed; or a claim of a kind "
+         "that is not decided here"},
+        {Exit::usage, "wrong usage: unknown options, values out of range, unknown names"},
+        {Exit::internal, "internal error: please report it"},
+    };
+    return rows;
+}
+
+}  // namespace robochart::app

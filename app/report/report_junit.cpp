@@ -1,0 +1,77 @@
+// The report for continuous integration servers. What is not known counts as an error: a skipped case would pass.
+#include <fmt/format.h>
+
+#include "app/command/junit.hpp"
+#include "app/report/report.hpp"
+
+namespace robochart::app {
+namespace {
+
+using Kind = JunitCase::Kind;
+
+Kind kind_of(Answer answer) {
+    switch (answer) {
+        case Answer::holds:
+            return Kind::passed;
+        case Answer::fails:
+            return Kind::failed;
+        case Answer::no_check:
+        case Answer::unchecked:
+            return Kind::skipped;
+        case Answer::inconclusive:
+        case Answer::error:
+            return Kind::error;
+    }
+    return Kind::error;
+}
+
+std::string why(const AssertionReport& a) {
+    if (!a.reason.empty()) return a.reason;
+    return a.run ? a.run->end.why : "it does not hold";
+}
+
+JunitCase case_of(const AssertionReport& a, const std::string& subject) {
+    JunitCase made;
+    made.group = a.place.empty() ? "assertions" : a.place.substr(0, a.place.rfind(':'));
+    made.name = a.title;
+    made.kind = kind_of(a.answer);
+    made.seconds = a.statistics.seconds;
+    if (made.kind == Kind::passed) return made;
+    made.message = why(a);
+    made.text = assertion_text(a, subject);
+    return made;
+}
+
+JunitCase case_of(const ConformanceReport& c) {
+    using conformance::Outcome;
+    JunitCase made;
+    made.group = "conformance";
+    made.name = c.component;
+    made.seconds = c.seconds;
+    if (c.result.outcome == Outcome::conforms) return made;
+    const bool unknown = c.result.outcome == Outcome::inconclusive || c.result.outcome == Outcome::not_generated;
+    made.kind = unknown ? Kind::error : Kind::failed;
+    made.message = c.result.reason.empty() ? "the code does not conform" : c.result.reason;
+    made.text = conformance_text(c);
+    return made;
+}
+
+/// What concerns the run as a whole.
+JunitCase about_run(const std::string& name, const std::string& message, const std::string& text) {
+    return {"run", name, Kind::error, message, text, 0};
+}
+
+}  // namespace
+
+std::string render_junit(const Report& report) {
+    std::vector<JunitCase> cases;
+    for (const AssertionReport& each : report.assertions) cases.push_back(case_of(each, report.subject));
+    for (const ConformanceReport& each : report.conformance) cases.push_back(case_of(each));
+    for (const RefusedReport& each : report.refused)
+        cases.push_back(about_run(each.model, "refused, with errors", each.text));
+    if (report.nothing_checked) cases.push_back(about_run("assertions", report.unclaimed, report.unclaimed));
+    if (!report.limit.empty()) cases.push_back(about_run("limit", report.limit, report.limit));
+    return junit_document(report.model, cases);
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,102 @@
+// The report as SARIF 2.1.0 (OASIS, 2020): a result for each assertion that fails or is not decided, with the steps of
+// its run that have places as a code flow (3.36), and for each component whose code does not conform. What is not known
+// has the kind `open` (3.27.9), which is no failure and no pass.
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "app/report/report.hpp"
+#include "diagnostics/sarif.hpp"
+
+namespace robochart::app {
+namespace {
+
+using diagnostics::Json;
+using diagnostics::sarif_text;
+
+enum class Rule : unsigned char { assertion, conformance };
+
+Json rules() {
+    const auto rule = [](const char* id, const char* text) {
+        return Json{{"id", id}, {"shortDescription", sarif_text(text)}, {"defaultConfiguration", {{"level", "error"}}}};
+    };
+    return Json::array({rule("assertion", "an assertion of the model does not hold"),
+                        rule("conformance", "the generated code does not do what the model says")});
+}
+
+Json place_of(const runs::Place& place) {
+    return diagnostics::sarif_place(place.file, {place.line, place.column}, {place.end_line, place.end_column});
+}
+
+std::string step_text(const runs::Step& step) {
+    return step.time ? fmt::format("t={}: {}", *step.time, step.event.text) : step.event.text;
+}
+
+/// The steps that have places; null if none has.
+Json flow(const runs::Run& run) {
+    Json locations = Json::array();
+    for (std::size_t i = 0; i < run.steps.size(); ++i) {
+        const runs::Step& step = run.steps[i];
+        if (!step.event.place) continue;
+        const Json location{{"physicalLocation", place_of(*step.event.place)},
+                            {"message", sarif_text(step_text(step))}};
+        locations.push_back({{"location", location}, {"executionOrder", i + 1}});
+    }
+    if (locations.empty()) return nullptr;
+    return Json::array({Json{{"threadFlows", Json::array({Json{{"locations", locations}}})}}});
+}
+
+Json result(Rule rule, bool known, const std::string& message) {
+    constexpr std::array<const char*, 2> ids{"assertion", "conformance"};
+    const auto index = static_cast<std::size_t>(rule);
+    return {{"ruleId", ids[index]},
+            {"ruleIndex", index},
+            {"kind", known ? "fail" : "open"},
+            {"level", known ? "error" : "none"},
+            {"message", sarif_text(message)}};
+}
+
+void add(const AssertionReport& a, Json& results) {
+    if (a.answer == Answer::holds || a.answer == Answer::no_check) return;
+    const bool known = a.answer == Answer::fails || a.answer == Answer::error;
+    const std::string why = !a.reason.empty() ? a.reason : a.run ? a.run->end.why : "";
+    Json one = result(Rule::assertion, known,
+                      fmt::format("{}: {}{}{}", a.title,
+                                  a.answer == Answer::fails   ? "fails"
+                                  : a.answer == Answer::error ? "cannot be evaluated"
+                                                              : "is not decided",
+                                  why.empty() ? "" : ": ", why));
+    if (a.region) one["locations"] = Json::array({Json{{"physicalLocation", place_of(*a.region)}}});
+    if (a.run)
+        if (const Json steps = flow(*a.run); !steps.is_null()) one["codeFlows"] = steps;
+    results.push_back(one);
+}
+
+void add(const ConformanceReport& c, Json& results) {
+    using conformance::Outcome;
+    if (c.result.outcome == Outcome::conforms) return;
+    const bool known = c.result.outcome == Outcome::differs || c.result.outcome == Outcome::not_schedulable;
+    results.push_back(result(Rule::conformance, known,
+                             fmt::format("the code of {} {}: {}", c.component,
+                                         known ? "does not conform" : "was not compared", c.result.reason)));
+}
+
+/// Why the results are not all that was asked for.
+std::string incomplete(const Report& report) {
+    if (!report.limit.empty()) return report.limit;
+    if (!report.refused.empty()) return fmt::format("{} has errors", report.refused.front().model);
+    return report.nothing_checked ? report.unclaimed : "";
+}
+
+}  // namespace
+
+std::string render_sarif(const Report& report) {
+    Json results = Json::array();
+    for (const AssertionReport& each : report.assertions) add(each, results);
+    for (const ConformanceReport& each : report.conformance) add(each, results);
+    return diagnostics::sarif_log(rules(), results, program_version, incomplete(report),
+                                  {{"model", report.model}, {"exit", static_cast<int>(report.exit())}});
+}
+
+}  // namespace robochart::app

@@ -1,0 +1,24 @@
+# What is installed beside the program and the libraries of the language: man page, completions, licences, examples, pages of
+# rules; and a target that removes what was installed. Headers of generated code are not: they are built into the program,
+# which writes them with the code.
+include(GNUInstallDirs)
+
+# At configuration, so that `cmake --install` needs nothing but the program.
+set(man_page ${CMAKE_SOURCE_DIR}/docs/robochart-verify.1)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${man_page})
+find_program(GZIP_PROGRAM gzip REQUIRED)
+execute_process(COMMAND ${GZIP_PROGRAM} -9 --no-name --stdout ${man_page}
+                OUTPUT_FILE ${CMAKE_BINARY_DIR}/robochart-verify.1.gz COMMAND_ERROR_IS_FATAL ANY)
+install(FILES ${CMAKE_BINARY_DIR}/robochart-verify.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
+set(completions ${CMAKE_SOURCE_DIR}/editors/completion)
+install(FILES ${completions}/robochart-verify.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+        RENAME robochart-verify)
+install(FILES ${completions}/_robochart-verify DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${completions}/robochart-verify.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/cmake/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/corpus/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+
+add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -DMANIFEST=${CMAKE_BINARY_DIR}/install_manifest.txt
+                  -P ${CMAKE_SOURCE_DIR}/cmake/uninstall.cmake VERBATIM)

@@ -1,0 +1,28 @@
+# Packages: `cpack` in a build tree of the preset `package` makes a .deb and a .tar.gz that can be unpacked anywhere.
+# scripts/package.sh does so, and tries both.
+set(CPACK_GENERATOR "TGZ;DEB")
+set(CPACK_PACKAGE_CONTACT "The robochart-verify project")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "verification of RoboChart models")
+set(CPACK_PACKAGE_FILE_NAME robochart-verify-${PROJECT_VERSION}-linux-${CMAKE_SYSTEM_PROCESSOR})
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
+set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+"Reads models of robot controllers in RoboChart, reports what is wrong with
+them, decides their assertions in the CSP semantics and shows counterexamples
+as runs of the model, generates C++ controllers and checks that the code
+refines the semantics. Decides the assertions of CSPM scripts too.
+.
+Comparing generated code with its model (conform) and simulating (simulate)
+need a C++ compiler; everything else works without.")
+# Of the libraries that the program needs: the C library alone where ROBOCHART_PORTABLE is on.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "librsvg2-bin, ffmpeg")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+include(CPack)

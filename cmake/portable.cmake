@@ -1,0 +1,32 @@
+# With ROBOCHART_PORTABLE the program needs no library but the C library: libstdc++ and libgcc are linked statically, and
+# fmt, of which Debian has a shared library alone, is compiled from its headers. ROBOCHART_FMT is what to link. Generated
+# code that the program loads brings the libstdc++ of its compiler: the interface between the two is C, and no exception and
+# no type of C++ crosses it.
+set(ROBOCHART_FMT fmt::fmt)
+if(ROBOCHART_PORTABLE)
+  if(NOT fmt_VERSION MATCHES "^9\\.")
+    message(FATAL_ERROR "ROBOCHART_PORTABLE knows what the library of fmt 9 defines; this is fmt ${fmt_VERSION}")
+  endif()
+  # What the headers declare and the library defines; the instantiations are those that the headers call `extern template`
+  # or leave to it.
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/fmt.cpp CONTENT [[
+#include <fmt/format-inl.h>
+
+FMT_BEGIN_NAMESPACE
+namespace detail {
+template thousands_sep_result<char> thousands_sep_impl<char>(locale_ref);
+template char decimal_point_impl<char>(locale_ref);
+template void buffer<char>::append(const char*, const char*);
+template dragonbox::decimal_fp<float> dragonbox::to_decimal(float) noexcept;
+template dragonbox::decimal_fp<double> dragonbox::to_decimal(double) noexcept;
+}
+FMT_END_NAMESPACE
+]])
+  add_library(robochart_fmt STATIC ${CMAKE_BINARY_DIR}/fmt.cpp)
+  target_compile_options(robochart_fmt PRIVATE -w)
+  # The same words on the command lines of the compiler as with the shared library, so that objects are the same.
+  target_compile_definitions(robochart_fmt PUBLIC FMT_SHARED)
+  set(ROBOCHART_FMT robochart_fmt)
+  # What is unused goes: of libstdc++ that is also what calls the newest functions of the C library.
+  add_link_options(-static-libstdc++ -static-libgcc -Wl,--gc-sections)
+endif()

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# `cmake --install` writes the files that it should and no others; the installed program runs in an empty environment from
+# another folder; it needs no newer C library than packages may. Arguments: the sources, the build tree.
+set -euo pipefail
+sources="$1"
+build="$2"
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+
+# The manifest is for `uninstall` of what the user installed.
+manifest="$build/install_manifest.txt"
+[ ! -e "$manifest" ] || cp "$manifest" "$folder/users"
+cmake --install "$build" --prefix "$folder/usr" >/dev/null
+mv "$manifest" "$folder/ours"
+[ ! -e "$folder/users" ] || cp "$folder/users" "$manifest"
+
+expected="$(
+  {
+    echo bin/robochart-verify
+    echo share/bash-completion/completions/robochart-verify
+    echo share/zsh/vendor-completions/_robochart-verify
+    echo share/fish/vendor_completions.d/robochart-verify.fish
+    echo share/man/man1/robochart-verify.1.gz
+    echo share/doc/robochart-verify/LICENSE
+    echo share/doc/robochart-verify/copyright
+    (cd "$sources/corpus" && find . -type f | sed 's|^\.|share/doc/robochart-verify/examples|')
+    (cd "$sources/docs/rules" && find . -name '*.md' | sed 's|^\.|share/doc/robochart-verify/rules|')
+    (cd "$sources/frontend/toolkits/library" && find . -name '*.rct' | sed 's|^\.|share/robochart-verify/library|')
+  } | sort
+)"
+found="$(cd "$folder/usr" && find . -type f -o -type l | sed 's|^\./||' | sort)"
+diff <(echo "$expected") <(echo "$found") || { echo "other files are installed than expected" >&2; exit 1; }
+
+gzip -dc "$folder/usr/share/man/man1/robochart-verify.1.gz" | cmp - "$sources/docs/robochart-verify.1"
+
+mkdir "$folder/elsewhere"
+cd "$folder/elsewhere"
+run=(env -i "$folder/usr/bin/robochart-verify")
+"${run[@]}" check "$folder/usr/share/doc/robochart-verify/examples/aggregation" -q | grep -q 'checks hold$'
+[ "$("${run[@]}" version)" = "$("$build/app/robochart-verify" --version)" ]
+grep -q "^project(robochart-verify VERSION $("${run[@]}" version | cut -d ' ' -f 2) " "$sources/CMakeLists.txt"
+"${run[@]}" explain RC-W07 | grep -q 'RC-W07'
+[ -z "$(ls)" ]  # `check` writes nothing
+
+"$sources/tests/packaging/symbols.sh" "$folder/usr/bin/robochart-verify"
+
+cmake -DMANIFEST="$folder/ours" -P "$sources/cmake/uninstall.cmake" >/dev/null 2>&1
+[ -z "$(find "$folder/usr" -type f)" ] || { echo "uninstall leaves files" >&2; exit 1; }
+echo "what is installed is complete and runs"
