@@ -148,7 +148,7 @@ const std::vector<OptionRow>& option_table() {
         {"--untimed", Group::checking, checking | of(Verb::emit_csp), {}, "only the untimed semantics",
          [](Options& o, const std::string&) { o.times = Times::untimed; }},
         {"--core", Group::checking, checking | of(Verb::emit_csp), {},
-         "also the generated core assertions of every component",
+         "also the core properties of every component; without it they are checked where the model has no assertions",
          [](Options& o, const std::string&) { o.core = true; }},
         {"--sizes", Group::checking, checking, {},
          "print the number of states and transitions of every component",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
@@ -50,17 +51,18 @@ std::string duration(double seconds) {
     return seconds < 1 ? fmt::format("{:.0f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
 }
 
-/// Behind the verdict.
+/// Behind the verdict. Under the heading of its component a core property needs no title.
 std::string assertion_rest(const AssertionReport& a, const std::string& subject, std::size_t width,
                            const Options& options) {
-    std::string out = fmt::format("{:<{}}", a.title, width);
+    std::string out = fmt::format("{:<{}}", a.core && width > 0 ? a.core->property : a.title, width);
     if (a.answer == Answer::holds || a.answer == Answer::fails || a.statistics.states > 0)
         out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states),
                            a.searched ? duration(a.statistics.seconds) : "known");
     out += '\n';
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
     if (!a.run && a.counterexample.empty()) return out;
-    const std::string claimed = a.place.empty() ? "" : fmt::format("claimed at {}; ", diagnostics::shown(a.place));
+    const std::string claimed =
+        a.place.empty() ? "" : fmt::format("{} at {}; ", a.core ? "declared" : "claimed", diagnostics::shown(a.place));
     out += fmt::format("               {}the {} does:\n{}", claimed, subject,
                        a.run ? runs::text(*a.run, indent_of_runs) : a.counterexample);
     if (!a.run) return out;
@@ -172,14 +174,13 @@ void write_sizes(std::string& out, const std::vector<SizeReport>& sizes) {
 }
 
 std::string closing(const Report& report) {
-    const auto count = [&](Answer answer) {
-        return std::count_if(report.assertions.begin(), report.assertions.end(),
-                             [&](const auto& a) { return a.answer == answer; });
-    };
+    const auto count = [&](Answer answer) { return report.count(answer); };
     std::vector<std::string> parts;
     if (!report.assertions.empty()) {
-        parts.push_back(fmt::format("{} of {} checks hold", count(Answer::holds),
-                                    report.assertions.size() - static_cast<std::size_t>(count(Answer::no_check))));
+        const auto decisive = std::count_if(report.assertions.begin(), report.assertions.end(), [](const auto& a) {
+            return a.answer != Answer::no_check && !(a.core && a.core->information);
+        });
+        parts.push_back(fmt::format("{} of {} checks hold", count(Answer::holds), decisive));
         if (count(Answer::fails) > 0) parts.push_back(fmt::format("{} fail", count(Answer::fails)));
         if (count(Answer::inconclusive) > 0)
             parts.push_back(fmt::format("{} inconclusive", count(Answer::inconclusive)));
@@ -207,10 +208,14 @@ std::string closing(const Report& report) {
 
 const std::string_view indent_of_runs = "                 ";
 
+std::size_t Report::count(Answer answer) const {
+    return static_cast<std::size_t>(std::count_if(assertions.begin(), assertions.end(), [&](const auto& a) {
+        return a.answer == answer && !(a.core && a.core->information);
+    }));
+}
+
 Exit Report::exit() const {
-    const auto any = [&](Answer answer) {
-        return std::any_of(assertions.begin(), assertions.end(), [&](const auto& a) { return a.answer == answer; });
-    };
+    const auto any = [&](Answer answer) { return count(answer) > 0; };
     const auto code = [&](conformance::Outcome outcome) {
         return std::any_of(conformance.begin(), conformance.end(),
                            [&](const auto& c) { return c.result.outcome == outcome; });
@@ -235,12 +240,69 @@ std::string heading_text(const Report& report) {
     return out;
 }
 
-/// The widest title, within reason.
-std::size_t title_width(const Report& report) {
+using Listed = std::vector<const AssertionReport*>;
+
+/// Each as wide as the widest title, within reason.
+std::string blocks(const Listed& listed, const std::string& subject, const Options& options, bool color) {
     std::size_t width = 0;
+    for (const AssertionReport* a : listed)
+        width = std::max(width, std::min<std::size_t>((a->core ? a->core->property : a->title).size(), 80));
+    std::string out;
+    for (const AssertionReport* a : listed)
+        if (!options.quiet || a->answer != Answer::holds) out += assertion_block(*a, subject, width, options, color);
+    return out;
+}
+
+std::string assertions_text(const Report& report, const Options& options, bool color) {
+    Listed listed;
     for (const AssertionReport& a : report.assertions)
-        width = std::max(width, std::min<std::size_t>(a.title.size(), 80));
-    return width;
+        if (!a.core) listed.push_back(&a);
+    const std::string heading = listed.empty() || options.quiet ? "" : "\nassertions\n";
+    return heading + blocks(listed, report.subject, options, color);
+}
+
+/// What is so of a component and what is not, in one sentence: states that cannot be reached with their places.
+std::string information_text(const Listed& information) {
+    std::vector<std::string> words;
+    std::size_t reached = 0;
+    for (const AssertionReport* a : information) {
+        const std::string& property = a->core->property;
+        const bool state = property.ends_with(" is reachable");
+        const std::string place = a->place.empty() ? "" : fmt::format(" ({})", a->place);
+        if (a->answer == Answer::holds && state)
+            ++reached;
+        else if (a->answer == Answer::holds)
+            words.push_back(property);
+        else if (a->answer != Answer::fails)
+            words.push_back(fmt::format("{}: not known", property));
+        else if (state)
+            words.push_back(fmt::format("{} is never reached{}", property.substr(0, property.find(" is")), place));
+        else
+            words.push_back(property == "never terminates" ? "may terminate" : "not " + property);
+    }
+    if (reached > 0) words.push_back(fmt::format("{} states are reached", reached));
+    return words.empty() ? "" : fmt::format("  {:<12} {}\n", "information", fmt::join(words, "; "));
+}
+
+/// Component by component.
+std::string core_text(const Report& report, const Options& options, bool color) {
+    std::vector<std::string> components;
+    std::map<std::string, std::pair<Listed, Listed>> parts;  // what is required, and information
+    for (const AssertionReport& a : report.assertions) {
+        if (!a.core) continue;
+        const auto [part, added] = parts.try_emplace(a.core->component);
+        if (added) components.push_back(a.core->component);
+        (a.core->information ? part->second.second : part->second.first).push_back(&a);
+    }
+    std::string out;
+    for (const std::string& component : components) {
+        const std::string required = blocks(parts[component].first, report.subject, options, color);
+        if (!required.empty() || !options.quiet)
+            out += fmt::format("  {}\n{}", diagnostics::shown(component), required);
+        if (!options.quiet) out += diagnostics::shown_lines(information_text(parts[component].second));
+    }
+    if (out.empty()) return out;
+    return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
 std::string files_text(const Report& report) {
@@ -259,11 +321,7 @@ std::string render_text(const Report& report, const Options& options) {
     using diagnostics::shown_lines;
     const bool color = color_wanted(options.color, STDOUT_FILENO);
     std::string out = options.quiet ? "" : shown_lines(heading_text(report));
-    const std::size_t width = title_width(report);
-    if (!report.assertions.empty() && !options.quiet) out += "\nassertions\n";
-    for (const AssertionReport& a : report.assertions)
-        if (!options.quiet || a.answer != Answer::holds)
-            out += assertion_block(a, report.subject, width, options, color);
+    out += assertions_text(report, options, color) + core_text(report, options, color);
     std::string found;
     write_bounds(found, report.bounds);
     write_sizes(found, report.sizes);

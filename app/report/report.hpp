@@ -25,11 +25,19 @@ enum class Answer {
 /// Why something that was to be decided is inconclusive while nothing is known of it.
 inline constexpr const char* not_decided = "it was not decided before the limit";
 
+/// What makes an assertion one of the core properties, which every component is asked about.
+struct CoreReport {
+    std::string component;     ///< "state machine P::S"
+    std::string property;      ///< "deadlock-free"
+    bool information = false;  ///< nothing is wrong where it does not hold, and nothing missing where it is not known
+};
+
 /// One assertion with its answer.
 struct AssertionReport {
     std::string title;                  ///< "A1 [timed] AggregationFSM is deadlock-free"
     std::string place;                  ///< "aggregation.assertions:12"
     std::optional<runs::Place> region;  ///< the same with its end; a model's
+    std::optional<CoreReport> core;     ///< none: the model's or the script's own
     Answer answer = Answer::inconclusive;
     std::string reason;  ///< inconclusive, no_check, error
     refine::Statistics statistics;
@@ -98,6 +106,8 @@ struct Report {
     std::string limit;             ///< why the run ended before everything was looked at; "" if it did not
 
     [[nodiscard]] Exit exit() const;
+    /// Assertions with this answer, without those that are information.
+    [[nodiscard]] std::size_t count(Answer) const;
 };
 
 /// In front of the lines of a counterexample.

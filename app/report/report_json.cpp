@@ -37,6 +37,9 @@ Json assertion(const AssertionReport& a) {
               {"statistics", statistics(a.statistics)}};
     const bool decided = a.answer == Answer::holds || a.answer == Answer::fails;
     if (decided && !a.searched) json["known"] = true;
+    if (a.core)
+        json["core"] = {
+            {"component", a.core->component}, {"property", a.core->property}, {"information", a.core->information}};
     if (!a.reason.empty()) json["reason"] = a.reason;
     if (a.run) json["counterexample"] = counterexample(*a.run);
     return json;

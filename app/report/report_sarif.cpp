@@ -93,7 +93,8 @@ std::string incomplete(const Report& report) {
 
 std::string render_sarif(const Report& report) {
     Json results = Json::array();
-    for (const AssertionReport& each : report.assertions) add(each, results);
+    for (const AssertionReport& each : report.assertions)
+        if (!each.core || !each.core->information) add(each, results);
     for (const ConformanceReport& each : report.conformance) add(each, results);
     return diagnostics::sarif_log(rules(), results, program_version, incomplete(report),
                                   {{"model", report.model}, {"exit", static_cast<int>(report.exit())}});

@@ -116,6 +116,11 @@ void announce(const Context& context, Report& report) {
         one.title = context.project.label + obligation.title;
         if (obligation.property != ir::no_id)
             set_place(context.project, context.project.system.properties[obligation.property].origin.span, one);
+        if (!obligation.component.empty()) {
+            one.core = CoreReport{context.project.label + obligation.component, obligation.property_text,
+                                  obligation.information};
+            if (obligation.origin.span.known()) set_place(context.project, obligation.origin.span, one);
+        }
         one.answer = obligation.assertions.empty() ? Answer::no_check : Answer::inconclusive;
         one.reason = obligation.assertions.empty() ? obligation.reason : not_decided;
         report.assertions.push_back(std::move(one));

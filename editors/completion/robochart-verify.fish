@@ -43,7 +43,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "check"' -l asse
 complete -c robochart-verify -n '__robochart_verify_is "cspm"' -l assertion -x -d 'only this assertion of each script, counted from 1'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp"' -l timed -d 'only the timed semantics'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp"' -l untimed -d 'only the untimed semantics'
-complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp"' -l core -d 'also the generated core assertions of every component'
+complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp"' -l core -d 'also the core properties of every component; without it they are checked where the model has no assertions'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check"' -l sizes -d 'print the number of states and transitions of every component'
 complete -c robochart-verify -n '__robochart_verify_is "cspm"' -l typecheck -d 'check names and types and stop'
 complete -c robochart-verify -n '__robochart_verify_is "cspm"' -l types -d 'print the type of every name and stop'
