@@ -1,5 +1,5 @@
-# With ROBOCHART_PORTABLE the program needs no library but the C library: libstdc++ and libgcc are linked statically, and
-# fmt, of which Debian has a shared library alone, is compiled from its headers. ROBOCHART_FMT is what to link. Generated
+# With ROBOCHART_PORTABLE the program needs no library but the C library: libstdc++, libgcc and libsodium are linked statically,
+# and fmt, of which Debian has a shared library alone, is compiled from its headers. ROBOCHART_FMT is what to link. Generated
 # code that the program loads brings the libstdc++ of its compiler: the interface between the two is C, and no exception and
 # no type of C++ crosses it.
 set(ROBOCHART_FMT fmt::fmt)
@@ -27,6 +27,7 @@ FMT_END_NAMESPACE
   # The same words on the command lines of the compiler as with the shared library, so that objects are the same.
   target_compile_definitions(robochart_fmt PUBLIC FMT_SHARED)
   set(ROBOCHART_FMT robochart_fmt)
+  find_library(SODIUM_LIBRARY libsodium.a REQUIRED)
   # What is unused goes: of libstdc++ that is also what calls the newest functions of the C library.
   add_link_options(-static-libstdc++ -static-libgcc -Wl,--gc-sections)
 endif()

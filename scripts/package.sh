@@ -27,8 +27,8 @@ try() { # prefix
   env -i PATH=/nonexistent "$1/bin/robochart-verify" "$examples/aggregation" --out "$folder/out" >"$folder/report" || status=$?
   [ "$status" -eq 3 ] || { echo "exit $status without a compiler, 3 expected" >&2; exit 1; }
   grep -F 'conformance was not checked' "$folder/report"
-  "$1/bin/robochart-verify" conform "$examples/swarm_taxis" -q
-  "$1/bin/robochart-verify" simulate "$examples/aggregation/aggregation.scenario" --no-pictures -q
+  "$1/bin/robochart-verify" conform "$examples/swarm_taxis" -q --no-cache
+  "$1/bin/robochart-verify" simulate "$examples/aggregation/aggregation.scenario" --no-pictures -q --no-cache
 }
 
 echo "== $(basename "$archive")"
