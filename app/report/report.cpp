@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/command/numbers.hpp"
+#include "conformance/model/rules.hpp"
 #include "diagnostics/escape.hpp"
 #include "runs/text.hpp"
 
@@ -64,19 +65,59 @@ void write_cycles(std::string& out, const std::vector<conformance::Cycle>& cycle
     }
 }
 
+std::string code_of(const diagnostics::Rule* rule) {
+    return rule == nullptr ? "" : fmt::format(" [{}]", rule->code);
+}
+
+/// Why a model cannot be run in cycles, in its own words.
+void write_explanation(std::string& out, const conformance::Explanation& explanation) {
+    if (explanation.rule == nullptr) return;
+    for (const std::string& place : explanation.where)
+        out += fmt::format("                 {}\n", diagnostics::shown(place));
+    if (!explanation.remedy.empty())
+        out += fmt::format("               to make it schedulable: {}\n", explanation.remedy);
+    out += fmt::format("               see `robochart-verify explain {}`\n", explanation.rule->code);
+}
+
+void write_meaning(std::string& out, const conformance::Aside& aside) {
+    if (aside.rule != nullptr) out += fmt::format("                 {}\n", aside.rule->explanation);
+}
+
+/// The most cycles in a row in which an event is lost, and where.
+void write_missed(std::string& out, const std::vector<conformance::MissedEvent>& missed) {
+    constexpr std::size_t listed = 3;
+    for (const conformance::MissedEvent& each : missed) {
+        const std::string cycles = !each.cycles        ? "any number of cycles"
+                                   : *each.cycles == 1 ? "1 cycle"
+                                                       : fmt::format("{} cycles", with_commas(*each.cycles));
+        const bool busy = each.why == conformance::MissedWhile::busy;
+        std::string places;
+        for (std::size_t i = 0; i < each.places.size() && i < listed; ++i)
+            places += (i == 0 ? "" : ", ") + each.places[i];
+        if (each.places.size() > listed) places += fmt::format(" and {} more", each.places.size() - listed);
+        out += fmt::format("               event {} can be missed for {} while {}: {} [{}]\n", each.event, cycles,
+                           busy ? "the machine is busy" : "no condition holds", places,
+                           conformance::rules::event_missed.code);
+    }
+}
+
 /// What the model is besides, which decides nothing.
 void write_asides(std::string& out, const conformance::Result& r) {
     if (r.register_cycles) {
         const conformance::Aside& once = *r.register_cycles;
-        out += fmt::format("               runs in register cycles: {}\n",
-                           once.holds ? "yes" : fmt::format("no, {}", once.reason));
+        out += fmt::format("               runs in register cycles: {}{}\n",
+                           once.holds ? "yes" : fmt::format("no, {}", once.reason), code_of(once.rule));
         write_cycles(out, once.cycles);
+        write_meaning(out, once);
     }
     if (!r.register_cycles && r.outcome == conformance::Outcome::conforms)
         out += "               runs in register cycles: not decided\n";
+    write_missed(out, r.missed);
     if (!r.deadlines || r.deadlines->holds) return;
-    out += fmt::format("               may miss a deadline: yes, {}\n", r.deadlines->reason);
+    out +=
+        fmt::format("               may miss a deadline: yes, {}{}\n", r.deadlines->reason, code_of(r.deadlines->rule));
     write_cycles(out, r.deadlines->cycles);
+    write_meaning(out, *r.deadlines);
 }
 
 void write_behaviour(std::string& out, std::string_view name, const conformance::Behaviour& behaviour) {
@@ -105,9 +146,10 @@ void write_conformance(std::string& out, const ConformanceReport& c, const Optio
     for (const conformance::FewValues& each : r.represented)
         out += fmt::format("               {} values of {} explored, which the component only passes on\n", each.values,
                            each.type);
-    if (!r.reason.empty()) out += fmt::format("               {}\n", r.reason);
+    if (!r.reason.empty()) out += fmt::format("               {}{}\n", r.reason, code_of(r.explanation.rule));
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
     write_cycles(out, r.cycles);
+    write_explanation(out, r.explanation);
     if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
     write_api_difference(out, r);
     write_asides(out, r);
