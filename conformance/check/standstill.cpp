@@ -173,10 +173,14 @@ private:
     void loop() {
         const auto first = run_.steps.begin() + static_cast<std::ptrdiff_t>(run_.loop_start.value_or(0));
         const runs::Event* transition = nullptr;
+        bool calls = false;
         for (auto step = first; step != run_.steps.end(); ++step) {
             const runs::Event& event = step->event;
-            if (event.kind == runs::Kind::internal || event.kind == runs::Kind::tock) continue;
+            const bool passing = event.kind == runs::Kind::internal || event.kind == runs::Kind::entered ||
+                                 event.kind == runs::Kind::exited || event.kind == runs::Kind::tock;
+            if (passing) continue;
             add(explanation_.where, words_of(event));
+            calls = calls || event.kind == runs::Kind::call;
             if (event.kind == runs::Kind::transition && transition == nullptr) transition = &event;
         }
         explanation_.remedy =
@@ -186,6 +190,10 @@ private:
                       "give {} an action that takes time (`action wait(1)`), a trigger to await, or a condition "
                       "that ends the loop; a wait in an action of a state on the loop does as well",
                       transition->text);
+        if (calls)
+            explanation_.remedy +=
+                "; operations take no time here: if one that is called takes time, check what defines it, its "
+                "controller or module";
     }
 
     void stops() {

@@ -111,6 +111,8 @@ private:
     void ends_by_arrow(Transition& transition);
     [[nodiscard]] bool at_foreign_statement() const;
     StmtPtr updating_statement();
+    StmtPtr clock_set_to_zero();
+    [[nodiscard]] bool names_clock(std::string_view word) const;
     StmtPtr braced_if(StmtPtr begun);
     [[nodiscard]] std::string_view meant_word();
     [[nodiscard]] bool corrected();

@@ -181,6 +181,35 @@ StmtPtr Parser::updating_statement() {
     return statement;
 }
 
+/// Whether the text declares a clock of this name, and no variable.
+bool Parser::names_clock(std::string_view word) const {
+    bool clock = false;
+    for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
+        if (tokens_.kind(i + 1) != TokenKind::identifier || tokens_.at(i + 1).text != word) continue;
+        clock = clock || tokens_.at(i).is("clock");
+        if (tokens_.at(i + 2).is(":") && !tokens_.at(i + 3).is("=")) return false;
+    }
+    return clock;
+}
+
+/// `C := 0`; null where it is something else.
+StmtPtr Parser::clock_set_to_zero() {
+    const Token name = peek();
+    const bool zero = peek(1).is(":") && peek(2).is("=") && peek(3).kind == TokenKind::integer && peek(3).text == "0";
+    if (!zero || !names_clock(name.text)) return nullptr;
+    auto statement = std::make_unique<Stmt>();
+    statement->kind = StmtKind::clock_reset;
+    statement->span = diagnostics::join(name.span, peek(3).span);
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, statement->span,
+               {fmt::format("{} := 0", name.text), fmt::format("a clock is reset by `#{}`", name.text)});
+    if (finding != nullptr) finding->fixes.push_back({statement->span, fmt::format("#{}", name.text), "write"});
+    quiet_until_ = 0;
+    statement->name = simple_name("the name of a clock");
+    for (int i = 0; i < 3; ++i) advance();
+    return statement;
+}
+
 /// `if c { S } else { T }`, behind its condition.
 StmtPtr Parser::braced_if(StmtPtr begun) {
     report(syntax::other_notation, peek().span, {"{", "an `if` has the form `if c then S else T end`, without braces"});

@@ -216,6 +216,7 @@ void Parser::if_without_end(Span word) {
 
 StmtPtr Parser::name_statement() {
     if (StmtPtr updating = updating_statement()) return updating;
+    if (StmtPtr reset = clock_set_to_zero()) return reset;
     if (looks_like_assignment()) return assignment();
     std::size_t ahead = 1;
     while (peek(ahead).is("::")) ahead += 2;

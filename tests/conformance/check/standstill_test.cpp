@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "conformance/check/conform.hpp"
+#include "conformance/check/partial_readings.hpp"
 #include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance {
@@ -68,6 +69,19 @@ TEST(Standstill, OfOutputsWithoutEndNamesTheOutputToo) {
     EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
 }
 
+// What calls are taken for depends on the component: the operation may take time in the controller that defines it.
+TEST(Standstill, OfCallsWithoutEndPointsOutThatTheyTakeNoTime) {
+    const Result result =
+        run_in_cycles(braking_machine("",
+                                      "state B { entry Brake() } transition t1 { from Idle to B trigger go }\n"
+                                      "transition t2 { from B to B }"));
+    ASSERT_EQ(result.outcome, Outcome::not_schedulable);
+    EXPECT_EQ(code_of_cause(result), "RC-K02");
+    EXPECT_THAT(result.explanation.where,
+                ElementsAre(element("call Brake, entry action of B", 6), element("t2: B -> B", 7)));
+    EXPECT_THAT(result.explanation.remedy, HasSubstr("operations take no time here"));
+}
+
 // The wait begins with the deadline of 3 and lasts for 5: two more are lacking when it is over.
 TEST(Standstill, AtADeadlineSaysByHowMuchItIsTooShort) {
     const Result result = run_in_cycles(
@@ -123,6 +137,22 @@ TEST(Standstill, IsExplainedWhereWalksFindIt) {
     ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
     EXPECT_THAT(result.reason, HasSubstr("guided walks"));
     EXPECT_EQ(code_of_cause(result), "RC-K01");
+    EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
+}
+
+TEST(Standstill, IsExplainedWhereTheSearchOverPartialReadingsFindsIt) {
+    const test::TemporaryFolder folder(endless_loop);
+    test::Model model(folder.path());
+    test::Bench bench(model, model.machine("M"));
+    const auto object = bench.compiled(cpp_emit::Fault::none, 0);
+    ASSERT_TRUE(object);
+    const Alphabet alphabet(bench.interface(), bench.session().event_table());
+    ModelGraph graph(bench.system(), alphabet);
+    Result result = judge_partially(graph, alphabet, object->interface(), 1, {});
+    ASSERT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
+    EXPECT_EQ(code_of_cause(result), "RC-K01");
+    explain_standstill(result, bench.session(), bench.process(), alphabet,
+                       {bench.script().provenance, model.system, model.instantiation, model.sources}, {});
     EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using testing::read;
+using testing::resolved;
 
 /// A machine in parts: what is tried stands between them.
 const std::string before = "stm S {\n event e event f clock C var x : int var b : boolean\n initial i\n state A { }\n";
@@ -125,6 +126,7 @@ TEST(ForeignForms, AreReportedOnceWithTheirFix) {
         {"transition t1 { from A to A condition x /= 1 }", "compared with `!=`", "!="},
         {"state B { entry x ++ }", "`x = x + 1`", "x = x + 1"},
         {"state B { entry x += 2 }", "`x = x + ...`", "x = x +"},
+        {"state B { entry C := 0 }", "reset by `#C`", "#C"},
         {"state B { entry / x = 1 }", "follows its word at once", ""},
         {"state B { entry if b { x = 1 } else { x = 2 } }", "if c then S else T end", ""},
         {"int y", "`var y : int`", "var y : int"},
@@ -161,6 +163,30 @@ TEST(ForeignForms, AnIfWithoutEndSaysWhichOne) {
     const auto fixed =
         read(diagnostics::apply_fixes(before + "state B { entry if b then x = 1 }" + after, finding.fixes));
     EXPECT_TRUE(fixed->findings.ok()) << fixed->report();
+}
+
+/// What only the declarations tell: the finding is that of an unknown name, its note says what is meant.
+TEST(ForeignNames, AreUnknownNamesWithANoteAndAFix) {
+    const Written forms[] = {
+        {"transition t1 { from A to A condition C > 20 }", "time since its last reset", "since(C)"},
+        {"state B { entry C = 0 }", "a clock is reset by `#C`", "#C"},
+        {"state B { entry reset(C) }", "a clock is reset by `#C`", "#C"},
+        {"state B { entry sleep(2) }", "lets n time units pass", "wait"},
+        {"state B { entry null }", "does nothing", "skip"},
+        {"transition t1 { from A to A condition True }", "truth values", "true"},
+        {"var y : float", "the type of real numbers", "real"},
+    };
+    for (const Written& form : forms) {
+        const auto reading = resolved(before + form.text + after);
+        std::vector<diagnostics::Diagnostic> errors;
+        for (const diagnostics::Diagnostic& each : reading->findings.sorted())
+            if (each.rule->severity == diagnostics::Severity::error) errors.push_back(each);
+        ASSERT_EQ(errors.size(), 1U) << form.text << reading->report();
+        EXPECT_EQ(errors[0].rule->code, "RC-N01") << form.text;
+        EXPECT_THAT(reading->report(), HasSubstr(form.reason));
+        ASSERT_FALSE(errors[0].fixes.empty()) << form.text;
+        EXPECT_EQ(errors[0].fixes[0].replacement, form.instead) << form.text;
+    }
 }
 
 // Names that a model declares are its own, whatever they mean elsewhere.
