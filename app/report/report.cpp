@@ -83,21 +83,31 @@ void write_meaning(std::string& out, const conformance::Aside& aside) {
     if (aside.rule != nullptr) out += fmt::format("                 {}\n", aside.rule->explanation);
 }
 
-/// The most cycles in a row in which an event is lost, and where.
-void write_missed(std::string& out, const std::vector<conformance::MissedEvent>& missed) {
+std::string in_cycles(const std::optional<std::uint64_t>& cycles) {
+    if (!cycles) return "any number of cycles";
+    return *cycles == 1 ? "1 cycle" : fmt::format("{} cycles", with_commas(*cycles));
+}
+
+/// Why an event is lost, and where.
+std::string reason_text(const conformance::MissedEvent::Reason& reason) {
     constexpr std::size_t listed = 3;
+    std::string places;
+    for (std::size_t i = 0; i < reason.places.size() && i < listed; ++i)
+        places += (i == 0 ? "" : ", ") + reason.places[i];
+    if (reason.places.size() > listed) places += fmt::format(" and {} more", reason.places.size() - listed);
+    const bool busy = reason.why == conformance::MissedWhile::busy;
+    return fmt::format("{} while {}: {}", in_cycles(reason.cycles), busy ? "the machine is busy" : "no condition holds",
+                       places);
+}
+
+/// The most cycles in a row in which an event is lost; with two reasons, of each of them.
+void write_missed(std::string& out, const std::vector<conformance::MissedEvent>& missed) {
     for (const conformance::MissedEvent& each : missed) {
-        const std::string cycles = !each.cycles        ? "any number of cycles"
-                                   : *each.cycles == 1 ? "1 cycle"
-                                                       : fmt::format("{} cycles", with_commas(*each.cycles));
-        const bool busy = each.why == conformance::MissedWhile::busy;
-        std::string places;
-        for (std::size_t i = 0; i < each.places.size() && i < listed; ++i)
-            places += (i == 0 ? "" : ", ") + each.places[i];
-        if (each.places.size() > listed) places += fmt::format(" and {} more", each.places.size() - listed);
-        out += fmt::format("               event {} can be missed for {} while {}: {} [{}]\n", each.event, cycles,
-                           busy ? "the machine is busy" : "no condition holds", places,
-                           conformance::rules::event_missed.code);
+        out += fmt::format("               event {} can be missed for ", each.event);
+        if (each.reasons.size() > 1) out += fmt::format("{} in a row, ", in_cycles(each.cycles));
+        std::vector<std::string> reasons;
+        for (const conformance::MissedEvent::Reason& reason : each.reasons) reasons.push_back(reason_text(reason));
+        out += fmt::format("{} [{}]\n", fmt::join(reasons, ", "), conformance::rules::event_missed.code);
     }
 }
 

@@ -60,12 +60,14 @@ Json aside(const conformance::Aside& a) {
 }
 
 Json missed(const conformance::MissedEvent& m) {
-    Json json{{"event", m.event},
-              {"code", conformance::rules::event_missed.code},
-              {"while", m.why == conformance::MissedWhile::busy ? "busy" : "condition"},
-              {"cycles", nullptr},
-              {"places", m.places}};
-    if (m.cycles) json["cycles"] = *m.cycles;
+    const auto number = [](const std::optional<std::uint64_t>& cycles) {
+        return cycles ? Json(*cycles) : Json(nullptr);
+    };
+    Json json{{"event", m.event}, {"code", conformance::rules::event_missed.code}, {"cycles", number(m.cycles)}};
+    for (const conformance::MissedEvent::Reason& reason : m.reasons)
+        json["reasons"].push_back({{"while", reason.why == conformance::MissedWhile::busy ? "busy" : "condition"},
+                                   {"cycles", number(reason.cycles)},
+                                   {"places", reason.places}});
     return json;
 }
 

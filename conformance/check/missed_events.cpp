@@ -34,8 +34,7 @@ public:
     std::vector<MissedEvent> find() {
         for (const std::uint32_t image : code_.begun()) look_at(image);
         std::vector<MissedEvent> result;
-        for (std::uint32_t event = 0; event < events_; ++event)
-            for (const MissedWhile why : {MissedWhile::busy, MissedWhile::condition}) add(event, why, result);
+        for (std::uint32_t event = 0; event < events_; ++event) add(event, result);
         return result;
     }
 
@@ -109,11 +108,20 @@ private:
         return behind_.emplace(image, std::vector<std::uint32_t>(images.begin(), images.end())).first->second;
     }
 
-    void add(std::uint32_t event, MissedWhile why, std::vector<MissedEvent>& result) {
-        const Missed& all = missed(event, why);
-        if (all.images.empty()) return;
+    void add(std::uint32_t event, std::vector<MissedEvent>& result) {
         const std::string text = alphabet_.tell(alphabet_.read(event, 1));
-        result.push_back({text.substr(0, text.find(" = ")), why, longest_run(all), all.places});
+        MissedEvent found{text.substr(0, text.find(" = ")), {}, {}};
+        Missed either;
+        for (const MissedWhile why : {MissedWhile::busy, MissedWhile::condition}) {
+            const Missed& all = missed(event, why);
+            if (all.images.empty()) continue;
+            found.reasons.push_back({why, longest_run(all), all.places});
+            for (const std::uint32_t image : all.images)
+                if (either.known.insert(image).second) either.images.push_back(image);
+        }
+        if (found.reasons.empty()) return;
+        found.cycles = longest_run(either);
+        result.push_back(std::move(found));
     }
 
     /// The most cycles in a row that begin in these images; nothing where they can go on for ever.

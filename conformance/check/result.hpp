@@ -52,10 +52,14 @@ enum class MissedWhile {
 
 /// An event of the platform that can come in vain (docs/conformance.md, "Events that can be missed").
 struct MissedEvent {
+    struct Reason {
+        MissedWhile why = MissedWhile::busy;
+        std::optional<std::uint64_t> cycles;  ///< the most in a row; nothing: without bound
+        std::vector<std::string> places;      ///< where the machine is meanwhile
+    };
     std::string event;
-    MissedWhile why = MissedWhile::busy;
-    std::optional<std::uint64_t> cycles;  ///< the most in a row; nothing: without bound
-    std::vector<std::string> places;      ///< where the machine is meanwhile
+    std::optional<std::uint64_t> cycles;  ///< the most in a row, for either reason
+    std::vector<Reason> reasons;
 };
 
 /// What one API of the code did.

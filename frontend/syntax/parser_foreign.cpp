@@ -41,8 +41,9 @@ bool Parser::replace_foreign(ForeignPlace place) {
     } else {
         throw SyntaxError{};
     }
-    // A word of the grammar may be in a wrong place for other reasons.
-    if (token.kind == TokenKind::identifier) quiet_until_ = 0;
+    // A word of the grammar may be in a wrong place for other reasons, but hardly in front of a name.
+    const bool meant = place == ForeignPlace::clause && peek(1).kind == TokenKind::identifier;
+    if (token.kind == TokenKind::identifier || meant) quiet_until_ = 0;
     return true;
 }
 

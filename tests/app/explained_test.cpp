@@ -52,9 +52,9 @@ TEST(Explained, EventsThatCanBeMissedChangeNoExitCode) {
     ASSERT_EQ(missed.size(), 1U);
     EXPECT_EQ(missed[0].at("event"), "go");
     EXPECT_EQ(missed[0].at("code"), "RC-K09");
-    EXPECT_EQ(missed[0].at("while"), "busy");
+    EXPECT_EQ(missed[0].at("reasons").at(0).at("while"), "busy");
     EXPECT_EQ(missed[0].at("cycles"), 3);
-    EXPECT_EQ(missed[0].at("places"), (nlohmann::json{"enters M::C (m.rct:6)"}));
+    EXPECT_EQ(missed[0].at("reasons").at(0).at("places"), (nlohmann::json{"enters M::C (m.rct:6)"}));
 }
 
 TEST(Explained, EachCodeHasAPage) {

@@ -35,9 +35,9 @@ TEST(MissedEvents, OfAnEntryActionThatWaits) {
         transition t2 { from B to A trigger e })");
     ASSERT_EQ(missed.size(), 1U);
     EXPECT_EQ(missed[0].event, "e");
-    EXPECT_EQ(missed[0].why, MissedWhile::busy);
+    EXPECT_EQ(missed[0].reasons.at(0).why, MissedWhile::busy);
     EXPECT_EQ(missed[0].cycles, 3U);
-    EXPECT_THAT(missed[0].places, ElementsAre(HasSubstr("enters M::B (")));
+    EXPECT_THAT(missed[0].reasons.at(0).places, ElementsAre(HasSubstr("enters M::B (")));
 }
 
 TEST(MissedEvents, NoneWhereAnActionEndsWithItsCycle) {
@@ -60,9 +60,9 @@ TEST(MissedEvents, OfAnActionOfATransition) {
     EXPECT_EQ(missed[0].event, "e");
     EXPECT_EQ(missed[1].event, "f");
     for (const MissedEvent& each : missed) {
-        EXPECT_EQ(each.why, MissedWhile::busy);
+        EXPECT_EQ(each.reasons.at(0).why, MissedWhile::busy);
         EXPECT_EQ(each.cycles, 2U);
-        EXPECT_THAT(each.places, ElementsAre(HasSubstr("takes M::t1 (")));
+        EXPECT_THAT(each.reasons.at(0).places, ElementsAre(HasSubstr("takes M::t1 (")));
     }
 }
 
@@ -75,7 +75,7 @@ TEST(MissedEvents, WithoutBoundWhereActionsFollowEachOther) {
         transition t3 { from B to A trigger e })");
     ASSERT_EQ(missed.size(), 1U);
     EXPECT_EQ(missed[0].event, "e");
-    EXPECT_EQ(missed[0].why, MissedWhile::busy);
+    EXPECT_EQ(missed[0].reasons.at(0).why, MissedWhile::busy);
     EXPECT_EQ(missed[0].cycles, std::nullopt);
 }
 
@@ -89,9 +89,27 @@ TEST(MissedEvents, WhereNoConditionHolds) {
         transition t3 { from B to A trigger f })");
     ASSERT_EQ(missed.size(), 1U);
     EXPECT_EQ(missed[0].event, "e");
-    EXPECT_EQ(missed[0].why, MissedWhile::condition);
+    EXPECT_EQ(missed[0].reasons.at(0).why, MissedWhile::condition);
     EXPECT_EQ(missed[0].cycles, std::nullopt);
-    EXPECT_THAT(missed[0].places, ElementsAre(HasSubstr("M::B")));
+    EXPECT_THAT(missed[0].reasons.at(0).places, ElementsAre(HasSubstr("M::B")));
+}
+
+// f resets C in the cycle that enters B. The three cycles after it begin in the entry action (the last of them ends it,
+// and C is 3), the next one in B with C = 4; at 5 the condition holds.
+TEST(MissedEvents, CountsBothReasonsInARow) {
+    const auto missed = missed_in(R"(
+        clock C
+        state B { entry wait(3) }
+        transition t1 { from A to B trigger f # C }
+        transition t2 { from B to A trigger e condition since(C) >= 5 })");
+    ASSERT_EQ(missed.size(), 1U);
+    EXPECT_EQ(missed[0].event, "e");
+    EXPECT_EQ(missed[0].cycles, 4U);
+    ASSERT_EQ(missed[0].reasons.size(), 2U);
+    EXPECT_EQ(missed[0].reasons[0].why, MissedWhile::busy);
+    EXPECT_EQ(missed[0].reasons[0].cycles, 3U);
+    EXPECT_EQ(missed[0].reasons[1].why, MissedWhile::condition);
+    EXPECT_EQ(missed[0].reasons[1].cycles, 1U);
 }
 
 // A during action stops no transition, a state without e awaits none, and a transition without condition takes it.
