@@ -112,6 +112,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         emission.shim.clear();
     }
     emission.fault_sites = mutation.sites();
+    emission.event_places = event_places(generation, core);
     return emission;
 }
 

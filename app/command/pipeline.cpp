@@ -14,6 +14,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "app/command/broken_claims.hpp"
 #include "app/command/command_line.hpp"
 #include "app/command/junit.hpp"
 #include "app/command/output.hpp"
@@ -240,10 +241,55 @@ std::unique_ptr<Project> load(const Options& options) {
     return std::move(parts.front().project);
 }
 
+namespace {
+
+/// Errors in the CSP blocks show when the script is made.
+void read_blocks(Project& project, const Options& options) {
+    if (!project.diagnostics.ok() || project.system.csp_blocks.empty()) return;
+    if (options.times != Times::timed) (void)emit_csp(project, options, csp_emit::Time::untimed);
+    if (options.times != Times::untimed && project.diagnostics.ok())
+        (void)emit_csp(project, options, csp_emit::Time::timed);
+}
+
+/// Where claims are decided, those of other files do not wait for an assertion file with errors: a part with errors
+/// becomes two where that leaves something to decide (broken_claims.hpp).
+void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
+    const bool decides = options.verb == Verb::check || options.verb == Verb::verify;
+    if (!decides || !options.print.empty() || !options.assertion.empty()) return;
+    std::vector<Part> result;
+    for (Part& part : parts) {
+        read_blocks(*part.project, options);
+        const auto found = part.project->diagnostics.ok() ? std::nullopt : broken_claims(*part.project);
+        if (!found) {
+            result.push_back(std::move(part));
+            continue;
+        }
+        const Project& whole = *part.project;
+        std::vector<Part> sound;
+        sound.push_back({part_of(whole, found->sound, whole.name, options), part.again});
+        complete(sound, options);
+        std::set<diagnostics::SourceId> wrong;
+        std::string named;  // the first of them
+        for (const diagnostics::Diagnostic& finding : whole.diagnostics.sorted())
+            if (finding.rule->severity == diagnostics::Severity::error) {
+                if (wrong.empty()) named = whole.sources.path(finding.span.source);
+                wrong.insert(finding.span.source);
+            }
+        auto broken = part_of(whole, found->broken, project_name(named), options);
+        broken->diagnostics = whole.diagnostics.about(wrong);
+        result.push_back(std::move(sound.front()));
+        result.push_back({std::move(broken), true});
+    }
+    parts = std::move(result);
+}
+
+}  // namespace
+
 std::vector<Part> load_parts(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<Part> parts = apart(read(options), options, frontend::units);
     complete(parts, options);
+    set_broken_claims_apart(parts, options);
     label(parts);
     parts.front().project->seconds = seconds_since(start);
     return parts;

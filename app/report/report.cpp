@@ -9,6 +9,7 @@
 
 #include "app/command/numbers.hpp"
 #include "app/command/output.hpp"
+#include "conformance/model/rules.hpp"
 #include "diagnostics/escape.hpp"
 #include "diagnostics/paint.hpp"
 #include "runs/text.hpp"
@@ -96,19 +97,69 @@ void write_cycles(std::string& out, const std::vector<conformance::Cycle>& cycle
     }
 }
 
+std::string code_of(const diagnostics::Rule* rule) {
+    return rule == nullptr ? "" : fmt::format(" [{}]", rule->code);
+}
+
+/// Why a model cannot be run in cycles, in its own words.
+void write_explanation(std::string& out, const conformance::Explanation& explanation) {
+    if (explanation.rule == nullptr) return;
+    for (const std::string& place : explanation.where)
+        out += fmt::format("                 {}\n", diagnostics::shown(place));
+    if (!explanation.remedy.empty())
+        out += fmt::format("               to make it schedulable: {}\n", explanation.remedy);
+    out += fmt::format("               see `robochart-verify explain {}`\n", explanation.rule->code);
+}
+
+void write_meaning(std::string& out, const conformance::Aside& aside) {
+    if (aside.rule != nullptr) out += fmt::format("                 {}\n", aside.rule->explanation);
+}
+
+std::string in_cycles(const std::optional<std::uint64_t>& cycles) {
+    if (!cycles) return "any number of cycles";
+    return *cycles == 1 ? "1 cycle" : fmt::format("{} cycles", with_commas(*cycles));
+}
+
+/// Why an event is lost, and where.
+std::string reason_text(const conformance::MissedEvent::Reason& reason) {
+    constexpr std::size_t listed = 3;
+    std::string places;
+    for (std::size_t i = 0; i < reason.places.size() && i < listed; ++i)
+        places += (i == 0 ? "" : ", ") + reason.places[i];
+    if (reason.places.size() > listed) places += fmt::format(" and {} more", reason.places.size() - listed);
+    const bool busy = reason.why == conformance::MissedWhile::busy;
+    return fmt::format("{} while {}: {}", in_cycles(reason.cycles), busy ? "the machine is busy" : "no condition holds",
+                       places);
+}
+
+/// The most cycles in a row in which an event is lost; with two reasons, of each of them.
+void write_missed(std::string& out, const std::vector<conformance::MissedEvent>& missed) {
+    for (const conformance::MissedEvent& each : missed) {
+        out += fmt::format("               event {} can be missed for ", each.event);
+        if (each.reasons.size() > 1) out += fmt::format("{} in a row, ", in_cycles(each.cycles));
+        std::vector<std::string> reasons;
+        for (const conformance::MissedEvent::Reason& reason : each.reasons) reasons.push_back(reason_text(reason));
+        out += fmt::format("{} [{}]\n", fmt::join(reasons, ", "), conformance::rules::event_missed.code);
+    }
+}
+
 /// What the model is besides, which decides nothing.
 void write_asides(std::string& out, const conformance::Result& r) {
     if (r.register_cycles) {
         const conformance::Aside& once = *r.register_cycles;
-        out += fmt::format("               runs in register cycles: {}\n",
-                           once.holds ? "yes" : fmt::format("no, {}", once.reason));
+        out += fmt::format("               runs in register cycles: {}{}\n",
+                           once.holds ? "yes" : fmt::format("no, {}", once.reason), code_of(once.rule));
         write_cycles(out, once.cycles);
+        write_meaning(out, once);
     }
     if (!r.register_cycles && r.outcome == conformance::Outcome::conforms)
         out += "               runs in register cycles: not decided\n";
+    write_missed(out, r.missed);
     if (!r.deadlines || r.deadlines->holds) return;
-    out += fmt::format("               may miss a deadline: yes, {}\n", r.deadlines->reason);
+    out +=
+        fmt::format("               may miss a deadline: yes, {}{}\n", r.deadlines->reason, code_of(r.deadlines->rule));
     write_cycles(out, r.deadlines->cycles);
+    write_meaning(out, *r.deadlines);
 }
 
 void write_behaviour(std::string& out, std::string_view name, const conformance::Behaviour& behaviour) {
@@ -137,9 +188,10 @@ std::string conformance_rest(const ConformanceReport& c, const Options& options)
     for (const conformance::FewValues& each : r.represented)
         out += fmt::format("               {} values of {} explored, which the component only passes on\n", each.values,
                            each.type);
-    if (!r.reason.empty()) out += fmt::format("               {}\n", r.reason);
+    if (!r.reason.empty()) out += fmt::format("               {}{}\n", r.reason, code_of(r.explanation.rule));
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
     write_cycles(out, r.cycles);
+    write_explanation(out, r.explanation);
     if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
     write_api_difference(out, r);
     write_asides(out, r);

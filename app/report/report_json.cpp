@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/report.hpp"
+#include "conformance/model/rules.hpp"
 #include "diagnostics/json.hpp"
 #include "runs/json.hpp"
 #include "runs/text.hpp"
@@ -58,7 +59,21 @@ Json cycles(const std::vector<conformance::Cycle>& list) {
 
 Json aside(const conformance::Aside& a) {
     if (a.holds) return {{"holds", true}};
-    return {{"holds", false}, {"reason", a.reason}, {"cycles", cycles(a.cycles)}};
+    Json json{{"holds", false}, {"reason", a.reason}, {"cycles", cycles(a.cycles)}};
+    if (a.rule != nullptr) json.update({{"code", a.rule->code}, {"meaning", a.rule->explanation}});
+    return json;
+}
+
+Json missed(const conformance::MissedEvent& m) {
+    const auto number = [](const std::optional<std::uint64_t>& cycles) {
+        return cycles ? Json(*cycles) : Json(nullptr);
+    };
+    Json json{{"event", m.event}, {"code", conformance::rules::event_missed.code}, {"cycles", number(m.cycles)}};
+    for (const conformance::MissedEvent::Reason& reason : m.reasons)
+        json["reasons"].push_back({{"while", reason.why == conformance::MissedWhile::busy ? "busy" : "condition"},
+                                   {"cycles", number(reason.cycles)},
+                                   {"places", reason.places}});
+    return json;
 }
 
 Json conformance_json(const ConformanceReport& c) {
@@ -72,6 +87,10 @@ Json conformance_json(const ConformanceReport& c) {
     for (const conformance::FewValues& each : r.represented)
         json["represented"].push_back({{"type", each.type}, {"values", each.values}});
     if (!r.reason.empty()) json["reason"] = r.reason;
+    if (const conformance::Explanation& e = r.explanation; e.rule != nullptr) {
+        json["code"] = e.rule->code;
+        json["explanation"] = {{"where", e.where}, {"remedy", e.remedy}};
+    }
     if (!r.warnings.empty()) json["warnings"] = r.warnings;
     if (r.api_difference)
         json["faces"] = {{"event", r.api_difference->event},
@@ -80,6 +99,7 @@ Json conformance_json(const ConformanceReport& c) {
                          {"dispatch", behaviour(r.api_difference->dispatched)}};
     if (r.register_cycles) json["registerCycles"] = aside(*r.register_cycles);
     if (r.deadlines) json["deadlinesMet"] = aside(*r.deadlines);
+    for (const conformance::MissedEvent& each : r.missed) json["missedEvents"].push_back(missed(each));
     if (r.cycles.empty()) return json;
     json["cycles"] = cycles(r.cycles);
     json["expected"] = r.expected;

@@ -328,6 +328,24 @@ void note_refused(const std::vector<Part>& parts, const Options& options, Report
                                       diagnostics::render_text(part.project->sources, part.project->diagnostics)});
 }
 
+/// The claims of assertion files that have errors, or that may depend on those: none of them is decided.
+void report_broken_claims(const Project& project, const Options& options, Report& report) {
+    if (options.verb != Verb::check && options.verb != Verb::verify) return;
+    for (const auto& file : project.model->files) {
+        if (!file->is_assertions) continue;
+        for (const frontend::Assertion& claim : file->assertions) {
+            AssertionReport one;
+            one.title = claim.name;
+            one.place = project.sources.place(claim.span);
+            one.answer = Answer::error;
+            one.reason = fmt::format("{}: not decided: {} has errors", diagnostics::shown(one.place),
+                                     diagnostics::shown(project.name));
+            const auto edit = options.run->edit();
+            report.assertions.push_back(std::move(one));
+        }
+    }
+}
+
 /// A verb whose answer is a report, over all parts. A part with errors is refused, and the others are judged.
 Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& report) {
     begin(parts, options, report);
@@ -336,6 +354,7 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
     for (const Part& part : parts) {
         const bool refused = !acceptable(*part.project, options);
         some = some || refused;
+        if (refused && part.again) report_broken_claims(*part.project, options, report);
         if (refused || !concerns(part, parts, options)) continue;
         some = true;
         Options wanted = options;

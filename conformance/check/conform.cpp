@@ -11,6 +11,7 @@
 #include "conformance/check/open_choice.hpp"
 #include "conformance/check/partial_readings.hpp"
 #include "conformance/check/random_walk.hpp"
+#include "conformance/check/standstill.hpp"
 #include "conformance/code/shared_object.hpp"
 #include "conformance/model/component.hpp"
 #include "conformance/model/cyclic_model.hpp"
@@ -81,10 +82,10 @@ refine::Limits limits_of_search(const Options& options) {
 
 /// Where the valuations of all registers in all states were too many: only those on which something depends.
 void partially(Result& result, lts::TransitionSystem& model, cspm::Session& session, const Interface& interface,
-               const rc_interface& code, const Options& options) {
+               const rc_interface& code, const Options& options, const EventPlaces& places) {
     const Alphabet alphabet(interface, session.event_table());
     ModelGraph graph(model, alphabet);
-    Result partial = judge_partially(graph, alphabet, code, options.cycle_length, limits_of_search(options));
+    Result partial = judge_partially(graph, alphabet, code, options.cycle_length, limits_of_search(options), places);
     if (partial.outcome == Outcome::inconclusive) return;
     partial.schedulability = result.schedulability;
     partial.register_cycles = std::move(result.register_cycles);
@@ -93,20 +94,21 @@ void partially(Result& result, lts::TransitionSystem& model, cspm::Session& sess
 }
 
 Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
-               const rc_interface& code, const Options& options) {
+               const rc_interface& code, const Options& options, const EventPlaces& places) {
     std::unique_ptr<lts::TransitionSystem> model;
     Result result;
     try {
         const refine::Limits limits = limits_of_search(options);
         model = session.system(process, limits);
-        result = judge(*model, session.event_table(), interface, code, options.cycle_length, limits, options.relation);
+        result = judge(*model, session.event_table(), interface, code, options.cycle_length, limits, options.relation,
+                       places);
     } catch (const process::Interrupted& limit) {
         result.reason = fmt::format("the model was not compiled: {}", limit.what());
     }
     const bool wanted = !options.limits.interrupted || !options.limits.interrupted();
     if (result.outcome != Outcome::inconclusive || !wanted) return result;
     if (model && options.relation == Relation::failures_divergences)
-        partially(result, *model, session, interface, code, options);
+        partially(result, *model, session, interface, code, options, places);
     if (result.outcome != Outcome::inconclusive) return result;
     return walked(std::move(result), session, model.get(), process, interface, code, options);
 }
@@ -147,17 +149,21 @@ void decide_for_all(Result& result, cspm::Session& session, const cspm::ExprPtr&
     result.reason = std::move(reason);
 }
 
+/// `sources`: where the model was read from; null: outcomes that are the model's are not explained in its words.
 Result judged(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
               const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
-              const Options& options) {
+              const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
     Interface interface = interface_of(code);
     complete(interface, system, instantiation, component, script.provenance);
     try {
         cspm::Session session(script.definitions);
-        Result result = checked(session, process, interface, code, options);
+        Result result = checked(session, process, interface, code, options, places);
         const Alphabet alphabet(interface, session.event_table());
+        if (sources != nullptr)
+            explain_standstill(result, session, process, alphabet, {script.provenance, system, instantiation, *sources},
+                               options);
         decide_for_all(result, session, process, alphabet, represented, options);
         result.normal_form = normal_form_text(script, process, alphabet, options.cycle_length);
         if (options.exported != Export::none) export_code(result, {script, process, code, alphabet}, options);
@@ -204,7 +210,7 @@ std::optional<FewValuesModel> few_values_model(const TimedModel& timed, const ir
 
 Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
                   const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
-    return judged(script, system, instantiation, component, code, {}, options);
+    return judged(script, system, instantiation, component, code, {}, options, nullptr, {});
 }
 
 TimedModel timed_model(const ir::System& system, const ir::Instantiation& instantiation,
@@ -229,6 +235,7 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
 
     cpp_emit::Options generator = options.generator;
     generator.cycle_length = options.cycle_length;
+    generator.sources = timed.sources;
     const cpp_emit::Emission code = cpp_emit::emit(model.system, instantiation, component, generator, diagnostics);
     if (diagnostics.errors() != errors || code.shim.empty())
         return not_generated(fmt::format("no C++ is generated for {}", named.path));
@@ -250,8 +257,9 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
         return result;
     }
     if (!object) return not_generated(std::move(error));
-    Result result = judged(few ? few->script : timed.script, model.system, instantiation, component,
-                           object->interface(), few ? few->represented : Represented(), options);
+    Result result =
+        judged(few ? few->script : timed.script, model.system, instantiation, component, object->interface(),
+               few ? few->represented : Represented(), options, timed.sources, code.event_places);
     if (few) result.represented = few->types;
     return result;
 }

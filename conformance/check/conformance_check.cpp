@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "conformance/check/dispatch_equivalence.hpp"
+#include "conformance/check/standstill.hpp"
 #include "conformance/model/normal_form_system.hpp"
+#include "conformance/model/rules.hpp"
 #include "conformance/model/tick_tock.hpp"
 
 namespace robochart::conformance {
@@ -128,20 +130,22 @@ std::string timelock_reason(const refine::Counterexample& found) {
     return "the model can neither go on nor let time pass, at " + where;
 }
 
-void not_schedulable(Result& result, const refine::Counterexample& found, const Alphabet& alphabet,
-                     std::uint32_t cycle_length) {
+void not_schedulable(Result& result, const refine::Counterexample& found, ModelGraph& model, const Alphabet& alphabet,
+                     std::uint32_t cycle_length, const refine::Limits& limits) {
     Witness run = tell_run(found.steps, alphabet, cycle_length);
     if (!found.steps.empty()) run.cycles.back().state = found.steps.back().state;
     result.outcome = Outcome::not_schedulable;
     result.reason = timelock_reason(found);
+    result.explanation.rule = &rule_of(found, model, alphabet, cycle_length, limits);
+    result.standstill = found;
     result.cycles = std::move(run.cycles);
     result.raw = std::move(run.raw);
 }
 
-Aside found_aside(std::string reason, const refine::Counterexample& found, const Alphabet& alphabet,
-                  std::uint32_t cycle_length) {
+Aside found_aside(const diagnostics::Rule& rule, std::string reason, const refine::Counterexample& found,
+                  const Alphabet& alphabet, std::uint32_t cycle_length) {
     Witness run = tell_run(found.steps, alphabet, cycle_length);
-    return {false, std::move(reason), std::move(run.cycles)};
+    return {false, std::move(reason), std::move(run.cycles), &rule};
 }
 
 void differs(Result& result, const refine::Counterexample& found, const Alphabet& alphabet, CodeSystem& code,
@@ -198,15 +202,17 @@ Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cy
         const refine::Counterexample& found = *verdict.counterexample;
         const process::Event last = found.steps.empty() ? process::tau : found.steps.back().event;
         if (last == normal_form.repeats()) {
-            result.register_cycles = found_aside(last_state(found), found, alphabet, cycle_length);
+            result.register_cycles =
+                found_aside(rules::output_made_twice, last_state(found), found, alphabet, cycle_length);
             frame.outputs = Outputs::sequence;
             frame.writes_hidden = true;
         } else if (last == normal_form.deadline()) {
-            result.deadlines = found_aside("time stops in the model, which waits for an input, at " + last_state(found),
+            result.deadlines = found_aside(rules::input_not_in_time,
+                                           "time stops in the model, which waits for an input, at " + last_state(found),
                                            found, alphabet, cycle_length);
             frame.deadlines = Deadlines::idle;
         } else {
-            not_schedulable(result, found, alphabet, cycle_length);
+            not_schedulable(result, found, model, alphabet, cycle_length, limits);
             return result;
         }
     }
@@ -217,7 +223,7 @@ Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cy
 }
 
 Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled, std::uint32_t cycle_length,
-                  const refine::Limits& limits, Relation relation) {
+                  const refine::Limits& limits, Relation relation, const EventPlaces& places) {
     Result result;
     NormalFormSystem specification(model, alphabet, cycle_length);
     CodeSystem code(compiled, alphabet, cycle_length);
@@ -233,19 +239,21 @@ Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interfac
         result.reason = verdict.reason;
     }
     compare_event_api(result, compiled, code, alphabet, limits);
+    if (result.outcome == Outcome::conforms) result.missed = missed_events(code, alphabet, places);
     count(result, model, code);
     return result;
 }
 
 Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
-             const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits, Relation relation) {
+             const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits, Relation relation,
+             const EventPlaces& places) {
     Result result;
     try {
         const Alphabet alphabet(interface, events);
         ModelGraph graph(model, alphabet);
         result = schedulable(graph, alphabet, cycle_length, limits);
         if (result.outcome != Outcome::conforms) return result;
-        Result refined = refined_by(graph, alphabet, code, cycle_length, limits, relation);
+        Result refined = refined_by(graph, alphabet, code, cycle_length, limits, relation, places);
         refined.schedulability = result.schedulability;
         refined.register_cycles = std::move(result.register_cycles);
         refined.deadlines = std::move(result.deadlines);

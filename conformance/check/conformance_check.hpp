@@ -2,6 +2,7 @@
 // Results are given in control cycles.
 #pragma once
 
+#include "conformance/check/missed_events.hpp"
 #include "conformance/check/result.hpp"
 #include "conformance/code/code_system.hpp"
 #include "conformance/code/interface.hpp"
@@ -15,12 +16,13 @@ namespace robochart::conformance {
 /// NF_c(M) [FD= L(code) for a schedulable M. Throws AlphabetError when model and code do not fit together, and
 /// std::length_error when there are too many valuations.
 [[nodiscard]] Result refined_by(ModelGraph&, const Alphabet&, const rc_interface& code, std::uint32_t cycle_length,
-                                const refine::Limits&, Relation = Relation::failures_divergences);
+                                const refine::Limits&, Relation = Relation::failures_divergences,
+                                const EventPlaces& = {});
 
 /// Schedulability first, then NF_c(M) [FD= L(code). `interface` is the code's with carriers filled in and
 /// `component` set to the CSP prefix of M's events; `events` is the model's table.
 [[nodiscard]] Result judge(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
                            const rc_interface& code, std::uint32_t cycle_length, const refine::Limits&,
-                           Relation = Relation::failures_divergences);
+                           Relation = Relation::failures_divergences, const EventPlaces& = {});
 
 }  // namespace robochart::conformance

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "conformance/check/standstill.hpp"
+#include "conformance/model/rules.hpp"
+
 namespace robochart::conformance {
 
 namespace {
@@ -41,9 +44,9 @@ std::optional<Mismatch> Follower::finish(Node& node, rc_result outcome, bool cut
             if (may_refuse(node, std::nullopt)) return std::nullopt;
             return differs(node, "the code misses a deadline");
         case RC_STEP_BOUND:
-            if (endless(node)) return Mismatch{Outcome::not_schedulable, endless_model, ""};
+            if (endless(node)) return Mismatch{Outcome::not_schedulable, endless_model, "", &rules::endless_outputs};
             return Mismatch{Outcome::differs, "the code's cycle does not end: its step bound is reached",
-                            "an end of the cycle"};
+                            "an end of the cycle", nullptr};
         case RC_TERMINATED:
             return follow(node, process::tick, false);
         case RC_QUIESCENT:
@@ -55,7 +58,7 @@ std::optional<Mismatch> Follower::finish(Node& node, rc_result outcome, bool cut
 }
 
 Mismatch Follower::differs(Node node, std::string reason) {
-    return {Outcome::differs, std::move(reason), allowed(node)};
+    return {Outcome::differs, std::move(reason), allowed(node), nullptr};
 }
 
 /// Whether a stable state behind the node offers nothing but this event (or nothing at all), or there is no stable
@@ -77,7 +80,7 @@ std::optional<Mismatch> Follower::follow(Node& node, process::Event event, bool 
                         event == alphabet_.tock() ? "the code ends its cycle where the model goes on"
                                                   : fmt::format("the code does {}, which the model does not allow here",
                                                                 alphabet_.tell(event)),
-                        allowed(node)};
+                        allowed(node), nullptr};
     node = *next;
     return std::nullopt;
 }
@@ -85,13 +88,13 @@ std::optional<Mismatch> Follower::follow(Node& node, process::Event event, bool 
 /// Of a model that cannot be run in cycles nothing is asked behind the place where it shows: what the code does
 /// there is no fault of the code.
 std::optional<Mismatch> Follower::model_stops(Node node) {
-    if (form_.diverges(node)) return Mismatch{Outcome::not_schedulable, endless_model, ""};
+    if (form_.diverges(node)) return Mismatch{Outcome::not_schedulable, endless_model, "", &rules::endless_steps};
     const auto& acceptances = form_.acceptances(node);
     const bool stuck = std::any_of(acceptances.begin(), acceptances.end(), [](const auto& a) { return a.empty(); });
     if (!stuck) return std::nullopt;
     for (const lts::StateView state : form_.states(node))
-        if (system_.standstill(state) == Standstill::other)
-            return Mismatch{Outcome::not_schedulable, "the model can neither go on nor let time pass", ""};
+        if (const diagnostics::Rule* const rule = rule_of(system_.standstill(state)))
+            return Mismatch{Outcome::not_schedulable, "the model can neither go on nor let time pass", "", rule};
     return std::nullopt;
 }
 

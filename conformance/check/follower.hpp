@@ -18,6 +18,7 @@ struct Mismatch {
     Outcome outcome = Outcome::differs;
     std::string reason;
     std::string expected;
+    const diagnostics::Rule* rule = nullptr;  ///< not_schedulable
 };
 
 class Follower {

@@ -10,6 +10,7 @@
 
 #include "conformance/check/dispatch_equivalence.hpp"
 #include "conformance/check/follower.hpp"
+#include "conformance/check/standstill.hpp"
 #include "conformance/code/code_system.hpp"
 
 namespace robochart::conformance {
@@ -35,6 +36,7 @@ public:
           code_(code),
           follower_(model, alphabet, cycle_length, limits, frame()),
           budget_(limits),
+          cycle_length_(std::max(1U, cycle_length)),
           inputs_(alphabet.interface().inputs.size()) {
         code_.watch([this] { budget_.charge(); });
     }
@@ -175,12 +177,35 @@ private:
         result.reason = found_->reason;
         result.expected = found_->expected;
         result.cycles = cycles_to(found_way_);
+        take_standstill(result, found_->rule, trace_to(found_way_));
+    }
+
+    void add_events(const Readings& readings, const CycleResult& result, std::size_t writes,
+                    std::vector<process::Event>& trace) const {
+        for (std::uint32_t i = 0; i < inputs_; ++i)
+            trace.push_back(alphabet_.read(i, readings[i] == not_read ? 0 : readings[i]));
+        trace.insert(trace.end(), result.writes.begin(), result.writes.begin() + static_cast<std::ptrdiff_t>(writes));
+    }
+
+    /// A register that nothing depends on is as good as empty.
+    std::vector<process::Event> trace_to(const Last& last) const {
+        std::vector<std::size_t> way;
+        for (std::size_t at = last.from; at != 0; at = positions_[at].from) way.push_back(at);
+        std::vector<process::Event> trace;
+        for (auto at = way.rbegin(); at != way.rend(); ++at) {
+            const Position& position = positions_[*at];
+            add_events(position.readings, *position.result, position.result->writes.size(), trace);
+            trace.insert(trace.end(), cycle_length_, alphabet_.tock());
+        }
+        add_events(last.readings, *last.result, last.writes, trace);
+        return trace;
     }
 
     const Alphabet& alphabet_;
     CodeSystem& code_;
     Follower follower_;
     refine::Budget budget_;
+    std::uint32_t cycle_length_;
     std::size_t inputs_;
     std::map<std::pair<std::uint32_t, Node>, bool> known_;
     std::vector<Position> positions_;
@@ -195,12 +220,13 @@ private:
 }  // namespace
 
 Result judge_partially(ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled,
-                       std::uint32_t cycle_length, const refine::Limits& limits) {
+                       std::uint32_t cycle_length, const refine::Limits& limits, const EventPlaces& places) {
     Result result;
     try {
         CodeSystem code(compiled, alphabet, cycle_length);
         result = PartialSearch(model, alphabet, code, cycle_length, limits).run();
         compare_event_api(result, compiled, code, alphabet, limits);
+        if (result.outcome == Outcome::conforms) result.missed = missed_events(code, alphabet, places);
         result.code_states = code.images();
         result.code_cycles = code.cycles();
     } catch (const process::Interrupted& limit) {

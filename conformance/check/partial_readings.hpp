@@ -3,6 +3,7 @@
 // readings").
 #pragma once
 
+#include "conformance/check/missed_events.hpp"
 #include "conformance/check/result.hpp"
 #include "conformance/code/interface.hpp"
 #include "conformance/model/model_graph.hpp"
@@ -13,6 +14,6 @@ namespace robochart::conformance {
 /// `conforms`, `differs` and `not_schedulable` as by the search over all valuations; of a model that cannot be run in
 /// cycles only what the code comes to is found. Inconclusive at a limit.
 [[nodiscard]] Result judge_partially(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
-                                     std::uint32_t cycle_length, const refine::Limits&);
+                                     std::uint32_t cycle_length, const refine::Limits&, const EventPlaces& = {});
 
 }  // namespace robochart::conformance

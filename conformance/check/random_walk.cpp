@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "conformance/check/follower.hpp"
+#include "conformance/check/standstill.hpp"
 #include "conformance/code/code_system.hpp"
 #include "conformance/code/cycle_log.hpp"
 #include "conformance/code/watchdog.hpp"
@@ -33,7 +34,10 @@ class Walker {
 public:
     Walker(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code, std::uint32_t cycle_length,
            const refine::Limits& limits)
-        : alphabet_(alphabet), code_(code), follower_(model, alphabet, cycle_length, limits) {}
+        : alphabet_(alphabet),
+          code_(code),
+          cycle_length_(std::max(1U, cycle_length)),
+          follower_(model, alphabet, cycle_length, limits) {}
 
     [[nodiscard]] Position start() {
         Position position{Bytes(code_.state_size), follower_.start()};
@@ -42,12 +46,14 @@ public:
     }
 
     /// One cycle; nothing: both agree, or the code has terminated (`over`).
-    std::optional<Mismatch> cycle(Position& at, const Readings& readings, Cycle* reported = nullptr) {
+    std::optional<Mismatch> cycle(Position& at, const Readings& readings, Cycle* reported = nullptr,
+                                  std::vector<process::Event>* trace = nullptr) {
         std::vector<rc_register> registers;
         for (const std::uint32_t reading : readings)
             registers.push_back({reading == 0 ? 0U : 1U, reading == 0 ? 0U : reading - 1});
         for (std::uint32_t i = 0; i < readings.size(); ++i) {
             const process::Event read = alphabet_.read(i, readings[i]);
+            if (trace != nullptr) trace->push_back(read);
             if (reported != nullptr && readings[i] != 0) reported->inputs.push_back(alphabet_.tell(read));
             if (auto mismatch = follower_.follow(at.node, read, true)) return mismatch;
         }
@@ -64,18 +70,21 @@ public:
             const process::Event write =
                 alphabet_.write(record.output, {record.argument, record.argument + record.count});
             if (reported != nullptr) reported->outputs.push_back(alphabet_.tell(write));
+            if (trace != nullptr) trace->push_back(write);
             if (auto mismatch = follower_.follow(at.node, write, false)) return mismatch;
         }
         return follower_.finish(at.node, outcome, log.overflow != 0);
     }
 
     [[nodiscard]] bool over() const { return follower_.over(); }
+    [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
     [[nodiscard]] std::size_t nodes() const { return follower_.nodes(); }
     [[nodiscard]] std::string print(const Bytes& image) const { return state_text(code_, image.data()); }
 
 private:
     const Alphabet& alphabet_;
     const rc_interface& code_;
+    std::uint32_t cycle_length_;
     Follower follower_;
 };
 
@@ -218,10 +227,13 @@ private:
         result.reason = fmt::format("{} (found by guided walks)", mismatch.reason);
         result.expected = mismatch.expected;
         Position at = walker_.start();
+        std::vector<process::Event> trace;
         for (const Readings& readings : way_) {
             Cycle& cycle = result.cycles.emplace_back();
-            if (walker_.cycle(at, readings, &cycle)) break;
+            if (walker_.cycle(at, readings, &cycle, &trace)) break;
+            trace.insert(trace.end(), walker_.cycle_length(), alphabet_.tock());
         }
+        take_standstill(result, mismatch.rule, trace);
         count(result);
         return result;
     }

@@ -9,6 +9,7 @@
 #include "checker/refine/verdict/verdict.hpp"
 #include "cpp_emit/plan/options.hpp"
 #include "diagnostics/cache/cache.hpp"
+#include "diagnostics/diagnostic.hpp"
 
 namespace robochart::conformance {
 
@@ -28,11 +29,38 @@ struct Cycle {
     std::string state;                 ///< the code's state after it
 };
 
+/// What stands behind an outcome that is the model's: its rule, and in the words of the model where it shows and what
+/// would help.
+struct Explanation {
+    const diagnostics::Rule* rule = nullptr;  ///< docs/rules has its page
+    std::vector<std::string> where;           ///< "t2: B -> B (loop.rct:9)"; empty: not known
+    std::string remedy;                       ///< what would make the model schedulable; "" : not known
+};
+
 /// A property of the model beside conformance: whether it has it, and if not, a shortest run that shows it.
 struct Aside {
     bool holds = true;
     std::string reason;  ///< why it does not
     std::vector<Cycle> cycles;
+    const diagnostics::Rule* rule = nullptr;  ///< what that means for a robot
+};
+
+/// Why an event is not taken in the cycles that its register holds it.
+enum class MissedWhile {
+    busy,       ///< an action of the machine that knows it is in progress
+    condition,  ///< the machine rests, and no condition of the transitions that await it holds
+};
+
+/// An event of the platform that can come in vain (docs/conformance.md, "Events that can be missed").
+struct MissedEvent {
+    struct Reason {
+        MissedWhile why = MissedWhile::busy;
+        std::optional<std::uint64_t> cycles;  ///< the most in a row; nothing: without bound
+        std::vector<std::string> places;      ///< where the machine is meanwhile
+    };
+    std::string event;
+    std::optional<std::uint64_t> cycles;  ///< the most in a row, for either reason
+    std::vector<Reason> reasons;
 };
 
 /// What one API of the code did.
@@ -60,8 +88,11 @@ struct FewValues {
 struct Result {
     Outcome outcome = Outcome::inconclusive;
     std::string reason;
-    std::vector<Cycle> cycles;          ///< differs, not_schedulable: shortest input sequence
-    std::string expected;               ///< what the model allows where the code differs
+    std::vector<Cycle> cycles;  ///< differs, not_schedulable: shortest input sequence
+    std::string expected;       ///< what the model allows where the code differs
+    Explanation explanation;    ///< not_schedulable
+    /// not_schedulable: the run of NF_c(M) that shows it, to be found again where more is known of the model.
+    std::optional<refine::Counterexample> standstill;
     std::uint64_t code_states = 0;      ///< distinct state images of the code
     std::uint64_t code_cycles = 0;      ///< (state, input valuation) pairs stepped
     std::uint64_t model_states = 0;     ///< states of M met under the simulation assumptions
@@ -72,7 +103,8 @@ struct Result {
     /// No deadline passes while an input is awaited that does not come. Nothing: not decided.
     std::optional<Aside> deadlines;
     std::vector<FewValues> represented;
-    std::uint64_t dispatched = 0;  ///< (state, event or none) pairs in which both APIs were compared
+    std::vector<MissedEvent> missed;  ///< conforms: of all states of the code
+    std::uint64_t dispatched = 0;     ///< (state, event or none) pairs in which both APIs were compared
     std::optional<ApiDifference> api_difference;
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
     std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script

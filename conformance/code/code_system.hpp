@@ -65,6 +65,8 @@ public:
     /// The tree of an image's readings: for each reading of the next register the node below, behind the last one the
     /// result. Of equal trees there is one, so a register that makes no difference has equal nodes below.
     [[nodiscard]] std::uint32_t root(std::uint32_t image);
+    /// The same for an image that a cycle was begun in.
+    [[nodiscard]] std::uint32_t known_root(std::uint32_t image) const { return roots_.at(image); }
     [[nodiscard]] std::vector<std::uint32_t> below(std::uint32_t node) const { return nodes_[node]; }
     [[nodiscard]] const CycleResult& result(std::uint32_t number) const { return results_[number]; }
 

@@ -37,6 +37,8 @@ public:
     /// Whether time can pass, or the model terminate, once the right inputs have come: behind some events without time.
     [[nodiscard]] bool goes_on(ModelState);
     [[nodiscard]] std::string describe(ModelState) const;
+    /// The state as M packs it; valid until another is met.
+    [[nodiscard]] lts::StateView view(ModelState) const;
     /// Called for every state expanded; may throw. Empty: none.
     void watch(const std::function<void()>& poll) { poll_ = poll; }
     [[nodiscard]] std::size_t size() const { return edges_.size(); }
@@ -47,7 +49,6 @@ private:
         std::vector<ModelEdge> edges;
     };
     ModelState intern(lts::StateView);
-    [[nodiscard]] lts::StateView view(ModelState) const;
     void expand(ModelState);
     [[nodiscard]] const ModelRole& role(process::Event);
 

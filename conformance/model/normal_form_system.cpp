@@ -148,7 +148,20 @@ Standstill NormalFormSystem::standstill(lts::StateView state) {
     Counts sink;
     successors(state, sink);
     if (sink.count > 0) return Standstill::none;
+    if (state[phase] == waiting) return standstill_in_mid_cycle(state);
     return awaits_input(state) ? Standstill::inputs : Standstill::other;
+}
+
+Standstill NormalFormSystem::standstill_in_mid_cycle(lts::StateView state) {
+    if (state[model_state] == gone) return Standstill::end_in_mid_cycle;
+    const std::vector<ModelEdge>& edges = model_->edges(state[model_state]);
+    const auto offers = [&edges](const auto& fits) { return std::any_of(edges.begin(), edges.end(), fits); };
+    using Kind = ModelRole::Kind;
+    if (offers([](const ModelEdge& edge) { return edge.role.kind == Kind::output; }))
+        return Standstill::output_in_mid_cycle;
+    const bool input =
+        offers([&](const ModelEdge& edge) { return edge.role.kind == Kind::input && model_->goes_on(edge.target); });
+    return input ? Standstill::input_in_mid_cycle : Standstill::other;
 }
 
 // A1, A3: registers are read one after the other, each with any reading. A register that M cannot hear before time
@@ -275,9 +288,14 @@ bool NormalFormSystem::begins_cycle(lts::StateView state) const {
     return fresh && first && state[pending] == 0 && state[model_state] != gone;
 }
 
-std::string NormalFormSystem::describe_model(lts::StateView state) const {
+std::optional<ModelState> NormalFormSystem::model(lts::StateView state) const {
     const bool ended = state[phase] == ending || state[phase] == over || state[model_state] == gone;
-    return ended ? "" : model_->describe(state[model_state]);
+    return ended ? std::nullopt : std::optional(state[model_state]);
+}
+
+std::string NormalFormSystem::describe_model(lts::StateView state) const {
+    const std::optional<ModelState> at = model(state);
+    return at ? model_->describe(*at) : "";
 }
 
 std::string NormalFormSystem::describe(lts::StateView state) const {

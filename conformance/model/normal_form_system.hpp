@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,9 @@ enum class Standstill {
     none,    ///< something does
     inputs,  ///< M waits for inputs that were not read, and a deadline is over
     other,
+    output_in_mid_cycle,  ///< M must make an output behind the first tock of a cycle
+    input_in_mid_cycle,   ///< M waits there for an input, and a deadline is over
+    end_in_mid_cycle,     ///< M has terminated there
     terminated,
 };
 
@@ -64,6 +68,8 @@ public:
     [[nodiscard]] bool begins_cycle(lts::StateView state) const;
     /// Why nothing can happen in the state, if so.
     [[nodiscard]] Standstill standstill(lts::StateView state);
+    /// Where M is; nothing behind its termination.
+    [[nodiscard]] std::optional<ModelState> model(lts::StateView state) const;
     /// The events of Outputs::once and Deadlines::mark.
     [[nodiscard]] process::Event repeats() const { return repeats_; }
     [[nodiscard]] process::Event deadline() const { return deadline_; }
@@ -86,6 +92,7 @@ private:
     void repeat(Move&);
     void miss(Move&);
     [[nodiscard]] bool awaits_input(lts::StateView state);
+    [[nodiscard]] Standstill standstill_in_mid_cycle(lts::StateView state);
 
     ModelGraph* model_;
     const Alphabet* alphabet_;

@@ -25,8 +25,44 @@ const Rule log_of_other{
     "A log says which component it comes from and how many time units a control cycle has. It is compared with that "
     "component of the model, in cycles of that length (`--component`, `--cycle`)."};
 
+const Rule endless_steps{"RC-K01", Severity::error, "{}",
+                         "The model does infinitely many steps while no time passes, so the control cycle never ends: "
+                         "the robot would hang."};
+const Rule endless_outputs{"RC-K02", Severity::error, "{}",
+                           "The model makes outputs without end while no time passes, so the control cycle never ends: "
+                           "the robot would hang."};
+const Rule time_stops{"RC-K03", Severity::error, "{}",
+                      "The model can do nothing more and does not let time pass: a deadline is over, and no input can "
+                      "put that right. A robot cannot stop time."};
+const Rule output_in_mid_cycle{
+    "RC-K04", Severity::error, "{}",
+    "The model must make an output between the ticks of one control cycle, but a robot acts at the beginning of its "
+    "cycles only."};
+const Rule end_in_mid_cycle{"RC-K05", Severity::error, "{}",
+                            "The model terminates between the ticks of one control cycle, but a robot acts at the "
+                            "beginning of its cycles only."};
+const Rule input_in_mid_cycle{
+    "RC-K06", Severity::error, "{}",
+    "The model needs an input between the ticks of one control cycle, but a robot reads its inputs at the beginning of "
+    "its cycles only."};
+const Rule output_made_twice{
+    "RC-K07", Severity::note, "{}",
+    "A robot that takes its outputs from registers once in a cycle sees the last of these values only: the others are "
+    "lost. A robot on which each output is a call, as in generated code, sees all of them."};
+const Rule input_not_in_time{
+    "RC-K08", Severity::note, "{}",
+    "If the input does not come in time, the generated code reports `StepResult::deadline`, and what it does then is "
+    "not specified: the robot must provide the input in time, or stop at that report."};
+
+const Rule event_missed{"RC-K09", Severity::note, "{}",
+                        "An event that is raised in such a cycle is lost: the controller reads it, nothing takes it, "
+                        "and it is forgotten at the end of the cycle."};
+
 std::span<const Rule* const> all() {
-    static constexpr std::array table = {&log_syntax, &log_name, &log_value, &log_of_other};
+    static constexpr std::array table = {
+        &log_syntax,        &log_name,          &log_value,           &log_of_other,     &endless_steps,
+        &endless_outputs,   &time_stops,        &output_in_mid_cycle, &end_in_mid_cycle, &input_in_mid_cycle,
+        &output_made_twice, &input_not_in_time, &event_missed};
     return table;
 }
 

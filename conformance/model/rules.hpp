@@ -1,4 +1,5 @@
-// What can be wrong with a log of a run before it is compared with the model (docs/traces.md).
+// What can be wrong with a log of a run before it is compared with the model (docs/traces.md), and why a model cannot
+// be run in control cycles, or only by some robots (docs/conformance.md, "Why a model is not schedulable").
 #pragma once
 
 #include <span>
@@ -11,6 +12,16 @@ extern const diagnostics::Rule log_syntax;    ///< RC-L01
 extern const diagnostics::Rule log_name;      ///< RC-L02
 extern const diagnostics::Rule log_value;     ///< RC-L03
 extern const diagnostics::Rule log_of_other;  ///< RC-L04
+
+extern const diagnostics::Rule endless_steps;        ///< RC-K01
+extern const diagnostics::Rule endless_outputs;      ///< RC-K02
+extern const diagnostics::Rule time_stops;           ///< RC-K03
+extern const diagnostics::Rule output_in_mid_cycle;  ///< RC-K04
+extern const diagnostics::Rule end_in_mid_cycle;     ///< RC-K05
+extern const diagnostics::Rule input_in_mid_cycle;   ///< RC-K06
+extern const diagnostics::Rule output_made_twice;    ///< RC-K07
+extern const diagnostics::Rule input_not_in_time;    ///< RC-K08
+extern const diagnostics::Rule event_missed;         ///< RC-K09
 
 /// Every rule, for `explain` and for the tests.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();

@@ -93,6 +93,18 @@ void write_event_method(const Generation& generation, const Core& core, CodeWrit
     out.close();
 }
 
+/// Some action may take time while the event is awaited (docs/conformance.md, "Events that can be missed").
+bool may_be_lost(const Generation& generation, const Core& core, const ApiEvent& event) {
+    std::size_t place = 0;  // among the events received
+    for (const EventPort& port : generation.component.events) {
+        if (&port == event.port) break;
+        if (port.received) ++place;
+    }
+    const std::vector<EventPlace> places = event_places(generation, core);
+    return std::any_of(places.begin(), places.end(),
+                       [&](const EventPlace& each) { return each.busy && each.events[place]; });
+}
+
 void write_members(const Generation& generation, const Core& core, CodeWriter& out, const ApiClass& api) {
     for (const ApiVariable& variable : api.variables) {
         const ir::Variable& declared = *variable.stored->variable;
@@ -102,7 +114,10 @@ void write_members(const Generation& generation, const Core& core, CodeWriter& o
             generation.place(declared.origin));
     }
     for (const ApiEvent& event : api.events) {
-        const char* use = event.sent ? "sent in the last cycle" : "raise it before a cycle, which lowers it again";
+        const char* use = event.sent ? "sent in the last cycle"
+                          : may_be_lost(generation, core, event)
+                              ? "raise it before a cycle, which lowers it again; lost in a cycle spent in an action"
+                              : "raise it before a cycle, which lowers it again";
         out.line(fmt::format("bool {} = false;  ///< event {}: {}", event.flag, event.port->model_name, use));
         if (event.port->type)
             out.line(

@@ -29,6 +29,10 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 /// The source that exports robochart_explore() (runtime/explore_abi.h).
 [[nodiscard]] std::string shim_source(const Generation&, const Core&);
 
+/// Where machines are busy on behalf of a state that awaits events, or rest while every transition on an event has a
+/// condition.
+[[nodiscard]] std::vector<EventPlace> event_places(const Generation&, const Core&);
+
 /// What a traced controller needs: its transitions by number, its runs as logs (runtime/trace.hpp, docs/traces.md).
 [[nodiscard]] std::string trace_header(const Generation&, const Core&);
 [[nodiscard]] std::string trace_header_name(const Generation&);

@@ -88,6 +88,13 @@ FrameLayout FrameCode::layout(const std::vector<Field>& more) {
     return arrange(std::move(fields), time_.timed());
 }
 
+/// Where the transition leads that begins at the place; none if none does.
+NodeId FrameCode::target_of(const std::string& label) const {
+    for (std::uint32_t index = 0; index < plan_.machine().transitions.size(); ++index)
+        if (plan_.take_label(ir::TransitionId{index}) == label) return plan_.machine().transitions[index].target;
+    return {};
+}
+
 /// The values of Frame::at: nodes in which control rests, places of programs that may wait.
 Enumeration FrameCode::points() const {
     Enumeration at{
@@ -103,8 +110,8 @@ Enumeration FrameCode::points() const {
     };
     const auto node_value = [&](NodeId id) {
         const bool state = plan_.node(id).kind == ir::NodeKind::state;
-        at.values.push_back(
-            {plan_.label(id), generation_.place(plan_.node(id).origin), state ? id : plan_.node(id).parent});
+        at.values.push_back({plan_.label(id), generation_.place(plan_.node(id).origin),
+                             state ? id : plan_.node(id).parent, plan_.settles(id)});
     };
     node_value(initial);  // zero: where a fresh state struct stands
     for (std::uint32_t index = 0; index < plan_.machine().nodes.size(); ++index) {
@@ -116,8 +123,12 @@ Enumeration FrameCode::points() const {
         return std::any_of(at.values.begin(), at.values.begin() + static_cast<std::ptrdiff_t>(nodes),
                            [&](const Enumerator& value) { return value.name == label; });
     };
-    for (const Place& place : control_.places)
-        if (!is_node(place.label)) at.values.push_back({place.label, place.comment, place.state});
+    NodeId target;
+    for (const Place& place : control_.places) {
+        if (is_node(place.label)) continue;
+        if (place.comment != "waits") target = target_of(place.label);
+        at.values.push_back({place.label, place.comment, place.state, false, target});
+    }
     return at;
 }
 

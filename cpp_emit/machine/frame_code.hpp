@@ -18,6 +18,7 @@ public:
     [[nodiscard]] std::vector<Enumeration> enumerations() const;
 
 private:
+    [[nodiscard]] ir::NodeId target_of(const std::string& label) const;
     [[nodiscard]] std::vector<Field> variable_fields() const;
     void thread_field(std::vector<Field>& fields, const Thread&, const std::string& wait) const;
     [[nodiscard]] std::vector<Field> thread_fields() const;

@@ -13,7 +13,9 @@ namespace robochart::cpp_emit {
 struct Enumerator {
     std::string name;
     diagnostics::ForeignText comment;
-    ir::NodeId state;  ///< places of a machine: the state it shows to be in
+    ir::NodeId state;        ///< places of a machine: the state it shows to be in
+    bool rests = false;      ///< it is at rest there
+    ir::NodeId target = {};  ///< where the transition leads whose action is in progress, if one is
 };
 
 struct Enumeration {

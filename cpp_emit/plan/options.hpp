@@ -57,6 +57,15 @@ struct Options {
     return options.fault == Fault::none || in_event_api(options.fault);
 }
 
+/// A place of a machine in which it may fail to take an event that it knows.
+struct EventPlace {
+    std::string member;             ///< as the state is printed: "state", "stm0.state"
+    std::string place;              ///< as the place is printed: "enter_A_1"
+    std::string element;            ///< for people: "enters Busy::A (busy.rct:7)"
+    bool busy = false;              ///< an action is in progress; else the machine rests
+    std::vector<bool> events = {};  ///< of the events that the platform raises, in the order of Inputs, which of them
+};
+
 /// What was generated for one component.
 struct Emission {
     std::vector<OutputFile> files;  ///< headers, sources, CMakeLists.txt, the runtime headers
@@ -64,6 +73,7 @@ struct Emission {
         shim;  ///< path of the source that exports the exploration interface (runtime/explore_abi.h); "" if none
     std::vector<std::string> sources;  ///< paths of the sources to compile with it
     std::uint32_t fault_sites = 0;     ///< how many places the requested fault applies to
+    std::vector<EventPlace> event_places;
 };
 
 }  // namespace robochart::cpp_emit

@@ -8,6 +8,7 @@
 
 #include "diagnostics/spelling.hpp"
 #include "frontend/rules/rules.hpp"
+#include "frontend/syntax/foreign_words.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/print.hpp"
 
@@ -20,20 +21,17 @@ constexpr DeclKind all_kinds[] = {DeclKind::primitive_type, DeclKind::record_typ
                                   DeclKind::platform,       DeclKind::operation,   DeclKind::state_machine,
                                   DeclKind::controller,     DeclKind::module,      DeclKind::reference};
 
-/// Names of other languages for the types of core; "" if it is none of them.
-std::string core_meant(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> others = {{{"bool", "boolean"},
-                                                                                      {"Boolean", "boolean"},
-                                                                                      {"integer", "int"},
-                                                                                      {"Integer", "int"},
-                                                                                      {"natural", "nat"},
-                                                                                      {"float", "real"},
-                                                                                      {"double", "real"},
-                                                                                      {"Real", "real"},
-                                                                                      {"String", "string"}}};
-    for (const auto& [other, own] : others)
-        if (other == name) return std::string(own);
-    return {};
+/// What another notation calls so, by what is looked for; null if nothing.
+const ForeignWord* foreign_name(std::string_view what, const QualifiedName& name) {
+    constexpr std::array<std::pair<std::string_view, ForeignPlace>, 4> places = {
+        {{"type", ForeignPlace::type},
+         {"operation", ForeignPlace::operation},
+         {"event", ForeignPlace::event},
+         {"variable, constant, literal or function", ForeignPlace::value}}};
+    if (name.parts.size() != 1) return nullptr;
+    for (const auto& [looked_for, place] : places)
+        if (looked_for == what) return foreign_word(name.parts.front(), place);
+    return nullptr;
 }
 
 const Declaration* find_other_kind(const Names& names, const Place& place, const QualifiedName& name) {
@@ -84,13 +82,14 @@ diagnostics::Diagnostic& Finder::unknown(const QualifiedName& name, std::string_
         out_->report(rules::unknown_name, name.span, {std::string(what), shorten(name.text()), std::string(where)});
     if (out_->errors() > diagnostics::Diagnostics::max_kept) return finding;
     const std::string& written = name.parts.back();
-    std::string meant = what == "type" && name.parts.size() == 1 ? core_meant(written) : std::string();
-    const bool is_core = !meant.empty();
-    if (!is_core) meant = diagnostics::nearest(written, candidates);
+    const ForeignWord* const foreign = foreign_name(what, name);
+    const std::string meant =
+        foreign != nullptr ? std::string(foreign->instead) : diagnostics::nearest(written, candidates);
+    if (foreign != nullptr) finding.notes.push_back({{}, std::string(foreign->reason)});
     if (!meant.empty())
         finding.fixes.push_back(
             {name.spans.back(), meant,
-             diagnostics::suggested(is_core || diagnostics::is_certain(written, meant, candidates))});
+             diagnostics::suggested(foreign != nullptr || diagnostics::is_certain(written, meant, candidates))});
     return finding;
 }
 

@@ -330,7 +330,13 @@ std::string_view Parser::meant_word() {
     return meant.empty() || word == reserved.end() || *word != meant ? std::string_view() : *word;
 }
 
-void Parser::wrong_word(std::string_view what) {
+void Parser::wrong_word(std::string_view what, std::initializer_list<ForeignPlace> places) {
+    const bool replaced = state_machine_words() || typed_like_c() ||
+                          std::any_of(places.begin(), places.end(), [&](ForeignPlace p) { return replace_foreign(p); });
+    if (replaced) {
+        corrected_ = true;
+        throw SyntaxError{};
+    }
     const Span span = peek().span;
     const std::string_view meant = meant_word();
     const std::vector<std::string> words(member_words.begin(), member_words.end());

@@ -7,6 +7,7 @@
 // not understood are remembered: they are not reported as unknown.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "diagnostics/diagnostic.hpp"
 #include "frontend/syntax/ast.hpp"
+#include "frontend/syntax/foreign_words.hpp"
 #include "frontend/syntax/lexer.hpp"
 
 namespace robochart::frontend {
@@ -95,7 +97,23 @@ private:
     [[nodiscard]] bool stray_brace(std::size_t open) const;
     void pass_stray_brace();
     /// Something else than a member: a misspelt word is corrected in place, so that the member is read after all.
-    [[noreturn]] void wrong_word(std::string_view what);
+    [[noreturn]] void wrong_word(std::string_view what, std::initializer_list<ForeignPlace> places);
+    /// A word of another notation: reported with what RoboChart has instead, which is put in its place or, where that
+    /// is not one word, thrown. False: it is none.
+    bool replace_foreign(ForeignPlace place);
+    /// The same for words that stand side by side.
+    void replace_two_words(std::string_view instead, std::string_view reason);
+    [[nodiscard]] bool state_machine_words();
+    [[nodiscard]] bool typed_like_c();
+    [[nodiscard]] bool pseudo_state(DeclKind kind);
+    [[nodiscard]] bool foreign_operator();
+    void bracketed_guard(Transition& transition);
+    void ends_by_arrow(Transition& transition);
+    [[nodiscard]] bool at_foreign_statement() const;
+    StmtPtr updating_statement();
+    StmtPtr clock_set_to_zero();
+    [[nodiscard]] bool names_clock(std::string_view word) const;
+    StmtPtr braced_if(StmtPtr begun);
     [[nodiscard]] std::string_view meant_word();
     [[nodiscard]] bool corrected();
     template <class Body>
@@ -121,6 +139,8 @@ private:
     std::unique_ptr<Declaration> interface();
     std::unique_ptr<Context> platform();
     void variable(std::vector<VariablePtr>& list, DeclKind kind);
+    void type_before_name(Variable& variable);
+    [[nodiscard]] static bool names_core_type(std::string_view word);
     std::vector<VariablePtr> parameters();
     template <class Member>
     void braces(Member member, unsigned members);
@@ -171,6 +191,7 @@ private:
     StmtPtr timed_statement();
     StmtPtr basic_statement();
     StmtPtr if_statement();
+    void if_without_end(Span word);
     StmtPtr wait_statement();
     StmtPtr name_statement();
     StmtPtr communication_statement();

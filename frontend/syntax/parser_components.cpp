@@ -114,7 +114,7 @@ void Parser::controller_member(Component& component) {
         return;
     }
     if (neural_construct()) return;
-    if (wrong_reference || !machine_part(component)) wrong_word("a member of a controller");
+    if (wrong_reference || !machine_part(component)) wrong_word("a member of a controller", {ForeignPlace::member});
 }
 
 std::unique_ptr<Component> Parser::module() {
@@ -140,7 +140,7 @@ void Parser::module_member(Component& component) {
     }
     if (neural_construct()) return;
     if (at("opref") || !machine_part(component))
-        wrong_word("a platform, controller, reference or connection of the module");
+        wrong_word("a platform, controller, reference or connection of the module", {ForeignPlace::member});
 }
 
 std::unique_ptr<Reference> Parser::reference() {

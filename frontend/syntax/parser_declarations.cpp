@@ -76,7 +76,7 @@ std::unique_ptr<Declaration> Parser::declaration() {
 std::unique_ptr<Declaration> Parser::type_declaration() {
     if (at("datatype") || at("record")) return record_type();
     if (at("enumeration")) return enumeration();
-    if (!at("type")) wrong_word("a declaration");
+    if (!at("type")) wrong_word("a declaration", {ForeignPlace::declaration});
     auto type = std::make_unique<TypeDeclaration>(DeclKind::primitive_type);
     type->span = expect("type");
     name(*type);
@@ -134,11 +134,27 @@ void Parser::variable(std::vector<VariablePtr>& list, DeclKind kind) {
     variable.span = peek().span;
     name(variable);
     list.push_back(std::move(owned));
+    type_before_name(variable);
     expect(":");
     variable.type_expr = type();
     const bool may_have_value = kind == DeclKind::variable || kind == DeclKind::constant;
     if (may_have_value && accept("=")) variable.initial = expression();
     variable.span = since(variable.span);
+}
+
+/// `var nat x` is read as `var x : nat`.
+void Parser::type_before_name(Variable& variable) {
+    const Token name = peek();
+    const bool swapped = name.kind == TokenKind::identifier && !name.first_on_line && names_core_type(variable.name);
+    if (!swapped) return;
+    const Span span = diagnostics::join(variable.name_span, name.span);
+    const std::string own = fmt::format("{} : {}", name.text, variable.name);
+    diagnostics::Diagnostic* const finding =
+        report(syntax::other_notation, span,
+               {fmt::format("{} {}", variable.name, name.text), "the type stands behind the name and a `:`"});
+    if (finding != nullptr) finding->fixes.push_back({span, own, "write"});
+    lost_names_.emplace_back(name.text);
+    throw SyntaxError{};
 }
 
 std::unique_ptr<Declaration> Parser::function() {
@@ -166,7 +182,8 @@ std::unique_ptr<Declaration> Parser::interface() {
     name(*interface);
     const auto member = [&] {
         const bool clause = at("uses") || at("requires") || at("provides");
-        if (clause || !context_member(*interface)) wrong_word("an operation, event, variable, constant or clock");
+        if (clause || !context_member(*interface))
+            wrong_word("an operation, event, variable, constant or clock", {ForeignPlace::member});
     };
     guarded([&] { braces(member, context_members); });
     interface->span = since(interface->span);
@@ -179,7 +196,7 @@ std::unique_ptr<Context> Parser::platform() {
     expect("platform");
     name(*platform);
     const auto member = [&] {
-        if (!context_member(*platform)) wrong_word("a member of a robotic platform");
+        if (!context_member(*platform)) wrong_word("a member of a robotic platform", {ForeignPlace::member});
     };
     guarded([&] { braces(member, context_members); });
     platform->span = since(platform->span);

@@ -92,7 +92,7 @@ ExprPtr Parser::operand(int level) {
     ExprPtr left = prefix(level);
     for (;;) {
         const bool casts = (at("as") || at("is")) && level <= cast_level;
-        if (!casts && repair_equality(level)) continue;
+        if (!casts && (repair_equality(level) || foreign_operator())) continue;
         const auto next = operator_here();
         if (!casts && (!next || next->second < level)) return left;
         const int binding = casts ? cast_level + 1 : next->second;

@@ -13,7 +13,8 @@ std::unique_ptr<Machine> Parser::machine() {
     machine->span = expect("stm");
     name(*machine);
     const auto member = [&] {
-        if (!context_member(*machine) && !node_member(*machine)) wrong_word("a member of a state machine");
+        if (!context_member(*machine) && !node_member(*machine))
+            wrong_word("a member of a state machine", {ForeignPlace::member});
     };
     guarded([&] { braces(member, context_members | node_members); });
     machine->span = since(machine->span);
@@ -26,7 +27,7 @@ std::unique_ptr<Machine> Parser::operation() {
     name(*operation);
     const auto member = [&] {
         if (!context_member(*operation) && !node_member(*operation) && !contract_member(*operation))
-            wrong_word("a member of an operation");
+            wrong_word("a member of an operation", {ForeignPlace::member});
     };
     guarded([&] {
         operation->parameters = parameters();
@@ -67,6 +68,7 @@ void Parser::node(NodeContainer& container, DeclKind kind) {
     auto owned = std::make_unique<State>(kind);
     State& state = *owned;
     state.span = advance().span;
+    if (pseudo_state(kind)) return node(container, DeclKind::state);
     name(state);
     container.nodes.push_back(std::move(owned));
     if (kind == DeclKind::state || (kind == DeclKind::final && at("{"))) guarded([&] { state_body(state); });
@@ -76,7 +78,8 @@ void Parser::node(NodeContainer& container, DeclKind kind) {
 void Parser::state_body(State& state) {
     const auto member = [&] {
         if (at("entry") || at("during") || at("exit")) return action(state);
-        if (!node_member(state)) wrong_word("a node, transition or action of the state");
+        if (!node_member(state))
+            wrong_word("a node, transition or action of the state", {ForeignPlace::state_part, ForeignPlace::member});
     };
     braces(member, node_members | action_members);
 }
@@ -85,6 +88,13 @@ void Parser::action(State& state) {
     Action action;
     action.kind = at("entry") ? ActionKind::entry : at("during") ? ActionKind::during : ActionKind::exit;
     action.span = advance().span;
+    if (at("/")) {
+        const Span slash = advance().span;
+        if (diagnostics::Diagnostic* finding =
+                report(syntax::other_notation, slash, {"/", "an action follows its word at once: `entry skip`"}))
+            finding->fixes.push_back({slash, "", "leave it out"});
+        quiet_until_ = 0;
+    }
     action.statement = statement();
     action.span = since(action.span);
     state.actions.push_back(std::move(action));
@@ -112,10 +122,16 @@ void Parser::transition(NodeContainer& container) {
 }
 
 void Parser::transition_body(Transition& transition) {
-    expect("from");
-    transition.from = plain_name("the transition's source");
-    expect("to");
-    transition.to = plain_name("the transition's target");
+    if (peek().kind == TokenKind::identifier && peek(1).is("->")) {
+        ends_by_arrow(transition);
+    } else {
+        if (at_word("source")) (void)replace_foreign(ForeignPlace::clause);
+        expect("from");
+        transition.from = plain_name("the transition's source");
+        if (at_word("target")) (void)replace_foreign(ForeignPlace::clause);
+        expect("to");
+        transition.to = plain_name("the transition's target");
+    }
     constexpr std::array<std::string_view, 6> names = {"", "trigger", "#", "<{", "condition", "action"};
     int last = 0;
     while (!at("}") && !at_end()) {
@@ -155,7 +171,9 @@ int Parser::transition_clause(Transition& transition) {
         transition.action = statement();
         return 5;
     }
-    expected("a clause of the transition or `}`");
+    if (at("[")) return bracketed_guard(transition), 4;
+    if (replace_foreign(ForeignPlace::clause)) return transition_clause(transition);
+    expected("`trigger`, `probability`, `#`, `<{`, `condition`, `action` or the `}` of the transition");
 }
 
 /// `trigger e…`; the old forms `trigger` and `trigger #C` await nothing.

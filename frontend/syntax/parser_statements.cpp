@@ -51,7 +51,7 @@ bool Parser::at_body_end() const {
 bool Parser::at_statement() const {
     constexpr std::array<std::string_view, 11> after_name = {"=",  "(", "!", "?",   ".",   "[",
                                                              "[|", ";", "}", "end", "else"};
-    if (at_ < quiet_until_) return false;
+    if (at_ < quiet_until_ || foreign_word(peek().text, ForeignPlace::if_end) != nullptr) return false;
     if (at("skip") || at("if") || at("wait") || at("send") || at("#")) return true;
     if (peek().kind != TokenKind::identifier) return false;
     const Token next = peek(1);
@@ -85,6 +85,7 @@ StmtPtr Parser::timed_statement() {
 
 StmtPtr Parser::basic_statement() {
     const Span begin = peek().span;
+    if (at_foreign_statement()) (void)replace_foreign(ForeignPlace::statement);
     if (at("if")) return if_statement();
     if (at("wait")) return wait_statement();
     if (at("send")) return communication_statement();
@@ -110,10 +111,15 @@ StmtPtr Parser::basic_statement() {
 StmtPtr Parser::if_statement() {
     StmtPtr result = make_statement(StmtKind::if_then_else, expect("if"));
     result->condition = expression();
+    if (at("{")) return braced_if(std::move(result));
     expect("then");
     result->body.push_back(statement());
     if (accept("else")) result->body.push_back(statement());
-    expect("end");
+    if (!at("end")) (void)replace_foreign(ForeignPlace::if_end);
+    if (!at("end"))
+        if_without_end(result->span);
+    else
+        advance();
     result->span = since(result->span);
     return result;
 }
@@ -198,7 +204,19 @@ StmtPtr Parser::assignment() {
     return result;
 }
 
+/// The `if` is where the eye looks for it; the place is where it was expected.
+void Parser::if_without_end(Span word) {
+    const Span place = missing_place();
+    diagnostics::Diagnostic* const finding = missing("`end`, which closes the `if`");
+    if (finding == nullptr) return;
+    finding->notes.push_back({word, "the `if` begins here"});
+    finding->fixes.push_back({{source_, place.begin, place.begin}, " end ", "insert"});
+    inserted_ = finding;
+}
+
 StmtPtr Parser::name_statement() {
+    if (StmtPtr updating = updating_statement()) return updating;
+    if (StmtPtr reset = clock_set_to_zero()) return reset;
     if (looks_like_assignment()) return assignment();
     std::size_t ahead = 1;
     while (peek(ahead).is("::")) ahead += 2;

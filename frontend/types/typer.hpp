@@ -84,6 +84,7 @@ private:
     TypePtr record(Expr& expr, Surroundings& around);
 
     void assignment(Stmt& statement, Surroundings& around);
+    bool resets_clock(const Stmt& statement, const Expr& named, std::string_view what, Surroundings& around);
     void call(Stmt& statement, Surroundings& around);
     void unknown_operation(const Stmt& statement, Surroundings& around);
     void wait(const ExprPtr& duration, Surroundings& around);

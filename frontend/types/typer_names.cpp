@@ -70,6 +70,13 @@ void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     auto& finding =
         finder_.unknown(name, "variable, constant, literal or function", "in " + described(component), candidates);
+    if (around.scope != nullptr && name.parts.size() == 1 && around.scope->clocks.contains(name.parts.front())) {
+        const std::string own = fmt::format("since({})", name.parts.front());
+        finding.notes.push_back({around.scope->clocks.at(name.parts.front())->name_span,
+                                 fmt::format("it is a clock: `{}` is the time since its last reset", own)});
+        finding.fixes = {{name.span, own, "write"}};
+        return;
+    }
     const Declaration* outer = component != nullptr ? component->parent : nullptr;
     if (const auto* around_it = dynamic_cast<const Context*>(outer)) {
         const Scope scope = scope_of(*around_it);

@@ -48,7 +48,24 @@ void Typer::wait(const ExprPtr& duration, Surroundings& around) {
         finder_.out().report(rules::wait_type, duration->span, {to_string(type)});
 }
 
+/// `C = 0` and `reset(C)` of a clock that is no variable: what is meant is `#C`.
+bool Typer::resets_clock(const Stmt& statement, const Expr& named, std::string_view what, Surroundings& around) {
+    const bool plain = named.kind == ExprKind::name && named.name.parts.size() == 1;
+    if (!plain || around.scope == nullptr) return false;
+    const std::string& name = named.name.parts.front();
+    const auto clock = around.scope->clocks.find(name);
+    if (clock == around.scope->clocks.end() || around.scope->variables.contains(name)) return false;
+    const Declaration* component = component_around(around.place.inside);
+    const std::string where = component != nullptr ? fmt::format("in `{}`", component->name) : "here";
+    const QualifiedName& missing = statement.kind == StmtKind::call ? statement.name : named.name;
+    auto& finding = finder_.unknown(missing, what, where, {});
+    finding.notes.push_back({clock->second->name_span, fmt::format("a clock is reset by `#{}`", name)});
+    finding.fixes = {{statement.span, "#" + name, "write"}};
+    return true;
+}
+
 void Typer::assignment(Stmt& statement, Surroundings& around) {
+    if (resets_clock(statement, *statement.target, "variable", around)) return;
     const TypePtr target = type(statement.target, around);
     const TypePtr value = type(statement.value, around);
     const Expr* root = statement.target.get();
@@ -72,6 +89,10 @@ void Typer::assignment(Stmt& statement, Surroundings& around) {
 }
 
 void Typer::call(Stmt& statement, Surroundings& around) {
+    const std::string& called = statement.name.parts.back();
+    const bool known = around.scope != nullptr && around.scope->operations.contains(called);
+    const bool resets = (called == "reset" || called == "restart") && statement.args.size() == 1;
+    if (!known && resets && resets_clock(statement, *statement.args.front(), "operation", around)) return;
     for (const ExprPtr& arg : statement.args) type(arg, around);
     if (around.scope == nullptr) return;
     const auto found = around.scope->operations.find(statement.name.parts.back());

@@ -60,5 +60,41 @@ TEST(Validate, FixAppliesWhatIsCertainAndReportsTheRest) {
     EXPECT_EQ(contents(file.path()), before);
 }
 
+/// What somebody writes who knows UML and C: each run fixes what it understands, which lets the next one see more.
+TEST(Validate, FixTurnsOtherNotationsIntoRoboChart) {
+    const TemporaryFile file(
+        "m.rct",
+        "statemachine Door {\n"
+        "  event open; event close;\n"
+        "  clock C\n"
+        "  var bool locked\n"
+        "  int tries\n"
+        "  initial i\n"
+        "  state Closed { onentry tries = 0 do skip }\n"
+        "  state Open { entry C := 0 }\n"
+        "  transition t0 { from i to Closed }\n"
+        "  transition t1 { from Closed to Open on open [ tries < 3 and not locked ] / tries += 1 }\n"
+        "  transition t2 { Open -> Closed on close }\n"
+        "  transition t3 { from Open to Closed when C > 20 }\n"
+        "}\n");
+    for (int pass = 0; pass < 4; ++pass) (void)run({"validate", "--fix", file.path()});
+    EXPECT_EQ(contents(file.path()),
+              "stm Door {\n"
+              "  event open event close\n"
+              "  clock C\n"
+              "  var locked : boolean\n"
+              "  var tries : int\n"
+              "  initial i\n"
+              "  state Closed { entry tries = 0 during skip }\n"
+              "  state Open { entry #C }\n"
+              "  transition t0 { from i to Closed }\n"
+              "  transition t1 { from Closed to Open trigger open condition tries < 3 /\\ not locked action tries = "
+              "tries + 1 }\n"
+              "  transition t2 { from Open to Closed trigger close }\n"
+              "  transition t3 { from Open to Closed condition since(C) > 20 }\n"
+              "}\n");
+    EXPECT_EQ(run({"validate", file.path()}).exit, 0);
+}
+
 }  // namespace
 }  // namespace robochart::app

@@ -16,6 +16,7 @@
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
+#include "conformance/model/rules.hpp"
 #include "diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 
@@ -105,7 +106,25 @@ std::vector<std::string> words_of(const std::string& console, const fs::path& fo
     return words;
 }
 
-/// Everything a verb does that may report: reading, lowering, writing. Searches are left out.
+void add_rule(const diagnostics::Rule* rule, Judgement& result) {
+    if (rule == nullptr) return;
+    result.findings.insert(fmt::format(":0 {}", rule->code));
+    result.rules.insert(rule);
+}
+
+/// The rules of an outcome; what the model is besides counts where it can be run in cycles.
+void take(const app::ConformanceReport& report, Judgement& result) {
+    const conformance::Result& found = report.result;
+    add_rule(found.explanation.rule, result);
+    result.report += fmt::format("{}: {}\n", report.component, found.reason);
+    if (found.outcome == conformance::Outcome::not_schedulable) return;
+    if (found.outcome != conformance::Outcome::conforms) result.findings.insert(":0 neither schedulable nor not");
+    if (!found.missed.empty()) add_rule(&conformance::rules::event_missed, result);
+    for (const auto& aside : {found.register_cycles, found.deadlines})
+        if (aside) add_rule(aside->rule, result);
+}
+
+/// Everything a verb does that may report: reading, lowering, writing, and of searches those of `conform`.
 void run(const app::Options& options, Judgement& result) {
     if (options.verb == app::Verb::cspm) return read_script(options.inputs.front(), result);
     if (options.verb == app::Verb::simulate) {
@@ -118,6 +137,10 @@ void run(const app::Options& options, Judgement& result) {
     bool good = project->diagnostics.ok();
     if (good && (all || options.verb == app::Verb::emit_csp)) good = app::write_csp(*project, options, report);
     if (good && options.verb == app::Verb::emit_cpp) good = app::write_cpp(*project, options, report);
+    if (good && options.verb == app::Verb::conform) {
+        app::check_conformance(*project, options, report);
+        for (const app::ConformanceReport& each : report.conformance) take(each, result);
+    }
     take(project->sources, project->diagnostics, result);
 }
 

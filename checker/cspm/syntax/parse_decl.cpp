@@ -142,6 +142,9 @@ DeclPtr Parser::channel() {
     DeclNode result;
     result.kind = DeclKind::channel;
     result.names = names();
+    const bool typed = at(Tok::identifier) || at(Tok::l_brace) || at(Tok::l_paren) || at(Tok::dot);
+    if (typed)
+        fail("':'", "the type of what a channel carries stands behind a `:`, as in `channel c : T`", peek().span);
     if (accept(Tok::colon)) result.body = expression();
     return finish(std::move(result), from);
 }

@@ -181,6 +181,7 @@ ExprPtr Parser::square_infix(ExprPtr left) {
             result.kind = ExprKind::alphabetised;
             result.args = {left, nullptr, std::move(first), expression()};
         } else {
+            if (!at(Tok::tie)) half_refinement(*first, from);
             expect(Tok::tie);
             result.kind = ExprKind::linked;
             result.links.push_back({std::move(first), expression()});
@@ -198,6 +199,15 @@ ExprPtr Parser::square_infix(ExprPtr left) {
         fail(rules::not_associative, peek().span, {std::string(spelling(peek().kind))});
     }
     return finish(std::move(result), from);
+}
+
+// `P [T Q` and `P [FDR= Q`.
+void Parser::half_refinement(const Expr& model, Span process) {
+    const bool named = model.kind == ExprKind::name && !model.text.empty() && model.text.size() <= 3 &&
+                       std::ranges::all_of(model.text, [](char c) { return c >= 'A' && c <= 'Z'; });
+    if (named && !at(Tok::r_square))
+        fail("'<->' or '||'", "a refinement is written `[T=`, `[F=` or `[FD=`, without blanks, between two processes",
+             process);
 }
 
 ExprPtr Parser::postfix(ExprPtr left) {
@@ -247,7 +257,14 @@ std::vector<Clause> Parser::clauses() {
 }
 
 Clause Parser::clause() {
-    if (!generator_ahead()) return {nullptr, expression()};
+    if (!generator_ahead()) {
+        // A process is no condition.
+        if (at(Tok::identifier) && peek(1).kind == Tok::arrow) {
+            take();
+            fail("'<-'");
+        }
+        return {nullptr, expression()};
+    }
     PatternPtr variable = pattern();
     if (!accept(Tok::drawn_from)) expect(Tok::colon);
     return {std::move(variable), expression()};

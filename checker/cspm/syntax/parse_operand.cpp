@@ -193,7 +193,8 @@ ExprPtr Parser::let() {
     result.kind = ExprKind::let;
     result.decls = declarations(Place::let, &Parser::at_within);
     if (result.decls.empty()) fail("a declaration");
-    expect(Tok::kw_within);
+    if (!at(Tok::kw_within)) fail("'within'", "this `let` has no `within`", from);
+    take();
     result.args = {expression()};
     return finish(std::move(result), from);
 }

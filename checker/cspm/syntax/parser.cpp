@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "checker/cspm/syntax/advice.hpp"
 #include "checker/cspm/syntax/rules.hpp"
 
 namespace robochart::cspm {
@@ -39,7 +40,19 @@ void Parser::fail(std::string_view expected) {
     const Token& found = peek();
     std::string what = described(found.kind);
     if (found.kind == Tok::identifier) what = "'" + std::string(found.text.substr(0, 60)) + "'";
-    fail(rules::unexpected_token, found.span, {std::string(expected), what});
+    diagnostics::Diagnostic& finding =
+        diagnostics_.report(rules::unexpected_token, found.span, {std::string(expected), what});
+    if (const std::string_view advice = advice_on(expected, found.text); !advice.empty())
+        finding.notes.push_back({found.span, std::string(advice)});
+    throw SyntaxError{};
+}
+
+void Parser::fail(std::string_view expected, std::string_view advice, Span about) {
+    std::string what = described(peek().kind);
+    if (at(Tok::identifier)) what = "'" + std::string(peek().text.substr(0, 60)) + "'";
+    diagnostics_.report(rules::unexpected_token, peek().span, {std::string(expected), what})
+        .notes.push_back({about, std::string(advice)});
+    throw SyntaxError{};
 }
 
 void Parser::fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments) {

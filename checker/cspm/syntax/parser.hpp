@@ -69,6 +69,8 @@ private:
     bool accept(Tok kind);
     const Token& expect(Tok kind);
     [[noreturn]] void fail(std::string_view expected);
+    /// The same where the caller knows what is probably meant, and which part of the text shows it.
+    [[noreturn]] void fail(std::string_view expected, std::string_view advice, Span about);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[nodiscard]] Span since(Span from) const;
 
@@ -86,6 +88,7 @@ private:
     ExprPtr infix(ExprPtr left, ExprKind kind, int level, bool right_associative);
     ExprPtr bracketed_infix(ExprPtr left);
     ExprPtr square_infix(ExprPtr left);
+    void half_refinement(const Expr& model, Span process);
     ExprPtr prefixed(ExprPtr event);
     ExprPtr postfix(ExprPtr left);
     ExprPtr rename(ExprPtr process);

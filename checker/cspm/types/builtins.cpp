@@ -87,6 +87,10 @@ constexpr std::array names{
 
 }  // namespace
 
+std::span<const BuiltinName> builtin_names() {
+    return names;
+}
+
 const BuiltinName* find_builtin(std::string_view name) {
     const auto* found = std::ranges::find(names, name, &BuiltinName::name);
     return found == names.end() ? nullptr : found;

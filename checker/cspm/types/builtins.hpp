@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace robochart::cspm {
@@ -30,6 +31,7 @@ struct BuiltinName {
     Visibility visibility = Visibility::always;
 };
 
+[[nodiscard]] std::span<const BuiltinName> builtin_names();
 /// Null if there is none of that name.
 [[nodiscard]] const BuiltinName* find_builtin(std::string_view name);
 [[nodiscard]] const BuiltinName& builtin_name(Builtin builtin);

@@ -234,7 +234,10 @@ TypeId ExpressionTypes::application(const Term& term) {
         (void)unify(span, store_.make(TypeKind::function, wanted), type);
     } else {
         TypeWriter writer(store_);
-        throw TypeFault{&rules::not_a_function, {writer.text(type)}, {}, span};
+        TypeFault fault{&rules::not_a_function, {writer.text(type)}, {}, span};
+        if (fault.arguments.front() == "Proc")
+            fault.notes.push_back({span, "a process without parameters is named without parentheses"});
+        throw fault;
     }
     std::vector<TypeId> given;
     for (std::size_t i = 0; i < count; ++i) given.push_back(infer(*term.args[i + 1]));

@@ -1,9 +1,14 @@
 // Looking names up, and what is said about those that are not there.
 #include "checker/cspm/types/names.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
+#include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/types/rules.hpp"
+#include "diagnostics/spelling.hpp"
 
 namespace robochart::cspm::types {
 
@@ -83,28 +88,52 @@ NameResolver::Lookup NameResolver::find_inside(const Module& module, std::string
 
 namespace {
 
-// Whether one change of a letter (put in, taken out, altered, or two swapped) makes them equal.
-bool close(std::string_view a, std::string_view b) {
-    if (a.size() > b.size()) std::swap(a, b);
-    if (b.size() < 3 || b.size() - a.size() > 1) return false;
-    std::size_t same = 0;
-    while (same < a.size() && a[same] == b[same]) ++same;
-    const std::string_view x = a.substr(same);
-    const std::string_view y = b.substr(same);
-    if (a.size() < b.size()) return x == y.substr(1);
-    if (x.empty() || x.substr(1) == y.substr(1)) return true;
-    return x.size() > 1 && x[0] == y[1] && x[1] == y[0] && x.substr(2) == y.substr(2);
+/// Names of other spellings and notations for what CSPM predefines.
+std::string_view predefined_for(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 14> rows = {{{"int", "Int"},
+                                                                                     {"integer", "Int"},
+                                                                                     {"bool", "Bool"},
+                                                                                     {"boolean", "Bool"},
+                                                                                     {"char", "Char"},
+                                                                                     {"Stop", "STOP"},
+                                                                                     {"stop", "STOP"},
+                                                                                     {"Skip", "SKIP"},
+                                                                                     {"skip", "SKIP"},
+                                                                                     {"Chaos", "CHAOS"},
+                                                                                     {"Run", "RUN"},
+                                                                                     {"TRUE", "true"},
+                                                                                     {"FALSE", "false"},
+                                                                                     {"events", "Events"}}};
+    const auto* const found = std::ranges::find(rows, name, &std::pair<std::string_view, std::string_view>::first);
+    return found == rows.end() ? std::string_view() : found->second;
+}
+
+std::vector<std::string> members_of(const Module& module, std::string_view prefix) {
+    std::vector<std::string> result;
+    for (const auto& [name, entry] : module.exported)
+        if (entry.symbol != nullptr) result.push_back(fmt::format("{}::{}", prefix, name));
+    return result;
 }
 
 }  // namespace
 
+// A name of the same spelling in a module, then the nearest of those in scope: locals, members, predefined ones.
 std::string NameResolver::suggestion(std::string_view name) const {
-    for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent) {
+    if (const std::string_view own = predefined_for(name); !own.empty()) return std::string(own);
+    std::vector<std::string> candidates;
+    const std::string ending = "::" + std::string(name);
+    for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent)
         for (const auto& [known, entry] : scope->names) {
-            if (entry.symbol != nullptr && close(known, name)) return known;
+            if (entry.symbol != nullptr) candidates.push_back(known);
+            if (entry.module == nullptr || (entry.module->parametrised && entry.module->original == nullptr)) continue;
+            for (std::string& member : members_of(*entry.module, known)) {
+                if (member.ends_with(ending)) return member;
+                if (name.find("::") != std::string_view::npos) candidates.push_back(std::move(member));
+            }
         }
-    }
-    return "";
+    for (const BuiltinName& each : builtin_names())
+        if (each.visibility == Visibility::always) candidates.emplace_back(each.name);
+    return name.size() < 3 ? "" : diagnostics::nearest(name, candidates);
 }
 
 void NameResolver::not_found(std::string_view name, Span span, const std::string& hint) {

@@ -139,9 +139,10 @@ std::optional<Lasso> rounds_of(lts::TransitionSystem& system, const State& state
     return std::nullopt;
 }
 
-/// Taus from the state back to itself: as the loop's, or else any.
+/// Taus from the state back to itself: as the loop's, if that is known, or else any.
 std::optional<Lasso> tau_loop(lts::TransitionSystem& system, const State& state, const Run& like, Budget& budget) {
-    if (auto found = rounds_of(system, state, like, budget)) return found;
+    if (!like.steps.empty())
+        if (auto found = rounds_of(system, state, like, budget)) return found;
     Paths paths(system, budget);
     for (const RunStep& first : moves_of(system, state, budget).list) {
         if (first.event != process::tau) continue;

@@ -1,0 +1,178 @@
+// See missed_events.hpp. An event is lost in a cycle if its register makes no difference there, whatever the others
+// hold: then equal trees follow all of its readings.
+#include "conformance/check/missed_events.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+namespace robochart::conformance {
+
+namespace {
+
+/// The value of a member in the text of a state; members of operations stand behind those of their machines.
+std::string_view value_in(std::string_view state, const std::string& member) {
+    const std::string wanted = member + "=";
+    for (std::size_t at = state.find(wanted); at != std::string_view::npos; at = state.find(wanted, at + 1)) {
+        if (at != 0 && state[at - 1] != ' ') continue;
+        const std::string_view rest = state.substr(at + wanted.size());
+        return rest.substr(0, rest.find(' '));
+    }
+    return {};
+}
+
+class Finder {
+public:
+    Finder(const CodeSystem& code, const Alphabet& alphabet, const EventPlaces& places)
+        : code_(code), alphabet_(alphabet), inputs_(alphabet.interface().inputs.size()) {
+        for (const cpp_emit::EventPlace& place : places) by_name_[place.member + "=" + place.place] = &place;
+        for (const cpp_emit::EventPlace& place : places) members_.insert(place.member);
+        if (!places.empty()) events_ = std::min(inputs_, places.front().events.size());
+    }
+
+    std::vector<MissedEvent> find() {
+        for (const std::uint32_t image : code_.begun()) look_at(image);
+        std::vector<MissedEvent> result;
+        for (std::uint32_t event = 0; event < events_; ++event) add(event, result);
+        return result;
+    }
+
+private:
+    /// The images in which an event is missed for one reason, with where the machine is.
+    struct Missed {
+        std::vector<std::uint32_t> images;
+        std::set<std::uint32_t> known;
+        std::vector<std::string> places;
+    };
+
+    Missed& missed(std::uint32_t event, MissedWhile why) {
+        return missed_[std::pair(event, why == MissedWhile::condition)];
+    }
+
+    void look_at(std::uint32_t image) {
+        const std::string state = code_.print(image);
+        std::vector<bool> lost;  // once it is asked for
+        for (const std::string& member : members_) {
+            const auto found = by_name_.find(member + "=" + std::string(value_in(state, member)));
+            if (found == by_name_.end()) continue;
+            const cpp_emit::EventPlace& place = *found->second;
+            if (lost.empty()) lost = lost_below(code_.known_root(image), 0);
+            for (std::uint32_t event = 0; event < events_; ++event)
+                if (place.events[event] && lost[event]) note(event, place, image);
+        }
+    }
+
+    void note(std::uint32_t event, const cpp_emit::EventPlace& place, std::uint32_t image) {
+        Missed& all = missed(event, place.busy ? MissedWhile::busy : MissedWhile::condition);
+        if (all.known.insert(image).second) all.images.push_back(image);
+        if (std::find(all.places.begin(), all.places.end(), place.element) == all.places.end())
+            all.places.push_back(place.element);
+    }
+
+    /// Of the registers from this one on, those that make no difference. As deep as there are registers.
+    const std::vector<bool>& lost_below(std::uint32_t node, std::size_t level) {
+        if (level == 0) lost_.resize(inputs_ + 1);
+        const auto found = lost_[level].find(node);
+        if (found != lost_[level].end()) return found->second;
+        std::vector<bool> lost(inputs_ + 1, true);
+        if (level < inputs_) {
+            const std::vector<std::uint32_t> below = code_.below(node);
+            lost[level] = std::all_of(below.begin(), below.end(), [&](std::uint32_t each) { return each == below[0]; });
+            for (const std::uint32_t each : std::set<std::uint32_t>(below.begin(), below.end())) {
+                const std::vector<bool>& inner = lost_below(each, level + 1);
+                for (std::size_t i = level + 1; i < inputs_; ++i) lost[i] = lost[i] && inner[i];
+            }
+        }
+        return lost_[level].emplace(node, std::move(lost)).first->second;
+    }
+
+    /// The images that a cycle in this one may lead to.
+    const std::vector<std::uint32_t>& behind(std::uint32_t image) {
+        const auto known = behind_.find(image);
+        if (known != behind_.end()) return known->second;
+        std::set<std::uint32_t> level{code_.known_root(image)};
+        for (std::size_t i = 0; i < inputs_; ++i) {
+            std::set<std::uint32_t> next;
+            for (const std::uint32_t node : level)
+                for (const std::uint32_t each : code_.below(node)) next.insert(each);
+            level = std::move(next);
+        }
+        std::set<std::uint32_t> images;
+        for (const std::uint32_t number : level) {
+            const CycleResult& result = code_.result(number);
+            if (result.ways.empty() && result.outcome == RC_QUIESCENT) images.insert(result.next);
+            for (const std::uint32_t way : result.ways)
+                if (code_.result(way).outcome == RC_QUIESCENT) images.insert(code_.result(way).next);
+        }
+        return behind_.emplace(image, std::vector<std::uint32_t>(images.begin(), images.end())).first->second;
+    }
+
+    void add(std::uint32_t event, std::vector<MissedEvent>& result) {
+        const std::string text = alphabet_.tell(alphabet_.read(event, 1));
+        MissedEvent found{text.substr(0, text.find(" = ")), {}, {}};
+        Missed either;
+        for (const MissedWhile why : {MissedWhile::busy, MissedWhile::condition}) {
+            const Missed& all = missed(event, why);
+            if (all.images.empty()) continue;
+            found.reasons.push_back({why, longest_run(all), all.places});
+            for (const std::uint32_t image : all.images)
+                if (either.known.insert(image).second) either.images.push_back(image);
+        }
+        if (found.reasons.empty()) return;
+        found.cycles = longest_run(either);
+        result.push_back(std::move(found));
+    }
+
+    /// The most cycles in a row that begin in these images; nothing where they can go on for ever.
+    std::optional<std::uint64_t> longest_run(const Missed& all) {
+        struct Visit {
+            std::uint32_t image = 0;
+            std::size_t next = 0;
+        };
+        std::unordered_map<std::uint32_t, std::uint64_t> length;  // 0: on the path; never iterated
+        std::uint64_t longest = 0;
+        for (const std::uint32_t start : all.images) {
+            if (length.count(start) != 0) continue;
+            std::vector<Visit> path{{start}};
+            length[start] = 0;
+            while (!path.empty()) {
+                Visit& visit = path.back();
+                const std::vector<std::uint32_t>& next = behind(visit.image);
+                if (visit.next == next.size()) {
+                    std::uint64_t most = 0;
+                    for (const std::uint32_t each : next)
+                        if (all.known.count(each) != 0) most = std::max(most, length.at(each));
+                    length[visit.image] = most + 1;
+                    longest = std::max(longest, most + 1);
+                    path.pop_back();
+                    continue;
+                }
+                const std::uint32_t each = next[visit.next++];
+                if (all.known.count(each) == 0) continue;
+                const auto [place, fresh] = length.emplace(each, 0);
+                if (!fresh && place->second == 0) return std::nullopt;
+                if (fresh) path.push_back({each});
+            }
+        }
+        return longest;
+    }
+
+    const CodeSystem& code_;
+    const Alphabet& alphabet_;
+    std::size_t inputs_;
+    std::size_t events_ = 0;
+    std::unordered_map<std::string, const cpp_emit::EventPlace*> by_name_;  ///< never iterated
+    std::set<std::string> members_;
+    std::vector<std::unordered_map<std::uint32_t, std::vector<bool>>> lost_;  ///< by register; never iterated
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> behind_;    ///< never iterated
+    std::map<std::pair<std::uint32_t, bool>, Missed> missed_;
+};
+
+}  // namespace
+
+std::vector<MissedEvent> missed_events(const CodeSystem& code, const Alphabet& alphabet, const EventPlaces& places) {
+    return Finder(code, alphabet, places).find();
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,339 @@
+// See standstill.hpp. The run is one of NF_c(M): what M does in it is a run of M, which is read as a counterexample is.
+#include "conformance/check/standstill.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <stdexcept>
+
+#include "checker/process/operational_semantics.hpp"
+#include "checker/process/term_system.hpp"
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/verdict/reference.hpp"
+#include "conformance/model/rules.hpp"
+#include "runs/interpreter.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+constexpr std::chrono::seconds longest_explanation{10};
+/// Of places and events in one explanation.
+constexpr std::size_t most_listed = 6;
+
+/// A run is found again in few states, however few the search was given.
+refine::Limits share_of(refine::Limits limits) {
+    limits.max_states = refine::Limits().max_states;
+    const auto end = std::chrono::steady_clock::now() + longest_explanation;
+    limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
+    return limits;
+}
+
+/// Outputs without end are a divergence where writes are hidden; a deadline that an input missed is no standstill.
+Frame frame_for(const refine::Counterexample& found) {
+    return {AfterTermination::idle, Outputs::sequence, Deadlines::idle,
+            found.kind == refine::ViolationKind::divergence};
+}
+
+/// The actions of a run as the frame has them: reports of writes are seen, or are not.
+refine::Run run_in(const Frame& frame, const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
+    refine::Run run;
+    for (const refine::Step& step : steps) {
+        const process::Event event = step.event == process::tau ? step.revealed : step.event;
+        const bool write = alphabet.cycle_role(event).kind == CycleRole::Kind::write;
+        run.steps.push_back({write && frame.writes_hidden ? process::tau
+                             : write                      ? event
+                                                          : step.event,
+                             step.revealed == process::tau ? event : step.revealed,
+                             {}});
+    }
+    return run;
+}
+
+/// The same run in the normal form of this graph; nothing where it takes too long, or is not there.
+std::optional<refine::Violation> found_in(NormalFormSystem& normal_form, const Frame& frame,
+                                          const refine::Counterexample& found, const Alphabet& alphabet,
+                                          const refine::Limits& limits) {
+    refine::Budget budget(limits);
+    normal_form.watch([&budget] { budget.charge(); });
+    std::optional<refine::Violation> result;
+    try {
+        const refine::Violation violation{found.kind, run_in(frame, found.steps, alphabet),
+                                          run_in(frame, found.loop, alphabet), std::nullopt};
+        result = refine::found_again(normal_form, normal_form, violation, budget);
+    } catch (const process::Interrupted&) {
+    } catch (const std::logic_error&) {
+        // Which way it is shown decides nothing: a run that is only found otherwise is not shown.
+    }
+    normal_form.watch({});
+    return result;
+}
+
+bool writes_in(const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
+    return std::any_of(steps.begin(), steps.end(), [&](const refine::Step& step) {
+        const process::Event event = step.event == process::tau ? step.revealed : step.event;
+        return alphabet.cycle_role(event).kind == CycleRole::Kind::write;
+    });
+}
+
+/// What M does in a run of NF_c(M), as a counterexample of M.
+class RunOfModel {
+public:
+    RunOfModel(ModelGraph& graph, const NormalFormSystem& normal_form, const Alphabet& alphabet)
+        : graph_(graph), normal_form_(normal_form), alphabet_(alphabet) {}
+
+    refine::Counterexample read(const refine::Violation& violation) {
+        refine::Counterexample result;
+        const bool diverges = violation.kind == refine::ViolationKind::divergence;
+        result.kind = diverges ? refine::ViolationKind::divergence : refine::ViolationKind::refusal;
+        result.initial = graph_.describe(graph_.initial());
+        result.terms.push_back(term(graph_.initial()));
+        ModelState at = follow(violation.run, result.steps, result.terms);
+        if (diverges) {
+            result.loop_terms.push_back(term(at));
+            at = follow(violation.loop, result.loop, result.loop_terms);
+        }
+        for (const ModelEdge& edge : graph_.edges(at))
+            if (edge.event != process::tau) result.offered.push_back(edge.event);
+        std::sort(result.offered.begin(), result.offered.end());
+        result.offered.erase(std::unique(result.offered.begin(), result.offered.end()), result.offered.end());
+        return result;
+    }
+
+private:
+    [[nodiscard]] process::TermId term(ModelState state) const { return process::TermId{graph_.view(state).front()}; }
+
+    /// The last state of M before it terminates.
+    ModelState follow(const refine::Run& run, std::vector<refine::Step>& steps, std::vector<process::TermId>& terms) {
+        ModelState at = normal_form_.model(run.initial).value_or(graph_.initial());
+        for (const refine::RunStep& step : run.steps) {
+            const auto next = normal_form_.model(step.state);
+            if (!next) break;
+            const process::Event event = step.event == process::tau ? step.revealed : step.event;
+            const auto role = alphabet_.cycle_role(event).kind;
+            if (role == CycleRole::Kind::read || role == CycleRole::Kind::write) continue;
+            const std::vector<ModelEdge>& edges = graph_.edges(at);
+            const auto edge = std::find_if(edges.begin(), edges.end(), [&](const ModelEdge& each) {
+                return each.target == *next && (each.event == event || each.revealed == event);
+            });
+            if (edge == edges.end()) continue;
+            steps.push_back({edge->event, edge->revealed, graph_.describe(*next)});
+            terms.push_back(term(*next));
+            at = *next;
+        }
+        return at;
+    }
+
+    ModelGraph& graph_;
+    const NormalFormSystem& normal_form_;
+    const Alphabet& alphabet_;
+};
+
+std::string with_place(const std::string& text, const std::optional<runs::Place>& place) {
+    return place ? fmt::format("{} ({}:{})", text, place->file, place->line) : text;
+}
+
+/// "output x, entry action of B (model.rct:9)": what happens, whatever its values, and what makes it happen.
+std::string words_of(const runs::Event& event) {
+    const std::string what = event.text.substr(0, event.text.find(" with "));
+    const bool known = !event.via.empty() && what.find(event.via) == std::string::npos;
+    return with_place(known ? fmt::format("{}, {}", what, event.via) : what, event.place);
+}
+
+void add(std::vector<std::string>& list, std::string text) {
+    const bool known = std::find(list.begin(), list.end(), text) != list.end();
+    if (!known && list.size() < most_listed) list.push_back(std::move(text));
+}
+
+bool is_output(const runs::Event& event) {
+    return event.kind == runs::Kind::output || event.kind == runs::Kind::call || event.kind == runs::Kind::assignment;
+}
+
+const std::vector<runs::Machine>& last_machines(const runs::Run& run) {
+    return run.steps.empty() ? run.initial : run.steps.back().machines;
+}
+
+/// The words of one explanation, from the run of M.
+class Words {
+public:
+    Words(Explanation& explanation, const runs::Run& run, std::uint32_t cycle_length)
+        : explanation_(explanation), run_(run), cycle_length_(cycle_length) {}
+
+    void write() {
+        const diagnostics::Rule* const rule = explanation_.rule;
+        if (rule == &rules::endless_steps || rule == &rules::endless_outputs) return loop();
+        if (rule == &rules::time_stops) return stops();
+        in_mid_cycle(rule);
+    }
+
+private:
+    void loop() {
+        const auto first = run_.steps.begin() + static_cast<std::ptrdiff_t>(run_.loop_start.value_or(0));
+        const runs::Event* transition = nullptr;
+        bool calls = false;
+        for (auto step = first; step != run_.steps.end(); ++step) {
+            const runs::Event& event = step->event;
+            const bool passing = event.kind == runs::Kind::internal || event.kind == runs::Kind::entered ||
+                                 event.kind == runs::Kind::exited || event.kind == runs::Kind::tock;
+            if (passing) continue;
+            add(explanation_.where, words_of(event));
+            calls = calls || event.kind == runs::Kind::call;
+            if (event.kind == runs::Kind::transition && transition == nullptr) transition = &event;
+        }
+        explanation_.remedy =
+            transition == nullptr
+                ? "let some step of the loop take time (`wait(1)`) or await an event, or let a condition end the loop"
+                : fmt::format(
+                      "give {} an action that takes time (`action wait(1)`), a trigger to await, or a condition "
+                      "that ends the loop; a wait in an action of a state on the loop does as well",
+                      transition->text);
+        if (calls)
+            explanation_.remedy +=
+                "; operations take no time here: if one that is called takes time, check what defines it, its "
+                "controller or module";
+    }
+
+    void stops() {
+        std::int64_t lacking = 0;
+        for (const runs::Machine& machine : last_machines(run_)) {
+            bool late = false;
+            std::int64_t left = 0;
+            for (const runs::Variable& variable : machine.variables) {
+                if (variable.kind != runs::VariableKind::countdown || !variable.value) continue;
+                if (!variable.deadline.empty()) {
+                    if (*variable.value != "0" && !variable.value->starts_with("-")) continue;
+                    late = true;
+                    add(explanation_.where,
+                        with_place(fmt::format("the deadline of {} is over", variable.deadline), variable.place));
+                } else if (!variable.value->empty() &&
+                           std::isdigit(static_cast<unsigned char>(variable.value->front())))
+                    left = std::stoll(variable.value->substr(0, 9));
+            }
+            if (!late) continue;
+            add(explanation_.where, with_place(machine.text, machine.place));
+            lacking = std::max(lacking, left);
+        }
+        const bool deadline = !explanation_.where.empty();
+        if (!deadline)
+            for (const runs::Machine& machine : last_machines(run_))
+                add(explanation_.where, with_place(machine.text, machine.place));
+        for (const runs::Event& event : run_.end.offered)
+            if (event.kind == runs::Kind::input) add(explanation_.where, "awaits " + words_of(event));
+        if (lacking > 0)
+            explanation_.remedy = fmt::format(
+                "make the deadline at least {0} time unit{1} longer, or the wait that it bounds at least {0} shorter",
+                lacking, lacking == 1 ? "" : "s");
+        else
+            explanation_.remedy =
+                deadline ? "make the deadline longer, or let what it bounds be ready earlier: what it waits for does "
+                           "not happen by then"
+                         : "let something happen here, or let time pass: what is awaited does not happen";
+    }
+
+    void in_mid_cycle(const diagnostics::Rule* rule) {
+        std::int64_t passed = 0;
+        for (const runs::Step& step : run_.steps) passed += step.units;
+        const std::int64_t behind = passed % cycle_length_;
+        for (const runs::Event& event : run_.end.offered) {
+            const bool output = rule == &rules::output_in_mid_cycle && is_output(event);
+            const bool input = rule == &rules::input_in_mid_cycle &&
+                               (event.kind == runs::Kind::input || event.kind == runs::Kind::external_write);
+            if (output || input) add(explanation_.where, words_of(event));
+        }
+        if (explanation_.where.empty() && rule == &rules::end_in_mid_cycle) last_transition();
+        if (explanation_.where.empty())
+            for (const runs::Machine& machine : last_machines(run_))
+                add(explanation_.where, with_place(machine.text, machine.place));
+        const std::string remedy =
+            rule == &rules::input_in_mid_cycle
+                ? fmt::format("extend the deadline by {}, to the beginning of the next cycle", cycle_length_ - behind)
+                : fmt::format("let the waits before it add up to a multiple of {}", cycle_length_);
+        const char* const what = rule == &rules::output_in_mid_cycle  ? "the output is due"
+                                 : rule == &rules::input_in_mid_cycle ? "the deadline is over"
+                                                                      : "the end is due";
+        explanation_.remedy = fmt::format(
+            "{} {} time unit{} after the beginning of a cycle of {}: {}, or run the model in cycles of 1 (`--cycle 1`)",
+            what, behind, behind == 1 ? "" : "s", cycle_length_, remedy);
+    }
+
+    void last_transition() {
+        const auto moves = [](const runs::Step& step) {
+            return !step.event.via.empty() || step.event.kind == runs::Kind::transition;
+        };
+        const auto last = std::find_if(run_.steps.rbegin(), run_.steps.rend(), moves);
+        if (last != run_.steps.rend()) add(explanation_.where, "terminates behind " + words_of(last->event));
+    }
+
+    Explanation& explanation_;
+    const runs::Run& run_;
+    std::uint32_t cycle_length_;
+};
+
+}  // namespace
+
+const diagnostics::Rule* rule_of(Standstill standstill) {
+    switch (standstill) {
+        case Standstill::other:
+            return &rules::time_stops;
+        case Standstill::output_in_mid_cycle:
+            return &rules::output_in_mid_cycle;
+        case Standstill::input_in_mid_cycle:
+            return &rules::input_in_mid_cycle;
+        case Standstill::end_in_mid_cycle:
+            return &rules::end_in_mid_cycle;
+        case Standstill::none:
+        case Standstill::inputs:
+        case Standstill::terminated:
+            break;
+    }
+    return nullptr;
+}
+
+const diagnostics::Rule& rule_of(const refine::Counterexample& found, ModelGraph& graph, const Alphabet& alphabet,
+                                 std::uint32_t cycle_length, const refine::Limits& limits) {
+    if (found.kind == refine::ViolationKind::divergence)
+        return writes_in(found.loop, alphabet) ? rules::endless_outputs : rules::endless_steps;
+    const Frame frame = frame_for(found);
+    NormalFormSystem normal_form(graph, alphabet, cycle_length, frame);
+    const auto again = found_in(normal_form, frame, found, alphabet, share_of(limits));
+    const diagnostics::Rule* const rule = again ? rule_of(normal_form.standstill(again->run.last())) : nullptr;
+    return rule == nullptr ? rules::time_stops : *rule;
+}
+
+void take_standstill(Result& result, const diagnostics::Rule* rule, const std::vector<process::Event>& trace) {
+    if (rule == nullptr) return;
+    const bool endless = rule == &rules::endless_steps || rule == &rules::endless_outputs;
+    refine::Counterexample run;
+    run.kind = endless ? refine::ViolationKind::divergence : refine::ViolationKind::deadlock;
+    for (const process::Event event : trace) run.steps.push_back({event, event, ""});
+    result.explanation.rule = rule;
+    result.standstill = std::move(run);
+}
+
+void explain_standstill(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
+                        const ModelWords& words, const Options& options) {
+    if (result.outcome != Outcome::not_schedulable || !result.standstill) return;
+    const Frame frame = frame_for(*result.standstill);
+    try {
+        process::OperationalSemantics semantics(session.terms());
+        process::TermSystem terms(semantics, session.process(process));
+        ModelGraph graph(terms, alphabet);
+        NormalFormSystem normal_form(graph, alphabet, options.cycle_length, frame);
+        const auto again = found_in(normal_form, frame, *result.standstill, alphabet, share_of(options.limits));
+        if (!again) return;
+        const refine::Counterexample run = RunOfModel(graph, normal_form, alphabet).read(*again);
+        csp_emit::Obligation asked;
+        asked.time = csp_emit::Time::timed;
+        asked.kind = run.kind == refine::ViolationKind::divergence ? ir::PropertyKind::divergence_free
+                                                                   : ir::PropertyKind::timelock_free;
+        const runs::Context context{words.provenance, words.system, words.instantiation, words.sources, session};
+        Words(result.explanation, runs::interpret(context, asked, run), options.cycle_length).write();
+    } catch (const process::Interrupted&) {
+    } catch (const process::SemanticsError&) {
+    }
+}
+
+}  // namespace robochart::conformance

@@ -1,0 +1,113 @@
+// Where an event that the platform raises may be lost (docs/conformance.md, "Events that can be missed").
+#include <algorithm>
+
+#include "cpp_emit/code/dispatch.hpp"
+#include "cpp_emit/files/files.hpp"
+
+namespace robochart::cpp_emit {
+
+namespace {
+
+class PlaceFinder {
+public:
+    PlaceFinder(const Generation& generation, const Core& core)
+        : generation_(generation), core_(core), events_(input_events(generation.component)) {}
+
+    std::vector<EventPlace> find() {
+        for (const Part& part : generation_.component.parts) machine(part, part.root);
+        return std::move(places_);
+    }
+
+private:
+    void machine(const Part& part, std::size_t root) {
+        const ir::Machine& machine = *generation_.component.units[root].machine;
+        if (!machine.initial.valid()) return;
+        const std::string member = part.tag.empty() ? "state" : part.tag + ".state";
+        const std::vector<Enumerator>& values = core_.machines[root].enumerations.front().values;
+        std::string program;  // whose places are being gone through
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const Enumerator& value = values[i];
+            const std::string comment = diagnostics::shown(value.comment);
+            if (comment != "waits") program = comment;
+            if (i == 0) continue;  // before the first cycle
+            EventPlace place{member, value.name, program, !value.rests};
+            Awaited awaited(events_.size());
+            await(part, machine, value.state, awaited);
+            if (!value.rests) lead(part, machine, value.target, awaited);
+            place.events = value.rests ? awaited.conditional() : awaited.all;
+            if (std::find(place.events.begin(), place.events.end(), true) != place.events.end())
+                places_.push_back(std::move(place));
+        }
+    }
+
+    /// Whether the machine's event is raised by the platform, and as which of its events.
+    [[nodiscard]] std::vector<bool> raised(const EventUse& use) const {
+        std::vector<bool> result(events_.size());
+        for (const std::size_t port : use.ports) {
+            const auto found = std::find(events_.begin(), events_.end(), &generation_.component.events[port]);
+            if (found != events_.end()) result[static_cast<std::size_t>(found - events_.begin())] = true;
+        }
+        return result;
+    }
+
+    /// By the transitions of a state and of those around it.
+    struct Awaited {
+        explicit Awaited(std::size_t events) : all(events), taken(events) {}
+        std::vector<bool> all;    ///< some transition awaits it
+        std::vector<bool> taken;  ///< some does without a condition
+        [[nodiscard]] std::vector<bool> conditional() const {
+            std::vector<bool> result = all;
+            for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] && !taken[i];
+            return result;
+        }
+    };
+
+    static void add(const std::vector<bool>& more, std::vector<bool>& to) {
+        for (std::size_t i = 0; i < to.size(); ++i) to[i] = to[i] || more[i];
+    }
+
+    void await(const Part& part, const ir::Machine& machine, ir::NodeId state, Awaited& awaited) const {
+        for (; state.valid(); state = machine.nodes[state.index].parent)
+            for (const ir::TransitionId id : machine.nodes[state.index].outgoing) {
+                const ir::Transition& transition = machine.transitions[id.index];
+                if (!transition.trigger) continue;
+                const std::string& name = machine.events[transition.trigger->event.index].name;
+                const auto use = std::find_if(part.events.begin(), part.events.end(),
+                                              [&](const EventUse& each) { return each.name == name; });
+                if (use == part.events.end()) continue;
+                add(raised(*use), awaited.all);
+                if (!transition.guard && !transition.trigger->predicate) add(raised(*use), awaited.taken);
+            }
+    }
+
+    /// Where a transition leads, through junctions.
+    void lead(const Part& part, const ir::Machine& machine, ir::NodeId target, Awaited& awaited) const {
+        std::vector<ir::NodeId> open;
+        if (target.valid()) open.push_back(target);
+        std::vector<bool> seen(machine.nodes.size());
+        while (!open.empty()) {
+            const ir::NodeId node = open.back();
+            open.pop_back();
+            if (seen[node.index]) continue;
+            seen[node.index] = true;
+            await(part, machine, node, awaited);
+            const ir::NodeKind kind = machine.nodes[node.index].kind;
+            if (kind == ir::NodeKind::state || kind == ir::NodeKind::final) continue;
+            for (const ir::TransitionId id : machine.nodes[node.index].outgoing)
+                open.push_back(machine.transitions[id.index].target);
+        }
+    }
+
+    const Generation& generation_;
+    const Core& core_;
+    std::vector<const EventPort*> events_;
+    std::vector<EventPlace> places_;
+};
+
+}  // namespace
+
+std::vector<EventPlace> event_places(const Generation& generation, const Core& core) {
+    return PlaceFinder(generation, core).find();
+}
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,69 @@
+// What `conform` says of a model that cannot be run in control cycles, and of what it is besides, as text and as JSON.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string blinks =
+    "stm M {\n event go event x : nat\n initial i state Idle { } state B { entry x!1 }\n"
+    " transition t0 { from i to Idle }\n transition t1 { from Idle to B trigger go }\n";
+
+TEST(Explained, NotSchedulableWithCodePlaceAndRemedy) {
+    const TemporaryFile model("m.rct", blinks + " transition t2 { from B to B }\n}\n");
+    const Ran text = run({"conform", model.path()});
+    EXPECT_EQ(text.exit, 1) << text.err;
+    EXPECT_THAT(text.out, HasSubstr("NOT SCHEDULABLE M"));
+    EXPECT_THAT(text.out, HasSubstr("[RC-K02]\n"));
+    EXPECT_THAT(text.out, HasSubstr("t2: B -> B ("));
+    EXPECT_THAT(text.out, HasSubstr("m.rct:6)"));
+    EXPECT_THAT(text.out, HasSubstr("to make it schedulable: give t2: B -> B an action that takes time"));
+    EXPECT_THAT(text.out, HasSubstr("see `robochart-verify explain RC-K02`"));
+
+    const Ran data = run({"conform", model.path(), "--format", "json"});
+    EXPECT_EQ(data.exit, 1);
+    const auto one = nlohmann::json::parse(data.out).at("conformance").at(0);
+    EXPECT_EQ(one.at("outcome"), "not schedulable");
+    EXPECT_EQ(one.at("code"), "RC-K02");
+    EXPECT_FALSE(one.at("explanation").at("where").empty());
+    EXPECT_THAT(one.at("explanation").at("remedy").get<std::string>(), HasSubstr("t2: B -> B"));
+    EXPECT_EQ(one.at("registerCycles").at("code"), "RC-K07");
+    EXPECT_THAT(one.at("registerCycles").at("meaning").get<std::string>(), HasSubstr("are lost"));
+}
+
+// Three cycles lie within a wait of four units; neither outcome nor exit code depends on that.
+TEST(Explained, EventsThatCanBeMissedChangeNoExitCode) {
+    const TemporaryFile model("m.rct", blinks +
+                                           " state C { entry wait(4) }\n transition t2 { from B to C }\n transition t3 "
+                                           "{ from C to B trigger go }\n}\n");
+    const Ran text = run({"conform", model.path()});
+    EXPECT_EQ(text.exit, 0) << text.out << text.err;
+    EXPECT_THAT(
+        text.out,
+        HasSubstr("event go can be missed for 3 cycles while the machine is busy: enters M::C (m.rct:6) [RC-K09]\n"));
+    const Ran data = run({"conform", model.path(), "--format", "json"});
+    const auto missed = nlohmann::json::parse(data.out).at("conformance").at(0).at("missedEvents");
+    ASSERT_EQ(missed.size(), 1U);
+    EXPECT_EQ(missed[0].at("event"), "go");
+    EXPECT_EQ(missed[0].at("code"), "RC-K09");
+    EXPECT_EQ(missed[0].at("reasons").at(0).at("while"), "busy");
+    EXPECT_EQ(missed[0].at("cycles"), 3);
+    EXPECT_EQ(missed[0].at("reasons").at(0).at("places"), (nlohmann::json{"enters M::C (m.rct:6)"}));
+}
+
+TEST(Explained, EachCodeHasAPage) {
+    for (int i = 1; i <= 9; ++i) {
+        const Ran page = run({"explain", "RC-K0" + std::to_string(i)});
+        EXPECT_EQ(page.exit, 0);
+        EXPECT_THAT(page.out, HasSubstr("control cycles"));
+    }
+}
+
+}  // namespace
+}  // namespace robochart::app::testing

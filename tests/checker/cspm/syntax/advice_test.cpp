@@ -1,0 +1,99 @@
+// What is said about mistakes that people make in scripts: the note beside the finding.
+#include "checker/cspm/syntax/advice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "checker/cspm/syntax/reader.hpp"
+#include "checker/cspm/types/type_check.hpp"
+
+namespace robochart::cspm {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// The first finding of a script.
+struct FirstFinding {
+    std::string code, message, note;
+};
+
+FirstFinding first_finding(const std::string& text) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    const auto source = sources.add("t.csp", text);
+    const Script script = read(sources, source, diagnostics);
+    if (diagnostics.ok()) check_types(script, diagnostics);
+    if (diagnostics.sorted().empty()) return {};
+    const diagnostics::Diagnostic finding = diagnostics.sorted().front();
+    std::string arguments;
+    for (const std::string& each : finding.arguments) arguments += each + ";";
+    return {std::string(finding.rule->code), arguments, finding.notes.empty() ? "" : finding.notes.front().message};
+}
+
+struct Mistake {
+    const char* text;
+    const char* note;
+};
+
+const Mistake mistakes[] = {
+    {"// hello\nchannel a\n", "a comment begins with `--`"},
+    {"channel a\nP = a <- STOP\n", "a prefix is written `a -> P`"},
+    {"channel a : {0..1}\nP = a!1 => STOP\n", "a prefix is written `a -> P`"},
+    {"channel a : {0..1}\nP = a!1 = STOP\n", "a prefix is written `a -> P`"},
+    {"S = {x | x -> {1,2}}\n", "drawn from a set by `x <- S`"},
+    {"P(x) = if x = 1 then STOP else SKIP\n", "compared with `==`"},
+    {"P(x) = if x <> 1 then STOP else SKIP\n", "compared with `!=`"},
+    {"P(x) = if x == 1 || x == 2 then STOP else SKIP\n", "joined by `or`"},
+    {"P(x) = if x == 1 && x == 2 then STOP else SKIP\n", "joined by `and`"},
+    {"P(x) = if !x then STOP else SKIP\n", "negated by `not`"},
+    {"channel a\nP(x) = if x > 0 then a -> STOP\nQ = STOP\n", "`if C then A else B`"},
+    {"channel a\nP = let x = 1\nQ = STOP\n", "this `let` has no `within`"},
+    {"P = STOP within STOP\n", "ends a `let`"},
+    {"P = STOP else SKIP\n", "belongs to `if C then A else B`"},
+    {"channel a\nP a -> STOP\nQ = STOP\n", "`NAME = EXPRESSION`"},
+    {"P = STOP\nassert P T= P\n", "`P [T= Q`"},
+    {"P = STOP\nassert P deadlock free\n", "`P :[deadlock free]`"},
+    {"P = STOP\nassert P [T P\n", "written `[T=`"},
+    {"P = STOP\nassert P [FDR= P\n", "written `[T=`"},
+    {"P = STOP || STOP\n", "side by side by `P ||| Q`"},
+    {"channel a\nP = STOP [a] STOP\n", "on the events of A by `P [|A|] Q`"},
+    {"channel c : Int, d : Int\n", "each `channel` line"},
+    {"channel c Int\n", "behind a `:`"},
+    {"channel c {0..2}\n", "behind a `:`"},
+    {"channel a\nP = a -> STOP()\n", "without parentheses"},
+    // Names.
+    {"channel a : Int\nP(count) = a.coutn -> STOP\n", "did you mean 'count'?"},
+    {"module M\n Process = STOP\nexports\n Public = Process\nendmodule\nQ = M::Pubilc\n", "did you mean 'M::Public'?"},
+    {"module M\n Process = STOP\nexports\n Public = Process\nendmodule\nQ = Public\n", "did you mean 'M::Public'?"},
+    {"Q = STPO\n", "did you mean 'STOP'?"},
+    {"Q = cadr({1})\n", "did you mean 'card'?"},
+    {"channel a : int\n", "did you mean 'Int'?"},
+    {"Q = Stop\n", "did you mean 'STOP'?"},
+    {"Q = skip\n", "did you mean 'SKIP'?"},
+};
+
+TEST(ScriptAdvice, SaysWhatIsProbablyMeant) {
+    for (const Mistake& each : mistakes) {
+        const FirstFinding found = first_finding(each.text);
+        EXPECT_THAT(found.note, HasSubstr(each.note)) << each.text << found.code << " " << found.message;
+    }
+}
+
+TEST(ScriptAdvice, EveryRowIsGivenForSomeMistake) {
+    std::set<std::string> given;
+    for (const Mistake& each : mistakes) given.insert(first_finding(each.text).note);
+    for (const Advice& row : all_advice()) {
+        EXPECT_TRUE(given.contains(std::string(row.advice))) << row.expected << " " << row.found;
+        EXPECT_FALSE(row.advice.ends_with('.')) << row.advice;
+    }
+}
+
+TEST(ScriptAdvice, SaysNothingWhereNothingIsKnown) {
+    EXPECT_EQ(first_finding("P = [\n").note, "");
+    EXPECT_EQ(first_finding("Q = zzzzzz\n").note, "");
+}
+
+}  // namespace
+}  // namespace robochart::cspm

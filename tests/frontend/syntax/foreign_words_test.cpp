@@ -1,0 +1,202 @@
+// Words of other notations: each row of the table is recognised where it says, reported once with what RoboChart has
+// instead, and the rest of the text is read as if that stood there.
+#include "frontend/syntax/foreign_words.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "diagnostics/fixes.hpp"
+#include "frontend/syntax/lexer.hpp"
+#include "tests/frontend/fixture.hpp"
+
+namespace robochart::frontend {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::read;
+using testing::resolved;
+
+/// A machine in parts: what is tried stands between them.
+const std::string before = "stm S {\n event e event f clock C var x : int var b : boolean\n initial i\n state A { }\n";
+const std::string after = "\n transition t0 { from i to A }\n}\n";
+
+/// What stands behind the word, so that what replaces it can be read on.
+std::string rest_of(const ForeignWord& row) {
+    switch (row.place) {
+        case ForeignPlace::clause:
+            return row.instead == "trigger"     ? " e"
+                   : row.instead == "condition" ? " b"
+                   : row.instead == "action"    ? " skip"
+                   : row.instead == "#"         ? " C"
+                                                : "";
+        case ForeignPlace::state_part:
+            return row.instead.empty() ? "" : " skip";
+        case ForeignPlace::statement:
+            return row.instead == "send" ? " f" : row.instead == "#" ? " C" : " x";
+        case ForeignPlace::infix:
+            return " " + std::string(row.word == "mod" ? "2 > 0" : "b");
+        default:
+            return "";
+    }
+}
+
+std::string member_rest(const ForeignWord& row) {
+    if (row.left_out) return row.word == ";" || row.word == "," ? "" : " event g";
+    if (row.instead == "stm") return "";
+    if (row.instead == "clock" || row.instead == "event") return " g";
+    if (row.instead == "const" || row.instead == "var") return " g : int";
+    return " g";
+}
+
+/// A text in which the row's word stands where it says; "" for places that the reader does not look at.
+std::string text_with(const ForeignWord& row) {
+    const std::string word(row.word);
+    switch (row.place) {
+        case ForeignPlace::declaration:
+            return row.instead == "stm"                                        ? word + " S { initial i state A { } }"
+                   : row.instead == "enumeration" || row.instead == "datatype" ? word + " T { }"
+                   : row.instead == "function"                                 ? word + " g() : int { }"
+                   : row.instead == "operation"                                ? word + " g() { }"
+                                                                               : word + " T";
+        case ForeignPlace::member:
+            return row.instead == "stm"          ? "controller D { " + word + " S { initial i state A { } } }"
+                   : row.instead == "transition" ? before + word + " t1 { from A to A trigger e }" + after
+                                                 : before + word + member_rest(row) + after;
+        case ForeignPlace::state_part:
+            return before + "state B { " + word + rest_of(row) + " }" + after;
+        case ForeignPlace::clause:
+            if (row.instead == "from") return before + "transition t1 { source A to A trigger e }" + after;
+            if (row.instead == "to") return before + "transition t1 { from A target A trigger e }" + after;
+            return before + "transition t1 { from A to A " + word + rest_of(row) + " }" + after;
+        case ForeignPlace::statement:
+            return before + "state B { entry " + word + rest_of(row) + " }" + after;
+        case ForeignPlace::if_end:
+            return before + "state B { entry if b then x = 1 " + word + " }" + after;
+        case ForeignPlace::infix:
+            return before + "transition t1 { from A to A condition " + (row.word == "mod" ? "x " : "b ") + word +
+                   rest_of(row) + " }" + after;
+        default:
+            return "";
+    }
+}
+
+TEST(ForeignWords, EachRowIsReportedOnceAndFixedWhereAWordReplacesIt) {
+    for (const ForeignWord& row : foreign_words()) {
+        const std::string text = text_with(row);
+        if (text.empty()) continue;
+        const auto reading = read(text);
+        const std::vector<diagnostics::Diagnostic> findings = reading->findings.sorted();
+        ASSERT_EQ(findings.size(), 1U) << row.word << "\n" << text << reading->report();
+        EXPECT_EQ(findings[0].rule->code, "RC-P34") << text << reading->report();
+        EXPECT_THAT(reading->report(), HasSubstr(std::string(row.reason)));
+        EXPECT_EQ(findings[0].fixes.empty(), row.instead.empty() && !row.left_out) << row.word;
+        if (findings[0].fixes.empty()) continue;
+        const auto fixed = read(diagnostics::apply_fixes(text, findings[0].fixes));
+        EXPECT_TRUE(fixed->findings.ok()) << text << fixed->report();
+    }
+}
+
+/// What the rows of a place have instead is a word of RoboChart; none of a row's own words is meant in its place.
+TEST(ForeignWords, RowsNameWordsOfTheGrammar) {
+    for (const ForeignWord& row : foreign_words()) {
+        EXPECT_FALSE(row.reason.empty()) << row.word;
+        EXPECT_FALSE(row.reason.ends_with('.')) << row.word;
+        EXPECT_EQ(foreign_word(row.word, row.place), &row) << row.word << " stands twice in one place";
+        if (row.place == ForeignPlace::type || row.instead.empty()) continue;
+        const auto symbols = symbol_words();
+        EXPECT_TRUE(is_reserved(row.instead) || std::find(symbols.begin(), symbols.end(), row.instead) != symbols.end())
+            << row.instead;
+    }
+}
+
+struct Written {
+    const char* text;     ///< in a machine
+    const char* reason;   ///< part of the message
+    const char* instead;  ///< the text of its fix; "": none
+};
+
+/// Forms that are more than a word.
+TEST(ForeignForms, AreReportedOnceWithTheirFix) {
+    const Written forms[] = {
+        {"transition t1 { from A to A trigger e [ x > 0 ] }", "behind `condition`", "condition x > 0"},
+        {"transition t1 { A -> A trigger e }", "leads `from` a node", "from A to"},
+        {"transition t1 { from A to A condition x <> 1 }", "compared with `!=`", "!="},
+        {"transition t1 { from A to A condition x /= 1 }", "compared with `!=`", "!="},
+        {"state B { entry x ++ }", "`x = x + 1`", "x = x + 1"},
+        {"state B { entry x += 2 }", "`x = x + ...`", "x = x +"},
+        {"state B { entry C := 0 }", "reset by `#C`", "#C"},
+        {"state B { entry / x = 1 }", "follows its word at once", ""},
+        {"state B { entry if b { x = 1 } else { x = 2 } }", "if c then S else T end", ""},
+        {"int y", "`var y : int`", "var y : int"},
+        {"bool y", "`var y : boolean`", "var y : boolean"},
+        {"var int y", "stands behind the name", "y : int"},
+        {"initial state B { }", "a junction of its own", ""},
+        {"final state B", "by `final` and its name", "final"},
+    };
+    for (const Written& form : forms) {
+        const auto reading = read(before + form.text + after);
+        const std::vector<diagnostics::Diagnostic> findings = reading->findings.sorted();
+        ASSERT_EQ(findings.size(), 1U) << form.text << reading->report();
+        EXPECT_EQ(findings[0].rule->code, "RC-P34") << form.text;
+        EXPECT_THAT(reading->report(), HasSubstr(form.reason));
+        const std::string fix = findings[0].fixes.empty() ? "" : findings[0].fixes[0].replacement;
+        EXPECT_EQ(fix, form.instead) << form.text;
+    }
+}
+
+TEST(ForeignForms, StateMachineIsStm) {
+    const auto reading = read("state machine S { initial i state A { } transition t0 { from i to A } }");
+    ASSERT_EQ(reading->findings.sorted().size(), 1U) << reading->report();
+    EXPECT_EQ(reading->findings.sorted()[0].fixes.at(0).replacement, "stm");
+    ASSERT_EQ(reading->file().declarations.size(), 1U);
+    EXPECT_EQ(reading->file().declarations[0]->name, "S");
+}
+
+TEST(ForeignForms, AnIfWithoutEndSaysWhichOne) {
+    const auto reading = read(before + "state B { entry if b then x = 1 }" + after);
+    ASSERT_EQ(reading->findings.sorted().size(), 1U) << reading->report();
+    const diagnostics::Diagnostic finding = reading->findings.sorted()[0];
+    EXPECT_THAT(reading->report(), HasSubstr("`end`, which closes the `if`"));
+    ASSERT_EQ(finding.notes.size(), 1U);
+    const auto fixed =
+        read(diagnostics::apply_fixes(before + "state B { entry if b then x = 1 }" + after, finding.fixes));
+    EXPECT_TRUE(fixed->findings.ok()) << fixed->report();
+}
+
+/// What only the declarations tell: the finding is that of an unknown name, its note says what is meant.
+TEST(ForeignNames, AreUnknownNamesWithANoteAndAFix) {
+    const Written forms[] = {
+        {"transition t1 { from A to A condition C > 20 }", "time since its last reset", "since(C)"},
+        {"state B { entry C = 0 }", "a clock is reset by `#C`", "#C"},
+        {"state B { entry reset(C) }", "a clock is reset by `#C`", "#C"},
+        {"state B { entry sleep(2) }", "lets n time units pass", "wait"},
+        {"state B { entry null }", "does nothing", "skip"},
+        {"transition t1 { from A to A condition True }", "truth values", "true"},
+        {"var y : float", "the type of real numbers", "real"},
+    };
+    for (const Written& form : forms) {
+        const auto reading = resolved(before + form.text + after);
+        std::vector<diagnostics::Diagnostic> errors;
+        for (const diagnostics::Diagnostic& each : reading->findings.sorted())
+            if (each.rule->severity == diagnostics::Severity::error) errors.push_back(each);
+        ASSERT_EQ(errors.size(), 1U) << form.text << reading->report();
+        EXPECT_EQ(errors[0].rule->code, "RC-N01") << form.text;
+        EXPECT_THAT(reading->report(), HasSubstr(form.reason));
+        ASSERT_FALSE(errors[0].fixes.empty()) << form.text;
+        EXPECT_EQ(errors[0].fixes[0].replacement, form.instead) << form.text;
+    }
+}
+
+// Names that a model declares are its own, whatever they mean elsewhere.
+TEST(ForeignWords, MayBeNames) {
+    const auto reading = read(
+        "interface I { sleep(n : nat) event emit event raise }\n"
+        "stm S {\n event on_ event emit var x : nat var and : nat\n initial i\n state A { entry emit ; x = and }\n"
+        " transition t0 { from i to A }\n}\n");
+    EXPECT_TRUE(reading->findings.ok()) << reading->report();
+}
+
+}  // namespace
+}  // namespace robochart::frontend
