@@ -74,7 +74,9 @@ private:
             if (!outside || own.find("::") != std::string::npos) continue;
             const std::size_t dot = own.find('.');
             const ExprPtr channel = b::name(prefix + own.substr(0, dot));
-            result.push_back(dot == std::string::npos ? channel : b::dot({channel, b::name(own.substr(dot + 1))}));
+            if (dot == std::string::npos) result.push_back(channel);
+            // Another ending is of a hidden step that does an output or call, which the process does not show.
+            if (own.ends_with(".out")) result.push_back(b::dot({channel, b::name("out")}));
         }
         return result;
     }

@@ -332,7 +332,7 @@ std::string information_text(const Listed& information) {
         else
             words.push_back(property == "never terminates" ? "may terminate" : "not " + property);
     }
-    if (reached > 0) words.push_back(fmt::format("{} states are reached", reached));
+    if (reached > 0) words.push_back(fmt::format("{} state{} reached", reached, reached == 1 ? " is" : "s are"));
     return words.empty() ? "" : fmt::format("  {:<12} {}\n", "information", fmt::join(words, "; "));
 }
 

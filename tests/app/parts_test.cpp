@@ -157,7 +157,8 @@ TEST(Project, FilesOfComponentsOfOneNameDoNotReplaceEachOther) {
     for (auto [verb, files] : verbs) {
         verb.insert(verb.end(), {"--out", folder.path("out"), folder.path()});
         const auto ran = run(verb);
-        EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+        // Nothing leaves A in the first package: one of the core properties is that this is no deadlock.
+        EXPECT_EQ(ran.exit, verb.front() == "verify" ? 1 : 0) << ran.out << ran.err;
         for (const std::string& file : files) EXPECT_TRUE(fs::exists(folder.path("out/" + file))) << file;
         fs::remove_all(folder.path("out"));
     }
