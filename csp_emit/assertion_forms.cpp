@@ -1,5 +1,7 @@
 #include "csp_emit/assertion_forms.hpp"
 
+#include <algorithm>
+
 #include "csp_emit/machine/machine.hpp"
 
 namespace robochart::csp_emit {
@@ -53,8 +55,30 @@ ExprPtr ClockWatch::only(const std::string& event, const std::vector<ExprPtr>& a
     return b::project(b::call(name + "::D__", arguments), b::productions({b::name(name + "::" + event)}));
 }
 
-ClockWatch clock_watch(const Project& project, NameManager& names, Emitted& emitted, const ComponentEmission& machine,
+namespace {
+
+/// The channels of the component around a machine by which operations that it defines call the platform: they are not
+/// the machine's own, and the copy stands elsewhere.
+std::vector<DeclPtr> channels_around(const Emitted& emitted, const std::string& path) {
+    std::vector<DeclPtr> result;
+    const std::size_t end = path.rfind("::");
+    const auto around = emitted.components.find(end == std::string::npos ? "" : path.substr(0, end));
+    if (around == emitted.components.end() || !around->second.module) return result;
+    const std::vector<std::string>& own = emitted.components.at(path).visible;
+    for (const DeclPtr& decl : around->second.module->exports) {
+        const bool calls = decl->kind == cspm::DeclKind::channel && decl->names.size() == 1 &&
+                           decl->names.front().ends_with("Call") &&
+                           std::find(own.begin(), own.end(), decl->names.front()) == own.end();
+        if (calls) result.push_back(decl);
+    }
+    return result;
+}
+
+}  // namespace
+
+ClockWatch clock_watch(const Project& project, NameManager& names, Emitted& emitted, const std::string& path,
                        const std::string& clock, const std::string& purpose) {
+    const ComponentEmission& machine = emitted.components.at(path);
     MachineContext context;
     context.project = &project;
     context.machine = machine.machine;
@@ -68,7 +92,10 @@ ClockWatch clock_watch(const Project& project, NameManager& names, Emitted& emit
     const ComponentEmission watching = emit_machine(std::move(context), apart);
     emitted.provenance.events.merge(apart.provenance.events);
     emitted.provenance.definitions.merge(apart.provenance.definitions);
-    return {watching.module, name, watching.reads_of_watched};
+    auto module = std::make_shared<cspm::Decl>(*watching.module);
+    const std::vector<DeclPtr> channels = channels_around(emitted, path);
+    module->exports.insert(module->exports.begin(), channels.begin(), channels.end());
+    return {std::move(module), name, watching.reads_of_watched};
 }
 
 }  // namespace robochart::csp_emit

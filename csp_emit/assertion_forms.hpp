@@ -35,8 +35,9 @@ struct ClockWatch {
     /// The copy with these arguments, of which one of the two events alone is seen.
     [[nodiscard]] cspm::ExprPtr only(const std::string& event, const std::vector<cspm::ExprPtr>& arguments) const;
 };
-/// `purpose`: what the module's name ends in. What its names mean is added to the provenance of `emitted`.
-[[nodiscard]] ClockWatch clock_watch(const Project&, NameManager&, Emitted& emitted, const ComponentEmission& machine,
+/// `machine`: the path of one that has been emitted. `purpose`: what the module's name ends in. What its names mean is
+/// added to the provenance of `emitted`.
+[[nodiscard]] ClockWatch clock_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                      const std::string& clock, const std::string& purpose);
 
 }  // namespace robochart::csp_emit

@@ -257,8 +257,8 @@ std::vector<DeclPtr> Asserter::reachability(const ir::Property& property) const 
 /// of the machine (clock_initialisation.cpp):
 ///     SKIP [T= W |\ {unset__}   and   not SKIP [T= W |\ {reset__}.
 void Asserter::initialisation(const ir::Property& property, Obligation& out) {
-    const ComponentEmission& subject = *component(property.subject);
-    const ClockWatch watch = clock_watch(project_, names_, emitted_, subject, property.state, flatten(property.name));
+    const ClockWatch watch =
+        clock_watch(project_, names_, emitted_, path(property.subject), property.state, flatten(property.name));
     out.preparation.push_back(watch.module);
     const b::Exprs given = arguments(property.subject, property);
     if (watch.reads > 0) out.assertions.push_back(never(watch.only("unset__", given), property.negated));

@@ -87,7 +87,7 @@ private:
         for (const ir::Clock& clock : component_.machine->clocks) {
             if (clock.entry_of.valid()) continue;  // set by the entry
             const ClockWatch watch =
-                clock_watch(project_, names_, emitted_, component_, clock.name, flatten(path_ + "_" + clock.name));
+                clock_watch(project_, names_, emitted_, path_, clock.name, flatten(path_ + "_" + clock.name));
             if (watch.reads == 0) continue;
             const ExprPtr read_unset = watch.only("unset__", default_arguments(project_, component_));
             Obligation& obligation =

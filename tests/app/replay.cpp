@@ -186,6 +186,8 @@ bool Replay::complete(const json& machines, const std::vector<std::string>& call
     return std::all_of(calls.begin(), calls.end(), [&](const std::string& call) {
         const auto found = emission_.provenance.definitions.find(call.substr(0, call.find('(')));
         if (found == emission_.provenance.definitions.end()) return true;
+        // A machine is where its process is: memories may outlive it.
+        if (found->second.memory) return true;
         return std::any_of(machines.begin(), machines.end(),
                            [&](const json& machine) { return machine["component"] == found->second.component; });
     });

@@ -129,6 +129,17 @@ module M { robotic platform P { event e } cref c = C connection P on e to c on e
     EXPECT_FALSE(found.contains("state machine M::c::s: deadlock-free")) << "asked where it is defined";
 }
 
+/// The call leaves the controller, not the machine: its channel is the controller's.
+TEST(CoreProperties, AClockOfAMachineWhoseOperationCallsThePlatform) {
+    const auto found = answers(R"(interface I { move() } interface J { turn() }
+operation turn() { requires I initial i final f transition t { from i to f action move() } }
+controller C { requires I opref o = turn event e
+  stm S { requires J event e clock T initial i state A { entry turn() }
+    transition t0 { from i to A } transition t1 { from A to A trigger e condition since(T) >= 1 } }
+  connection C on e to S on e })");
+    EXPECT_EQ(found.at("state machine C::S: T is reset before it is read"), "fails");
+}
+
 TEST(CoreProperties, AnOperationIsNotAskedAboutOnItsOwn) {
     const auto found = answers(R"(interface I { move() }
 operation move() { initial i final f transition t { from i to f } }
