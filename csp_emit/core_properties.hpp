@@ -1,4 +1,4 @@
-// What every model is asked about, whether or not it claims it (docs/assertions.md, "Core properties").
+// What every model is asked about, whether or not it claims it (docs/semantics.md, "Core properties").
 #pragma once
 
 #include <vector>
