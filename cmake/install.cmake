@@ -22,3 +22,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/corpus/ DESTINATION ${CMAKE_INSTALL_DOCDIR
 
 add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -DMANIFEST=${CMAKE_BINARY_DIR}/install_manifest.txt
                   -P ${CMAKE_SOURCE_DIR}/cmake/uninstall.cmake VERBATIM)
+
+# `find_package(robochart-verify)` of other projects: a function that adds tests (docs/ci.md).
+install(FILES ${CMAKE_SOURCE_DIR}/cmake/robochart-verify-config.cmake
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/robochart-verify/cmake)
