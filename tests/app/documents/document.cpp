@@ -1,0 +1,122 @@
+#include "tests/app/documents/document.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace robochart::app::testing {
+namespace {
+
+constexpr std::string_view fence = "```";
+constexpr std::string_view file_mark = "// file: ";
+
+using Lines = std::vector<std::string>;
+
+struct Block {
+    std::string language;
+    std::size_t line;
+    Lines lines;
+};
+
+std::vector<Block> blocks(const std::string& document) {
+    std::vector<Block> result;
+    std::istringstream text(document);
+    std::optional<Block> open;
+    std::size_t number = 0;
+    for (std::string line; std::getline(text, line);) {
+        ++number;
+        const bool is_fence = line.starts_with(fence);
+        if (is_fence && open) {
+            result.push_back(*std::exchange(open, std::nullopt));
+        } else if (is_fence) {
+            open = Block{line.substr(fence.size()), number, {}};
+        } else if (open) {
+            open->lines.push_back(line);
+        }
+    }
+    return result;
+}
+
+std::string joined(const Lines& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    return text;
+}
+
+ShownSession session(const Block& block) {
+    ShownSession result{block.line, {}};
+    bool continues = false;
+    for (const std::string& line : block.lines) {
+        if (continues) {
+            result.commands.back().command += "\n" + line;
+        } else if (line.starts_with("$ ")) {
+            result.commands.push_back({line.substr(2), {}});
+        } else if (!result.commands.empty()) {
+            result.commands.back().output.push_back(line);
+            continue;
+        }
+        continues = line.ends_with("\\");
+    }
+    for (ShownCommand& command : result.commands) command.output = lines_of(joined(command.output));
+    return result;
+}
+
+/// As it is compared.
+std::string plain(const std::string& line) {
+    static const std::regex figures("[0-9][0-9,.]* (ms|s|bytes|states?|transitions?|cycles?)\\b");
+    static const std::regex gaps("[ \t]+");
+    return std::regex_replace(std::regex_replace(line, figures, "N $1"), gaps, " ");
+}
+
+using Place = Lines::const_iterator;
+
+/// All lines up to `...`, the same number of printed ones.
+bool equal_until(Place shown, Place end, Place printed, Place printed_end) {
+    if (printed_end - printed < end - shown) return false;
+    return std::equal(shown, end, printed, [](const auto& a, const auto& b) { return plain(a) == plain(b); });
+}
+
+}  // namespace
+
+std::vector<Step> steps(const std::string& document) {
+    std::vector<Step> result;
+    for (const Block& block : blocks(document)) {
+        if (block.language == "console") {
+            result.emplace_back(session(block));
+        } else if (!block.lines.empty() && block.lines.front().starts_with(file_mark)) {
+            result.emplace_back(ShownFile{block.lines.front().substr(file_mark.size()), joined(block.lines)});
+        }
+    }
+    return result;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    Lines result;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) result.push_back(line);
+    while (!result.empty() && result.back().empty()) result.pop_back();
+    return result;
+}
+
+bool agrees(const std::vector<std::string>& shown, const std::vector<std::string>& printed) {
+    const auto omitted = [](const std::string& line) { return plain(line) == "..." || plain(line) == " ..."; };
+    Place at = shown.begin();
+    Place now = printed.begin();
+    bool anywhere = false;
+    while (true) {
+        const Place end = std::find_if(at, shown.end(), omitted);
+        const bool last = end == shown.end();
+        if (last && anywhere && printed.end() - now >= end - at) now = printed.end() - (end - at);
+        while (!equal_until(at, end, now, printed.end()))
+            if (!anywhere || last || now++ == printed.end()) return false;
+        now += end - at;
+        if (last) return now == printed.end();
+        at = end + 1;
+        anywhere = true;
+    }
+}
+
+}  // namespace robochart::app::testing

@@ -1,0 +1,41 @@
+// What a document in Markdown asks a reader to do: files to write and commands to run, with what these print.
+// docs/testing.md, "Commands in documents", describes how they are written.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace robochart::app::testing {
+
+/// A block whose first line is `// file: NAME`.
+struct ShownFile {
+    std::string name;
+    std::string text;
+};
+
+/// A line `$ COMMAND` of a block `console`, and the lines below it.
+struct ShownCommand {
+    std::string command;
+    std::vector<std::string> output;
+};
+
+/// A block `console`: its commands run in one shell.
+struct ShownSession {
+    std::size_t line;  ///< of its fence in the document, from 1
+    std::vector<ShownCommand> commands;
+};
+
+using Step = std::variant<ShownFile, ShownSession>;
+
+/// The steps of a document, in its order.
+[[nodiscard]] std::vector<Step> steps(const std::string& document);
+
+/// The lines of a text, without the empty ones at its end.
+[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
+
+/// Whether lines are printed as they are shown. A shown line `...` stands for any lines. Widths of gaps between
+/// words, times, sizes and counts of states, transitions and cycles are not compared.
+[[nodiscard]] bool agrees(const std::vector<std::string>& shown, const std::vector<std::string>& printed);
+
+}  // namespace robochart::app::testing

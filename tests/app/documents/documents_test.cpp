@@ -1,0 +1,131 @@
+// README.md and the pages of docs/ do what they say: the files they show are written, the commands they show are run,
+// and these print what is shown below them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/app/command.hpp"
+#include "tests/app/documents/document.hpp"
+#include "tests/contents.hpp"
+
+namespace robochart::app::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+
+constexpr const char* mark = "==== end of a command ====";
+
+void write(const Folder& folder, const ShownFile& file) {
+    fs::create_directories(fs::path(folder / file.name).parent_path());
+    std::ofstream(folder / file.name, std::ios::binary) << file.text;
+}
+
+/// One shell for all; `$?` is that of the command before.
+std::string script(const Folder& folder, const ShownSession& session) {
+    std::string text = "cd '" + folder.path() + "'; PATH=\"$PWD/bin:$PATH\"; exec 2>&1\n";
+    for (const ShownCommand& command : session.commands)
+        text += command.command + "\nstatus=$?; echo '" + mark + "'; (exit $status)\n";
+    return text;
+}
+
+std::string shown(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += "  " + line + "\n";
+    return text;
+}
+
+void run_session(const std::string& document, const Folder& folder, const ShownSession& session) {
+    std::string out = run_shell(script(folder, session)).out;
+    const std::string place = document + ":" + std::to_string(session.line);
+    for (const ShownCommand& command : session.commands) {
+        const std::size_t end = out.find(mark);
+        ASSERT_NE(end, std::string::npos) << place << ": not reached: " << command.command << "\n" << out;
+        const std::vector<std::string> printed = lines_of(out.substr(0, end));
+        EXPECT_TRUE(agrees(command.output, printed)) << place << ": $ " << command.command << "\nshows\n"
+                                                     << shown(command.output) << "but prints\n"
+                                                     << shown(printed);
+        out.erase(0, out.find('\n', end) + 1);
+    }
+}
+
+/// What a reader has: the command, on the path and where a build leaves it, and the models of the repository.
+void furnish(const Folder& folder) {
+    for (const char* name : {"bin", "build/release/app"}) {
+        fs::create_directories(folder / name);
+        fs::create_symlink(ROBOCHART_VERIFY, folder / (std::string(name) + "/robochart-verify"));
+    }
+    fs::copy(repository("corpus"), folder / "corpus", fs::copy_options::recursive);
+}
+
+bool has_session(const std::string& document) {
+    const std::vector<Step> all = steps(tests::contents(repository(document)));
+    return std::any_of(all.begin(), all.end(), [](const Step& step) { return step.index() == 1; });
+}
+
+std::vector<std::string> documents() {
+    std::vector<std::string> result;
+    for (const auto& entry : fs::directory_iterator(repository("docs")))
+        if (entry.path().extension() == ".md") result.push_back("docs/" + entry.path().filename().string());
+    result.emplace_back("README.md");
+    std::erase_if(result, [](const std::string& document) { return !has_session(document); });
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+class Document : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Document, PrintsWhatItShows) {
+    const Folder folder;
+    furnish(folder);
+    for (const Step& step : steps(tests::contents(repository(GetParam())))) {
+        if (const auto* file = std::get_if<ShownFile>(&step))
+            write(folder, *file);
+        else
+            run_session(GetParam(), folder, std::get<ShownSession>(step));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheProject, Document, ::testing::ValuesIn(documents()),
+                         [](const auto& document) { return fs::path(document.param).stem().string(); });
+
+TEST(Steps, AreFilesAndSessions) {
+    const std::vector<Step> all = steps(
+        "Text\n```robochart\n// file: a/m.rct\nstm S { }\n```\n```text\nnothing\n```\n"
+        "```console\n$ one \\\n  more\nout\n\n$ two\n```\n");
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(std::get<ShownFile>(all[0]).name, "a/m.rct");
+    EXPECT_EQ(std::get<ShownFile>(all[0]).text, "// file: a/m.rct\nstm S { }\n");
+    const auto& session = std::get<ShownSession>(all[1]);
+    EXPECT_EQ(session.line, 9U);
+    ASSERT_EQ(session.commands.size(), 2U);
+    EXPECT_EQ(session.commands[0].command, "one \\\n  more");
+    EXPECT_THAT(session.commands[0].output, ElementsAre("out"));
+    EXPECT_EQ(session.commands[1].command, "two");
+    EXPECT_THAT(session.commands[1].output, ElementsAre());
+}
+
+TEST(Agreement, IsOfLinesWithoutFiguresAndGaps) {
+    EXPECT_TRUE(agrees({"holds  A1  11 states  0 ms"}, {"holds A1 1,024 states 12 ms"}));
+    EXPECT_FALSE(agrees({"holds A1"}, {"FAILS A1"}));
+    EXPECT_FALSE(agrees({"1 of 2 hold"}, {"2 of 2 hold"}));
+    EXPECT_FALSE(agrees({"a"}, {}));
+    EXPECT_FALSE(agrees({}, {"a"}));
+    EXPECT_FALSE(agrees({"a", "b"}, {"a"}));
+}
+
+TEST(Agreement, DotsStandForAnyLines) {
+    EXPECT_TRUE(agrees({"..."}, {}));
+    EXPECT_TRUE(agrees({"a", "...", "c"}, {"a", "b", "b", "c"}));
+    EXPECT_TRUE(agrees({"a", "  ...", "c"}, {"a", "c"}));
+    EXPECT_TRUE(agrees({"...", "b", "...", "c"}, {"a", "b", "c", "b", "c"}));
+    EXPECT_FALSE(agrees({"a", "...", "c"}, {"a", "b"}));
+    EXPECT_FALSE(agrees({"...", "b", "..."}, {"a", "c"}));
+    EXPECT_FALSE(agrees({"a", "...", "a"}, {"a"}));
+}
+
+}  // namespace
+}  // namespace robochart::app::testing
