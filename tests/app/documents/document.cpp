@@ -68,7 +68,9 @@ ShownSession session(const Block& block) {
 std::string plain(const std::string& line) {
     static const std::regex figures("[0-9][0-9,.]* (ms|s|bytes|states?|transitions?|cycles?)\\b");
     static const std::regex gaps("[ \t]+");
-    return std::regex_replace(std::regex_replace(line, figures, "N $1"), gaps, " ");
+    std::string text = std::regex_replace(std::regex_replace(line, figures, "N $1"), gaps, " ");
+    if (text.ends_with(' ')) text.pop_back();
+    return text;
 }
 
 using Place = Lines::const_iterator;
