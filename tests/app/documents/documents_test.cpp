@@ -52,12 +52,10 @@ void run_session(const std::string& document, const Folder& folder, const ShownS
     }
 }
 
-/// What a reader has: the command, on the path and where a build leaves it, and the models of the repository.
+/// What a reader has: the command on the path, and the models of the repository.
 void furnish(const Folder& folder) {
-    for (const char* name : {"bin", "build/release/app"}) {
-        fs::create_directories(folder / name);
-        fs::create_symlink(ROBOCHART_VERIFY, folder / (std::string(name) + "/robochart-verify"));
-    }
+    fs::create_directories(folder / "bin");
+    fs::create_symlink(ROBOCHART_VERIFY, folder / "bin/robochart-verify");
     fs::copy(repository("corpus"), folder / "corpus", fs::copy_options::recursive);
 }
 
