@@ -37,6 +37,7 @@ constexpr std::array requests = {
     RequestRow{"textDocument/prepareRename", prepare_rename},
     RequestRow{"textDocument/references", references},
     RequestRow{"textDocument/rename", rename},
+    RequestRow{"textDocument/selectionRange", selection_ranges},
     RequestRow{"textDocument/semanticTokens/full", semantic_tokens},
     RequestRow{"textDocument/signatureHelp", signature_help},
     RequestRow{"workspace/symbol", workspace_symbols},

@@ -68,6 +68,7 @@ Json server_capabilities(const Client& client) {
         {"documentFormattingProvider", true},
         {"renameProvider", Json::object({{"prepareProvider", true}})},
         {"foldingRangeProvider", true},
+        {"selectionRangeProvider", true},
         {"semanticTokensProvider", Json::object({{"legend", legend}, {"full", true}})},
         {"workspace", Json::object({{"workspaceFolders", folders}})},
     });

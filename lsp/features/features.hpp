@@ -41,6 +41,9 @@ void publish(Session&);
 // folding.cpp
 [[nodiscard]] Json folding_ranges(Session&, View params);
 
+// selection_ranges.cpp
+[[nodiscard]] Json selection_ranges(Session&, View params);
+
 // semantic_tokens.cpp
 [[nodiscard]] Json semantic_tokens(Session&, View params);
 /// The names of token types and modifiers, in the order of their numbers.
