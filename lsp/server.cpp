@@ -25,15 +25,20 @@ struct NotificationRow {
 };
 
 constexpr std::array requests = {
+    RequestRow{"callHierarchy/incomingCalls", incoming_calls},
+    RequestRow{"callHierarchy/outgoingCalls", outgoing_calls},
     RequestRow{"textDocument/codeAction", code_actions},
     RequestRow{"textDocument/completion", completion},
     RequestRow{"textDocument/declaration", definition},
     RequestRow{"textDocument/definition", definition},
+    RequestRow{"textDocument/diagnostic", document_diagnostic},
     RequestRow{"textDocument/documentHighlight", highlights},
     RequestRow{"textDocument/documentSymbol", document_symbols},
     RequestRow{"textDocument/foldingRange", folding_ranges},
     RequestRow{"textDocument/formatting", formatting},
     RequestRow{"textDocument/hover", hover},
+    RequestRow{"textDocument/inlayHint", inlay_hints},
+    RequestRow{"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
     RequestRow{"textDocument/prepareRename", prepare_rename},
     RequestRow{"textDocument/references", references},
     RequestRow{"textDocument/rename", rename},

@@ -32,6 +32,8 @@ Client client_of(View capabilities) {
     client.hierarchical_symbols = document["documentSymbol"]["hierarchicalDocumentSymbolSupport"].truth();
     client.snippets = document["completion"]["completionItem"]["snippetSupport"].truth();
     client.markdown = lists(document["hover"]["contentFormat"], "markdown");
+    client.pulls_diagnostics = document["diagnostic"].is_object();
+    client.refreshes_diagnostics = capabilities["workspace"]["diagnostics"]["refreshSupport"].truth();
     client.watches_files = capabilities["workspace"]["didChangeWatchedFiles"]["dynamicRegistration"].truth();
     client.versioned_edits = capabilities["workspace"]["workspaceEdit"]["documentChanges"].truth();
     return client;
@@ -67,11 +69,16 @@ Json server_capabilities(const Client& client) {
         {"codeActionProvider", Json::object({{"codeActionKinds", Json::array({"quickfix"})}})},
         {"documentFormattingProvider", true},
         {"renameProvider", Json::object({{"prepareProvider", true}})},
+        {"callHierarchyProvider", true},
+        {"inlayHintProvider", true},
         {"foldingRangeProvider", true},
         {"selectionRangeProvider", true},
         {"semanticTokensProvider", Json::object({{"legend", legend}, {"full", true}})},
         {"workspace", Json::object({{"workspaceFolders", folders}})},
     });
+    if (client.pulls_diagnostics)
+        capabilities["diagnosticProvider"] =
+            Json::object({{"interFileDependencies", true}, {"workspaceDiagnostics", false}});
     return Json::object({{"capabilities", std::move(capabilities)},
                          {"serverInfo", Json::object({{"name", "robochart-verify"}, {"version", "0.1.0"}})}});
 }
