@@ -28,6 +28,7 @@ constexpr std::array requests = {
     RequestRow{"callHierarchy/incomingCalls", incoming_calls},
     RequestRow{"callHierarchy/outgoingCalls", outgoing_calls},
     RequestRow{"textDocument/codeAction", code_actions},
+    RequestRow{"textDocument/codeLens", code_lenses},
     RequestRow{"textDocument/completion", completion},
     RequestRow{"textDocument/declaration", definition},
     RequestRow{"textDocument/definition", definition},
@@ -166,7 +167,7 @@ Json Server::answer(const std::string& method, View params) {
 
 Json Server::initialize(View params) {
     if (phase_ != Phase::fresh) throw Refusal(ErrorCode::invalid_request, "`initialize` may come once");
-    session_.client = client_of(params["capabilities"]);
+    session_.client = client_of(params);
     for (const std::string& folder : folders_of(params)) session_.workspace.add_folder(folder);
     phase_ = Phase::running;
     return server_capabilities(session_.client);

@@ -20,7 +20,8 @@ std::string_view name_of(Encoding encoding) {
 
 }  // namespace
 
-Client client_of(View capabilities) {
+Client client_of(View params) {
+    const View capabilities = params["capabilities"];
     const View document = capabilities["textDocument"];
     const View offered = capabilities["general"]["positionEncodings"];
     Client client;
@@ -36,6 +37,7 @@ Client client_of(View capabilities) {
     client.refreshes_diagnostics = capabilities["workspace"]["diagnostics"]["refreshSupport"].truth();
     client.watches_files = capabilities["workspace"]["didChangeWatchedFiles"]["dynamicRegistration"].truth();
     client.versioned_edits = capabilities["workspace"]["workspaceEdit"]["documentChanges"].truth();
+    client.checks_assertions = lists(params["initializationOptions"]["commands"], check_command);
     return client;
 }
 
@@ -76,6 +78,7 @@ Json server_capabilities(const Client& client) {
         {"semanticTokensProvider", Json::object({{"legend", legend}, {"full", true}})},
         {"workspace", Json::object({{"workspaceFolders", folders}})},
     });
+    if (client.checks_assertions) capabilities["codeLensProvider"] = Json::object({{"resolveProvider", false}});
     if (client.pulls_diagnostics)
         capabilities["diagnosticProvider"] =
             Json::object({{"interFileDependencies", true}, {"workspaceDiagnostics", false}});

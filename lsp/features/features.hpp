@@ -48,6 +48,9 @@ void publish(Session&);
 // inlay_hints.cpp
 [[nodiscard]] Json inlay_hints(Session&, View params);
 
+// code_lens.cpp
+[[nodiscard]] Json code_lenses(Session&, View params);
+
 // folding.cpp
 [[nodiscard]] Json folding_ranges(Session&, View params);
 
