@@ -8,7 +8,8 @@ Json code_lenses(Session& session, View params) {
     const Target target = target_of(session, params);
     Json result = Json::array();
     for (const frontend::Assertion& each : target.project.tree(target.document).assertions) {
-        if (each.name.empty()) continue;
+        // The parser gives a name to those that have none.
+        if (each.name_span.begin == each.name_span.end) continue;
         const Json command = Json::object({{"title", "check"},
                                            {"command", check_command},
                                            {"arguments", Json::array({target.document.uri, each.name})}});
