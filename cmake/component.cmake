@@ -39,22 +39,28 @@ function(unite target)
   endforeach()
 endfunction()
 
-# robochart_component(NAME [LIGHT] FOLDERS ... [SOURCES made files ...] DEPENDS ...): a static library, robochart_NAME.
+# Optimising tests took half of a cold build, and their own code takes little time to run.
+set(test_options -O0)
+
+# robochart_component(NAME [LIGHT] [TESTS] FOLDERS ... [SOURCES made files ...] DEPENDS ...): a static library, robochart_NAME.
 # LIGHT: its work is little beside that of the engine, so a release optimises it less: a quarter of its compile time.
+# TESTS: only tests use it, and it is compiled as they are.
 function(robochart_component name)
-  cmake_parse_arguments(COMPONENT "LIGHT" "" "FOLDERS;SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(COMPONENT "LIGHT;TESTS" "" "FOLDERS;SOURCES;DEPENDS" ${ARGN})
   sources_of(sources ${COMPONENT_FOLDERS})
   add_library(robochart_${name} STATIC ${sources} ${COMPONENT_SOURCES})
   target_link_libraries(robochart_${name} PUBLIC ${ROBOCHART_FMT} ${COMPONENT_DEPENDS})
   unite(robochart_${name} ${COMPONENT_FOLDERS})
-  precompile(robochart_${name} program)
+  if(COMPONENT_TESTS)
+    target_compile_options(robochart_${name} PRIVATE ${test_options})
+    precompile(robochart_${name} tests)
+  else()
+    precompile(robochart_${name} program)
+  endif()
   if(COMPONENT_LIGHT AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
     target_compile_options(robochart_${name} PRIVATE -O1)
   endif()
 endfunction()
-
-# Optimising tests took half of a cold build, and their own code takes little time to run.
-set(test_options -O0)
 
 # robochart_tests(NAME FOLDERS ... [ALONE folders ...] [SOURCES more files ...] DEPENDS ...): a GoogleTest program, tests_NAME.
 # ALONE: folders whose sources use the same names for different things; they are compiled one by one.

@@ -25,18 +25,25 @@ struct NotificationRow {
 };
 
 constexpr std::array requests = {
+    RequestRow{"callHierarchy/incomingCalls", incoming_calls},
+    RequestRow{"callHierarchy/outgoingCalls", outgoing_calls},
     RequestRow{"textDocument/codeAction", code_actions},
+    RequestRow{"textDocument/codeLens", code_lenses},
     RequestRow{"textDocument/completion", completion},
     RequestRow{"textDocument/declaration", definition},
     RequestRow{"textDocument/definition", definition},
+    RequestRow{"textDocument/diagnostic", document_diagnostic},
     RequestRow{"textDocument/documentHighlight", highlights},
     RequestRow{"textDocument/documentSymbol", document_symbols},
     RequestRow{"textDocument/foldingRange", folding_ranges},
     RequestRow{"textDocument/formatting", formatting},
     RequestRow{"textDocument/hover", hover},
+    RequestRow{"textDocument/inlayHint", inlay_hints},
+    RequestRow{"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
     RequestRow{"textDocument/prepareRename", prepare_rename},
     RequestRow{"textDocument/references", references},
     RequestRow{"textDocument/rename", rename},
+    RequestRow{"textDocument/selectionRange", selection_ranges},
     RequestRow{"textDocument/semanticTokens/full", semantic_tokens},
     RequestRow{"textDocument/signatureHelp", signature_help},
     RequestRow{"workspace/symbol", workspace_symbols},
@@ -160,7 +167,7 @@ Json Server::answer(const std::string& method, View params) {
 
 Json Server::initialize(View params) {
     if (phase_ != Phase::fresh) throw Refusal(ErrorCode::invalid_request, "`initialize` may come once");
-    session_.client = client_of(params["capabilities"]);
+    session_.client = client_of(params);
     for (const std::string& folder : folders_of(params)) session_.workspace.add_folder(folder);
     phase_ = Phase::running;
     return server_capabilities(session_.client);

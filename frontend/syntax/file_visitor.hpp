@@ -1,4 +1,4 @@
-// One walk over everything in a file that carries a name or is filled by resolution (private to the front end).
+// One walk over everything in a file that carries a name or is filled by resolution.
 // The visitor has an overload of `visit` for every kind of node it is called with; each is called before the node's
 // parts. Depth is bounded by the parser.
 #pragma once

@@ -20,7 +20,8 @@ std::string_view name_of(Encoding encoding) {
 
 }  // namespace
 
-Client client_of(View capabilities) {
+Client client_of(View params) {
+    const View capabilities = params["capabilities"];
     const View document = capabilities["textDocument"];
     const View offered = capabilities["general"]["positionEncodings"];
     Client client;
@@ -32,8 +33,11 @@ Client client_of(View capabilities) {
     client.hierarchical_symbols = document["documentSymbol"]["hierarchicalDocumentSymbolSupport"].truth();
     client.snippets = document["completion"]["completionItem"]["snippetSupport"].truth();
     client.markdown = lists(document["hover"]["contentFormat"], "markdown");
+    client.pulls_diagnostics = document["diagnostic"].is_object();
+    client.refreshes_diagnostics = capabilities["workspace"]["diagnostics"]["refreshSupport"].truth();
     client.watches_files = capabilities["workspace"]["didChangeWatchedFiles"]["dynamicRegistration"].truth();
     client.versioned_edits = capabilities["workspace"]["workspaceEdit"]["documentChanges"].truth();
+    client.checks_assertions = lists(params["initializationOptions"]["commands"], check_command);
     return client;
 }
 
@@ -67,10 +71,17 @@ Json server_capabilities(const Client& client) {
         {"codeActionProvider", Json::object({{"codeActionKinds", Json::array({"quickfix"})}})},
         {"documentFormattingProvider", true},
         {"renameProvider", Json::object({{"prepareProvider", true}})},
+        {"callHierarchyProvider", true},
+        {"inlayHintProvider", true},
         {"foldingRangeProvider", true},
+        {"selectionRangeProvider", true},
         {"semanticTokensProvider", Json::object({{"legend", legend}, {"full", true}})},
         {"workspace", Json::object({{"workspaceFolders", folders}})},
     });
+    if (client.checks_assertions) capabilities["codeLensProvider"] = Json::object({{"resolveProvider", false}});
+    if (client.pulls_diagnostics)
+        capabilities["diagnosticProvider"] =
+            Json::object({{"interFileDependencies", true}, {"workspaceDiagnostics", false}});
     return Json::object({{"capabilities", std::move(capabilities)},
                          {"serverInfo", Json::object({{"name", "robochart-verify"}, {"version", "0.1.0"}})}});
 }

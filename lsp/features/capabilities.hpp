@@ -8,8 +8,12 @@
 
 namespace robochart::lsp {
 
-/// What the editor's capabilities mean for us.
-[[nodiscard]] Client client_of(View capabilities);
+/// The command of the lenses above assertions, with the document's URI and the assertion's name. A client that has it
+/// says so: `initializationOptions.commands` lists it.
+inline constexpr const char* check_command = "robochart.check";
+
+/// What the parameters of `initialize` mean for us.
+[[nodiscard]] Client client_of(View params);
 /// The folders that the editor has open, as paths.
 [[nodiscard]] std::vector<std::string> folders_of(View params);
 /// The result of `initialize`.

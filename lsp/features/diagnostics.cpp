@@ -77,20 +77,48 @@ void send(Session& session, const std::string& uri, std::optional<std::int64_t> 
         {{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}}));
 }
 
+/// What an editor that asks was answered last is no longer true: it is to ask again.
+void send_refresh(Session& session) {
+    session.send(Json::object({{"jsonrpc", "2.0"},
+                               {"id", "refresh-diagnostics-" + std::to_string(++session.refreshes)},
+                               {"method", "workspace/diagnostic/refresh"}}));
+}
+
+std::string text_of(const Json& list) {
+    return list.empty() ? std::string() : json_text(list);
+}
+
 }  // namespace
 
+Json document_diagnostic(Session& session, View params) {
+    const Target target = target_of(session, params);
+    std::map<SourceId, Json> found = by_source(session, target.project);
+    const auto own = found.find(target.document.source);
+    Json items = own != found.end() ? std::move(own->second) : Json::array();
+    target.document.pulled = text_of(items);
+    return Json::object({{"kind", "full"}, {"items", std::move(items)}});
+}
+
+/// Of open documents nothing is pushed to an editor that asks for their diagnostics: it would show them twice.
 void publish(Session& session) {
+    bool refresh = false;
     for (const auto& project : session.workspace.projects()) {
         if (!project->take_news()) continue;
         std::map<SourceId, Json> found = by_source(session, *project);
         for (const auto& [path, document] : project->documents()) {
             Json list = found.contains(document->source) ? std::move(found[document->source]) : Json::array();
-            std::string text = list.empty() ? std::string() : json_text(list);
+            std::string text = text_of(list);
+            if (session.client.pulls_diagnostics && document->open) {
+                refresh = refresh || text != document->pulled;
+                list = Json::array();
+                text.clear();
+            }
             if (text == document->published) continue;
             document->published = std::move(text);
             send(session, document->uri, document->version, std::move(list));
         }
     }
+    if (refresh && session.client.refreshes_diagnostics) send_refresh(session);
     for (const std::string& uri : session.workspace.take_orphans())
         if (const auto place = session.workspace.find(uri); !place || place.document->published.empty())
             send(session, uri, {}, Json::array());

@@ -9,6 +9,8 @@ namespace robochart::lsp {
 // diagnostics.cpp
 /// Sends diagnostics of every document where they changed.
 void publish(Session&);
+/// The findings of one document, for editors that ask.
+[[nodiscard]] Json document_diagnostic(Session&, View params);
 
 // code_actions.cpp
 [[nodiscard]] Json code_actions(Session&, View params);
@@ -17,6 +19,11 @@ void publish(Session&);
 [[nodiscard]] Json definition(Session&, View params);
 [[nodiscard]] Json references(Session&, View params);
 [[nodiscard]] Json highlights(Session&, View params);
+
+// call_hierarchy.cpp
+[[nodiscard]] Json prepare_call_hierarchy(Session&, View params);
+[[nodiscard]] Json incoming_calls(Session&, View params);
+[[nodiscard]] Json outgoing_calls(Session&, View params);
 
 // rename.cpp
 [[nodiscard]] Json prepare_rename(Session&, View params);
@@ -38,8 +45,17 @@ void publish(Session&);
 // formatting.cpp
 [[nodiscard]] Json formatting(Session&, View params);
 
+// inlay_hints.cpp
+[[nodiscard]] Json inlay_hints(Session&, View params);
+
+// code_lens.cpp
+[[nodiscard]] Json code_lenses(Session&, View params);
+
 // folding.cpp
 [[nodiscard]] Json folding_ranges(Session&, View params);
+
+// selection_ranges.cpp
+[[nodiscard]] Json selection_ranges(Session&, View params);
 
 // semantic_tokens.cpp
 [[nodiscard]] Json semantic_tokens(Session&, View params);

@@ -1,9 +1,12 @@
-// The name under the pointer: the declaration with its comment, and why a rule objects.
+// The name under the pointer: the declaration with its comment, and why a rule objects. Of a reserved word its meaning.
 #include <fmt/format.h>
 
+#include <optional>
 #include <set>
 
+#include "frontend/syntax/lexer.hpp"
 #include "lsp/features/features.hpp"
+#include "lsp/features/keywords.hpp"
 #include "lsp/workspace/describe.hpp"
 
 namespace robochart::lsp {
@@ -69,20 +72,56 @@ std::string explanations(const Target& target, bool markdown) {
     return out;
 }
 
+/// A word with its meaning.
+struct Word {
+    Span span;
+    std::string_view text;
+};
+
+/// The words of assertions may have hyphens, of which the lexer knows nothing.
+Span whole_word(std::string_view text, Span span) {
+    const auto belongs = [&](std::uint32_t at) { return (text[at] >= 'a' && text[at] <= 'z') || text[at] == '-'; };
+    while (span.begin > 0 && belongs(span.begin - 1)) --span.begin;
+    while (span.end < text.size() && belongs(span.end)) ++span.end;
+    return span;
+}
+
+std::optional<Word> reserved_word_at(const Target& target) {
+    const SourceManager& sources = target.project.sources();
+    const std::string_view text = sources.text(target.document.source);
+    const bool is_assertions = target.document.is_assertions;
+    diagnostics::Diagnostics ignored;
+    const frontend::TokenStream stream = frontend::tokenize(sources, target.document.source, is_assertions, ignored);
+    for (const frontend::Token& token : stream.tokens) {
+        if (token.span.end < target.offset) continue;
+        if (token.span.begin > target.offset) break;
+        const bool plain = token.kind == frontend::TokenKind::identifier && !token.escaped;
+        if (token.kind != frontend::TokenKind::keyword && !(is_assertions && plain)) continue;
+        const Span span = is_assertions ? whole_word(text, token.span) : token.span;
+        const std::string_view word = text.substr(span.begin, span.end - span.begin);
+        const std::string_view meaning = is_assertions ? meaning_of_assertion_word(word) : meaning_of_word(word);
+        if (!meaning.empty()) return Word{span, meaning};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Json hover(Session& session, View params) {
     const Target target = target_of(session, params);
     const bool markdown = session.client.markdown;
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
+    const std::optional<Word> word = name == nullptr ? reserved_word_at(target) : std::nullopt;
     std::string text = name != nullptr ? about(target.project, *name, markdown) : std::string();
+    if (word) text = word->text;
     const std::string rules = explanations(target, markdown);
     if (!text.empty() && !rules.empty()) text += markdown ? "\n\n---\n" : "\n\n";
     text += rules;
     if (text.empty()) return {};
     Json result = Json::object(
         {{"contents", Json::object({{"kind", markdown ? "markdown" : "plaintext"}, {"value", std::move(text)}})}});
-    if (name != nullptr) result["range"] = range(target.project.sources(), name->span, session.client.encoding);
+    const Span span = name != nullptr ? name->span : word ? word->span : Span();
+    if (span.known()) result["range"] = range(target.project.sources(), span, session.client.encoding);
     return result;
 }
 

@@ -53,6 +53,8 @@ Document& Project::open(const std::string& path, std::string uri, std::string te
     if (document == nullptr) document = &add(path);
     document->uri = std::move(uri);
     document->open = true;
+    document->pulled.clear();
+    news_ = true;
     change(*document, std::move(text));
     return *document;
 }
@@ -68,6 +70,7 @@ void Project::change(Document& document, std::string text) {
 void Project::close(Document& document) {
     document.open = false;
     document.version.reset();
+    news_ = true;
     refresh(document.path);
 }
 

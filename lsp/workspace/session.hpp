@@ -41,6 +41,9 @@ struct Client {
     bool markdown = false;
     bool watches_files = false;
     bool versioned_edits = false;
+    bool checks_assertions = false;      ///< has the command of the lenses above assertions
+    bool pulls_diagnostics = false;      ///< asks for those of open documents, so they are not pushed
+    bool refreshes_diagnostics = false;  ///< asks again when it is notified
 };
 
 struct Session {
@@ -48,6 +51,7 @@ struct Session {
 
     Workspace workspace;
     Client client;
+    std::int64_t refreshes = 0;             ///< requests to ask for diagnostics again, so far
     std::function<void(const Json&)> send;  ///< messages to the editor
 };
 

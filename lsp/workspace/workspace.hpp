@@ -29,6 +29,7 @@ struct Document {
     frontend::File* tree = nullptr;     ///< in the project's model, once parsed
     diagnostics::Diagnostics findings;  ///< of reading alone
     std::string published;              ///< the diagnostics last sent
+    std::string pulled;                 ///< the diagnostics last asked for, while it is open
 };
 
 /// Files that see each other (language reference 1.3: folder = project), with what is known about them. Asking for the

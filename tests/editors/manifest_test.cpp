@@ -20,6 +20,9 @@ TEST(Manifest, NamesFilesThatExist) {
     expect_file(manifest.at("main"));
     for (const char* file : {"README.md", "CHANGELOG.md", "LICENSE"}) expect_file(file);
     const json& contributes = manifest.at("contributes");
+    expect_file(manifest.at("icon"));
+    for (const json& walkthrough : contributes.at("walkthroughs"))
+        for (const json& step : walkthrough.at("steps")) expect_file(step.at("media").at("markdown"));
     for (const json& language : contributes.at("languages")) expect_file(language.at("configuration"));
     for (const json& snippets : contributes.at("snippets")) expect_file(snippets.at("path"));
     for (const json& grammar : contributes.at("grammars")) expect_file(grammar.at("path"));

@@ -28,12 +28,13 @@ inline Json usual_capabilities() {
 
 class Client {
 public:
-    explicit Client(Json capabilities = usual_capabilities(), const std::string& folder = {})
+    explicit Client(Json capabilities = usual_capabilities(), const std::string& folder = {}, Json options = nullptr)
         : server_([this](const std::string& text) { sent(text); }) {
         Json folders;
         if (!folder.empty()) folders = Json::array({Json::object({{"uri", uri_of_path(folder)}, {"name", "project"}})});
         initialized_ = request("initialize", Json::object({{"processId", nullptr},
                                                            {"capabilities", std::move(capabilities)},
+                                                           {"initializationOptions", std::move(options)},
                                                            {"workspaceFolders", folders}}));
         notify("initialized", Json::object({}));
     }

@@ -34,6 +34,8 @@ constexpr Allowed allowed[] = {
     {"told", "docs/traces.md", "`told[]`", json_key},
     {"story", "app/report/report_json.cpp", R"({"story",)", json_key},
     {"story", "docs/cli.md", "`story`", json_key},
+    {"story", "editors/vscode/client/check.js", "counterexample?.story", json_key},
+    {"story", "editors/vscode/tests/client/check.test.js", "counterexample = { story:", json_key},
     {"faces", "app/report/report_json.cpp", R"(json["faces"])", json_key},
     {"faces", "tests/app/api_difference_test.cpp", R"(json.at("faces"))", json_key},
     {"faces", "docs/cli.md", "`faces`", json_key},

@@ -3,6 +3,8 @@
 
 const vscode = require("vscode");
 const { LanguageClient } = require("vscode-languageclient/node");
+const { checkAssertion } = require("./check");
+const { Lenses } = require("./lenses");
 const { findProgram } = require("./program");
 
 /** The texts the server is asked about; scripts in CSPM are only coloured. */
@@ -11,8 +13,12 @@ const documentSelector = [
     { scheme: "file", language: "robochart-assertions" },
 ];
 
+/** The command of the server's lenses; the server offers them to those who name it at the start. */
+const checkCommand = "robochart.check";
+
 let client;
 let output;
+let lenses;
 
 /** The work in hand: starts and stops never overlap. */
 let queue = Promise.resolve();
@@ -28,9 +34,46 @@ async function sayNotFound(problem) {
         await vscode.commands.executeCommand("workbench.action.openSettings", "robochart.server.path");
 }
 
+function openFolder() {
+    return vscode.workspace.workspaceFolders?.[0]?.uri.fsPath;
+}
+
+function program() {
+    return findProgram(vscode.workspace.getConfiguration("robochart").get("server.path"), openFolder());
+}
+
+/** Lenses are asked for again. */
+function refreshLenses() {
+    const feature = client?.getFeature("textDocument/codeLens");
+    for (const document of vscode.workspace.textDocuments)
+        feature?.getProvider(document)?.onDidChangeCodeLensEmitter.fire();
+}
+
+/** Checks one assertion as it is on disk, so texts are saved first. */
+async function check(uri, name) {
+    const found = program();
+    if (found.problem !== undefined) return void sayNotFound(found.problem);
+    await vscode.workspace.saveAll(false);
+    const file = vscode.Uri.parse(uri).fsPath;
+    const edition = lenses.edition;
+    lenses.set(uri, name, "checking …");
+    refreshLenses();
+    const { verdict, lines } = await checkAssertion(found.program, file, name);
+    if (edition === lenses.edition) lenses.set(uri, name, verdict);
+    refreshLenses();
+    output.appendLine(`check ${file} --assertion ${name}`);
+    for (const line of lines) output.appendLine(line);
+    if (verdict !== "holds") output.show(true);
+    return verdict;
+}
+
+function textChanged(event) {
+    if (documentSelector.some((each) => each.language === event.document.languageId)) lenses.forget();
+}
+
 async function start() {
-    const folder = vscode.workspace.workspaceFolders?.[0]?.uri.fsPath;
-    const found = findProgram(vscode.workspace.getConfiguration("robochart").get("server.path"), folder);
+    const folder = openFolder();
+    const found = program();
     if (found.problem !== undefined) {
         output.appendLine(found.problem);
         // Not awaited: the message stays until it is answered.
@@ -38,7 +81,14 @@ async function start() {
         return;
     }
     const server = { command: found.program, args: ["lsp"], options: { cwd: folder } };
-    const started = new LanguageClient("robochart", "RoboChart", server, { documentSelector, outputChannel: output });
+    const started = new LanguageClient("robochart", "RoboChart", server, {
+        documentSelector,
+        outputChannel: output,
+        initializationOptions: { commands: [checkCommand] },
+        middleware: {
+            provideCodeLenses: async (document, token, next) => lenses.titled(await next(document, token)),
+        },
+    });
     try {
         await started.start();
         client = started;
@@ -73,8 +123,11 @@ function settingsChanged(event) {
 
 function activate(context) {
     output = vscode.window.createOutputChannel("RoboChart");
+    lenses = new Lenses();
     context.subscriptions.push(
         output,
+        vscode.commands.registerCommand(checkCommand, check),
+        vscode.workspace.onDidChangeTextDocument(textChanged),
         vscode.commands.registerCommand("robochart.restartServer", () => enqueue(stop, start)),
         vscode.workspace.onDidChangeConfiguration(settingsChanged),
     );

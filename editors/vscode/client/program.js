@@ -31,13 +31,25 @@ function searchPath(program, searchedFolders) {
     return undefined;
 }
 
+/** The name that the setting has by default, and that of the program that comes with the extension. */
+const programName = "robochart-verify";
+
+/** The program beside the client; undefined where the extension came without one. */
+function bundledProgram(extensionFolder) {
+    const program = path.join(extensionFolder, "server", programName);
+    return isExecutable(program) ? program : undefined;
+}
+
 /**
  * The program that the setting `robochart.server.path` means.
  * A bare name is looked up in PATH; a relative path starts at the open folder; `~` is the home folder.
+ * The default name means the program that came with the extension, if one did.
  * Returns `{ program }` or `{ problem }`, a sentence for the user.
  */
-function findProgram(setting, openFolder, environment = process.env) {
+function findProgram(setting, openFolder, environment = process.env, extensionFolder = path.dirname(__dirname)) {
     const wanted = setting.trim();
+    const bundled = wanted === programName ? bundledProgram(extensionFolder) : undefined;
+    if (bundled !== undefined) return { program: bundled };
     if (wanted === "") return { problem: "The setting robochart.server.path is empty." };
     if (!wanted.includes("/") && !wanted.includes(path.sep)) {
         const program = searchPath(wanted, environment.PATH ?? environment.Path ?? "");

@@ -22,12 +22,28 @@ constexpr std::array<std::string_view, 3> uris = {"file:///fuzzed/a.rct", "file:
                                                   "file:///fuzzed/c.assertions"};
 using Texts = std::array<std::optional<std::string>, uris.size()>;
 
-constexpr std::array<std::string_view, 15> methods = {
-    "textDocument/codeAction",          "textDocument/completion",        "textDocument/declaration",
-    "textDocument/definition",          "textDocument/documentHighlight", "textDocument/documentSymbol",
-    "textDocument/foldingRange",        "textDocument/formatting",        "textDocument/hover",
-    "textDocument/prepareRename",       "textDocument/references",        "textDocument/rename",
-    "textDocument/semanticTokens/full", "textDocument/signatureHelp",     "workspace/symbol"};
+constexpr std::array<std::string_view, 22> methods = {"textDocument/codeAction",
+                                                      "textDocument/completion",
+                                                      "textDocument/declaration",
+                                                      "textDocument/definition",
+                                                      "textDocument/documentHighlight",
+                                                      "textDocument/documentSymbol",
+                                                      "textDocument/foldingRange",
+                                                      "textDocument/formatting",
+                                                      "textDocument/hover",
+                                                      "textDocument/prepareRename",
+                                                      "textDocument/references",
+                                                      "textDocument/rename",
+                                                      "textDocument/semanticTokens/full",
+                                                      "textDocument/signatureHelp",
+                                                      "workspace/symbol",
+                                                      "textDocument/codeLens",
+                                                      "textDocument/diagnostic",
+                                                      "textDocument/inlayHint",
+                                                      "textDocument/prepareCallHierarchy",
+                                                      "textDocument/selectionRange",
+                                                      "callHierarchy/incomingCalls",
+                                                      "callHierarchy/outgoingCalls"};
 
 constexpr std::array<std::string_view, 8> pieces = {"",        "}",        "\n", "x",
                                                     "stm X {", "\xC3\xA9", "/*", "\xF0\x9F\x98\x80"};
@@ -55,9 +71,12 @@ public:
 
     void ask(std::string_view method, std::size_t file, int line, int character) {
         const Json position = Json::object({{"line", line}, {"character", character}});
+        const Json item = Json::object({{"uri", uris[file]}, {"selectionRange", Json::object({{"start", position}})}});
         request(method,
                 Json::object({{"textDocument", Json::object({{"uri", uris[file]}})},
                               {"position", position},
+                              {"positions", Json::array({position})},
+                              {"item", item},
                               {"range", Json::object({{"start", position}, {"end", position}})},
                               {"context", Json::object({{"includeDeclaration", true}, {"diagnostics", Json::array()}})},
                               {"options", Json::object({{"tabSize", 4}})},

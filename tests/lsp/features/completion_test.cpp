@@ -243,6 +243,11 @@ TEST_F(Completion, AnywhereInAnyPrefix) {
         for (const Answer& each : found["items"].items()) EXPECT_NE(each["label"].text(), "");
         client.request("textDocument/signatureHelp", params);
         client.request("textDocument/hover", params);
+        client.request("textDocument/prepareCallHierarchy", params);
+        client.request("textDocument/inlayHint", params);
+        Json several = params;
+        several["positions"] = Json::array({params["position"]});
+        EXPECT_EQ(client.request("textDocument/selectionRange", several).items().size(), 1U);
     }
 }
 

@@ -82,6 +82,8 @@ TEST_F(Navigation, ThereIsNothingBehindWordsAndBlanks) {
     params = Json::object(
         {{"textDocument", params["textDocument"]}, {"position", Json::object({{"line", 6}, {"character", 1}})}});
     EXPECT_TRUE(client.request("textDocument/definition", params).is_null());
+    params["position"]["character"] = 0;
+    params["position"]["line"] = 7;
     EXPECT_TRUE(client.request("textDocument/hover", params).is_null());
     EXPECT_EQ(client.request("textDocument/references", params), Json::array());
 }

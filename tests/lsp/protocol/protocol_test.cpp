@@ -81,7 +81,9 @@ TEST(Messages, WithWrongParametersAreRefused) {
     for (const std::string method :
          {"textDocument/hover", "textDocument/definition", "textDocument/references", "textDocument/completion",
           "textDocument/rename", "textDocument/formatting", "textDocument/codeAction", "textDocument/documentSymbol",
-          "textDocument/foldingRange", "textDocument/semanticTokens/full"}) {
+          "textDocument/foldingRange", "textDocument/semanticTokens/full", "textDocument/selectionRange",
+          "textDocument/inlayHint", "textDocument/diagnostic", "textDocument/codeLens",
+          "textDocument/prepareCallHierarchy", "callHierarchy/incomingCalls", "callHierarchy/outgoingCalls"}) {
         EXPECT_EQ(code_of(client.ask(method, nullptr)), -32602) << method;
         EXPECT_EQ(code_of(client.ask(method, Json::array({1}))), -32602) << method;
         EXPECT_EQ(code_of(client.ask(method, Json::object({{"textDocument", Json::object({{"uri", "file:///no"}})}}))),

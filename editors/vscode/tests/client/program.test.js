@@ -47,3 +47,12 @@ test("a program that cannot be run is distinguished from one that does not exist
 test("an empty setting is a problem, not the folder", () => {
     assert.match(findProgram("  ", folder, {}).problem, /is empty/);
 });
+
+test("the default name means the program that came with the extension, another name does not", () => {
+    const bundled = write("extension/server/robochart-verify", 0o755);
+    const extension = path.dirname(path.dirname(bundled));
+    const PATH = path.dirname(program);
+    assert.deepStrictEqual(findProgram("robochart-verify", folder, { PATH }, extension), { program: bundled });
+    assert.deepStrictEqual(findProgram(program, folder, { PATH }, extension), { program });
+    assert.deepStrictEqual(findProgram("robochart-verify", folder, { PATH }, folder), { program });
+});

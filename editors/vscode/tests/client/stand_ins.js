@@ -13,9 +13,17 @@ function loadExtension(settings, failure) {
             workspaceFolders: undefined,
             getConfiguration: (section) => ({ get: (name) => settings[`${section}.${name}`] }),
             onDidChangeConfiguration: (handler) => ((handlers.settings = handler), disposable),
+            onDidChangeTextDocument: (handler) => ((handlers.text = handler), disposable),
+            saveAll: async () => log.push(["save"]),
+            textDocuments: [{ uri: "open" }],
         },
         window: {
-            createOutputChannel: (name) => ({ name, appendLine: (line) => log.push(["output", line]), ...disposable }),
+            createOutputChannel: (name) => ({
+                name,
+                appendLine: (line) => log.push(["output", line]),
+                show: () => log.push(["show"]),
+                ...disposable,
+            }),
             showErrorMessage: async (message, ...buttons) => (log.push(["error", message]), buttons[0]),
         },
         commands: {
@@ -23,9 +31,16 @@ function loadExtension(settings, failure) {
             executeCommand: async (...words) => log.push(["command", ...words]),
         },
     };
+    vscode.Uri = { parse: (uri) => ({ fsPath: new URL(uri).pathname }) };
     class LanguageClient {
         constructor(id, name, server, options) {
             Object.assign(this, { server, options });
+            handlers.middleware = options.middleware;
+            handlers.options = options.initializationOptions;
+        }
+        getFeature(method) {
+            const fire = () => log.push(["refresh", method]);
+            return { getProvider: () => ({ onDidChangeCodeLensEmitter: { fire } }) };
         }
         async start() {
             if (failure !== undefined) throw new Error(failure);

@@ -1,0 +1,58 @@
+// Asks robochart-verify about one assertion. Knows nothing of VS Code, so that plain Node tests it.
+"use strict";
+
+const { execFile } = require("node:child_process");
+
+/** From the best to the worst: an assertion is as good as the worst of its checks. */
+const answers = ["holds", "not checked", "no check", "inconclusive", "error", "fails"];
+
+/** The worst answer of a report of `check --format json`; undefined if it answers nothing. */
+function verdictOf(report) {
+    const found = (report.assertions ?? []).map((each) => each.answer);
+    if (found.length === 0) return undefined;
+    const rank = (answer) => (answers.includes(answer) ? answers.indexOf(answer) : answers.length);
+    return found.reduce((worst, answer) => (rank(answer) > rank(worst) ? answer : worst));
+}
+
+/** What is shown of a report: each check with its answer, and the text of its counterexample. */
+function linesOf(report) {
+    return (report.assertions ?? []).flatMap((each) => {
+        const text = each.counterexample?.story;
+        return [`${each.answer}: ${each.title}`, ...(text === undefined ? [] : [text.trimEnd()])];
+    });
+}
+
+function parsed(text) {
+    try {
+        return JSON.parse(text);
+    } catch {
+        return undefined;
+    }
+}
+
+/** Errors of the model, if that is what was written instead of a report. */
+function errorsOf(report) {
+    return (report?.diagnostics ?? [])
+        .filter((each) => each.severity === "error")
+        .map((each) => `${each.file}:${each.line}: ${each.message}`);
+}
+
+/**
+ * Runs `PROGRAM check FILE --assertion NAME`; no shell is involved.
+ * Gives `{ verdict, lines }`; the verdict is "error" where there is none, and the lines say why.
+ */
+function checkAssertion(program, file, name) {
+    const words = ["check", file, "--assertion", name, "--format", "json"];
+    return new Promise((resolve) => {
+        execFile(program, words, { maxBuffer: 64 * 1024 * 1024 }, (failure, stdout, stderr) => {
+            const report = parsed(stdout);
+            const verdict = report && verdictOf(report);
+            if (verdict !== undefined) return resolve({ verdict, lines: linesOf(report) });
+            const errors = [...errorsOf(report), ...errorsOf(parsed(stderr))];
+            const why = errors.length > 0 ? errors : [(stderr || failure?.message || "no answer").trim()];
+            return resolve({ verdict: "error", lines: why });
+        });
+    });
+}
+
+module.exports = { checkAssertion, verdictOf };
