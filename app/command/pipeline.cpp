@@ -243,12 +243,15 @@ std::unique_ptr<Project> load(const Options& options) {
 
 namespace {
 
-/// Errors in the CSP blocks show when the script is made.
-void read_blocks(Project& project, const Options& options) {
+/// Errors in the CSP blocks show when the script is made; it is kept, so it is made as it will be checked.
+void read_blocks(const Part& part, const Options& options) {
+    Project& project = *part.project;
     if (!project.diagnostics.ok() || project.system.csp_blocks.empty()) return;
-    if (options.times != Times::timed) (void)emit_csp(project, options, csp_emit::Time::untimed);
-    if (options.times != Times::untimed && project.diagnostics.ok())
-        (void)emit_csp(project, options, csp_emit::Time::timed);
+    Options wanted = options;
+    wanted.core = core_wanted(part, options);
+    if (wanted.times != Times::timed) (void)emit_csp(project, wanted, csp_emit::Time::untimed);
+    if (wanted.times != Times::untimed && project.diagnostics.ok())
+        (void)emit_csp(project, wanted, csp_emit::Time::timed);
 }
 
 /// Where claims are decided, those of other files do not wait for an assertion file with errors: a part with errors
@@ -258,7 +261,7 @@ void set_broken_claims_apart(std::vector<Part>& parts, const Options& options) {
     if (!decides || !options.print.empty() || !options.assertion.empty()) return;
     std::vector<Part> result;
     for (Part& part : parts) {
-        read_blocks(*part.project, options);
+        read_blocks(part, options);
         const auto found = part.project->diagnostics.ok() ? std::nullopt : broken_claims(*part.project);
         if (!found) {
             result.push_back(std::move(part));
@@ -301,6 +304,18 @@ std::vector<Part> read_parts(const Options& options) {
         for (std::vector<std::size_t> group : frontend::groups(model)) units.push_back({std::move(group), false});
         return units;
     });
+}
+
+bool core_wanted(const Part& part, const Options& options) {
+    const Project& project = *part.project;
+    const bool checks = options.verb == Verb::check || options.verb == Verb::verify;
+    const auto& files = project.model->files;
+    const bool claims =
+        !project.system.properties.empty() || std::any_of(files.begin(), files.end(), [](const auto& file) {
+            return std::any_of(file->kept.begin(), file->kept.end(), [](const auto& kept) { return kept.claims; });
+        });
+    const bool instead = checks && !claims && options.assertion.empty() && !options.sizes;
+    return !part.again && (options.core || instead);
 }
 
 const csp_emit::Emission& emit_csp(Project& project, const Options& options, csp_emit::Time time) {

@@ -50,6 +50,10 @@ struct Part {
 /// The same as far as reading and resolving go, whatever the instantiations; errors are in the diagnostics.
 [[nodiscard]] std::vector<Part> read_parts(const Options&);
 
+/// Whether the core properties of a part are checked: asked for, or because the model claims nothing and assertions are
+/// to be checked; not of components that a part before it has.
+[[nodiscard]] bool core_wanted(const Part&, const Options&);
+
 /// The semantics in one time, type checked; diagnostics are added to the project's. Made when it is first asked for, by
 /// the options of that time, and kept with the project. Throws std::logic_error where the script is wrong and nothing
 /// of it is the user's.

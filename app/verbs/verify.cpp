@@ -279,17 +279,6 @@ void note_nothing(const Options& options, Report& report) {
     report.nothing_checked = options.verb == Verb::check && report.sizes.empty();
 }
 
-/// A model without any claim is asked about its core properties, where assertions are to be checked.
-bool core_instead(const Project& project, const Options& options) {
-    const bool checks = options.verb == Verb::check || options.verb == Verb::verify;
-    const auto& files = project.model->files;
-    const bool claims =
-        !project.system.properties.empty() || std::any_of(files.begin(), files.end(), [](const auto& file) {
-            return std::any_of(file->kept.begin(), file->kept.end(), [](const auto& part) { return part.claims; });
-        });
-    return checks && !claims && options.assertion.empty() && !options.sizes;
-}
-
 /// Whether a part has what the verb is about. Of several parts one may have types alone: no code is made of it.
 bool concerns(const Part& part, const std::vector<Part>& parts, const Options& options) {
     const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
@@ -358,7 +347,7 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
         if (refused || !concerns(part, parts, options)) continue;
         some = true;
         Options wanted = options;
-        wanted.core = !part.again && (options.core || core_instead(*part.project, options));
+        wanted.core = core_wanted(part, options);
         const bool code =
             !part.again && (parts.size() == 1 || !code_components(part.project->system, options.component).empty());
         (void)run_phases(*part.project, wanted, code, report);

@@ -31,6 +31,7 @@ printf 'channel a\nP = a -> P\n' > none.csp
 printf 'print 1 + 1\n' > prints.csp
 printf 'robochart-trace 1\ncomponent Sitter\ncycle 1\n' > logs/none.trace
 cp -r claimed checks
+cp -r plain blocks; printf 'csp Instantiations csp-begin\nf(x) = x\ncsp-end\n' > blocks/m.assertions
 mkfifo pipe.rct; mkdir piped; mkfifo piped/m.rct
 )";
 
@@ -93,6 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"AssertionOutOfRangeJson", "cspm --format framed_json --assertion 7 s.csp", 4, "there is no assertion 7"},
         // Nothing to do.
         Row{"NoAssertions", "check plain", 1, "2 of 3 checks hold"},
+        Row{"BlocksWithoutAssertions", "check blocks", 1, "2 of 3 checks hold"},
         Row{"NoAssertionsJson", "check --format json plain", 1, "\"core\""},
         Row{"NoAssertionsButCore", "check plain --core --timed", 1, "2 of 3 checks hold"},
         Row{"NoAssertionsButSizes", "check plain --sizes --untimed", 0, "nothing is claimed"},
